@@ -19,7 +19,7 @@ from pathlib import Path
 PROJECT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(PROJECT))
 
-from bringup_lint.cli.graph import FORMATS as PICTURES  # noqa: E402
+from bringup_lint.cli.commands.graph import FORMATS as PICTURES  # noqa: E402
 from bringup_lint.config import Config  # noqa: E402
 from bringup_lint.discover.walk import discover  # noqa: E402
 from bringup_lint.engine import run  # noqa: E402

@@ -45,7 +45,7 @@ def dispatch(arguments: list[str], prog: str = "bringup-lint", question: Questio
     if name in PLAIN and (arguments or name != "explain") and not any(word.startswith("-") for word in arguments):
         plain = importlib.import_module(f"bringup_lint.cli.{PLAIN[name]}").plain
         sys.exit(_code(lambda: plain(tuple(arguments), question)))
-    module = importlib.import_module(f"bringup_lint.cli.{name.replace('-', '_')}")
+    module = importlib.import_module(f"bringup_lint.cli.commands.{name.replace('-', '_')}")
     sys.exit(_code(lambda: module.command.main(arguments, prog_name=prog, standalone_mode=False, obj=question)))
 
 
@@ -100,7 +100,7 @@ def _first_word(arguments: list[str]) -> int | None:
     """Where the first argument is that is neither an option nor the value of one."""
     if not arguments or not arguments[0].startswith("-"):
         return 0 if arguments else None
-    options = importlib.import_module("bringup_lint.cli.check").command.params
+    options = importlib.import_module("bringup_lint.cli.commands.check").command.params
     valued = {name for param in options if not getattr(param, "is_flag", True) for name in param.opts}
     is_value = False
     for at, word in enumerate(arguments):

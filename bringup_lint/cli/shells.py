@@ -7,15 +7,15 @@ from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
 
-from bringup_lint.cli.words import ANY
-from bringup_lint.cli.words import FAMILIES
-from bringup_lint.cli.words import FILE
-from bringup_lint.cli.words import FLAG
-from bringup_lint.cli.words import FOLDER
-from bringup_lint.cli.words import NAMES
-from bringup_lint.cli.words import RULES
-from bringup_lint.cli.words import Command
-from bringup_lint.cli.words import Option
+from bringup_lint.cli.syntax import ANY
+from bringup_lint.cli.syntax import FAMILIES
+from bringup_lint.cli.syntax import FILE
+from bringup_lint.cli.syntax import FLAG
+from bringup_lint.cli.syntax import FOLDER
+from bringup_lint.cli.syntax import NAMES
+from bringup_lint.cli.syntax import RULES
+from bringup_lint.cli.syntax import Command
+from bringup_lint.cli.syntax import Option
 from bringup_lint.pattern import regex
 
 _ZSH_SPECIAL = regex(r"([\[\]:\\])")

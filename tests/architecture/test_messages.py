@@ -9,8 +9,8 @@ from tests.architecture.imports import PACKAGE
 DIRECT = re.compile(r"err=True|file=sys\.stderr|sys\.stderr\.write")
 ELSEWHERE = {
     "cli/streams.py": "the one place",
-    "cli/fleet.py": "counts how far it is, in numbers",
-    "live/observe.py": "another process, whose words are read and shown by cli.live",
+    "cli/commands/fleet.py": "counts how far it is, in numbers",
+    "live/observe.py": "another process, whose words are read and shown by cli.commands.live",
 }
 
 

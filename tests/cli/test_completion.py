@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from bringup_lint.cli.words import commands
+from bringup_lint.cli.syntax import commands
 from tests.lint import lint
 
 ASKED = [

@@ -14,7 +14,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from bringup_lint.cli.live import command
+from bringup_lint.cli.commands.live import command
 from bringup_lint.live import observe
 from bringup_lint.live import run as live_run
 from bringup_lint.live.text import graph_text

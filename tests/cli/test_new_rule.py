@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from bringup_lint.cli import new_rule
+from bringup_lint.cli.commands import new_rule
 from bringup_lint.registry import load
 from tests.conftest import PROJECT
 from tests.lint import Run

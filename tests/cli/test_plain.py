@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from bringup_lint.cli.check import command
 from bringup_lint.cli.checking import DEFAULTS
+from bringup_lint.cli.commands.check import command
 from tests.conftest import PROJECT
 from tests.lint import lint
 

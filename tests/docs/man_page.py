@@ -10,10 +10,10 @@ import click
 
 from bringup_lint import __version__
 from bringup_lint.cli import COMMANDS
-from bringup_lint.cli.words import FLAG
-from bringup_lint.cli.words import Command
-from bringup_lint.cli.words import commands
-from bringup_lint.cli.words import loaded
+from bringup_lint.cli.syntax import FLAG
+from bringup_lint.cli.syntax import Command
+from bringup_lint.cli.syntax import commands
+from bringup_lint.cli.syntax import loaded
 
 EXAMPLES = (
     ("bringup-lint", "Check the current folder."),

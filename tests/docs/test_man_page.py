@@ -7,7 +7,7 @@ import subprocess
 
 import pytest
 
-from bringup_lint.cli.words import commands
+from bringup_lint.cli.syntax import commands
 from tests.conftest import PROJECT
 from tests.docs.man_page import page
 

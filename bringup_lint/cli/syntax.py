@@ -1,4 +1,4 @@
-"""The words of the command line: what completion and the manual page are made from."""
+"""The syntax of the command line: what completion and the manual page are made from."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class Command(NamedTuple):
 
 def loaded(name: str) -> click.Command:
     """The command of this name."""
-    module = importlib.import_module(f"bringup_lint.cli.{name.replace('-', '_')}")
+    module = importlib.import_module(f"bringup_lint.cli.commands.{name.replace('-', '_')}")
     command: click.Command = module.command
     return command
 

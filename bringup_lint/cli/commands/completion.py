@@ -22,7 +22,7 @@ def command(shell: str, rule_folders: tuple[Path, ...]) -> None:
     """
     from bringup_lint.cli.shells import SHELLS
     from bringup_lint.cli.shells import Names
-    from bringup_lint.cli.words import commands
+    from bringup_lint.cli.syntax import commands
     from bringup_lint.registry import Registry
 
     click.echo(SHELLS[shell](list(commands()), Names(Registry.of(rule_folders).paths)), nl=False)
