@@ -14,6 +14,7 @@ from bringup_lint.suppress.reach import head_end
 from bringup_lint.suppress.reach import is_comment
 from bringup_lint.suppress.reach import prolog_end
 from bringup_lint.suppress.reach import statement_end
+from bringup_lint.suppress.unbroken import unbroken
 
 _TALL = 60
 """Lines above a finding in which its statement is looked for."""
@@ -39,8 +40,11 @@ def line_below(source: Source, line: int) -> int:
     first = prolog_end(source) + 1
     if line <= head_end(source):
         return first
-    above = (at for at in range(max(first, line - _TALL), line) if not is_comment(source, at))
-    return next((at for at in above if statement_end(source, at) >= line), line)
+    whole = unbroken(source)
+    start = max(first, whole.around(line).start)
+    above = (at for at in range(max(first, start - _TALL), start) if not is_comment(source, at))
+    open_ones = (at for at in above if whole.takes_comment(at))
+    return next((at for at in open_ones if statement_end(source, at) >= start), start)
 
 
 def _inserted(source: Source, line: int, comment: str) -> Edit:

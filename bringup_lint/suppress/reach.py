@@ -1,33 +1,28 @@
 """Which lines a comment above them counts for: the next statement, to its last line.
 
-A comment cannot be written inside a tag, a continued line, a text block or a here-document, so the one above counts for
-all of it. Lines are counted from 1.
+A comment cannot be written inside a tag, a continued line, a text block or a here-document (``unbroken``), so the one
+above counts for all of it. Lines are counted from 1.
 """
 
 from __future__ import annotations
 
-import ast
-from functools import lru_cache
-
-from bringup_lint.model.python import syntax_of
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
-from bringup_lint.suppress.forms import PYTHON_KINDS
-from bringup_lint.suppress.forms import SHELL_KINDS
-from bringup_lint.suppress.forms import XML_KINDS
 from bringup_lint.suppress.forms import YAML_KINDS
 from bringup_lint.suppress.forms import starts_of
+from bringup_lint.suppress.unbroken import unbroken
 
 LIMIT = 500
-"""Lines, and twenty times as many characters: no longer statement is looked for."""
-_PROLOG = regex(r"#!|<\?|<!DOCTYPE|---|#cloud-config|# *syntax *=|# *-\*-|\ufeff")
-_TAG = regex(r"""\s*<[^<>"']*(?:(?:"[^"]*"|'[^']*')[^<>"']*)*>?[^<]*""")
+"""Lines: no longer statement is looked for below one that only looks like one."""
+_PROLOG = regex(
+    r"#!|<\?|<!DOCTYPE|---|%(?:YAML|TAG)\b|#cloud-config|## *template:|# *(?:syntax|escape|check) *=|# *-\*-|\ufeff"
+    r"|#[^\n]{0,80}coding[:=]"
+)
 _YAML_LINE = regex(
     r"(?P<lead> *(?:- +)*)"
     r"(?P<key>(?:[^\s#\[{\"'][^\n#]*?|[\"'][^\"'\n]*[\"']):(?:[ \t]+|$))?"
     r"(?P<value>[^\s#]?)"
 )
-_HERE = regex(r"<<-?[ \t]*\\?[\"']?(\w+)")
 
 
 def is_comment(source: Source, line: int) -> bool:
@@ -38,14 +33,15 @@ def head_end(source: Source) -> int:
     """The last line above which nothing but comments, blanks and what must be first, such as ``<?xml ...?>``."""
     line, last = 1, min(len(source.line_starts), LIMIT)
     while line <= last and _is_head(source, line):
-        line += 1
+        line = unbroken(source).around(line).stop
     return line - 1
 
 
 def prolog_end(source: Source) -> int:
     """The last line of what must be first, such as ``<?xml ...?>``; 0 where there is none."""
     lines = range(1, head_end(source) + 1)
-    return max((line for line in lines if _PROLOG.match(source.line_text(line))), default=0)
+    last = max((line for line in lines if _PROLOG.match(source.line_text(line))), default=0)
+    return unbroken(source).around(last).stop - 1
 
 
 def _is_head(source: Source, line: int) -> bool:
@@ -71,16 +67,9 @@ def statement_after(source: Source, line: int, known: dict[int, int]) -> range:
 
 def statement_end(source: Source, line: int) -> int:
     """The last line of what begins on ``line`` and cannot be interrupted by a comment."""
-    end = _continued(source, line)
-    if source.kind in XML_KINDS:
-        return max(end, _tag_end(source, line))
-    if source.kind in YAML_KINDS:
-        return max(end, _scalar_end(source, line))
-    if source.kind in SHELL_KINDS:
-        return max(end, _here_end(source, line, end))
-    if source.kind in PYTHON_KINDS:
-        return max(end, _strings(source.text).get(line, line))
-    return end
+    around = unbroken(source).around(line)
+    end = max(_continued(source, line), around.stop - 1 if around.start == line else line)
+    return max(end, _scalar_end(source, line)) if source.kind in YAML_KINDS else end
 
 
 def _continued(source: Source, line: int) -> int:
@@ -89,12 +78,6 @@ def _continued(source: Source, line: int) -> int:
     while line < last and (source.line_text(line).endswith("\\") or is_comment(source, line)):
         line += 1
     return line
-
-
-def _tag_end(source: Source, line: int) -> int:
-    start = source.line_starts[line - 1]
-    tag = _TAG.match(source.text, start, start + 20 * LIMIT)
-    return source.position(start + len(tag[0].rstrip()) - 1).line if tag and tag[0].strip() else line
 
 
 def _scalar_end(source: Source, line: int) -> int:
@@ -112,24 +95,3 @@ def _scalar_end(source: Source, line: int) -> int:
             break
         end = at if below.strip() else end
     return end
-
-
-def _here_end(source: Source, line: int, end: int) -> int:
-    """The last line of the here-documents that a command opens."""
-    words = [word for at in range(line, end + 1) for word in _HERE.findall(source.line_text(at))]
-    last = min(len(source.line_starts), line + LIMIT)
-    at = end
-    for word in words:
-        below = (number for number in range(at + 1, last + 1) if source.line_text(number).strip() == word)
-        at = next(below, at)
-    return at
-
-
-@lru_cache(maxsize=8)
-def _strings(text: str) -> dict[int, int]:
-    """First line -> last line of the strings of a Python file that span several lines."""
-    tree = syntax_of(text.removeprefix("\ufeff"))
-    if tree is None:
-        return {}
-    parts = (node for node in ast.walk(tree) if isinstance(node, (ast.Constant, ast.JoinedStr)))
-    return {node.lineno: node.end_lineno or node.lineno for node in parts if node.end_lineno != node.lineno}
