@@ -61,6 +61,20 @@ def test_every_kind_is_tried() -> None:
 
 
 def test_what_grows_too_much_is_noticed() -> None:
-    assert GROWTH.is_superlinear([0.1, 0.4, 1.6, 6.4])
+    assert GROWTH.is_superlinear([0.1, 6.4])
     assert GROWTH.is_superlinear([0.1, float("inf")])
-    assert not GROWTH.is_superlinear([0.1, 0.2, 0.4, 0.8])
+    assert not GROWTH.is_superlinear([0.1, 0.8, 6.4])
+    assert not GROWTH.is_superlinear([0.001, 0.1])
+
+
+def test_a_step_that_takes_more_than_its_share_is_followed() -> None:
+    assert GROWTH.is_suspicious([0.1, 1.2])
+    assert GROWTH.is_suspicious([0.1, 0.8], alone=0.05)
+    assert not GROWTH.is_suspicious([0.1, 0.8])
+    assert not GROWTH.is_suspicious([0.001, 0.05])
+
+
+def test_the_parts_of_a_sweep_are_all_of_it() -> None:
+    kinds = ["journald", "udev-rules"]
+    parts = [each for part in ("1/3", "2/3", "3/3") for each in GROWTH.chosen(kinds, part)]
+    assert sorted(parts) == [each for each in every() if each.kind in kinds]
