@@ -7,8 +7,6 @@ import gc
 import sys
 
 _HOME = __file__.rpartition("/bringup_lint/")[0]
-YOUNG_OBJECTS = 200_000
-"""How many objects more than before start the search for garbage."""
 
 
 def main() -> None:
@@ -26,15 +24,16 @@ def main() -> None:
         sys.exit(replayed(answer))
     from bringup_lint.cli import dispatch
 
-    _collect_seldom()
+    _settle()
     dispatch(sys.argv[1:], question=question)
 
 
-def _collect_seldom() -> None:
-    """Nearly all objects of a run live until its end, so that the search for garbage, which Python starts every 700
-    objects, finds none and takes a fifth of the time in a big repository."""
+def _settle() -> None:
+    """What is loaded by now stays until the end."""
+    from bringup_lint.garbage import collect_seldom
+
     gc.freeze()
-    gc.set_threshold(YOUNG_OBJECTS, 20, 100)
+    collect_seldom()
 
 
 if __name__ == "__main__":

@@ -17,6 +17,7 @@ from bringup_lint.fleet.check import Job
 from bringup_lint.fleet.check import summary_of
 from bringup_lint.fleet.members import Member
 from bringup_lint.fleet.summary import Summary
+from bringup_lint.garbage import collect_seldom
 
 AHEAD = 4
 """Robots that wait in line for each worker."""
@@ -70,6 +71,7 @@ def _in_processes(members: list[Member], job: Job, workers: int) -> Iterator[Sum
 
 def work(member: Member, job: Job) -> Summary:
     """One robot in a worker, which gives its memory back before the next."""
+    collect_seldom()
     summary = summary_of(member, job)
     gc.collect()
     return summary

@@ -63,7 +63,7 @@ LAYERS = (
     {"schema"},
     {"model", "finding", "facts", "fleet.summary"},
     {"addresses"},
-    {"budget", "digest", "plural", "source", "spelling", "templates", "toml"},
+    {"budget", "digest", "garbage", "plural", "source", "spelling", "templates", "toml"},
     {"pattern", "dataclass", "on_demand"},
     {""},
 )

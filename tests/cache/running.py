@@ -38,7 +38,7 @@ class Program:
         monkeypatch.delenv("BRINGUP_LINT_NO_CACHE")
         monkeypatch.setenv("XDG_CACHE_HOME", str(self.base))
         monkeypatch.chdir(self.tree)
-        monkeypatch.setattr(__main__, "_collect_seldom", lambda: None)
+        monkeypatch.setattr(__main__, "_settle", lambda: None)
 
     @property
     def folder(self) -> Path:
