@@ -5,10 +5,10 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from bringup_lint.finding import Finding
 from bringup_lint.finding.uri import below_root
+from bringup_lint.named_tuple import NamedTuple
 
 VERSION = 1
 

@@ -7,19 +7,18 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import field
-from dataclasses import fields
 from pathlib import Path
 from typing import Any
-from typing import NamedTuple
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 from bringup_lint.discover import disk
 from bringup_lint.discover.gitignore import PatternError
 from bringup_lint.discover.gitignore import pattern_of
 from bringup_lint.discover.reading import Unreadable
 from bringup_lint.discover.reading import read_bytes
 from bringup_lint.facts.ros import distros
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.spelling import meant
 from bringup_lint.toml import read_toml
@@ -267,6 +266,8 @@ def _checked(kind: str, value: Any) -> Any:
 
 def schema() -> dict[str, Any]:
     """The JSON schema (draft 2020-12) of the configuration file."""
+    from dataclasses import fields
+
     string = {"type": "string"}
     severity = {"enum": list(SEVERITIES)}
     types: dict[str, dict[str, Any]] = {

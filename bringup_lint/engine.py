@@ -7,7 +7,6 @@ from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
 from collections.abc import Mapping
-from dataclasses import replace
 
 from bringup_lint import budget
 from bringup_lint.apart import Steps
@@ -16,6 +15,7 @@ from bringup_lint.config import OFF
 from bringup_lint.config import Config
 from bringup_lint.config import ConfigError
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import replace
 from bringup_lint.discover.tree import display_name
 from bringup_lint.finding import Applicability
 from bringup_lint.finding import Confidence

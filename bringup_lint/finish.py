@@ -10,20 +10,20 @@ from collections.abc import Iterable
 from collections.abc import Iterator
 from collections.abc import Mapping
 from collections.abc import Sequence
-from dataclasses import replace
 from typing import TYPE_CHECKING
 from typing import Any
-from typing import NamedTuple
 
 from bringup_lint.apart import Steps
 from bringup_lint.baseline import Entry
 from bringup_lint.baseline import path_of
 from bringup_lint.baseline import sift
+from bringup_lint.dataclass import replace
 from bringup_lint.engine import Outcome
 from bringup_lint.finding import Finding
 from bringup_lint.finding import Severity
 from bringup_lint.finding.presented import Presented
 from bringup_lint.finding.presented import presented
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.registry import Rule
 from bringup_lint.registry import doc_of
 from bringup_lint.report import Notification

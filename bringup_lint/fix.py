@@ -6,19 +6,19 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterable
-from dataclasses import field
-from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
-from typing import NamedTuple
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
+from bringup_lint.dataclass import replace
 from bringup_lint.finding import Applicability
 from bringup_lint.finding import Codemod
 from bringup_lint.finding import Edit
 from bringup_lint.finding import Finding
 from bringup_lint.finding import Fix
 from bringup_lint.model.python import syntax_of
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 from bringup_lint.writing import NotWritten

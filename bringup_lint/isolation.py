@@ -14,20 +14,20 @@ from collections.abc import Collection
 from collections.abc import Iterable
 from collections.abc import Iterator
 from collections.abc import Mapping
-from dataclasses import field
-from dataclasses import replace
 from types import TracebackType
-from typing import NamedTuple
 
 from bringup_lint import budget
 from bringup_lint.budget import OutOfTime
 from bringup_lint.budget import limited
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
+from bringup_lint.dataclass import replace
 from bringup_lint.discover import disk
 from bringup_lint.finding import Finding
 from bringup_lint.finding import Severity
 from bringup_lint.finding.origin import at_origin
 from bringup_lint.graph.purpose import Purpose
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.registry import Rule
 from bringup_lint.robot import Robot
 from bringup_lint.source import Located

@@ -13,10 +13,10 @@ from collections.abc import Iterator
 from collections.abc import Sequence
 from functools import cache
 from math import log
-from typing import NamedTuple
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.facts import table
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.registry import Rule
 

@@ -13,7 +13,6 @@ import re
 from collections.abc import Iterable
 from collections.abc import Iterator
 from collections.abc import Mapping
-from dataclasses import field
 from functools import cache
 from functools import cached_property
 from pathlib import Path
@@ -24,6 +23,7 @@ from bringup_lint.api import Check
 from bringup_lint.api import Metadata
 from bringup_lint.api import rule
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 from bringup_lint.discover import disk
 from bringup_lint.discover.starters import STARTING
 from bringup_lint.finding import Severity

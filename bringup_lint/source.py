@@ -5,13 +5,13 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Callable
 from collections.abc import Iterator
-from dataclasses import field
 from functools import cached_property
-from typing import NamedTuple
 from typing import TypeVar
 from typing import cast
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
 Made = TypeVar("Made")

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import dataclasses
+import re
 from dataclasses import FrozenInstanceError
-from dataclasses import field
 from functools import cached_property
 
 import pytest
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
+from bringup_lint.dataclass import replace
 from tests.architecture.imports import paths
 
 
@@ -36,6 +38,12 @@ class Composable(Node):
 
 
 @dataclass
+class Note:
+    text: str
+    seen: int | None = field(default=None, init=False)
+
+
+@dataclass
 class Bridge:
     members: list[str] = field(default_factory=list)
 
@@ -48,6 +56,23 @@ def test_objects_are_as_those_of_dataclasses() -> None:
     assert dataclasses.replace(one, name="eth1") == Interface("eth1", ("10.0.0.1",))
     with pytest.raises(FrozenInstanceError):
         one.name = "eth1"  # type: ignore[misc]
+
+
+def test_python_knows_the_fields() -> None:
+    one = Node("camera", count=2)
+    assert dataclasses.asdict(one) == {"name": "camera", "topics": [], "count": 2}
+    assert [each.name for each in dataclasses.fields(Composable)] == ["name", "topics", "count", "plugin"]
+    assert replace(one, name="lidar").name == dataclasses.replace(one, name="lidar").name == "lidar"
+    match one:
+        case Node(name, _, count):
+            assert (name, count) == ("camera", 2)
+
+
+def test_values_that_are_not_given() -> None:
+    note = Note("seen")
+    assert (note.text, note.seen, Note.seen) == ("seen", None, None)
+    with pytest.raises(TypeError):
+        Note("seen", seen=1)  # type: ignore[call-arg]
 
 
 def test_slots_and_inheritance() -> None:
@@ -70,4 +95,4 @@ def test_the_package_has_no_other_dataclasses() -> None:
     for path in paths():
         text = path.read_text("utf-8")
         if path.name != "dataclass.py":
-            assert "from dataclasses import dataclass\n" not in text, path
+            assert not re.search(r"from dataclasses import (?:dataclass|field|replace)\n", text), path

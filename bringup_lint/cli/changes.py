@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
-from dataclasses import replace
 from typing import TYPE_CHECKING
 from typing import Any
 
 from bringup_lint.cli.streams import complain
 from bringup_lint.config import ConfigError
+from bringup_lint.dataclass import replace
 from bringup_lint.discover import disk
 from bringup_lint.finding.reach import reached
 

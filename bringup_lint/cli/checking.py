@@ -4,7 +4,6 @@ them."""
 from __future__ import annotations
 
 import contextlib
-import dataclasses
 import os
 import sys
 import time
@@ -23,6 +22,7 @@ from bringup_lint.config import Config
 from bringup_lint.config import ConfigError
 from bringup_lint.config import find
 from bringup_lint.config import read
+from bringup_lint.dataclass import replace
 from bringup_lint.discover import disk
 from bringup_lint.discover.disk import recorded
 
@@ -142,9 +142,9 @@ def deliver(
     drawn = any(output.format in DRAWN for output in outputs)
     part = Part.STATISTICS if options.get("statistics") else Part.FINDINGS if options.get("quiet") else Part.WHOLE
     told = part is not Part.STATISTICS and any(output.format == "text" for output in outputs)
-    report = dataclasses.replace(report_of(outcome, robot, config, started, drawn=drawn, told=told), part=part)
+    report = replace(report_of(outcome, robot, config, started, drawn=drawn, told=told), part=part)
     if options["exit_zero"] and report.exit_code == 1:
-        report = dataclasses.replace(report, exit_code=0)
+        report = replace(report, exit_code=0)
     for said in report.notifications:
         if said.level == "note" and not options.get("quiet"):
             complain(said.message)
@@ -152,7 +152,7 @@ def deliver(
     failures, code = [*unwritten, *kept], report.exit_code
     for output in outputs:
         colour = output.file is None and wants_colour(options["colour"])
-        text, rendered_code = rendered(output.format, dataclasses.replace(report, colour=colour))
+        text, rendered_code = rendered(output.format, replace(report, colour=colour))
         failures += _failed(write, text, output.file)
         code = max(code, rendered_code)
     for failure in failures:
@@ -176,7 +176,7 @@ def _with_baseline(report: Report, config: Config, options: dict[str, Any]) -> t
     from bringup_lint.writing import NotWritten
 
     if any(options.get(name) for name in _OF_A_PART):
-        report = dataclasses.replace(report, stale=())
+        report = replace(report, stale=())
     try:
         if options["write_baseline"]:
             return save_baseline(report, options["write_baseline"]), []
@@ -290,7 +290,7 @@ def configuration(paths: tuple[str, ...], options: dict[str, Any]) -> tuple[Conf
         "target_systemd": options["target_systemd"],
         "baseline": options["baseline"] and str(options["baseline"].absolute()),
     }
-    return dataclasses.replace(config, **{key: value for key, value in given.items() if value}), rule_folders
+    return replace(config, **{key: value for key, value in given.items() if value}), rule_folders
 
 
 def _start(paths: tuple[str, ...], root: str | None) -> Path:

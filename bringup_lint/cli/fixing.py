@@ -8,8 +8,6 @@ import sys
 from collections import Counter
 from collections.abc import Callable
 from collections.abc import Iterable
-from dataclasses import field
-from dataclasses import replace
 from typing import TYPE_CHECKING
 from typing import Any
 
@@ -18,6 +16,8 @@ import click
 from bringup_lint.cli.streams import plain
 from bringup_lint.cli.streams import say
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
+from bringup_lint.dataclass import replace
 from bringup_lint.fix import TOUCHES
 from bringup_lint.fix import Changes
 from bringup_lint.fix import Fixed

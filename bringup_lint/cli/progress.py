@@ -8,10 +8,10 @@ import threading
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import field
 
 from bringup_lint.cli.streams import overwrite
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 
 PATIENCE = 1.0
 """Seconds until the first line."""

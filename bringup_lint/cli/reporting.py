@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import os
 import sys
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from bringup_lint.cli.streams import say
 from bringup_lint.cli.terminal import terminal_width
 from bringup_lint.config import ConfigError
+from bringup_lint.dataclass import replace
 from bringup_lint.finding import Severity
 from bringup_lint.plural import counted
 

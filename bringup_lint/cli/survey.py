@@ -9,13 +9,13 @@ from collections import defaultdict
 from collections.abc import Iterable
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
-from typing import NamedTuple
 
 from bringup_lint.config import ROS_DISTROS
 from bringup_lint.discover.gitignore import escaped
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.graph.purpose import by_path
 from bringup_lint.graph.target import mentioned
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers import package_xml
 from bringup_lint.pattern import regex
 from bringup_lint.plural import counted

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import importlib
 from collections.abc import Iterator
-from typing import NamedTuple
 
 import click
 
 from bringup_lint.cli import COMMANDS
 from bringup_lint.cli.options import names
+from bringup_lint.named_tuple import NamedTuple
 
 ANY, FILE, FOLDER, NAMES, RULES, FAMILIES, FLAG = "any", "file", "folder", "names", "rules", "families", "flag"
 _ARGUMENTS = {"explain": RULES, "rules": FAMILIES}

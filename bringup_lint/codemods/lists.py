@@ -10,13 +10,13 @@ from collections.abc import Callable
 from collections.abc import Sequence
 from functools import partial
 from typing import TYPE_CHECKING
-from typing import NamedTuple
 from typing import TypeVar
 
 from bringup_lint.codemods.module import BOM
 from bringup_lint.codemods.module import read
 from bringup_lint.finding import Codemod
 from bringup_lint.model.python import syntax_of
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
-from typing import NamedTuple
 from typing import TypeVar
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     import libcst

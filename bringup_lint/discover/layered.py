@@ -11,10 +11,10 @@ import tarfile
 from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
-from dataclasses import field
 from functools import cached_property
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 from bringup_lint.discover import disk
 from bringup_lint.discover.kinds import HEAD_SIZE
 from bringup_lint.discover.kinds import kind_of

@@ -8,12 +8,12 @@ import stat
 from collections.abc import Collection
 from collections.abc import Iterable
 from collections.abc import Iterator
-from dataclasses import field
-from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
+from bringup_lint.dataclass import replace
 from bringup_lint.discover import disk
 from bringup_lint.discover.git_index import UnknownFormat
 from bringup_lint.discover.git_index import index_of

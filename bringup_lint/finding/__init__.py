@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from enum import Enum
 from enum import IntEnum
-from typing import NamedTuple
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.source import Span

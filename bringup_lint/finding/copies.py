@@ -6,8 +6,8 @@ from __future__ import annotations
 from collections.abc import Hashable
 from collections.abc import Iterable
 from collections.abc import Iterator
-from dataclasses import replace
 
+from bringup_lint.dataclass import replace
 from bringup_lint.finding import Finding
 from bringup_lint.finding import Related
 from bringup_lint.pattern import regex

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
+from bringup_lint.dataclass import replace
 from bringup_lint.finding import Confidence
 from bringup_lint.finding import Edit
 from bringup_lint.finding import Finding

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import replace
-from typing import NamedTuple
 
+from bringup_lint.dataclass import replace
 from bringup_lint.finding import Finding
 from bringup_lint.finding.fingerprint import fingerprints
 from bringup_lint.finding.redact import Mask
 from bringup_lint.finding.redact import mask_of
+from bringup_lint.named_tuple import NamedTuple
 
 
 class Presented(NamedTuple):

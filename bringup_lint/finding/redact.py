@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 from collections import defaultdict
 from collections.abc import Iterable
-from dataclasses import replace
 from functools import cached_property
 
+from bringup_lint.dataclass import replace
 from bringup_lint.finding import Edit
 from bringup_lint.finding import Finding
 from bringup_lint.finding import Fix

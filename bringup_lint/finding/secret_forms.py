@@ -7,8 +7,8 @@ is not searched. Patterns take linear time: what repeats is anchored, or bounded
 from __future__ import annotations
 
 import re
-from typing import NamedTuple
 
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import os
 import time
-from dataclasses import replace
 from datetime import date
 from pathlib import Path
 
 from bringup_lint.config import Config
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import replace
 from bringup_lint.discover.exclude import exclusion
 from bringup_lint.discover.tree import Tree
 from bringup_lint.discover.tree import display_name

@@ -7,7 +7,6 @@ from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
 from functools import cached_property
-from typing import NamedTuple
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.finding import Confidence
@@ -15,6 +14,7 @@ from bringup_lint.finding import Severity
 from bringup_lint.fleet.summary import Fact
 from bringup_lint.fleet.summary import Mark
 from bringup_lint.fleet.summary import Summary
+from bringup_lint.named_tuple import NamedTuple
 
 FEWEST = 3
 """Robots of which a majority says anything."""

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import traceback
 from collections.abc import Iterable
-from dataclasses import replace
 
 from bringup_lint.config import Config
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import replace
 from bringup_lint.discover.tree import display_name
 from bringup_lint.engine import Selection
 from bringup_lint.engine import names

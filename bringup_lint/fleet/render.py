@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from collections.abc import Sequence
-from dataclasses import replace
-from typing import NamedTuple
 
 from bringup_lint.apart import failing
+from bringup_lint.dataclass import replace
 from bringup_lint.fleet.fleet import FleetFinding
 from bringup_lint.fleet.summary import Own
 from bringup_lint.fleet.summary import Summary
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.report.fleet import FleetReport
 from bringup_lint.report.fleet import render
 

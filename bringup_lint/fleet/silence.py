@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from collections.abc import Collection
 from collections.abc import Iterator
-from dataclasses import field
-from dataclasses import replace
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
+from bringup_lint.dataclass import replace
 from bringup_lint.engine import names
 from bringup_lint.fleet.fleet import FleetFinding
 from bringup_lint.fleet.fleet import FleetPlace

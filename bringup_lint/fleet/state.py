@@ -11,11 +11,11 @@ import json
 import os
 import secrets
 from collections.abc import Iterator
-from dataclasses import replace
 from pathlib import Path
 
 from bringup_lint import __version__
 from bringup_lint.config import ConfigError
+from bringup_lint.dataclass import replace
 from bringup_lint.discover.reading import Unreadable
 from bringup_lint.discover.reading import read_bytes
 from bringup_lint.discover.walk import walk

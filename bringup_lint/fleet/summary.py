@@ -8,9 +8,9 @@ from collections.abc import Iterator
 from collections.abc import Mapping
 from dataclasses import asdict
 from typing import Any
-from typing import NamedTuple
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.named_tuple import NamedTuple
 
 VERSION = 1
 """Of the form of a summary; a stored summary of another version is made anew."""

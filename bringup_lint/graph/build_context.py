@@ -6,11 +6,11 @@ import os
 import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
-from typing import NamedTuple
 
 from bringup_lint.model.compose import is_variable
 from bringup_lint.model.dockerfile import Dockerfile
 from bringup_lint.model.dockerfile import Instruction
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 

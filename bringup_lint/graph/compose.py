@@ -5,11 +5,11 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from collections.abc import Iterator
-from dataclasses import field
 from functools import cached_property
 from typing import TYPE_CHECKING
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 from bringup_lint.graph.images import Images
 from bringup_lint.graph.images import link_bases
 from bringup_lint.model.compose import ComposeFile

@@ -6,7 +6,6 @@ import os
 import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
-from typing import NamedTuple
 
 from bringup_lint.model.compose import ComposeFile
 from bringup_lint.model.compose import Service
@@ -14,6 +13,7 @@ from bringup_lint.model.compose import is_variable
 from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.model.yaml_node import Scalar
 from bringup_lint.model.yaml_node import Sequence
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 

@@ -6,10 +6,10 @@ import os
 import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
-from typing import NamedTuple
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.model.yaml_node import Mapping
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.jsonc import strings
 from bringup_lint.source import Located
 from bringup_lint.source import Source

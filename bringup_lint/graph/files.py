@@ -6,7 +6,6 @@ import re
 from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Mapping
-from dataclasses import field
 from datetime import date
 from functools import cached_property
 from types import FunctionType
@@ -17,6 +16,7 @@ from bringup_lint import budget
 from bringup_lint.budget import OutOfTime
 from bringup_lint.budget import limited
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.graph.purpose import Purposes
 from bringup_lint.graph.purpose import by_names

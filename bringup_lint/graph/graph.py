@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from collections.abc import Iterator
-from dataclasses import field
 from enum import Enum
 from typing import TYPE_CHECKING
-from typing import NamedTuple
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:

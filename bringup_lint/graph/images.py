@@ -6,12 +6,11 @@ import posixpath
 import re
 from collections.abc import Iterable
 from collections.abc import Iterator
-from dataclasses import field
 from functools import cached_property
-from typing import NamedTuple
 
 from bringup_lint import facts
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 from bringup_lint.discover.tree import Tree
 from bringup_lint.model.compose import ComposeFile
 from bringup_lint.model.compose import is_variable
@@ -20,6 +19,7 @@ from bringup_lint.model.dockerfile import Stage
 from bringup_lint.model.image_build import ImageBuild
 from bringup_lint.model.image_build import ImageName
 from bringup_lint.model.image_build import image_name
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers import bake
 from bringup_lint.parsers import build_commands
 from bringup_lint.pattern import regex

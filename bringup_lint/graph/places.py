@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections import defaultdict
-from typing import NamedTuple
 
 from bringup_lint.graph.graph import Graph
 from bringup_lint.graph.graph import Node
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.source import Span
 
 

@@ -10,12 +10,12 @@ import os
 import re
 from collections.abc import Iterable
 from collections.abc import Mapping
-from dataclasses import field
 from enum import Enum
 from functools import cached_property
 from typing import TYPE_CHECKING
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 

@@ -8,13 +8,12 @@ import re
 from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
-from dataclasses import field
 from fnmatch import fnmatchcase
 from functools import cached_property
 from typing import TYPE_CHECKING
-from typing import NamedTuple
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 from bringup_lint.graph.absence import Absence
 from bringup_lint.model.launch_values import Concat
 from bringup_lint.model.launch_values import FileDir
@@ -26,6 +25,7 @@ from bringup_lint.model.launch_values import Value
 from bringup_lint.model.package import Build
 from bringup_lint.model.package import Install
 from bringup_lint.model.package import Manifest
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source

@@ -6,18 +6,18 @@ import re
 from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
-from dataclasses import field
 from functools import cached_property
 from itertools import pairwise
-from typing import NamedTuple
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 from bringup_lint.model.schema import Remark
 from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.model.yaml_node import Node
 from bringup_lint.model.yaml_node import Scalar
 from bringup_lint.model.yaml_node import Sequence
 from bringup_lint.model.yaml_node import YamlFile
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Problem

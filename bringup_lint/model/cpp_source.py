@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import field
-from typing import NamedTuple
-
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 from bringup_lint.model.node_source import Callback
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import Parameter
 from bringup_lint.model.node_source import Timer
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source

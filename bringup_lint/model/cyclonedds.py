@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import field
-
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 from bringup_lint.model.schema import Item
 from bringup_lint.model.schema import Remark
 from bringup_lint.model.xml import Document

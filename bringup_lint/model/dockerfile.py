@@ -6,10 +6,10 @@ import json
 import re
 from collections.abc import Iterator
 from collections.abc import Mapping
-from dataclasses import field
 from functools import cached_property
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Problem

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import field
 from itertools import count
-from typing import NamedTuple
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 from bringup_lint.model.launch_tag import Tag
 from bringup_lint.model.launch_values import Argument
 from bringup_lint.model.launch_values import Choice
@@ -15,6 +14,7 @@ from bringup_lint.model.launch_values import Condition
 from bringup_lint.model.launch_values import DictValue
 from bringup_lint.model.launch_values import Value
 from bringup_lint.model.launch_values import understood
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source

@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import field
 from enum import Enum
 from functools import cached_property
-from typing import NamedTuple
 
 from bringup_lint import addresses
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.model.yaml_node import Node
 from bringup_lint.model.yaml_node import Scalar
 from bringup_lint.model.yaml_node import Sequence
 from bringup_lint.model.yaml_node import YamlFile
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source

@@ -5,14 +5,14 @@ from __future__ import annotations
 import ast
 from collections.abc import Callable
 from collections.abc import Iterator
-from dataclasses import field
-from dataclasses import replace
 from typing import Any
-from typing import NamedTuple
 from typing import TypedDict
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
+from bringup_lint.dataclass import replace
 from bringup_lint.model.python import PlacedNode
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import field
-from typing import NamedTuple
-
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source

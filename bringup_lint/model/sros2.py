@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 import re
-from dataclasses import field
 from datetime import datetime
 from datetime import timezone
 from fnmatch import fnmatchcase
-from typing import NamedTuple
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 from bringup_lint.model.schema import Remark
 from bringup_lint.model.xml import Document
 from bringup_lint.model.xml import Element
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source

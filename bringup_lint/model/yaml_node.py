@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import field
 from enum import Enum
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Problem

@@ -9,8 +9,8 @@ from __future__ import annotations
 import base64
 import binascii
 from datetime import date
-from typing import NamedTuple
 
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
 _PEM = regex(r"-----BEGIN (?:TRUSTED )?CERTIFICATE-----([A-Za-z0-9+/=\s]+)-----END")

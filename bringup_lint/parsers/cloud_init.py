@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.model.yaml_node import Scalar
 from bringup_lint.model.yaml_node import Sequence
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.yaml_nodes import parse
 from bringup_lint.source import Located
 from bringup_lint.source import Source

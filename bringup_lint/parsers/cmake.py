@@ -6,11 +6,11 @@ import itertools
 import re
 from collections.abc import Iterator
 from functools import cache
-from typing import NamedTuple
 
 from bringup_lint import facts
 from bringup_lint.model.package import Build
 from bringup_lint.model.package import Install
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source

@@ -7,8 +7,8 @@ comma and is a path, with or without ``file://`` (``ddsi_config_init``).
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.xml import parse
 from bringup_lint.source import Located
 from bringup_lint.source import Source

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import re
-from typing import NamedTuple
 
 from bringup_lint.model.schema import Code
 from bringup_lint.model.schema import Fault
 from bringup_lint.model.schema import Item
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.cyclonedds_schema import bare_unit
 from bringup_lint.pattern import regex
 

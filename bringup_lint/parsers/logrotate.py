@@ -7,9 +7,9 @@ What it does with an error is part of the meaning: inside a stanza most errors l
 from __future__ import annotations
 
 import re
-from dataclasses import replace
 from functools import cache
 
+from bringup_lint.dataclass import replace
 from bringup_lint.model.logrotate import Directive
 from bringup_lint.model.logrotate import LogrotateFile
 from bringup_lint.model.logrotate import Script

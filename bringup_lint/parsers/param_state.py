@@ -8,10 +8,10 @@ they are.
 from __future__ import annotations
 
 from bisect import insort
-from typing import NamedTuple
 
 from bringup_lint.model.params import Entry
 from bringup_lint.model.params import Value
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
 HEADER = "ros__parameters"

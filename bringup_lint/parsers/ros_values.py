@@ -3,8 +3,7 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
 MAX_DOMAIN = 232

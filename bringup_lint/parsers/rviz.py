@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.model.yaml_node import Scalar
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.yaml_nodes import parse as parse_yaml
 from bringup_lint.source import Located
 from bringup_lint.source import Source

@@ -5,8 +5,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from collections.abc import Iterator
-from dataclasses import replace
 
+from bringup_lint.dataclass import replace
 from bringup_lint.model.shell import Block
 from bringup_lint.model.shell import Command
 from bringup_lint.model.shell import Redirect

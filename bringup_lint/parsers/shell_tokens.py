@@ -3,10 +3,9 @@ expanded; what cannot be read is passed over."""
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from bringup_lint.model.shell import HereDocument
 from bringup_lint.model.shell import Word
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 

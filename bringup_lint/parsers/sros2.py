@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import dataclasses
 import re
 
+from bringup_lint.dataclass import replace
 from bringup_lint.model.schema import Code
 from bringup_lint.model.schema import Remark
 from bringup_lint.model.sros2 import AccessRule
@@ -87,7 +87,7 @@ def _document(source: Source) -> Document:
     start, end = match.span()
     blank = _VISIBLE.sub(" ", source.text[:start]), _VISIBLE.sub(" ", source.text[end:])
     text = f"{blank[0]}{match[0]}{blank[1]}"
-    return parse_xml(dataclasses.replace(source, text=text))
+    return parse_xml(replace(source, text=text))
 
 
 def _remarks(document: Document, file: str) -> list[Remark]:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cache
-from typing import NamedTuple
 
 from bringup_lint import facts
 from bringup_lint.model.udev import Token
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.udev_substitutions import substitution_problems
 from bringup_lint.pattern import regex
 from bringup_lint.source import Problem

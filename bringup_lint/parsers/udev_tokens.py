@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import re
-from typing import NamedTuple
 
 from bringup_lint.model.udev import Token
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.udev_lines import BLANKS
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from bringup_lint.model.xml import Attribute
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.xml_text import Report
 from bringup_lint.parsers.xml_text import decode
 from bringup_lint.pattern import regex

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import accumulate
-from typing import NamedTuple
+
+from bringup_lint.named_tuple import NamedTuple
 
 TAB = 4
 _REPLACEMENT = "\ufffd"

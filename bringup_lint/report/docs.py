@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from inspect import cleandoc
 
 from bringup_lint.report.model import RuleDoc
 from bringup_lint.report.paint import Paint
@@ -20,6 +19,8 @@ PROSE = 88
 
 def sections(docstring: str) -> dict[str, str]:
     """The text under each ``##`` heading, in the order of the docstring; code blocks have no headings."""
+    from inspect import cleandoc
+
     found: dict[str, list[str]] = {}
     body: list[str] = []
     for line, code in _lines(cleandoc(docstring)):

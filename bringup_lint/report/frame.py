@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from bringup_lint.finding.place import is_whole_file
 from bringup_lint.finding.place import place_of
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.report.columns import printable
 from bringup_lint.report.paint import Paint
 from bringup_lint.report.rows import Bar

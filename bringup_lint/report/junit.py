@@ -8,12 +8,12 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 from itertools import groupby
-from typing import NamedTuple
 from xml.sax.saxutils import escape
 from xml.sax.saxutils import quoteattr
 
 from bringup_lint.finding import Finding
 from bringup_lint.finding.place import inside
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.report.columns import printable
 from bringup_lint.report.model import Report
 from bringup_lint.report.times import utc

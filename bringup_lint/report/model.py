@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from collections.abc import Mapping
-from dataclasses import field
 from enum import Enum
 from typing import Any
-from typing import NamedTuple
 
 from bringup_lint import __version__
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 from bringup_lint.finding import Confidence
 from bringup_lint.finding import Finding
 from bringup_lint.finding import Severity
 from bringup_lint.finding.presented import presented
+from bringup_lint.named_tuple import NamedTuple
 
 
 @dataclass(frozen=True)

@@ -6,8 +6,8 @@ from bisect import bisect_left
 from bisect import bisect_right
 from collections.abc import Iterator
 from collections.abc import Sequence
-from typing import NamedTuple
 
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.report.columns import laid_out
 from bringup_lint.report.columns import printable
 from bringup_lint.report.paint import Paint

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from typing import Any
-from typing import NamedTuple
+
+from bringup_lint.named_tuple import NamedTuple
 
 END_OF_DOC = '\n"""\n'
 

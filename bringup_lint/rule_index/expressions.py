@@ -10,8 +10,8 @@ from abc import ABC
 from abc import abstractmethod
 from collections.abc import Callable
 from collections.abc import Iterator
-from typing import NamedTuple
 
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.rule_index.needs import NEVER
 from bringup_lint.rule_index.needs import NOTHING
 from bringup_lint.rule_index.needs import Needs

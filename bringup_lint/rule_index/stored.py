@@ -13,9 +13,9 @@ from collections.abc import Iterator
 from importlib.util import cache_from_source
 from pathlib import Path
 from typing import Any
-from typing import NamedTuple
 
 from bringup_lint import __version__
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.rule_index.described import Described
 
 FILE = "index.marshal"

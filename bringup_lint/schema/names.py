@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from enum import Enum
-from typing import NamedTuple
 
 from bringup_lint.model.schema import Item
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.spelling import nearest
 
 

@@ -6,18 +6,18 @@ import os
 from collections.abc import Iterable
 from collections.abc import Iterator
 from collections.abc import Mapping
-from dataclasses import field
 from functools import cached_property
-from typing import NamedTuple
 
 from lsprotocol.types import PositionEncodingKind
 from lsprotocol.types import Range
 from pygls.uris import from_fs_path
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 from bringup_lint.finding import Finding
 from bringup_lint.graph.graph import Edge
 from bringup_lint.graph.places import Places
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.registry import Rule
 from bringup_lint.robot import Robot
 from bringup_lint.server.positions import Positions

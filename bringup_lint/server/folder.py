@@ -5,11 +5,8 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 from collections.abc import Mapping
-from dataclasses import field
-from dataclasses import replace
 from datetime import date
 from typing import Any
-from typing import NamedTuple
 
 from lsprotocol.types import PositionEncodingKind
 
@@ -17,6 +14,8 @@ from bringup_lint.config import Config
 from bringup_lint.config import find
 from bringup_lint.config import read
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
+from bringup_lint.dataclass import replace
 from bringup_lint.discover.exclude import exclusion
 from bringup_lint.discover.held import Held
 from bringup_lint.discover.tree import Tree
@@ -24,6 +23,7 @@ from bringup_lint.discover.tree import display_name
 from bringup_lint.discover.walk import discover
 from bringup_lint.engine import run
 from bringup_lint.finding.presented import presented
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.registry import Registry
 from bringup_lint.robot import Robot
 from bringup_lint.server.analysis import Analysis

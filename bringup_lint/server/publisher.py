@@ -5,13 +5,13 @@ from __future__ import annotations
 import asyncio
 from collections.abc import Callable
 from collections.abc import Mapping
-from dataclasses import field
 from hashlib import blake2b
 
 from lsprotocol.types import Diagnostic
 from lsprotocol.types import PublishDiagnosticsParams
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 from bringup_lint.server.analysis import Document
 from bringup_lint.server.analysis import uri_of
 from bringup_lint.server.folder import Folder

@@ -6,7 +6,6 @@ import os
 from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Mapping
-from dataclasses import field
 from functools import partial
 from typing import Any
 from typing import TypeVar
@@ -14,6 +13,7 @@ from typing import TypeVar
 from lsprotocol.types import PositionEncodingKind
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 from bringup_lint.discover.tree import is_below
 from bringup_lint.discover.walk import SKIPPED_FOLDERS
 from bringup_lint.registry import Registry

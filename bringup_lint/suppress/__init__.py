@@ -11,10 +11,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
-from dataclasses import field
-from dataclasses import replace
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
+from bringup_lint.dataclass import replace
 from bringup_lint.finding import Finding
 from bringup_lint.finding import Suppression
 from bringup_lint.finding.place import is_whole_file

@@ -8,10 +8,10 @@ from collections.abc import Collection
 from collections.abc import Iterable
 from collections.abc import Iterator
 from collections.abc import Mapping
-from dataclasses import field
-from dataclasses import replace
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
+from bringup_lint.dataclass import replace
 from bringup_lint.discover.exclude import exclusion
 from bringup_lint.finding import Finding
 from bringup_lint.finding import Suppression

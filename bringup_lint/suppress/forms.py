@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.source import Source
 
 

@@ -12,13 +12,13 @@ from bisect import bisect_right
 from collections.abc import Iterable
 from collections.abc import Iterator
 from functools import lru_cache
-from typing import NamedTuple
 
 from bringup_lint.model.python import syntax_of
 from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.model.yaml_node import Node
 from bringup_lint.model.yaml_node import Scalar
 from bringup_lint.model.yaml_node import Sequence
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 from bringup_lint.suppress.forms import PYTHON_KINDS

@@ -37,7 +37,6 @@ Never: rcl rejects such a name in every distribution.
 
 import re
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
@@ -47,6 +46,7 @@ from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api import topics
+from bringup_lint.named_tuple import NamedTuple
 
 ROLES = {"publisher": "topic", "subscription": "topic", "service": "service", "client": "service"}
 

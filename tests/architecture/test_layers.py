@@ -64,7 +64,7 @@ LAYERS = (
     {"model", "finding", "facts", "fleet.summary"},
     {"addresses"},
     {"budget", "digest", "garbage", "plural", "source", "spelling", "templates", "toml"},
-    {"pattern", "dataclass", "on_demand"},
+    {"pattern", "dataclass", "named_tuple", "on_demand"},
     {""},
 )
 """From the top down. The layers of one line do not import each other; ``""`` is the version of the package."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 import os
 import secrets
 import sys
@@ -31,6 +30,7 @@ from bringup_lint.cli.streams import complain
 from bringup_lint.cli.terminal import terminal_width
 from bringup_lint.cli.terminal import wants_colour
 from bringup_lint.config import ConfigError
+from bringup_lint.dataclass import replace
 from bringup_lint.report.fleet import FORMATS
 from bringup_lint.report.fleet import FleetReport
 
@@ -91,11 +91,11 @@ def _judge(outputs: list[Output], paths: tuple[str, ...], options: dict[str, Any
     key = secrets.token_bytes(32) if state is None else state.key
     job = Job(config, key, today, tuple(rule_folders), not options["no_ignores"])
     report = fleet_report(_gathered(inventory, job, state, options), inventory, job)
-    report = dataclasses.replace(report, width=terminal_width())
+    report = replace(report, width=terminal_width())
     code = report.exit_code
     for output in outputs:
         colour = output.file is None and wants_colour(options["colour"])
-        text, failures = rendered(output.format, dataclasses.replace(report, colour=colour))
+        text, failures = rendered(output.format, replace(report, colour=colour))
         code = 3 if failures else code
         for failure in failures:
             complain(failure)
@@ -124,7 +124,7 @@ def fleet_report(summaries: Iterable[Summary], inventory: Inventory, job: Job) -
         verdict.hidden,
         root=os.getcwd(),
     )
-    return dataclasses.replace(report, exit_code=_exit_code(report, Severity[job.config.fail_on.upper()]))
+    return replace(report, exit_code=_exit_code(report, Severity[job.config.fail_on.upper()]))
 
 
 def _exit_code(report: FleetReport, fail_on: int) -> int:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 import os
 import time
 from concurrent.futures import ThreadPoolExecutor
@@ -33,6 +32,7 @@ from bringup_lint.cli.reports import write
 from bringup_lint.cli.streams import complain
 from bringup_lint.cli.streams import say
 from bringup_lint.config import ConfigError
+from bringup_lint.dataclass import replace
 from bringup_lint.plural import counted
 
 if TYPE_CHECKING:
@@ -101,7 +101,7 @@ def _compare(outputs: list[Output], paths: tuple[str, ...], options: dict[str, A
     unused = {"rule_folders": (), "target_systemd": None, "stdin_filename": None}
     config, _ = configuration(paths, {**options, **unused})
     baseline_usage(config, options)
-    config = dataclasses.replace(config, select=options["select"] or (FAMILY,))
+    config = replace(config, select=options["select"] or (FAMILY,))
     robot = read_robot(paths, config, {**options, **unused})
     robot.launch_commands = options["launched"]
     _known(robot)

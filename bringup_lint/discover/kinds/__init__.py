@@ -10,7 +10,8 @@ import importlib
 from collections.abc import Callable
 from functools import lru_cache
 from pathlib import Path
-from typing import NamedTuple
+
+from bringup_lint.named_tuple import NamedTuple
 
 HEAD_SIZE = 8192
 """How much of a file, in bytes, a kind may look at."""

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from datetime import date
 from functools import cache
-from typing import NamedTuple
 
 from bringup_lint.facts import table
+from bringup_lint.named_tuple import NamedTuple
 
 
 class Distro(NamedTuple):

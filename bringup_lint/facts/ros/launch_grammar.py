@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import field
 from functools import cache
-from typing import NamedTuple
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 from bringup_lint.facts import table
 from bringup_lint.facts.ros import distros
+from bringup_lint.named_tuple import NamedTuple
 
 
 class Attribute(NamedTuple):

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from functools import cache
-from typing import NamedTuple
 
 from bringup_lint.facts import table
 from bringup_lint.facts.ros.distros import at_least
+from bringup_lint.named_tuple import NamedTuple
 
 ABSOLUTE = frozenset(("tf", "tf_static"))
 """tf2 publishes these by absolute names, whatever the table says."""

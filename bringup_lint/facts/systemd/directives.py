@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from functools import cache
-from typing import NamedTuple
 
 from bringup_lint import facts
+from bringup_lint.named_tuple import NamedTuple
 
 OLDEST = 245
 """The oldest release the tables tell apart."""

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from bringup_lint.graph.commands.command_line import CommandLine
 from bringup_lint.graph.commands.command_line import Step
 from bringup_lint.graph.commands.wrappers import program_name
 from bringup_lint.graph.commands.wrappers import unwrapped
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
 _PASSING = ("echo", "printf", "true", "logger", "exit", ":", "disown")

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import field
 from functools import cached_property
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 from bringup_lint.graph.commands.environment import SETUP_FILE
 from bringup_lint.graph.commands.ros_command import Ros
 from bringup_lint.graph.commands.ros_command import ros_command

@@ -9,11 +9,11 @@ import re
 from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
-from dataclasses import field
-from typing import NamedTuple
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 from bringup_lint.model.shell import Command
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from collections.abc import Iterator
-from dataclasses import field
-from dataclasses import replace
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
+from bringup_lint.dataclass import replace
 from bringup_lint.graph.commands.command_line import CommandLine
 from bringup_lint.graph.commands.command_line import Step
 from bringup_lint.graph.commands.environment import SETUP_FILE

@@ -6,11 +6,11 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from collections.abc import Iterator
-from dataclasses import field
 from functools import partial
 from typing import TYPE_CHECKING
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 from bringup_lint.parsers.cyclonedds_uri import split_uri
 from bringup_lint.source import Located
 from bringup_lint.source import Source

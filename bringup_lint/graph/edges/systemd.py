@@ -9,7 +9,6 @@ from collections.abc import Callable
 from collections.abc import Iterator
 from functools import cache
 from typing import TYPE_CHECKING
-from typing import NamedTuple
 
 from bringup_lint.graph.file_nodes import file_place
 from bringup_lint.graph.file_nodes import is_plain
@@ -19,6 +18,7 @@ from bringup_lint.graph.graph import Origin
 from bringup_lint.graph.systemd.references import instances
 from bringup_lint.graph.systemd.references import named_instances
 from bringup_lint.graph.systemd.unit import Unit
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.systemd_values import split_name
 from bringup_lint.source import Span
 

@@ -6,11 +6,11 @@ import re
 from collections.abc import Iterable
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
-from typing import NamedTuple
 
 from bringup_lint.graph.commands.environment import Variable
 from bringup_lint.graph.environment.ros import RosEnvironment
 from bringup_lint.graph.environment.ros import RosProcess
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 

@@ -7,12 +7,12 @@ from collections.abc import Iterator
 from collections.abc import Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING
-from typing import NamedTuple
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.model.env_file import Entry
 from bringup_lint.model.env_file import EnvFile
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.env_file import parse
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located

@@ -10,7 +10,6 @@ import re
 from collections.abc import Iterable
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
-from typing import NamedTuple
 
 from bringup_lint.graph.commands.environment import Environment
 from bringup_lint.graph.commands.environment import Variable
@@ -24,6 +23,7 @@ from bringup_lint.model.launch import walk_actions
 from bringup_lint.model.launch_values import Concat
 from bringup_lint.model.launch_values import Env
 from bringup_lint.model.launch_values import Literal
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.source import Located
 
 if TYPE_CHECKING:

@@ -8,7 +8,6 @@ from collections.abc import Iterator
 from functools import cached_property
 from typing import TYPE_CHECKING
 from typing import Any
-from typing import NamedTuple
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.discover.kinds.launch import LAUNCH
@@ -20,6 +19,7 @@ from bringup_lint.graph.environment.launched import launched
 from bringup_lint.graph.environment.launched import view
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.graph.target import mentions_of
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.env_file import parse
 from bringup_lint.pattern import regex
 from bringup_lint.templates import has_placeholder

@@ -6,9 +6,9 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 from typing import Literal
-from typing import NamedTuple
 
 from bringup_lint.addresses import is_address
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.systemd_values import unescape_path
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located

@@ -6,7 +6,6 @@ from collections.abc import Callable
 from collections.abc import Iterator
 from functools import cached_property
 from typing import TYPE_CHECKING
-from typing import NamedTuple
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.host.device_uses import DeviceUse
@@ -18,6 +17,7 @@ from bringup_lint.graph.host.device_uses import of_params
 from bringup_lint.graph.host.device_uses import of_units
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.graph.udev.matched_devices import subsystem_of_name
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.systemd_values import escape_path
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source

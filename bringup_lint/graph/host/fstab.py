@@ -8,13 +8,13 @@ from collections.abc import Callable
 from collections.abc import Iterator
 from functools import cached_property
 from typing import TYPE_CHECKING
-from typing import NamedTuple
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.facts import table
 from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.model.fstab import Fstab
 from bringup_lint.model.fstab import Mount
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.fstab import parse
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located

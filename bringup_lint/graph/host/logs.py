@@ -8,7 +8,6 @@ from collections.abc import Callable
 from collections.abc import Iterator
 from functools import cached_property
 from typing import TYPE_CHECKING
-from typing import NamedTuple
 
 from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.model.logrotate import Directive
@@ -16,6 +15,7 @@ from bringup_lint.model.logrotate import LogrotateFile
 from bringup_lint.model.logrotate import Script
 from bringup_lint.model.logrotate import Stanza
 from bringup_lint.model.shell import Command
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.logrotate import directives
 from bringup_lint.parsers.logrotate import parse
 from bringup_lint.parsers.logrotate_values import owners

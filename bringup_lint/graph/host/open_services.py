@@ -6,7 +6,6 @@ import re
 from collections.abc import Callable
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
-from typing import NamedTuple
 
 from bringup_lint.addresses import is_loopback
 from bringup_lint.addresses import is_wildcard
@@ -19,6 +18,7 @@ from bringup_lint.graph.purpose import Purpose
 from bringup_lint.model.launch_values import Argument
 from bringup_lint.model.launch_values import DictValue
 from bringup_lint.model.launch_values import TypedValue
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source

@@ -6,10 +6,10 @@ import fnmatch
 from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
-from dataclasses import field
 from typing import TYPE_CHECKING
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 from bringup_lint.model.sshd import Match
 from bringup_lint.model.sshd import Option
 from bringup_lint.model.sshd import SshdFile

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import field
 from typing import TYPE_CHECKING
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 from bringup_lint.graph.variants import overlay_of
 from bringup_lint.parsers.sysctl import KernelParameter
 from bringup_lint.parsers.sysctl import parse

@@ -5,7 +5,6 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from bringup_lint.discover.kinds import HEAD_SIZE
 from bringup_lint.discover.kinds import kind_of
@@ -22,6 +21,7 @@ from bringup_lint.graph.installed.script import Written
 from bringup_lint.graph.installed.scripts import KINDS
 from bringup_lint.graph.installed.scripts import Scripts
 from bringup_lint.graph.installed.text import Text
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.ansible import puts
 from bringup_lint.pattern import regex
 from bringup_lint.source import Origin

@@ -5,10 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 from collections.abc import Iterator
-from dataclasses import field
-from typing import NamedTuple
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 from bringup_lint.graph.commands.shells import SHELLS
 from bringup_lint.graph.commands.shells import shell_input
 from bringup_lint.graph.commands.wrappers import program_name
@@ -21,6 +20,7 @@ from bringup_lint.graph.installed.text import printed
 from bringup_lint.model.shell import Block
 from bringup_lint.model.shell import Command
 from bringup_lint.model.shell import Redirect
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.shell import blocks
 from bringup_lint.parsers.shell import flatten
 from bringup_lint.pattern import regex

@@ -9,10 +9,10 @@ import re
 from collections.abc import Iterable
 from collections.abc import Iterator
 from collections.abc import Mapping
-from dataclasses import field
 from itertools import groupby
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 from bringup_lint.model.shell import HereDocument
 from bringup_lint.model.shell import Word
 from bringup_lint.pattern import regex

@@ -6,10 +6,10 @@ import ast
 import os
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
-from typing import NamedTuple
 
 from bringup_lint.graph.workspace import Package
 from bringup_lint.model.python import syntax_of
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import field
 from functools import cached_property
-from typing import NamedTuple
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 from bringup_lint.graph.launch.scope import Binding
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.model.launch import Action
@@ -18,6 +17,7 @@ from bringup_lint.model.launch import LoadComponents
 from bringup_lint.model.launch_values import Argument
 from bringup_lint.model.launch_values import Condition
 from bringup_lint.model.launch_values import Value
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.source import Span
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from bringup_lint.facts.ros import launch_grammar
 from bringup_lint.facts.ros.launch_grammar import Entity
@@ -15,6 +14,7 @@ from bringup_lint.graph.launch.grammar_values import value_problem
 from bringup_lint.model.launch import LaunchFile
 from bringup_lint.model.launch_tag import Tag
 from bringup_lint.model.launch_tag import Written
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.launch_frontend.template import Refused
 from bringup_lint.parsers.launch_frontend.template import template
 from bringup_lint.parsers.launch_frontend.template import unbalanced

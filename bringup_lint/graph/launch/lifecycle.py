@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from collections.abc import Sequence
 from functools import cached_property
-from typing import NamedTuple
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.facts.ros.node_roles import Role
@@ -25,6 +24,7 @@ from bringup_lint.model.launch_values import ListValue
 from bringup_lint.model.launch_values import Literal
 from bringup_lint.model.launch_values import TypedValue
 from bringup_lint.model.launch_values import Value
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.source import Located
 
 MANAGERS = ("lifecycle_manager", "nav2_lifecycle_manager::LifecycleManager")

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from bringup_lint.graph.launch.expansion import Expansion
 from bringup_lint.graph.launch.started import Started
@@ -17,6 +16,7 @@ from bringup_lint.model.launch_values import PathJoin
 from bringup_lint.model.launch_values import Value
 from bringup_lint.model.launch_values import children
 from bringup_lint.model.launch_values import text
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.source import Span
 
 

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import field
-from dataclasses import replace
-from typing import NamedTuple
-
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
+from bringup_lint.dataclass import replace
 from bringup_lint.model.launch_values import Value
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.source import Span
 
 CHANGES = 100

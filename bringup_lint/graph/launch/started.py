@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import field
-
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 from bringup_lint.graph.launch.resolve import Resolver
 from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.scope import EnvChange

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from bringup_lint import addresses
 from bringup_lint.model.netplan import Address
 from bringup_lint.model.netplan import Interface
+from bringup_lint.named_tuple import NamedTuple
 
 Network = tuple[int, int, int]
 """IP version, length of the prefix, the prefix as a number."""

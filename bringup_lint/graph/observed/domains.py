@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
-from typing import NamedTuple
 
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.ros_values import MAX_DOMAIN
 from bringup_lint.parsers.ros_values import RMW_IMPLEMENTATIONS
 from bringup_lint.parsers.ros_values import domain_id

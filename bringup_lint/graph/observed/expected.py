@@ -6,12 +6,11 @@ import shlex
 from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
-from dataclasses import field
-from dataclasses import replace
 from typing import TYPE_CHECKING
-from typing import NamedTuple
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
+from bringup_lint.dataclass import replace
 from bringup_lint.finding import Related
 from bringup_lint.graph.commands.environment import Environment
 from bringup_lint.graph.commands.ros_command import Ros
@@ -30,6 +29,7 @@ from bringup_lint.model.launch import LaunchFile
 from bringup_lint.model.launch import Timer
 from bringup_lint.model.launch_values import Literal
 from bringup_lint.model.launch_values import Value
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.source import Located
 from bringup_lint.source import Span
 

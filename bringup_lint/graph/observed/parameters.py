@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
-from typing import NamedTuple
 
 from bringup_lint.graph.params.loads import RCL
 from bringup_lint.model.params import Value
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:

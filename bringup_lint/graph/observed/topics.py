@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from collections.abc import Iterator
-from dataclasses import field
 from functools import cached_property
-from typing import NamedTuple
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 from bringup_lint.graph.topics.questions.command_sources import is_velocity
 from bringup_lint.graph.topics.questions.compatibility import Conflict
 from bringup_lint.graph.topics.questions.compatibility import conflicts
 from bringup_lint.graph.topics.questions.unmatched import nearly_equal
 from bringup_lint.graph.topics.resolved.names import tail
 from bringup_lint.model.observed import Endpoint
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
 _OF_ROS = frozenset(("/rosout", "/parameter_events"))

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
-from typing import NamedTuple
 
 from bringup_lint.graph.launch.expansion import Expansion
 from bringup_lint.graph.launch.resolve import text_of
@@ -19,6 +18,7 @@ from bringup_lint.model.launch_values import Literal
 from bringup_lint.model.launch_values import ParameterFile as LaunchedFile
 from bringup_lint.model.launch_values import PathJoin
 from bringup_lint.model.launch_values import Value
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:

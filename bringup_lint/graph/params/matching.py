@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
-from typing import NamedTuple
 
 from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.started import literal_text
@@ -15,6 +14,7 @@ from bringup_lint.model.launch import Node
 from bringup_lint.model.params import Block
 from bringup_lint.model.params import ParameterFile
 from bringup_lint.model.params import matches
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.spelling import nearest
 from bringup_lint.spelling import numbered
 

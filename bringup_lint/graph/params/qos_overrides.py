@@ -8,10 +8,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from enum import Enum
 from typing import TYPE_CHECKING
-from typing import NamedTuple
 
 from bringup_lint.model.params import Parameter
 from bringup_lint.model.params import ParameterFile
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:

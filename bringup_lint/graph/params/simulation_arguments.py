@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
-from typing import NamedTuple
 
 from bringup_lint.graph.launch.resolve import truth
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.model.launch import DeclareArgument
 from bringup_lint.model.launch import LaunchFile
 from bringup_lint.model.launch_values import Literal
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:

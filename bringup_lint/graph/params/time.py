@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
-from typing import NamedTuple
 
 from bringup_lint.graph.launch.expansion import Expansion
 from bringup_lint.graph.launch.resolve import text_of
@@ -18,6 +17,7 @@ from bringup_lint.model.launch_values import DictValue
 from bringup_lint.model.params import Parameter
 from bringup_lint.model.params import ParameterFile
 from bringup_lint.model.params import matches
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from bringup_lint.model.params import Data
 from bringup_lint.model.params import Parameter
@@ -14,6 +13,7 @@ from bringup_lint.model.params import matches
 from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.model.yaml_node import Scalar
 from bringup_lint.model.yaml_node import Sequence
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.param_scalar import scalar
 from bringup_lint.parsers.params import parse
 from bringup_lint.pattern import regex

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
-from typing import NamedTuple
 
 from bringup_lint.graph.commands.ros_command import Ros
 from bringup_lint.graph.launch.expansion import Expansion
@@ -13,6 +12,7 @@ from bringup_lint.model.launch import LaunchFile
 from bringup_lint.model.launch_values import Literal
 from bringup_lint.model.launch_values import Unknown
 from bringup_lint.model.launch_values import Value
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 

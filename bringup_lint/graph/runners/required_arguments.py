@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
-from typing import NamedTuple
 
 from bringup_lint.graph.launch.expansion import Declared
 from bringup_lint.graph.launch.expansion import Included
 from bringup_lint.graph.runners.launching import Launching
 from bringup_lint.model.launch import LaunchFile
+from bringup_lint.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from bringup_lint.graph.launch.launch import Launch

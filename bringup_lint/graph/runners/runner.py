@@ -8,13 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from collections.abc import Iterable
-from dataclasses import field
 from enum import Enum
 from functools import cached_property
 from typing import TYPE_CHECKING
-from typing import NamedTuple
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 from bringup_lint.graph.commands.command_line import CommandLine
 from bringup_lint.graph.commands.command_line import Step
 from bringup_lint.graph.commands.environment import SETUP_FILE
@@ -25,6 +24,7 @@ from bringup_lint.graph.commands.environment import assign_before
 from bringup_lint.graph.commands.ros_command import Ros
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.model.shell import Command
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.source import Span

@@ -8,7 +8,6 @@ from collections.abc import Iterable
 from collections.abc import Iterator
 from collections.abc import Set as AbstractSet
 from typing import TYPE_CHECKING
-from typing import NamedTuple
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.runners.runner import Runner
@@ -23,6 +22,7 @@ from bringup_lint.graph.secrets.ros import Indirect
 from bringup_lint.graph.secrets.ros import indirect
 from bringup_lint.graph.secrets.ros import launch_words
 from bringup_lint.graph.secrets.ros import named_values
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.dockerfile import assignments
 from bringup_lint.parsers.env_file import parse
 from bringup_lint.pattern import regex

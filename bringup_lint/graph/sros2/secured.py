@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
-from typing import NamedTuple
 
 from bringup_lint.graph.commands.environment import Environment
 from bringup_lint.graph.commands.environment import Variable
@@ -13,6 +12,7 @@ from bringup_lint.graph.environment.launched import launched_environment
 from bringup_lint.graph.sros2.enclaves import OPTION
 from bringup_lint.graph.sros2.enclaves import OVERRIDE
 from bringup_lint.graph.sros2.enclaves import enclave_of
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.source import Located
 from bringup_lint.source import Span
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
-from typing import NamedTuple
 
 from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.graph.launch.started import Started
@@ -13,6 +12,7 @@ from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.sros2.enclaves import enclave_of
 from bringup_lint.graph.sros2.enclaves import in_words
 from bringup_lint.model.launch import ComposableNode
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 

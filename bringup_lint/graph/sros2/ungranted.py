@@ -7,11 +7,11 @@ from collections.abc import Iterator
 from collections.abc import Mapping
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
-from typing import NamedTuple
 
 from bringup_lint.graph.sros2.enclaves import enclave_of
 from bringup_lint.model.sros2 import Governance
 from bringup_lint.model.sros2 import Grant
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.source import Located
 
 if TYPE_CHECKING:

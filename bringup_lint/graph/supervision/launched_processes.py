@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
-from typing import NamedTuple
 
 from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.resolve import truth
 from bringup_lint.model.launch import Process
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.shell import split
 from bringup_lint.pattern import regex
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
-from typing import NamedTuple
 
 from bringup_lint.facts.ros.node_roles import lifecycle_names
 from bringup_lint.graph.launch.expansion import Expansion
@@ -15,6 +14,7 @@ from bringup_lint.graph.launch.lifecycle import full_name
 from bringup_lint.graph.launch.lifecycle import managers
 from bringup_lint.graph.launch.lifecycle import outside
 from bringup_lint.graph.launch.started import Started
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.spelling import nearest
 
 if TYPE_CHECKING:

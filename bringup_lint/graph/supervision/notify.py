@@ -10,11 +10,11 @@ from collections.abc import Iterator
 from enum import Enum
 from functools import cached_property
 from typing import TYPE_CHECKING
-from typing import NamedTuple
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.supervision.launched_by_unit import expansion_of
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:

@@ -6,7 +6,6 @@ from collections import deque
 from collections.abc import Iterable
 from collections.abc import Iterator
 from functools import partial
-from typing import NamedTuple
 
 from bringup_lint.graph.components import components
 from bringup_lint.graph.graph import Edge
@@ -14,6 +13,7 @@ from bringup_lint.graph.graph import Graph
 from bringup_lint.graph.graph import Node
 from bringup_lint.graph.systemd.relations import HARD
 from bringup_lint.graph.systemd.relations import PULLING
+from bringup_lint.named_tuple import NamedTuple
 
 ROOTS = ("graphical.target", "multi-user.target")
 MOST_VISITS = 500_000

@@ -10,17 +10,17 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from collections.abc import Iterator
-from dataclasses import field
 from functools import cached_property
-from typing import NamedTuple
 from typing import TypeVar
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 from bringup_lint.graph.files import Files
 from bringup_lint.model.schema import Item
 from bringup_lint.model.unit import Assignment
 from bringup_lint.model.unit import Section
 from bringup_lint.model.unit import UnitFile
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers import daemon_conf
 from bringup_lint.parsers.systemd_values import ValueProblem
 from bringup_lint.parsers.systemd_values import parse_bool

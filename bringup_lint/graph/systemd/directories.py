@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from bringup_lint.graph.systemd.unit import Unit
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.systemd_values import expand
 from bringup_lint.parsers.systemd_values import split_words
 from bringup_lint.parsers.systemd_values import unit_specifiers

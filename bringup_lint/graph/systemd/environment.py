@@ -6,8 +6,6 @@ UnsetEnvironment=.
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from bringup_lint.graph.commands.command_line import Step
 from bringup_lint.graph.commands.environment import SETUP_FILE
 from bringup_lint.graph.commands.environment import Environment
@@ -17,6 +15,7 @@ from bringup_lint.graph.commands.environment import assign_before
 from bringup_lint.graph.files import Files
 from bringup_lint.graph.systemd.process import Process
 from bringup_lint.graph.systemd.unit import Unit
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.systemd_values import expand
 from bringup_lint.parsers.systemd_values import split_environment
 from bringup_lint.parsers.systemd_values import split_words

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from enum import Enum
-from typing import NamedTuple
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.systemd.settings import Setting
 from bringup_lint.graph.systemd.user_database import UserDatabase
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.systemd_values import expand
 from bringup_lint.parsers.systemd_values import unit_specifiers
 from bringup_lint.source import Located

@@ -5,7 +5,6 @@ of each unit type."""
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from bringup_lint.facts.systemd.directives import SECTION_OF_TYPE
 from bringup_lint.graph.graph import Edge
@@ -18,6 +17,7 @@ from bringup_lint.graph.systemd.references import resolve
 from bringup_lint.graph.systemd.references import targets
 from bringup_lint.graph.systemd.shipped_units import without_default_dependencies
 from bringup_lint.graph.systemd.unit import Unit
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.systemd_values import escape_path
 from bringup_lint.source import Span
 

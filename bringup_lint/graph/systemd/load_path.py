@@ -3,8 +3,7 @@ Path")."""
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 

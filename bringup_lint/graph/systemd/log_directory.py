@@ -6,7 +6,6 @@ Per rcl (``rcl_logging_get_logging_directory()``): ROS_LOG_DIR, else ROS_HOME/lo
 from __future__ import annotations
 
 from enum import Enum
-from typing import NamedTuple
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.commands.environment import Environment
@@ -16,6 +15,7 @@ from bringup_lint.graph.systemd.process import Process
 from bringup_lint.graph.systemd.sandbox import View
 from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.graph.systemd.units import Units
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.source import Located
 
 OF_ROOT = ("/var/log/", "/var/lib/", "/var/cache/", "/opt/", "/srv/", "/etc/", "/usr/")

@@ -7,7 +7,6 @@ A shell is replaced by what it execs; ``bash -c`` also execs the last command of
 from __future__ import annotations
 
 from typing import Literal
-from typing import NamedTuple
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.commands.ros_command import Ros
@@ -21,6 +20,7 @@ from bringup_lint.graph.commands.wrappers import unwrapped
 from bringup_lint.graph.files import Files
 from bringup_lint.graph.systemd.process import Process
 from bringup_lint.model.shell import Command
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.shell import commands
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located

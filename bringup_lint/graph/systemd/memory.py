@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
 
 from bringup_lint.graph.systemd.unit import Unit
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.systemd_values import parse_share
 from bringup_lint.parsers.systemd_values import parse_size
 from bringup_lint.source import Located

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from enum import Enum
-from typing import NamedTuple
 
 from bringup_lint.graph.systemd.filesystem import Filesystem
 from bringup_lint.graph.systemd.process import Process
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 

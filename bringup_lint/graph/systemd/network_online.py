@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.graph.systemd.units import Units
 from bringup_lint.model.unit import Assignment
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Span

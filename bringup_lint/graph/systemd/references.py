@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from bringup_lint.graph.graph import Node
 from bringup_lint.graph.systemd.named_units import NamedUnits
 from bringup_lint.graph.systemd.relations import PULLS
 from bringup_lint.graph.systemd.unit import Unit
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.systemd_values import expand
 from bringup_lint.parsers.systemd_values import split_name
 from bringup_lint.parsers.systemd_values import unit_specifiers

@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from enum import Enum
-from typing import NamedTuple
 
 from bringup_lint.graph.systemd.restart import DEFAULT_BURST
 from bringup_lint.graph.systemd.restart import RestartPolicy
 from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.graph.systemd.units import Units
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.source import Located
 from bringup_lint.source import Span
 

@@ -10,13 +10,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import cached_property
 from typing import Literal
-from typing import NamedTuple
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.systemd.directories import directories
 from bringup_lint.graph.systemd.directories import paths
 from bringup_lint.graph.systemd.settings import Setting
 from bringup_lint.graph.systemd.unit import Unit
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.systemd_values import parse_bool
 from bringup_lint.parsers.systemd_values import split_words
 from bringup_lint.source import Located

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from bringup_lint.graph.systemd.unit import Unit
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.source import Located
 from bringup_lint.spelling import nearest
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from collections.abc import Iterator
-from dataclasses import field
 from functools import cached_property
 from typing import TypeVar
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 from bringup_lint.facts.systemd.directives import SECTION_OF_TYPE
 from bringup_lint.graph.systemd.identity import Identity
 from bringup_lint.graph.systemd.settings import Setting

@@ -5,11 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 from collections.abc import Iterator
-from dataclasses import field
 from functools import cached_property
-from typing import NamedTuple
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 from bringup_lint.graph.files import Files
 from bringup_lint.graph.systemd.load_path import Place
 from bringup_lint.graph.systemd.load_path import order
@@ -18,6 +17,7 @@ from bringup_lint.graph.systemd.shipped_units import GENERATED
 from bringup_lint.graph.systemd.shipped_units import is_shipped
 from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.model.unit import UnitFile
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.unit import parse
 from bringup_lint.parsers.unit import unit_name
 from bringup_lint.pattern import regex

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from bringup_lint.graph.commands.command_line import Step
 from bringup_lint.graph.commands.ros_command import Ros
 from bringup_lint.graph.systemd.process import Process
 from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.graph.systemd.units import Units
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
 _ENOUGH = ("AMENT_PREFIX_PATH", "PYTHONPATH", "LD_LIBRARY_PATH", "BASH_ENV")

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cached_property
-from typing import NamedTuple
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.files import Files
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.source import Source
 
 

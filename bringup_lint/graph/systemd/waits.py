@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from typing import NamedTuple
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.commands.shells import SCRIPT_DEPTH
@@ -26,6 +25,7 @@ from bringup_lint.graph.systemd.loops import rounds
 from bringup_lint.graph.systemd.process import Process
 from bringup_lint.model.shell import Block
 from bringup_lint.model.shell import Command
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.shell import blocks
 from bringup_lint.parsers.systemd_values import nowhere
 from bringup_lint.source import Located

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from collections.abc import Sequence
-from typing import NamedTuple
 
 from bringup_lint.graph.udev.patterns import is_plain
 from bringup_lint.graph.udev.patterns import matches
@@ -12,6 +11,7 @@ from bringup_lint.graph.udev.patterns import may_overlap
 from bringup_lint.model.udev import PARENT_KEYS
 from bringup_lint.model.udev import Rule
 from bringup_lint.model.udev import Token
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.udev_labels import targets
 
 _SINGLE_VALUED = ("ACTION", "DEVPATH", "KERNEL", "SUBSYSTEM", "DRIVER", "CONST", "ENV")

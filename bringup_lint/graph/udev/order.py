@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cache
-from typing import NamedTuple
 
 from bringup_lint import facts
 from bringup_lint.graph.udev.patterns import matches
 from bringup_lint.graph.udev.rule import UdevRule
 from bringup_lint.model.udev import Token
+from bringup_lint.named_tuple import NamedTuple
 
 
 class TooEarly(NamedTuple):

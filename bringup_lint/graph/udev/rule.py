@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from functools import cached_property
-from typing import NamedTuple
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.udev.conditions import Condition
@@ -20,6 +19,7 @@ from bringup_lint.model.udev import PARENT_KEYS
 from bringup_lint.model.udev import Rule
 from bringup_lint.model.udev import RulesFile
 from bringup_lint.model.udev import Token
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.udev_command import Command
 from bringup_lint.parsers.udev_command import read_command
 from bringup_lint.pattern import regex

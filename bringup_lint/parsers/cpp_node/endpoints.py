@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import re
 from typing import TYPE_CHECKING
-from typing import NamedTuple
 
 from bringup_lint.model.node_source import Callback
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import Qos
 from bringup_lint.model.node_source import Timer
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.cpp_node.qos import quality
 from bringup_lint.parsers.cpp_node.syntax import Call
 from bringup_lint.parsers.cpp_node.syntax import Code

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import re
-from dataclasses import replace
 
+from bringup_lint.dataclass import replace
 from bringup_lint.model.node_source import INFINITE
 from bringup_lint.model.node_source import Qos
 from bringup_lint.model.node_source import QosChange

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import field
-from typing import NamedTuple
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
 LONGEST = 20_000

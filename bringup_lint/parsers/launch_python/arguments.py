@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from typing import Any
-from typing import NamedTuple
 
 from bringup_lint.model.launch_values import Literal
 from bringup_lint.model.launch_values import Unknown
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.source import Span
 
 

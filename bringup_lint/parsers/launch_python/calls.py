@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import ast
-from dataclasses import replace
 from typing import Any
 
+from bringup_lint.dataclass import replace
 from bringup_lint.model.launch_values import Concat
 from bringup_lint.model.launch_values import Literal
 from bringup_lint.model.launch_values import PathJoin

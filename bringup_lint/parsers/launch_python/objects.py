@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import ast
-from dataclasses import field
 from typing import Any
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 from bringup_lint.model.launch import Action
 from bringup_lint.model.launch_values import Condition
 from bringup_lint.model.launch_values import Value

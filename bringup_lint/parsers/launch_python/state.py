@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Callable
-from dataclasses import field
 from typing import Any
-from typing import NamedTuple
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 from bringup_lint.model.launch import Action
 from bringup_lint.model.launch import LaunchFile
 from bringup_lint.model.launch_values import Unknown
 from bringup_lint.model.python import PlacedNode
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.launch_python.arguments import Arguments
 from bringup_lint.parsers.launch_python.budget import STEPS
 from bringup_lint.parsers.launch_python.budget import Exhausted

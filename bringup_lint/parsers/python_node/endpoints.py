@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import ast
-from typing import NamedTuple
 
 from bringup_lint.model.node_source import Callback
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import Group
 from bringup_lint.model.node_source import Qos
 from bringup_lint.model.node_source import Timer
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.python_node.qos import of_depth
 from bringup_lint.parsers.python_node.qos import qos_of
 from bringup_lint.parsers.python_node.scopes import Call

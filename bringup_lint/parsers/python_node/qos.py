@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import ast
-from dataclasses import replace
 from typing import Any
 
+from bringup_lint.dataclass import replace
 from bringup_lint.model.node_source import INFINITE
 from bringup_lint.model.node_source import Qos
 from bringup_lint.model.node_source import with_policy

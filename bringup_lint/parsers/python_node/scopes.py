@@ -5,11 +5,11 @@ from __future__ import annotations
 import ast
 from collections.abc import Callable
 from collections.abc import Iterator
-from dataclasses import field
 from typing import Any
-from typing import NamedTuple
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
+from bringup_lint.named_tuple import NamedTuple
 
 Def = ast.FunctionDef | ast.AsyncFunctionDef
 NODES = 400_000

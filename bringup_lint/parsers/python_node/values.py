@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import ast
 from typing import Any
-from typing import NamedTuple
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.model.python import PlacedNode
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.python_node.scopes import ClassScope
 from bringup_lint.parsers.python_node.scopes import Module
 from bringup_lint.parsers.python_node.scopes import Scope

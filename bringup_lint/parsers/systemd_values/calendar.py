@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import re
-from typing import NamedTuple
 
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
 SHORTHANDS = frozenset(

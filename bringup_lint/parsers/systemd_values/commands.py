@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from collections.abc import Iterator
-from dataclasses import replace
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import replace
 from bringup_lint.parsers.systemd_values.paths import is_absolute
 from bringup_lint.parsers.systemd_values.problems import LINE
 from bringup_lint.parsers.systemd_values.problems import NOTHING

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
-from typing import NamedTuple
 
+from bringup_lint.dataclass import replace
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.systemd_values.problems import LINE
 from bringup_lint.parsers.systemd_values.problems import WORD
 from bringup_lint.parsers.systemd_values.problems import ValueProblem

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import replace
 
+from bringup_lint.dataclass import replace
 from bringup_lint.parsers.systemd_values.enumerations import closest
 from bringup_lint.parsers.systemd_values.enumerations import enumerations
 from bringup_lint.parsers.systemd_values.names import check_words_of

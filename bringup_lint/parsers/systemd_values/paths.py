@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 
+from bringup_lint.dataclass import replace
 from bringup_lint.parsers.systemd_values.problems import LINE
 from bringup_lint.parsers.systemd_values.problems import UNIT
 from bringup_lint.parsers.systemd_values.problems import WORD

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from collections.abc import Mapping
 from functools import cache
-from typing import NamedTuple
 
 from bringup_lint import facts
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.systemd_values.problems import LINE
 from bringup_lint.parsers.systemd_values.problems import ValueProblem
 from bringup_lint.source import Located

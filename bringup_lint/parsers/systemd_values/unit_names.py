@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from bringup_lint.facts.systemd.directives import SECTION_OF_TYPE
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
 _CHARACTERS = regex(r"[A-Za-z0-9:_.\\@-]+")

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 from collections.abc import Mapping
-from dataclasses import field
 
 from bringup_lint import __version__
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 from bringup_lint.fleet.fleet import FleetFinding
 from bringup_lint.fleet.summary import Summary
 from bringup_lint.report.model import RuleDoc

@@ -6,7 +6,8 @@ from collections import defaultdict
 from itertools import pairwise
 from math import isqrt
 from typing import Any
-from typing import NamedTuple
+
+from bringup_lint.named_tuple import NamedTuple
 
 Edge = dict[str, Any]
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import shlex
-from dataclasses import replace
 from typing import Any
 
+from bringup_lint.dataclass import replace
 from bringup_lint.finding import Finding
 from bringup_lint.finding.uri import file_uri
 from bringup_lint.report.model import Notification

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from bringup_lint.graph.nodes.questions.blocking_calls import Blocked
 from bringup_lint.graph.nodes.questions.blocking_calls import blocked
@@ -14,6 +13,7 @@ from bringup_lint.graph.nodes.sources.ending import Ending
 from bringup_lint.model.node_source import Callback
 from bringup_lint.model.node_source import Group
 from bringup_lint.model.node_source import NodeClass
+from bringup_lint.named_tuple import NamedTuple
 
 
 class Blocking(NamedTuple):

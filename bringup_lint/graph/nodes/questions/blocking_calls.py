@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ast
-from typing import NamedTuple
 
 from bringup_lint.graph.nodes.questions.endless_loops import is_endless
 from bringup_lint.graph.nodes.questions.short_programs import is_short
@@ -12,6 +11,7 @@ from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.graph.nodes.sources.syntax import own
 from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import NodeClass
+from bringup_lint.named_tuple import NamedTuple
 
 UNTIL_TIMEOUT = "until its timeout"
 """How long a call with a time-out lasts whose length is not known."""

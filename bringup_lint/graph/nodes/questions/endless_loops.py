@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from bringup_lint.graph.nodes.questions.callback_code import reached
 from bringup_lint.graph.nodes.sources.ending import Ending
@@ -12,6 +11,7 @@ from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.graph.nodes.sources.syntax import own
 from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import NodeClass
+from bringup_lint.named_tuple import NamedTuple
 
 
 def is_endless(node: ast.While) -> bool:

@@ -7,13 +7,13 @@ import os
 import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
-from typing import NamedTuple
 
 from bringup_lint.graph.nodes.questions.callback_code import reached
 from bringup_lint.graph.nodes.questions.motion import moves
 from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import NodeClass
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Span
 

@@ -6,7 +6,6 @@ import ast
 import re
 from collections.abc import Iterator
 from collections.abc import Sequence
-from typing import NamedTuple
 
 from bringup_lint.graph.nodes.questions.motion import is_velocity
 from bringup_lint.graph.nodes.questions.motion import moves
@@ -21,6 +20,7 @@ from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import Function
 from bringup_lint.model.node_source import NodeClass
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
 _ENDS = ("on_deactivate", "on_shutdown", "on_cleanup", "on_error", "destroy_node", "__del__", "__exit__")

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from bringup_lint.graph.nodes.questions.callback_code import code_of
 from bringup_lint.graph.nodes.questions.callback_code import reached
@@ -13,6 +12,7 @@ from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import NodeClass
+from bringup_lint.named_tuple import NamedTuple
 
 _LOGS = frozenset({"info", "warn", "warning", "error", "debug", "fatal"})
 

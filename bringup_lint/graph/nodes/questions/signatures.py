@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.node_source import NodeClass
+from bringup_lint.named_tuple import NamedTuple
 
 _NEEDED = {"create_publisher": 3, "create_subscription": 4}
 _QOS = "qos_profile"

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
-from typing import NamedTuple
 
 from bringup_lint.graph.nodes.questions.blocking import Blocking
 from bringup_lint.graph.nodes.questions.blocking import blocking
@@ -17,6 +16,7 @@ from bringup_lint.model.cpp_source import Waiting
 from bringup_lint.model.node_source import Callback
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
+from bringup_lint.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from bringup_lint.graph.nodes.nodes import Nodes

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from bringup_lint.graph.nodes.sources.ending import Ending
 from bringup_lint.graph.nodes.sources.ending import Spin
@@ -15,6 +14,7 @@ from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import Callback
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.python import PlacedNode
+from bringup_lint.named_tuple import NamedTuple
 
 STOPS = frozenset({"KeyboardInterrupt", "ExternalShutdownException"})
 """The exceptions by which a spin ends when a signal comes."""

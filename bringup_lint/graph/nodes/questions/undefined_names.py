@@ -6,12 +6,12 @@ import ast
 import re
 from collections.abc import Iterator
 from collections.abc import Sequence
-from typing import NamedTuple
 
 from bringup_lint.facts import table
 from bringup_lint.graph.nodes.sources.syntax import FUNCTIONS
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import nodes_of
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
 _DYNAMIC = regex(r"\b(?:exec|eval|globals|locals|__import__|importlib|builtins)\b|\bvars\(")

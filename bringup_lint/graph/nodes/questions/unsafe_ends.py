@@ -5,7 +5,6 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
-from typing import NamedTuple
 
 from bringup_lint.graph.nodes.questions.safe_state import commands
 from bringup_lint.graph.nodes.questions.safe_state import has_safe_state
@@ -17,6 +16,7 @@ from bringup_lint.graph.nodes.sources.ending import Ending
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
+from bringup_lint.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from bringup_lint.graph.nodes.nodes import Nodes

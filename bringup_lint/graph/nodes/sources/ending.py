@@ -10,13 +10,13 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator
 from functools import cached_property
-from typing import NamedTuple
 
 from bringup_lint.graph.nodes.sources.sending import called
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.graph.nodes.sources.syntax import nodes_of
 from bringup_lint.graph.nodes.sources.syntax import own_calls
+from bringup_lint.named_tuple import NamedTuple
 
 _SINGLE = "rclpy.executors.SingleThreadedExecutor"
 _MULTI = "rclpy.executors.MultiThreadedExecutor"

@@ -5,7 +5,6 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterable
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import body_of
@@ -13,6 +12,7 @@ from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
+from bringup_lint.named_tuple import NamedTuple
 
 DEPTH = 5
 STEPS = 400

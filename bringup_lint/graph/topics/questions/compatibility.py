@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
-from typing import NamedTuple
+
+from bringup_lint.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from bringup_lint.graph.topics.resolved.endpoint_use import Use

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
-from typing import NamedTuple
 
 from bringup_lint.facts.ros.parameters import is_of_library
 from bringup_lint.graph.launch.resolve import text_of
@@ -17,6 +16,7 @@ from bringup_lint.model.launch_values import ParameterFile
 from bringup_lint.model.launch_values import TypedValue
 from bringup_lint.model.launch_values import Value
 from bringup_lint.model.params import matches
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.source import Located
 from bringup_lint.source import Span
 

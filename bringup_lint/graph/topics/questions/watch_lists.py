@@ -8,12 +8,12 @@ from collections import Counter
 from collections.abc import Callable
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
-from typing import NamedTuple
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.discover.starters import STARTING
 from bringup_lint.graph.topics.resolved.node_names import NodeNames
 from bringup_lint.model.node_source import NodeSource
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source

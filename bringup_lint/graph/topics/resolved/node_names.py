@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import field
 from typing import TYPE_CHECKING
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 from bringup_lint.graph.launch.expansion import Expansion
 from bringup_lint.graph.launch.lifecycle import full_name
 from bringup_lint.graph.launch.started import Started

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from bringup_lint.dataclass import replace
 from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import literal_text

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from collections.abc import Iterator
-from dataclasses import field
 from typing import TYPE_CHECKING
 from typing import Any
-from typing import NamedTuple
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.params.loads import path_of
@@ -20,6 +19,7 @@ from bringup_lint.model.launch_values import ParameterFile
 from bringup_lint.model.launch_values import TypedValue
 from bringup_lint.model.launch_values import Value
 from bringup_lint.model.params import matches
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:

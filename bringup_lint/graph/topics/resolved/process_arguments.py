@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import field
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.topics.resolved.remapping import Remapping

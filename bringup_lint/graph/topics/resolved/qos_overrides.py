@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import TYPE_CHECKING
 from typing import Any
+
+from bringup_lint.dataclass import replace
 
 if TYPE_CHECKING:
     from bringup_lint.graph.topics.resolved.endpoint_use import Use

@@ -6,11 +6,11 @@ from collections.abc import Callable
 from collections.abc import Iterator
 from itertools import combinations
 from typing import TYPE_CHECKING
-from typing import NamedTuple
 
 from bringup_lint.graph.launch.expansion import Expansion
 from bringup_lint.graph.runners.runner import Runner
 from bringup_lint.graph.runners.runner import RunnerKind
+from bringup_lint.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from bringup_lint.graph.environment.ros import RosEnvironment

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import field
-
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.source import Located

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from functools import cache
-from typing import NamedTuple
 
 from bringup_lint.facts import table
+from bringup_lint.named_tuple import NamedTuple
 
 ROLES = {"pub": "publisher", "sub": "subscription"}
 

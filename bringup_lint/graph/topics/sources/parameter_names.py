@@ -8,12 +8,12 @@ import re
 from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
-from dataclasses import replace
 from functools import cached_property
 from functools import reduce
 from operator import or_
 from typing import TYPE_CHECKING
 
+from bringup_lint.dataclass import replace
 from bringup_lint.facts.ros.parameters import declared_by
 from bringup_lint.facts.ros.parameters import hands_parameters
 from bringup_lint.graph.launch.started import Started
