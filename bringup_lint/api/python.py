@@ -15,10 +15,10 @@ if TYPE_CHECKING:
     from bringup_lint.codemods.calls import with_items
     from bringup_lint.codemods.calls import with_keyword
     from bringup_lint.codemods.calls import without_keyword
+    from bringup_lint.codemods.imports import Import
     from bringup_lint.codemods.lists import move_after
     from bringup_lint.codemods.lists import move_before
     from bringup_lint.codemods.lists import remove
-    from bringup_lint.codemods.module import Import
     from bringup_lint.codemods.statements import wait_in_loop
 else:
     __getattr__ = on_demand(globals())

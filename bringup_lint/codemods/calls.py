@@ -10,7 +10,7 @@ from collections.abc import Callable
 from functools import partial
 from typing import TYPE_CHECKING
 
-from bringup_lint.codemods.module import Import
+from bringup_lint.codemods.imports import Import
 from bringup_lint.codemods.module import Module
 from bringup_lint.codemods.module import read
 from bringup_lint.finding import Codemod

@@ -6,6 +6,8 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 from typing import TypeVar
 
+from bringup_lint.codemods.imports import Import
+from bringup_lint.codemods.imports import with_import
 from bringup_lint.dataclass import dataclass
 from bringup_lint.named_tuple import NamedTuple
 
@@ -14,13 +16,6 @@ if TYPE_CHECKING:
 
 BOM = "\ufeff"
 _Node = TypeVar("_Node", bound="libcst.CSTNode")
-
-
-class Import(NamedTuple):
-    """``from module import name``."""
-
-    module: str
-    name: str
 
 
 @dataclass
@@ -45,16 +40,14 @@ class Module:
     def replaced(self, old: libcst.CSTNode, new: libcst.CSTNode, imports: Iterable[Import] = ()) -> str:
         """The text of the file with another node, and with the imports that it lacks."""
         import libcst
-        from libcst.codemod import CodemodContext
-        from libcst.codemod.visitors import AddImportsVisitor
 
         tree = self.tree.deep_replace(old, new)
         if not isinstance(tree, libcst.Module):
             return self.bom + self.body
-        context = CodemodContext()
+        code = tree.code
         for each in imports:
-            AddImportsVisitor.add_needed_import(context, each.module, each.name)
-        return self.bom + AddImportsVisitor(context).transform_module(tree).code
+            code = with_import(code, each)
+        return self.bom + code
 
 
 def read(text: str) -> Module:

@@ -21,9 +21,17 @@ class Manifest:
     """``ament_cmake``, ``ament_python``, ``catkin``, ... as exported or guessed from the build tool."""
     depends: list[tuple[str, Located]] = field(default_factory=list)
     """Tag (``depend``, ``exec_depend``, ...) and package."""
-    end: Span | None = None
-    """Behind the last dependency: where another one can be added."""
+    places: dict[str, Span] = field(default_factory=dict)
+    """Tag -> the last dependency with it."""
+    format: int = 1
+    """Of the manifest: the first one has ``run_depend`` and no ``exec_depend``."""
     problems: list[Problem] = field(default_factory=list)
+
+    @property
+    def tag_at_runtime(self) -> str:
+        """What declares that a package is needed when nodes run."""
+        is_first = self.format == 1 and not {"exec_depend", "depend"} & set(self.places)
+        return "run_depend" if is_first else "exec_depend"
 
     @property
     def is_ros1(self) -> bool:

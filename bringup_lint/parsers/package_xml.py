@@ -20,6 +20,7 @@ def parse(source: Source) -> Manifest:
     if root is None or root.local != "package":
         manifest.problems.append(Problem("no-package-root", source.whole))
         return manifest
+    manifest.format = {"2": 2, "3": 3}.get(str(root.get("format")), 1)
     tools = set()
     for element in root.children:
         tag = str(element.local)
@@ -27,7 +28,7 @@ def parse(source: Source) -> Manifest:
             manifest.name = element.text
         elif tag in DEPENDENCIES:
             manifest.depends.append((tag, element.text))
-            manifest.end = element.span
+            manifest.places[tag] = element.span
             if tag == "buildtool_depend":
                 tools.add(str(element.text))
         elif tag == "export":

@@ -34,6 +34,7 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Fix
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
+from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import launch
@@ -42,6 +43,12 @@ from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.spelling import nearest
 
+BESIDE = ("exec_depend", "run_depend", "depend")
+"""The dependencies below which another one is written, before those of building and testing."""
+NAMED = {"exec_depend": "an exec_depend", "run_depend": "a run_depend"}
+REST = regex(r"[ \t]*(?:<!--[^\n<>]*-->[ \t]*)?(?=\r?\n)")
+"""The end of a line that has nothing or a comment."""
+DEPENDENCY = regex(r"[ \t]*<\w+_?depend\b")
 PLACEHOLDER = regex(r"^(?:your|my)_(?:package|pkg|robot|node)|package_name$")
 
 
@@ -79,12 +86,13 @@ def package_missing(robot: Robot) -> Iterator[Finding]:
             is_above = starts is not None and owner.name in workspace.required(starts)
             built = f"colcon build --packages-up-to {owner.name} leaves it out"
             effect = built if own else "rosdep does not install it"
+            tag = owner.manifest.tag_at_runtime
             yield finding(
                 package,
-                f"{package} is not an exec_depend of {owner.name}: {effect}",
+                f"{package} is not {NAMED[tag]} of {owner.name}: {effect}",
                 advice=f"{package} depends on {owner.name}: start it from a launch file of {package}"
                 if is_above
-                else f"add <exec_depend>{package}</exec_depend> to the package.xml",
+                else f"add <{tag}>{package}</{tag}> to the package.xml",
                 related=[note(owner.place, "the package that starts it")],
                 fix=None if is_above else dependency(owner, package),
                 severity="info",
@@ -92,9 +100,24 @@ def package_missing(robot: Robot) -> Iterator[Finding]:
 
 
 def dependency(owner: launch.Package, package: Located) -> Fix | None:
-    end = owner.manifest.end
-    if end is None:
+    """One more dependency below the last of its kind, past a comment in its line."""
+    manifest = owner.manifest
+    last = next((manifest.places[tag] for tag in (*BESIDE, *manifest.places) if tag in manifest.places), None)
+    if last is None:
         return None
-    at = end.source.span(end.end, end.end)
-    indent = end.source.line_text(end.line)[: end.column - 1]
-    return fix("add the exec_depend", (at, f"\n{indent}<exec_depend>{package}</exec_depend>"))
+    source = last.source
+    rest = REST.match(source.text, last.end)
+    end = rest.end() if rest else last.end
+    above = source.line_text(last.line)
+    indent = above[: len(above) - len(above.lstrip())]
+    gap = f"\n\n{indent}" if _has_heading(last) else f"\n{indent}"
+    tag = manifest.tag_at_runtime
+    return fix(f"add the {tag}", (source.span(end, end), f"{gap}<{tag}>{package}</{tag}>"))
+
+
+def _has_heading(last: Span) -> bool:
+    """Whether a comment begins the lines that a dependency is one of: it may not mean another one."""
+    line = last.line - 1
+    while line and DEPENDENCY.match(last.source.line_text(line)):
+        line -= 1
+    return line > 0 and last.source.line_text(line).rstrip().endswith("-->")

@@ -14,7 +14,7 @@ from bringup_lint.codemods.calls import with_item
 from bringup_lint.codemods.calls import with_items
 from bringup_lint.codemods.calls import with_keyword
 from bringup_lint.codemods.calls import without_keyword
-from bringup_lint.codemods.module import Import
+from bringup_lint.codemods.imports import Import
 from bringup_lint.codemods.statements import wait_in_loop
 from bringup_lint.finding import Codemod
 from bringup_lint.source import Source
