@@ -39,7 +39,9 @@ def summary(report: Report, width: int, paint: Paint) -> str:
     counts = Counter(finding.severity for finding in shown)
     said = [paint(str(severity), of_severity(number, str(severity))) for severity, number in sorted(counts.items())]
     files = counted(report.files, "file")
-    if said:
+    if said and not report.files:
+        head = f"{', '.join(reversed(said))}: no file was checked"
+    elif said:
         head = f"{', '.join(reversed(said))} in {_affected(shown, report.files)}{files}"
     elif report.elsewhere:
         head = f"{paint('good', 'Nothing to report of the change')}: {files} checked"

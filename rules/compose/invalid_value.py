@@ -53,6 +53,7 @@ from bringup_lint.api.schema import Remark
 REFUSED = "docker compose refuses the file"
 BY_ENGINE = ("container-name", "device", "restart", "stop-signal")
 """Grammars that the Docker engine checks, not compose."""
+MODES = ("rw", "ro", "z", "Z")
 CODES = (Code.SHAPE, Code.UNQUOTED, Code.VALUE, Code.ENUM, Code.RANGE, Code.BOOL, Code.NAME, Code.ADDRESS, Code.MISSING)
 
 
@@ -64,9 +65,17 @@ def invalid_value(robot: Robot) -> Iterator[Finding]:
         yield finding(
             remark.where,
             f"Compose passes over the mount option '{remark.detail}'",
-            advice="write ro for a mount that the container only reads",
+            advice=_mount_option(str(remark.detail)),
             severity="warning",
         )
+
+
+def _mount_option(written: str) -> str:
+    """What to write instead: the mode that is left without stray signs, else both."""
+    letters = "".join(filter(str.isalpha, written))
+    if letters in MODES:
+        return f"write {letters}"
+    return "write ro for a mount that the container only reads, else nothing"
 
 
 def _refused(remark: Remark) -> Finding:

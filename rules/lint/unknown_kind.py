@@ -36,4 +36,8 @@ from bringup_lint.api import rule
 def unknown_kind(robot: Robot) -> Iterator[Finding]:
     for problem in robot.problems:
         if problem.code == "unknown-kind":
-            yield finding(problem.where, "Nothing was checked: bringup-lint does not know this kind of file")
+            yield finding(
+                problem.where,
+                "Nothing was checked: this is no kind of file that bringup-lint reads",
+                advice="name it as on the robot, such as rover.service or udev/rules.d/99-rover.rules, or leave it out",
+            )

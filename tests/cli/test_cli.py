@@ -417,3 +417,12 @@ def test_untracked_files_are_left_out_when_that_is_asked_for(bad: Path) -> None:
 
 def test_the_hook_judges_what_is_tracked() -> None:
     assert "entry: bringup-lint --tracked\n" in (PROJECT / ".pre-commit-hooks.yaml").read_text()
+
+
+def test_a_report_says_that_no_file_was_checked(tmp_path: Path) -> None:
+    (tmp_path / "notes.rst").write_text("hello\n")
+    run = lint("notes.rst", cwd=tmp_path)
+    assert run.code == 1
+    assert "this is no kind of file that bringup-lint reads" in " ".join(run.stdout.split())
+    assert "or leave it out" in " ".join(run.stdout.split())
+    assert run.stdout.endswith("1 warning: no file was checked\n")

@@ -111,6 +111,13 @@ def test_mistakes_in_an_inventory_are_said(tmp_path: Path, text: str, said: str)
     assert said in run.stderr
 
 
+def test_folders_without_a_file_of_a_robot_are_refused(tmp_path: Path) -> None:
+    (tmp_path / "notes.txt").write_text("no robot\n")
+    run = lint("fleet", ".", cwd=tmp_path)
+    assert (run.code, run.stdout) == (2, "")
+    assert "no file of a robot was found: give a folder or a tar archive" in run.stderr
+
+
 def test_two_robots_of_one_name_are_refused(tmp_path: Path) -> None:
     write(tmp_path, {"one/robot/etc/hostname": "a\n", "two/robot/etc/hostname": "b\n"})
     run = lint("fleet", "one/robot", "two/robot", cwd=tmp_path)

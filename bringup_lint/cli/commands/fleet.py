@@ -41,6 +41,11 @@ if TYPE_CHECKING:
     from bringup_lint.fleet.state import State
     from bringup_lint.fleet.summary import Summary
 
+NO_ROBOT = (
+    "no file of a robot was found: give a folder or a tar archive with the files of each robot, "
+    "a fleet.toml or a folder that holds one, or an Ansible inventory"
+)
+
 
 @click.command(cls=PairedOptions, context_settings={"help_option_names": ["-h", "--help"]})
 @click.argument("paths", nargs=-1, required=True, type=click.Path(readable=False), metavar="PATH...")
@@ -92,6 +97,8 @@ def _judge(outputs: list[Output], paths: tuple[str, ...], options: dict[str, Any
     job = Job(config, key, today, tuple(rule_folders), not options["no_ignores"])
     report = fleet_report(_gathered(inventory, job, state, options), inventory, job)
     report = replace(report, width=terminal_width())
+    if not any(robot.files or robot.marks or robot.facts or robot.failures for robot in report.robots):
+        raise ConfigError(NO_ROBOT)
     code = report.exit_code
     for output in outputs:
         colour = output.file is None and wants_colour(options["colour"])
