@@ -97,7 +97,7 @@ def _judge(outputs: list[Output], paths: tuple[str, ...], options: dict[str, Any
     job = Job(config, key, today, tuple(rule_folders), not options["no_ignores"])
     report = fleet_report(_gathered(inventory, job, state, options), inventory, job)
     report = replace(report, width=terminal_width())
-    if not any(robot.files or robot.marks or robot.facts or robot.failures for robot in report.robots):
+    if _is_empty(inventory, report):
         raise ConfigError(NO_ROBOT)
     code = report.exit_code
     for output in outputs:
@@ -108,6 +108,13 @@ def _judge(outputs: list[Output], paths: tuple[str, ...], options: dict[str, Any
             complain(failure)
         write(text, output.file)
     return 0 if options["exit_zero"] and code == 1 else code
+
+
+def _is_empty(inventory: Inventory, report: FleetReport) -> bool:
+    """Whether all that was given are folders in which no file says anything."""
+    if any(robot.files or robot.marks or robot.facts or robot.failures for robot in report.robots):
+        return False
+    return all(os.path.isdir(path) for member in inventory.members for path in member.layers)
 
 
 def fleet_report(summaries: Iterable[Summary], inventory: Inventory, job: Job) -> FleetReport:
