@@ -5,9 +5,9 @@ from __future__ import annotations
 import ast
 import io
 from bisect import bisect
-from typing import NamedTuple
 
 from bringup_lint.model.python import syntax_of
+from bringup_lint.named_tuple import NamedTuple
 
 
 class Import(NamedTuple):

@@ -9,7 +9,6 @@ from typing import TypeVar
 from bringup_lint.codemods.imports import Import
 from bringup_lint.codemods.imports import with_import
 from bringup_lint.dataclass import dataclass
-from bringup_lint.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     import libcst
