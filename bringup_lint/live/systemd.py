@@ -26,8 +26,9 @@ MOST = 500
 
 
 def units(names: Iterable[str]) -> list[dict[str, str]]:
-    """The units of these names that systemd knows; none where it does not run or does not answer."""
-    asked = sorted(set(names))[:MOST]
+    """The units of these names that systemd knows, of templates the loaded instances; none where it does not run or
+    does not answer."""
+    asked = sorted({_asked(name) for name in names})[:MOST]
     systemctl = shutil.which("systemctl")
     if not asked or systemctl is None or not os.path.isdir(RUNNING):
         return []
@@ -39,6 +40,11 @@ def units(names: Iterable[str]) -> list[dict[str, str]]:
     except (OSError, subprocess.TimeoutExpired):
         return []
     return [unit for unit in _read(run.stdout) if unit.get("load") not in (None, "not-found")]
+
+
+def _asked(name: str) -> str:
+    """A template has no properties, and systemctl refuses its name; a pattern finds its instances."""
+    return name.replace("@.", "@*.")
 
 
 def _read(text: str) -> Iterator[dict[str, str]]:

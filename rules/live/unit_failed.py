@@ -47,9 +47,8 @@ def unit_failed(robot: Robot) -> Iterator[Finding]:
         told = state(running)
         if told:
             message, advice = told
-            yield finding(
-                unit.where, f"{unit.name} {message}", advice=advice, related=[note(running.name, "what systemd says")]
-            )
+            said = note(running.name, "what systemd says")
+            yield finding(unit.where, f"{running.name} {message}", advice=advice, related=[said])
 
 
 def state(running: RunningUnit) -> tuple[str, str] | None:

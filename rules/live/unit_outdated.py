@@ -44,14 +44,14 @@ def unit_outdated(robot: Robot) -> Iterator[Finding]:
         if running.reload == "yes":
             yield finding(
                 unit.where,
-                f"systemd runs {unit.name} as it was before its files changed",
+                f"systemd runs {running.name} as it was before its files changed",
                 advice="systemctl daemon-reload, and restart the unit",
                 related=[note(running.name, "NeedDaemonReload=yes")],
             )
         elif own and running.fragment and merged(running.fragment) != merged(own):
             yield finding(
                 unit.where,
-                f"systemd runs {unit.name} from {running.fragment}, not from this file",
+                f"systemd runs {running.name} from {running.fragment}, not from this file",
                 advice="remove the file that shadows the other one",
                 related=[note(running.fragment, "the file that is loaded")],
             )

@@ -46,6 +46,11 @@ def test_only_units_that_systemd_knows(systemctl: Path) -> None:
     assert (systemctl / "asked").read_text().splitlines()[-3:] == ["--", "a.service", "b.service"]
 
 
+def test_instances_are_asked_for_where_the_tree_has_a_template(systemctl: Path) -> None:
+    systemd.units(["lidar@.service", "lidar@front.service"])
+    assert (systemctl / "asked").read_text().splitlines()[-2:] == ["lidar@*.service", "lidar@front.service"]
+
+
 def test_it_only_asks(systemctl: Path) -> None:
     systemd.units(["a.service"])
     assert (systemctl / "asked").read_text().splitlines()[0] == "show"

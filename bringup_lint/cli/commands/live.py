@@ -163,7 +163,7 @@ def seen(robot: Robot, options: dict[str, Any]) -> Source:
         _ = robot.expected
         (graph,) = looking.result()
     secured = os.environ.get("ROS_SECURITY_ENABLE") == "true"
-    units = running_units(unit.name for unit in robot.units.judged if unit.manager == "system" and not unit.is_template)
+    units = running_units(unit.name for unit in robot.units.judged if unit.manager == "system")
     text = graph_text(graph, [], told, secured, units)
     observed = robot.compared(parse(Source("", text)))
     if observed.wants or (observed.configured and observed.configured.number != domain):

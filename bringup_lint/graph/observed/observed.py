@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable
+from collections.abc import Collection
 from functools import cached_property
 from itertools import product
 from typing import TYPE_CHECKING
@@ -78,11 +79,13 @@ class Observed:
 
     @cached_property
     def loaded_units(self) -> list[tuple[Unit, RunningUnit]]:
-        """The system units of the tree, with what systemd says of them; none of which the tree has several."""
+        """The system units of the tree, with what systemd says of them and of the instances of templates; none of
+        which the tree has several."""
         units = [unit for unit in self.units().judged if unit.manager == "system"]
         counts = Counter(unit.name for unit in units)
-        told = {str(unit.name): unit for unit in self.graph.units}
-        return [(unit, told[unit.name]) for unit in units if unit.name in told and counts[unit.name] == 1]
+        single = {unit.name: unit for unit in units if counts[unit.name] == 1}
+        told = ((_file_name(str(running.name), counts), running) for running in self.graph.units)
+        return [(single[name], running) for name, running in told if name in single]
 
     @cached_property
     def other_values(self) -> list[tuple[Given, Located]]:
@@ -258,3 +261,9 @@ class Observed:
             return False
         value = manager.autostart.value
         return value is None or truth(value) is False
+
+
+def _file_name(name: str, files: Collection[str]) -> str:
+    """The unit file that a running unit has: its own, else that of its template."""
+    prefix, at, rest = name.partition("@")
+    return name if name in files or not at else f"{prefix}@.{rest.rpartition('.')[2]}"
