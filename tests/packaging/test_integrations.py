@@ -163,6 +163,24 @@ def test_container_copies_what_is_there() -> None:
     assert any(line.startswith("USER ") and "root" not in line for line in lines)
 
 
+def test_container_copies_all_that_the_wheel_is_built_from(tmp_path: Path) -> None:
+    """The steps of the Containerfile up to its build, and that build, here."""
+    for line in (PROJECT / "Containerfile").read_text().splitlines():
+        if not line.startswith("COPY") or "--from" in line:
+            continue
+        *sources, target = line.split()[1:]
+        for source in sources:
+            place = tmp_path / target / (Path(source).name if target.endswith("/") else "")
+            place.parent.mkdir(parents=True, exist_ok=True)
+            if (PROJECT / source).is_dir():
+                shutil.copytree(PROJECT / source, place, ignore=shutil.ignore_patterns("__pycache__"))
+            else:
+                shutil.copy(PROJECT / source, place)
+    build = [sys.executable, "-m", "pip", "wheel", "-q", "--no-deps", "--no-build-isolation", "-w", "dist", "."]
+    checked(*build, cwd=tmp_path)
+    assert list((tmp_path / "dist").glob("*.whl"))
+
+
 class Hooks:
     """A robot's repository with the hooks, installed for its commits by the real pre-commit."""
 
