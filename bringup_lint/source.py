@@ -65,6 +65,17 @@ class Source:
             known[key] = make()
         return known[key]
 
+    def once(self, key: object, make: Callable[[], Made]) -> Made:
+        """What ``make`` makes of this text alone, for all that ask in this run."""
+        made = self._made if self.models is None else self.models
+        if key not in made:
+            made[key] = make()
+        return cast("Made", made[key])
+
+    @cached_property
+    def _made(self) -> dict[object, object]:
+        return {}
+
     @cached_property
     def line_starts(self) -> list[int]:
         starts = [0]

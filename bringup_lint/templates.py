@@ -31,6 +31,10 @@ begin, so that it must not run over the next such place."""
 _CONTROL = regex(r"\{%|^@\[|<%(?!=)|^(?:ifdef|ifelse|m4_)\b|^#(?:if|else|endif)\b", re.M)
 
 
+_MARK = regex(r"[{@<]|__")
+"""What every placeholder holds."""
+
+
 def template_language(name: str, text: str) -> str:
     """The template language of a file, from its name or the placeholders in it; empty when the text is final."""
     for suffix, language in TEMPLATE_SUFFIXES.items():
@@ -52,6 +56,8 @@ def final_name(name: str) -> str:
 
 def has_placeholder(text: str) -> bool:
     """Whether some of the text is still to be filled in."""
+    if not _MARK.search(text):
+        return False
     return any(mark in text and pattern.search(text) for _, mark, pattern in _PLACEHOLDERS)
 
 

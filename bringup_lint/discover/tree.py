@@ -34,6 +34,8 @@ from bringup_lint.source import Source
 from bringup_lint.templates import template_language
 
 _MOST_NAMES = 50_000
+_MOST_TEXT = 32 << 20
+"""Code points that are kept of files which nothing claims, and of those that something does."""
 _SUBMODULE = regex(r"^[^\S\n]*path[^\S\n]*=[^\S\n]*(\S+)", re.M)
 _ANY_ENCODING = frozenset({"cpp-node"})
 """Kinds that compilers read in whatever encoding their comments have."""
@@ -69,6 +71,9 @@ class Tree:
     _held: dict[str, bool] = field(default_factory=dict)
     _indexes: dict[str, frozenset[bytes]] = field(default_factory=dict)
     _heads: dict[tuple[str, int], str] = field(default_factory=dict)
+    _texts: dict[str, Source] = field(default_factory=dict)
+    """Path -> the file, as it was read first."""
+    _kept: int = 0
 
     def remember(self, path: str) -> None:
         """Keep the name of a file that was walked past, so that a reference to it can be resolved."""
@@ -84,6 +89,7 @@ class Tree:
             sources=left,
             problems=list(self.problems),
             unknown=frozenset(names),
+            _texts={},
             _on_demand={},
             _by_reference={},
         )
@@ -104,6 +110,9 @@ class Tree:
         """Read a file into the tree; what cannot be read becomes a problem. It is judged when the run was asked for it,
         unless the caller knows better."""
         judged = self.judges(path) if judged is None else judged
+        known = None if judged else self._texts.get(path)
+        if known is not None:
+            return replace(known, kind=kind, judged=False)
         source = Source(display_name(path), kind=kind, robot_path=self.robot_path(path), judged=judged)
         if source.name in self.unknown:
             return replace(source, kind="")
@@ -122,7 +131,15 @@ class Tree:
         is_expected = complaint == PROGRAM if source.kind == "shell-script" else source.kind in _ANY_ENCODING
         if complaint and source.judged and not is_expected:
             self.problems.append(Problem("encoding", source.whole, complaint))
+        if self.held is None:
+            self._keep(path, source)
         return source
+
+    def _keep(self, path: str, source: Source) -> None:
+        """Keep a text for the layers that ask for it again as context, as long as these are not too many."""
+        self._kept += len(source.text)
+        if self._kept <= _MOST_TEXT:
+            self._texts[path] = source
 
     def _text(self, path: str, source: Source) -> tuple[str, str]:
         """The text of a file, and what was wrong with its encoding."""
@@ -152,7 +169,7 @@ class Tree:
     def robot_path(self, path: str) -> str | None:
         """Where the file lies on the robot: by the root, the deploy map, or an overlay that is shaped like one."""
         if self.root is not None:
-            relative = os.path.relpath(path, self.root)
+            relative = _relative(path, str(self.root))
             return None if relative.startswith("..") else f"/{relative}"
         for prefix, place in self.deploy.items():
             prefix = prefix.rstrip("/")
@@ -358,5 +375,13 @@ def is_below(path: str, folders: Iterable[str]) -> bool:
 
 def display_name(path: str) -> str:
     """A path as the user knows it: relative to the working folder when it lies below it."""
-    relative = os.path.relpath(path)
+    relative = _relative(path, os.getcwd())
     return path if relative.startswith("..") else relative
+
+
+def _relative(path: str, folder: str) -> str:
+    """As ``os.path.relpath``, which takes both paths to pieces, also where one lies below the other as it is."""
+    prefix = folder.rstrip("/") + "/"
+    if path.startswith(prefix) and len(path) > len(prefix) and os.path.normpath(path) == path:
+        return path[len(prefix) :]
+    return os.path.relpath(path, folder)

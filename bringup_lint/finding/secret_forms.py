@@ -16,7 +16,9 @@ class Form(NamedTuple):
     """One way to write a secret."""
 
     words: tuple[str, ...]
-    """What the text holds, in small letters, wherever the form can match."""
+    """What the text holds, in small letters, wherever the form can match: one of them."""
+    named: bool
+    """Whether it also holds one of ``NAMES``."""
     pattern: re.Pattern[str]
     certain: bool = False
     """Whether the form itself proves the secret, so that no look at the value is needed."""
@@ -24,7 +26,7 @@ class Form(NamedTuple):
     """Whether it means the same in Python and C++."""
 
 
-_NAMES = ("pass", "psk", "secret", "token", "credential", "key", "pwd")
+NAMES = ("pass", "psk", "secret", "token", "credential", "key", "pwd")
 NAME = r"""(?:(?<!no)pass(?:word|wd|phrase|wort|code)|(?<![a-z])pass|(?<![a-z])pwd|psk|secret|token
     |(?<!set)(?<!import)(?<!load)credential
     |(?:api|access|auth|private|secret|encryption|signing|shared|account|master|license|wpa|service)[_-]?key
@@ -39,7 +41,7 @@ _NEXT = r"(?:,|\n)\s{0,80}(?:\#[^\n]*\n\s{0,80})?"
 
 def _form(words: str, pattern: str, *, certain: bool = False, in_code: bool = True, cased: bool = False) -> Form:
     flags = re.VERBOSE | re.MULTILINE | (0 if cased else re.IGNORECASE)
-    return Form(tuple(words.split()) or _NAMES, regex(pattern, flags), certain, in_code)
+    return Form(tuple(words.split()), NAME in pattern, regex(pattern, flags), certain, in_code)
 
 
 _SETTINGS = (
@@ -176,3 +178,4 @@ _TOKENS = (
     _form("private key", r"""-----BEGIN[ ][A-Z ]{0,40}PRIVATE[ ]KEY-----(?P<secret>[^-]+)""", certain=True, cased=True),
 )
 FORMS = (*_SETTINGS, *_PAIRS, *_COMMANDS, *_URLS, *_TOKENS)
+WORDS = tuple(dict.fromkeys(word for form in FORMS for word in form.words))

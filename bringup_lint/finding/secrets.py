@@ -6,6 +6,9 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.finding.secret_forms import FORMS
+from bringup_lint.finding.secret_forms import NAMES
+from bringup_lint.finding.secret_forms import WORDS
+from bringup_lint.finding.secret_forms import Form
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 from bringup_lint.source import Span
@@ -55,19 +58,28 @@ def _stretches(source: Source) -> Iterator[tuple[int, int]]:
     text = source.text
     lowered = text.lower()
     code = source.name.endswith(_CODE)
-    for form in FORMS:
-        if (code and not form.in_code) or not any(word in lowered for word in form.words):
+    for form in _possible(lowered):
+        if code and not form.in_code:
             continue
         for match in form.pattern.finditer(text):
             value = match["secret"]
             if form.certain:
                 yield match.span("secret")
-            elif form.words[0] == "passwords":
+            elif form.words[:1] == ("passwords",):
                 yield from _inner(_MAPPED, text, *match.span("secret"))
             elif not _NO_SECRET.match(value.strip()):
                 yield match.span("secret")
     if not code:
         yield from _blocks(text, lowered)
+
+
+def _possible(lowered: str) -> Iterator[Form]:
+    """The forms whose words a text in small letters holds; each word is looked for once."""
+    named = any(name in lowered for name in NAMES)
+    there = {word for word in WORDS if word in lowered}
+    for form in FORMS:
+        if (named or not form.named) and (not form.words or not there.isdisjoint(form.words)):
+            yield form
 
 
 def _blocks(text: str, lowered: str) -> Iterator[tuple[int, int]]:

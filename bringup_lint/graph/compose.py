@@ -12,6 +12,7 @@ from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
 from bringup_lint.graph.images import Images
 from bringup_lint.graph.images import link_bases
+from bringup_lint.graph.memo import memo
 from bringup_lint.model.compose import ComposeFile
 from bringup_lint.model.compose import Service
 from bringup_lint.model.compose import is_variable
@@ -83,6 +84,7 @@ class Compose:
                 found += [(name, value) for value in list(lines)[-1:]]
         return found
 
+    @memo
     def stage(self, service: Service) -> Stage | None:
         """The stage that the service's image is built from, when its Dockerfile is in the tree: its own, or that of
         whatever else in the tree builds an image of this name."""
@@ -108,7 +110,19 @@ class Compose:
 
     def users(self, stage: Stage) -> list[Service]:
         """The services that run the image of a stage."""
-        return [service for service in self.services if self.stage(service) is stage]
+        return self._users.get(stage, [])
+
+    @cached_property
+    def _users(self) -> dict[Stage | None, list[Service]]:
+        users: dict[Stage | None, list[Service]] = {}
+        for service in self.services:
+            users.setdefault(self.stage(service), []).append(service)
+        return users
+
+    @cached_property
+    def built_stages(self) -> frozenset[Stage | None]:
+        """The stages that services and build commands of the tree make images of."""
+        return frozenset(self._users) | {built.stage for group in self.images.built.values() for built in group}
 
 
 def _assigned(source: Source, name: str) -> Iterator[Located]:

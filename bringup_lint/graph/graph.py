@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
 from enum import Enum
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 from bringup_lint.dataclass import dataclass
@@ -78,11 +80,15 @@ class Graph:
     into: dict[Node, list[Edge]] = field(default_factory=dict)
     places: dict[Node, list[Span]] = field(default_factory=dict)
     """Where the tree defines a node, the main place first: a whole file, or the lines of it that are about the node."""
-    ranks: dict[Node, int] = field(default_factory=dict)
-    """The place of a unit in the boot order, from 0: higher than that of every unit it starts after."""
-
+    rank: Callable[[], dict[Node, int]] = dict
+    """Works out the ranks, of which only a picture asks."""
     failures: list[Exception] = field(default_factory=list)
     """What failed inside while a layer was joined; the layer is not complete then."""
+
+    @cached_property
+    def ranks(self) -> dict[Node, int]:
+        """The place of a unit in the boot order, from 0: higher than that of every unit it starts after."""
+        return self.rank()
 
     def add(self, edges: Iterable[Edge]) -> None:
         for edge in edges:

@@ -120,10 +120,7 @@ def is_left_over(compose: Compose, file: Dockerfile) -> bool:
 
 
 def _is_built(compose: Compose, file: Dockerfile) -> bool:
-    stages = set(file.stages)
-    if any(compose.stage(service) in stages for service in compose.services):
-        return True
-    return any(built.stage in stages for group in compose.images.built.values() for built in group)
+    return not compose.built_stages.isdisjoint(file.stages)
 
 
 def _folders(compose: Compose, file: Dockerfile) -> set[str]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
+from collections.abc import Iterator
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.facts.ros import distros
@@ -22,7 +23,8 @@ SYSTEMD_OF_OS = {
 
 DEFAULT_SYSTEMD = 249
 
-_DISTRO = "|".join(distros.supported())
+_DISTROS = distros.supported()
+_DISTRO = "|".join(_DISTROS)
 _MENTIONS = regex(
     rf"/opt/ros/({_DISTRO})\b|\bROS_DISTRO[=:]\s*[\"']?({_DISTRO})\b|\bros:({_DISTRO})\b|\bros-({_DISTRO})-"
     rf"|\bimage:\s*[\"']?[\w./-]+:({_DISTRO})(?=[-.\s\"'@])"
@@ -32,7 +34,14 @@ _MENTIONS = regex(
 
 def mentioned(text: str) -> frozenset[str]:
     """The distributions that a file names."""
-    return frozenset(group for match in _MENTIONS.finditer(text) for group in match.groups() if group)
+    return frozenset(_named(text))
+
+
+def _named(text: str) -> Iterator[str]:
+    """Each place where a file names a distribution. Most files hold no word of one, which is found out much sooner."""
+    if any(distro in text for distro in _DISTROS):
+        for match in _MENTIONS.finditer(text):
+            yield from (group for group in match.groups() if group)
 
 
 def mentions_of(distro: str) -> re.Pattern[str]:
@@ -82,8 +91,8 @@ def _mentioned_ros(sources: Iterable[Source]) -> tuple[str | None, str, bool]:
     for source in sources:
         if not source.judged or source.kind in ("python-node", "cpp-node"):
             continue
-        for match in _MENTIONS.finditer(source.text):
-            mentions.setdefault(next(group for group in match.groups() if group), source)
+        for name in _named(source.text):
+            mentions.setdefault(name, source)
     if len(mentions) == 1:
         (ros, source) = next(iter(mentions.items()))
         return ros, f"named in {source.name}", True

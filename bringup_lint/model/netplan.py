@@ -390,6 +390,36 @@ class Plan:
         return dict(reversed(known))
 
     @cached_property
+    def matched(self) -> list[Interface]:
+        """The interfaces of which only a match tells the device."""
+        return [each for each in self.interfaces.values() if each.is_physical and each.device is None]
+
+    @cached_property
+    def by_address(self) -> dict[str, Interface]:
+        """Static address, without its prefix length -> the first interface that has it."""
+        found: dict[str, Interface] = {}
+        for interface in self.interfaces.values():
+            for address in interface.addresses:
+                if address.ip is not None:
+                    found.setdefault(str(address.ip.ip), interface)
+        return found
+
+    @cached_property
+    def by_name_or_address(self) -> dict[str, Interface]:
+        """The first interface that has the device or the static address."""
+        order = {id(interface): number for number, interface in enumerate(self.interfaces.values())}
+        found = dict(self.by_address)
+        for name, interface in self.devices.items():
+            if name not in found or order[id(interface)] < order[id(found[name])]:
+                found[name] = interface
+        return found
+
+    @cached_property
+    def is_dynamic(self) -> bool:
+        """Whether an interface gets addresses by DHCP."""
+        return any(interface.dhcp4 or interface.dhcp6 for interface in self.interfaces.values())
+
+    @cached_property
     def masters(self) -> dict[str, Interface]:
         """The bridge, bond or VRF of every member."""
         return {str(member): owner for owner in self.interfaces.values() for member in owner.members}

@@ -232,6 +232,8 @@ class NodeSource:
     """The function that ``if __name__ == "__main__"`` calls; ``main`` when there is one and no such block."""
     problems: list[Problem] = field(default_factory=list)
     tree: ast.Module | None = None
+    nodes: list[ast.AST] = field(default_factory=list)
+    """All syntax of the tree, as ``ast.walk`` gives it."""
     span_of: Callable[[PlacedNode], Span] = field(default=_unread)
     qualified: Callable[[ast.AST], str | None] = field(default=_unread)
     """The dotted name of a name or attribute, through the imports: ``rclpy.spin``."""

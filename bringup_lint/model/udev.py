@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cached_property
+
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
 from bringup_lint.named_tuple import NamedTuple
@@ -59,14 +61,22 @@ class Rule:
     dropped: bool = False
     """Whether udev ignores the line for an error in it; the tokens around the error are kept."""
 
+    @cached_property
+    def by_key(self) -> dict[str, list[Token]]:
+        """Key -> its tokens, in the order of the line."""
+        found: dict[str, list[Token]] = {}
+        for token in self.tokens:
+            found.setdefault(token.key, []).append(token)
+        return found
+
     def matches(self, key: str) -> tuple[Token, ...]:
-        return tuple(token for token in self.tokens if token.key == key and token.is_match)
+        return tuple([token for token in self.by_key.get(key, ()) if token.is_match])
 
     def assignments(self, key: str) -> tuple[Token, ...]:
-        return tuple(token for token in self.tokens if token.key == key and not token.is_match)
+        return tuple([token for token in self.by_key.get(key, ()) if not token.is_match])
 
     def first(self, key: str) -> Token | None:
-        return next((token for token in self.tokens if token.key == key), None)
+        return next(iter(self.by_key.get(key, ())), None)
 
     @property
     def source(self) -> Source:

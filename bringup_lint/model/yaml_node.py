@@ -112,10 +112,12 @@ class Mapping:
         """The last pair with this key; merge keys (``<<``) are followed when the mapping itself lacks it."""
         found = None
         merges = []
-        for key, value in self.entries:
+        for key, value in self.pairs:
+            if not isinstance(key, Scalar):
+                continue
             if key.value == name:
                 found = (key, value)
-            elif _is_merge(key):
+            elif key.value == "<<" and not key.style:
                 merges.append(value)
         if found is None and name != "<<":
             bases = (base for merge in merges for base in (merge if isinstance(merge, Sequence) else [merge]))

@@ -9,7 +9,7 @@ from bringup_lint.model.firewall import Firewall
 from bringup_lint.model.firewall import Opening
 from bringup_lint.model.shell import Command
 from bringup_lint.parsers.arithmetic import evaluate
-from bringup_lint.parsers.shell import commands
+from bringup_lint.parsers.shell import shell_commands
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
@@ -46,7 +46,7 @@ def parse(source: Source) -> Firewall:
 
 def _script(firewall: Firewall) -> None:
     variables: Variables = {}
-    for command in commands(firewall.source.located(0, len(firewall.source.text))):
+    for command in shell_commands(firewall.source):
         for assignment in command.assignments:
             name, _, value = assignment.partition("=")
             number = evaluate(value, variables)

@@ -28,6 +28,11 @@ def blocks(script: Located) -> tuple[Block, ...]:
     return _Reader(tokens(script)).statements(frozenset(), 0)
 
 
+def script_blocks(source: Source) -> tuple[Block, ...]:
+    """The statements of a whole script file, read once for all layers."""
+    return source.once(script_blocks, lambda: blocks(source.located(0, len(source.text))))
+
+
 def commands(script: Located) -> list[Command]:
     """The simple commands of a script, in the order in which they appear. Never raises."""
     key = (commands, script, script.span.start, script.span.end, script.pieces)
@@ -36,7 +41,7 @@ def commands(script: Located) -> list[Command]:
 
 def shell_commands(source: Source) -> list[Command]:
     """The simple commands of a whole script file."""
-    return commands(source.located(0, len(source.text)))
+    return list(source.once(shell_commands, lambda: tuple(flatten(script_blocks(source)))))
 
 
 def words(line: Located) -> Iterator[Located]:

@@ -15,6 +15,8 @@ HERE = frozenset({"<<", "<<-"})
 REDIRECTS = frozenset({"<", ">", ">>", "<&", ">&", "<>", ">|", "&>", "&>>", "<<<"})
 _DELIMITER = regex(r"[ \t]*(?:'([^'\n]*)'|\"([^\"\n]*)\"|\\?([^ \t\r\n;&|<>()]*))")
 _PLAIN = regex(r"[^ \t\r\n\\'\"`$;&|<>()#]+")
+_ALONE = regex(_PLAIN.pattern + r"(?=[ \t\r\n;&|<>()]|\Z)")
+"""A word of which nothing is quoted or expanded."""
 
 
 class Token(NamedTuple):
@@ -67,6 +69,9 @@ def _word(script: Located, start: int) -> tuple[int, Word]:
     """The word at ``start``, its quotes removed, and where it ends."""
     text: str = script  # str(script) would copy the whole script for each word
     size = len(text)
+    if alone := _ALONE.match(text, start):
+        word = script.part(start, alone.end())
+        return alone.end(), Word(word, word.span, ((0, script.origin(start)),), ("",))
     at = start
     out: list[str] = []
     pieces: list[tuple[int, int]] = []

@@ -51,16 +51,16 @@ def interface_not_in_netplan(robot: Robot) -> Iterator[Finding]:
         plan = robot.dds.plan_of(configuration)
         if plan is None:
             continue
-        known = [interface for interface in plan.interfaces.values() if interface.device]
         names = list(named_interfaces(domain))
         for setting in names:
             name = str(setting.effective)
             required = domain.of(setting.owner, "presence_required")
             optional = required is not None and (required.effective or "false").lower() == "false" and len(names) > 1
-            if not known or optional or interface_of_device(plan, name) or may_exist(plan, name):
+            if not any(plan.devices) or optional or interface_of_device(plan, name) or may_exist(plan, name):
                 continue
             if robot.networkmanager.configures(name):
                 continue
+            known = [interface for interface in plan.interfaces.values() if interface.device]
             predictable = name.startswith(("en", "wl", "eth0")) and any(each.is_physical for each in known)
             yield finding(
                 setting.value,

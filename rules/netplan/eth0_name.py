@@ -42,10 +42,11 @@ BOARD = regex(r"net\.ifnames=0|raspberry|raspi|rpi|\bjetson\b|tegra|nvidia-l4t",
 
 @rule("info", confidence="medium", symptoms=['Cannot find device "eth0"', 'Device "eth0" does not exist'])
 def eth0_name(robot: Robot) -> Iterator[Finding]:
-    if any(BOARD.search(source.text) or BOARD.search(source.name) for source in robot.sources):
+    named = [each for each in robot.netplan.interfaces if each.is_physical and each.name in ("eth0", "wlan0")]
+    if not named or any(BOARD.search(source.text) or BOARD.search(source.name) for source in robot.sources):
         return
-    for interface in robot.netplan.interfaces:
-        if interface.is_physical and interface.match is None and interface.name in ("eth0", "wlan0"):
+    for interface in named:
+        if interface.match is None:
             yield finding(
                 interface.name,
                 f"{interface.name} exists only if predictable names are off; a PC has names such as enp3s0",

@@ -67,12 +67,10 @@ def may_exist(plan: Plan, name: str) -> bool:
 
     if name.startswith(KERNEL_MADE):
         return True
-    for interface in plan.interfaces.values():
-        if interface.is_physical and interface.device is None:
-            match = interface.match
-            pattern = match.name if match else None
-            if pattern is None or fnmatch(name, str(pattern)):
-                return True
+    for interface in plan.matched:
+        pattern = interface.match.name if interface.match else None
+        if pattern is None or fnmatch(name, str(pattern)):
+            return True
     return False
 
 
@@ -87,23 +85,20 @@ def subnets(plan: Plan) -> list[tuple[Interface, Network]]:
 
 def interface_with(plan: Plan, address: Address) -> Interface | None:
     """The interface that has this static address."""
-    for interface in plan.interfaces.values():
-        if any(each.ip is not None and each.ip.ip == address for each in interface.addresses):
-            return interface
-    return None
+    return plan.by_address.get(str(address))
 
 
 def own_addresses(plan: Plan) -> set[str]:
     """The static addresses of the robot; empty when an interface gets more by DHCP."""
-    if any(interface.dhcp4 or interface.dhcp6 for interface in plan.interfaces.values()):
-        return set()
-    return {str(each.ip.ip) for one in plan.interfaces.values() for each in one.addresses if each.ip is not None}
+    return set() if plan.is_dynamic else set(plan.by_address)
 
 
 def is_routed(plan: Plan, address: Address) -> bool:
     """Whether a route or a subnet of any interface covers an address."""
+    if plan.is_dynamic:
+        return True
     for interface in plan.interfaces.values():
-        if interface.dhcp4 or interface.dhcp6 or any(address in network for network in networks(interface)):
+        if any(address in network for network in networks(interface)):
             return True
         for route in interface.routes:
             if route.is_default:

@@ -104,11 +104,8 @@ def _holders(places: Places, source: Source, where: Span) -> list[Node]:
 
 def _of_plan(plan: Plan, netplan: Netplan, name: str) -> Node:
     """The interface of a netplan by its name or static address; else the bare name."""
-    for interface in plan.interfaces.values():
-        addresses = [str(each.ip.ip) for each in interface.addresses if each.ip is not None]
-        if name == interface.device or name in addresses:
-            return interface_node(interface, plan, netplan)
-    return Node("interface", name)
+    interface = plan.by_name_or_address.get(name)
+    return Node("interface", name) if interface is None else interface_node(interface, plan, netplan)
 
 
 def _of_profiles(manager: NetworkManager, file: Configuration | Profiles, name: str) -> Node | None:

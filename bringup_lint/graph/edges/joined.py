@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import TYPE_CHECKING
 
 from bringup_lint.dataclass import dataclass
@@ -87,7 +88,7 @@ def _add_units(graph: Graph, layers: Layers) -> None:
 
     graph.add(unit_edges(layers.units()))
     graph.define(unit_places(layers.units(), set(graph.nodes)))
-    graph.ranks = boot_ranks(layers.units(), [node for node in graph.nodes if node.kind in KINDS])
+    graph.rank = partial(boot_ranks, layers.units(), [node for node in graph.nodes if node.kind in KINDS])
     graph.add(user_edges(layers.units()))
     graph.add(environment_edges(layers.units()))
     graph.define(environment_places(layers.units()))

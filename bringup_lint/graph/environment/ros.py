@@ -144,7 +144,7 @@ class RosEnvironment:
         """The first word of each judged file that says which distribution runs."""
         pattern = mentions_of(distro)
         for source in self.files.sources:
-            match = pattern.search(source.text) if source.judged else None
+            match = pattern.search(source.text) if source.judged and distro in source.text else None
             if match is not None:
                 yield source.located(match.start("name"), match.end("name"))
 
@@ -311,9 +311,9 @@ def _of_file(source: Source) -> Iterator[Setting]:
 
 
 def _of_script(source: Source) -> Iterator[Setting]:
-    from bringup_lint.parsers.shell import commands
+    from bringup_lint.parsers.shell import shell_commands
 
-    for command in commands(source.located(0, len(source.text))):
+    for command in shell_commands(source):
         words = (
             command.words[1:]
             if command.name in ("export", "declare")

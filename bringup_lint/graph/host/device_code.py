@@ -74,9 +74,7 @@ def _is_given(parameter: str, texts: list[str]) -> bool:
 
 
 def _of_python(file: NodeSource, given: list[str]) -> Iterator[DeviceUse]:
-    if file.tree is None:
-        return
-    for call in ast.walk(file.tree):
+    for call in file.nodes:
         if not isinstance(call, ast.Call):
             continue
         name = file.qualified(call.func) or (call.func.id if isinstance(call.func, ast.Name) else "")

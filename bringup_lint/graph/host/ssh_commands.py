@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.parsers.arithmetic import evaluate
-from bringup_lint.parsers.shell import commands
+from bringup_lint.parsers.shell import shell_commands
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
@@ -25,7 +25,7 @@ def ssh_logins(files: Files) -> Iterator[tuple[str, Located, str | None]]:
     for source in files.of_kind("shell-script"):
         if "@" not in source.text or not source.judged:
             continue
-        for command in commands(source.located(0, len(source.text))):
+        for command in shell_commands(source):
             if command.name not in ("ssh", "scp", "sftp", "autossh", "ssh-copy-id"):
                 continue
             for word in command.words[1:]:
@@ -53,7 +53,7 @@ def ssh_forwards(files: Files) -> Iterator[Forward]:
         if "ssh" not in source.text:
             continue
         variables: dict[str, str] = {}
-        for command in commands(source.located(0, len(source.text))):
+        for command in shell_commands(source):
             for assignment in command.assignments:
                 name, _, value = assignment.partition("=")
                 number = evaluate(value, variables)

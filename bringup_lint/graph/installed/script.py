@@ -23,6 +23,7 @@ from bringup_lint.model.shell import Redirect
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.shell import blocks
 from bringup_lint.parsers.shell import flatten
+from bringup_lint.parsers.shell import script_blocks
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Origin
@@ -94,7 +95,7 @@ class Written(NamedTuple):
 
 def runs(source: Source) -> Iterator[Run | Written]:
     """What a script does, in its order."""
-    statements = blocks(source.located(0, len(source.text)))
+    statements = script_blocks(source)
     reader = _Reader(_constants(statements), has_root=bool(_NEEDS_ROOT.search(source.text)))
     yield from reader.all(statements, True, 0)
     for name, body in list(reader.functions.items()):

@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.model.python import syntax_of
+from bringup_lint.model.python import walk
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
@@ -109,8 +110,8 @@ def _of_python(source: Source) -> Iterator[Declared]:
     tree = syntax_of(source.text)
     if tree is None:
         return
-    described = _dynamic_names(tree)
-    for node in ast.walk(tree):
+    described = _dynamic_names(tree) if _DYNAMIC in source.text else None
+    for node in walk(tree):
         if not isinstance(node, ast.Call) or not isinstance(node.func, ast.Attribute):
             continue
         if node.func.attr == "declare_parameter":
@@ -129,7 +130,7 @@ def _given(call: ast.Call, names: tuple[str, ...]) -> dict[str, ast.expr]:
     return dict(zip(names, call.args)) | {str(each.arg): each.value for each in call.keywords}
 
 
-def _python_several(source: Source, given: dict[str, ast.expr], described: set[str]) -> Iterator[Declared]:
+def _python_several(source: Source, given: dict[str, ast.expr], described: set[str] | None) -> Iterator[Declared]:
     space, pairs = given.get("namespace"), given.get("parameters")
     if not isinstance(space, ast.Constant) or not isinstance(pairs, (ast.List, ast.Tuple)):
         return
@@ -167,8 +168,11 @@ def _returns(function: ast.FunctionDef) -> bool:
     return any(isinstance(each, ast.Return) and each.value is not None for each in ast.walk(function))
 
 
-def _is_dynamic(declaration: ast.AST, described: set[str]) -> bool:
-    """Whether a declaration takes any type, directly or by a descriptor from a variable."""
+def _is_dynamic(declaration: ast.AST, described: set[str] | None) -> bool:
+    """Whether a declaration takes any type, directly or by a descriptor from a variable; ``described`` is None where
+    the file does not know the word."""
+    if described is None:
+        return False
     if _mentions_dynamic(declaration):
         return True
     names = (each for each in ast.walk(declaration) if isinstance(each, (ast.Name, ast.Attribute)))

@@ -115,11 +115,20 @@ def own_arguments(launch: Launch, expansion: Expansion) -> Iterator[str]:
 
 def is_replaced(load: Load, name: str) -> bool:
     """Whether what comes later in the node's parameters sets a parameter again, or may do so."""
+    names = replaced(load)
+    return names is None or name in names
+
+
+def replaced(load: Load) -> frozenset[str] | None:
+    """The parameters that what comes later in the node's parameters sets again; None where these may be any."""
+    names: set[str] = set()
     for value in load.node.parameters[load.order + 1 :]:
         for option, _ in _options(value):
             if isinstance(option, DictValue):
-                if option.open or any(text_of(key) in (None, name) for key, _ in option.items):
-                    return True
+                keys = [text_of(key) for key, _ in option.items]
+                if option.open or None in keys:
+                    return None
+                names.update(key for key in keys if key is not None)
             elif not isinstance(option, (LaunchedFile, DerivedFile, Literal, PathJoin, Concat)):
-                return True
-    return False
+                return None
+    return frozenset(names)

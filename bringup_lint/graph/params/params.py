@@ -18,6 +18,7 @@ from bringup_lint.model.params import Parameter
 from bringup_lint.model.params import ParameterFile
 from bringup_lint.model.params import Value
 from bringup_lint.model.params import matches
+from bringup_lint.model.yaml_node import Scalar
 from bringup_lint.parsers.params import parse
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
@@ -107,7 +108,18 @@ class Params:
         return next((each for each in file.parameters if each.span == span), None)
 
     def items(self, parameter: Parameter) -> list[Item]:
-        return param_values.items(parameter)
+        """The scalars of a value; empty when a list holds anything else."""
+        if isinstance(parameter.node, Scalar):
+            return param_values.items(parameter)
+        found = self._items.get(id(parameter))
+        if found is None:
+            found = self._items[id(parameter)] = param_values.items(parameter)
+        return found
+
+    @cached_property
+    def _items(self) -> dict[int, list[Item]]:
+        """The items of lists, by the parameter that has them."""
+        return {}
 
     def holds_maps(self, parameter: Parameter) -> bool:
         return param_values.holds_maps(parameter)
@@ -247,7 +259,11 @@ class Params:
 
     def loads(self, file: ParameterFile) -> list[Load]:
         """The nodes of the tree's launch files that are given a file."""
-        return self._loads.get(id(file)) or self._unclaimed.get(os.path.abspath(file.source.name), [])
+        found = self._loads.get(id(file))
+        if found is None:
+            found = self._unclaimed.get(os.path.abspath(file.source.name), [])
+            self._loads[id(file)] = found
+        return found
 
     def texts(self, node: Started, name: str) -> list[Located] | None:
         """The list of texts that parameter files give a launched node, each text with its place; None when that is
@@ -277,22 +293,23 @@ class Params:
     def effective(self, file: ParameterFile, parameter: Parameter) -> list[Load]:
         """The loads by which a value may reach a node: its block may be for the node, and nothing later sets it
         again."""
-        from bringup_lint.graph.params.loads import is_replaced
+        found = self._reached(file, parameter)
+        return [load for load, names in found if names is not None and parameter.name not in names]
 
-        return [load for load in self._reached(file, parameter) if not is_replaced(load, parameter.name)]
-
-    def _reached(self, file: ParameterFile, parameter: Parameter) -> list[Load]:
-        """The loads for whose nodes the block of a parameter may be."""
+    def _reached(self, file: ParameterFile, parameter: Parameter) -> list[tuple[Load, frozenset[str] | None]]:
+        """The loads for whose nodes the block of a parameter may be, each with the names that are set again later."""
         block = parameter.block.name
         known = self._reached_by_block.get((id(file), block))
         if known is None:
+            from bringup_lint.graph.params.loads import replaced
+
             named = [(load, load.node.fqn) for load in self.loads(file)]
-            known = [load for load, fqn in named if fqn is None or matches(block, fqn)]
+            known = [(load, replaced(load)) for load, fqn in named if fqn is None or matches(block, fqn)]
             self._reached_by_block[id(file), block] = known
         return known
 
     @cached_property
-    def _reached_by_block(self) -> dict[tuple[int, str], list[Load]]:
+    def _reached_by_block(self) -> dict[tuple[int, str], list[tuple[Load, frozenset[str] | None]]]:
         return {}
 
     def is_missing(self, node: Started) -> bool:

@@ -78,8 +78,8 @@ def selected(files: Files, ros: RosEnvironment, runners: Runners, launch: Launch
 
 def _script_commands(files: Files) -> Iterator[Command]:
     """The commands of the scripts of the tree, those too that no runner starts."""
-    from bringup_lint.parsers.shell import commands
+    from bringup_lint.parsers.shell import shell_commands
 
     for source in files.of_kind("shell-script"):
         if OPTION in source.text and not source.template:
-            yield from commands(source.located(0, len(source.text)))
+            yield from shell_commands(source)

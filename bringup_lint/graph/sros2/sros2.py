@@ -42,7 +42,7 @@ from bringup_lint.model.sros2_policy import Profile
 from bringup_lint.parsers import sros2
 from bringup_lint.parsers.certificate import Certificate
 from bringup_lint.parsers.certificate import parse as certificate
-from bringup_lint.parsers.shell import commands
+from bringup_lint.parsers.shell import shell_commands
 from bringup_lint.parsers.sros2_policy import policy
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
@@ -167,7 +167,7 @@ class Sros2:
         """The shell scripts that hold a word, with their commands."""
         for source in self.files.of_kind("shell-script"):
             if word in source.text and source.judged and not source.template:
-                yield source, commands(source.located(0, len(source.text)))
+                yield source, shell_commands(source)
 
     def signed_text(self, source: Source) -> tuple[Source, str] | None:
         """The document inside the signed file beside a document, when both are in the tree."""

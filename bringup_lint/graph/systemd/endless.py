@@ -9,7 +9,7 @@ from bringup_lint.graph.commands.shells import SHELL_SCRIPT
 from bringup_lint.graph.systemd.process import Process
 from bringup_lint.model.shell import Block
 from bringup_lint.parsers.python_syntax import syntax_tree
-from bringup_lint.parsers.shell import blocks
+from bringup_lint.parsers.shell import script_blocks
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
@@ -36,7 +36,7 @@ def never_ends(process: Process, files: Files) -> Located | None:
 def _loops_forever(source: Source) -> bool:
     first = source.text.partition("\n")[0]
     if SHELL_SCRIPT.match(first):
-        return any(_is_endless(block) for block in blocks(source.located(0, len(source.text))))
+        return any(_is_endless(block) for block in script_blocks(source))
     if source.name.endswith(".py") or (first.startswith("#!") and "python" in first):
         return _python_loops_forever(source)
     return False

@@ -27,6 +27,7 @@ from bringup_lint.model.shell import Block
 from bringup_lint.model.shell import Command
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.shell import blocks
+from bringup_lint.parsers.shell import script_blocks
 from bringup_lint.parsers.systemd_values import nowhere
 from bringup_lint.source import Located
 from bringup_lint.source import Span
@@ -155,7 +156,7 @@ class _Waits:
         if source is None or not (SHELL_SCRIPT.match(source.text) or source.name.endswith(".sh")):
             return NONE
         inner = Names(arguments=tuple(names.text(word) or "" for word in arguments))
-        return self.all(blocks(source.located(0, len(source.text))), inner, depth + 1)
+        return self.all(script_blocks(source), inner, depth + 1)
 
 
 def _sleep(words: tuple[Located, ...], names: Names) -> Wait:

@@ -7,6 +7,7 @@ from typing import Any
 
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
+from bringup_lint.model.python import walk
 from bringup_lint.parsers.python_node.classes import ROOTS
 from bringup_lint.parsers.python_node.classes import declare
 from bringup_lint.parsers.python_node.classes import function
@@ -60,7 +61,7 @@ def _read(file: NodeSource, tree: ast.Module) -> None:
     positions = Positions(file.source, byte_order_mark(file.source))
     module = read_module(tree)
     values = Values(module, positions, {})
-    file.tree, file.span_of = tree, positions.span
+    file.tree, file.nodes, file.span_of = tree, list(walk(tree)), positions.span
     file.imports, file.stars = module.imports, module.stars
     file.qualified = values.qualified
     file.functions = {name: function(values, node) for name, node in module.functions.items()}

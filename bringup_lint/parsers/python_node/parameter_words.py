@@ -9,6 +9,8 @@ from functools import cached_property
 
 from bringup_lint.model.parameter_words import Asked
 from bringup_lint.model.parameter_words import ParameterWords
+from bringup_lint.model.python import children
+from bringup_lint.model.python import walk
 from bringup_lint.parsers.python_syntax import Positions
 from bringup_lint.parsers.python_syntax import byte_order_mark
 from bringup_lint.parsers.python_syntax import syntax_tree
@@ -41,8 +43,8 @@ def parse(source: Source) -> ParameterWords:
 class _Reader:
     def __init__(self, source: Source, tree: ast.Module) -> None:
         self.positions = Positions(source, byte_order_mark(source))
-        self.nodes = list(ast.walk(tree))
-        self.parents = {id(child): node for node in self.nodes for child in ast.iter_child_nodes(node)}
+        self.nodes = list(walk(tree))
+        self.parents = {id(child): node for node in self.nodes for child in children(node)}
         self.calls = [node for node in self.nodes if isinstance(node, ast.Call)]
 
     def words(self) -> ParameterWords:
@@ -64,9 +66,9 @@ class _Reader:
     def _asked(self) -> Iterator[Asked]:
         for call in self.calls:
             name = call.args[0] if call.args else None
-            if not _OWN.match(ast.unparse(call.func)):
+            if not isinstance(name, ast.Constant) or not isinstance(name.value, str):
                 continue
-            if isinstance(name, ast.Constant) and isinstance(name.value, str):
+            if isinstance(call.func, ast.Attribute) and _OWN.match(ast.unparse(call.func)):
                 required = _called(call) == "get_parameter" and not self._is_tried(call)
                 yield Asked(Located(name.value, self.positions.span(name)), required)
 

@@ -293,10 +293,11 @@ def _children(module: Module, todo: Todo) -> Iterator[Todo]:
     node = todo.node
     if isinstance(node, ast.If) and todo.scope is module.scope and _is_main_guard(node.test):
         module.main = _called(node.body)
-        for child in node.body:
-            yield todo._replace(node=child)
+        for statement in node.body:
+            yield todo._replace(node=statement)
         return
-    for name, value in ast.iter_fields(node):
+    for name in node._fields:
+        value = getattr(node, name, None)
         conditional = todo.conditional or _may_not_run(node, name)
         for child in value if isinstance(value, list) else (value,):
             if isinstance(child, ast.AST) and not isinstance(child, _LEAVES):

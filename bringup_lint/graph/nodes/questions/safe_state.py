@@ -15,7 +15,6 @@ from bringup_lint.graph.nodes.sources.sending import published
 from bringup_lint.graph.nodes.sources.sending import sendings
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import body_of
-from bringup_lint.graph.nodes.sources.syntax import nodes_of
 from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import Function
@@ -87,7 +86,7 @@ def has_safe_state(ending: Ending, nodes: list[NodeClass]) -> bool:
 
 def _last_blocks(ending: Ending) -> Iterator[list[ast.stmt]]:
     """What runs when something else is over: ``finally``, ``except``, and the statements behind a spin."""
-    for node in nodes_of(ending.file):
+    for node in ending.file.nodes:
         if isinstance(node, ast.Try):
             yield node.finalbody
             yield from (handler.body for handler in node.handlers)

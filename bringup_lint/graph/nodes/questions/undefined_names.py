@@ -10,7 +10,6 @@ from collections.abc import Sequence
 from bringup_lint.facts import table
 from bringup_lint.graph.nodes.sources.syntax import FUNCTIONS
 from bringup_lint.graph.nodes.sources.syntax import Syntax
-from bringup_lint.graph.nodes.sources.syntax import nodes_of
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
@@ -41,7 +40,7 @@ def undefined(syntax: Syntax) -> Iterator[Undefined]:
     bound: set[str] = set()
     used: dict[str, list[ast.Name]] = {}
     lazy = any(dotted == "__future__.annotations" for dotted in file.imports.values())
-    for node in nodes_of(file):
+    for node in file.nodes:
         bound.update(_bound(node))
         if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load) and node.id in wanted:
             if not _is_harmless(syntax, node, lazy):
@@ -114,7 +113,7 @@ class DictRange(NamedTuple):
 
 def dict_ranges(syntax: Syntax) -> Iterator[DictRange]:
     """Dictionaries where a descriptor of a parameter wants a range."""
-    for node in nodes_of(syntax.file):
+    for node in syntax.file.nodes:
         if isinstance(node, ast.Call) and (syntax.qualified(node) or "").endswith(".ParameterDescriptor"):
             for keyword in node.keywords:
                 if keyword.arg in _RANGES:

@@ -12,6 +12,7 @@ from bringup_lint.graph.nodes.sources.modules import Modules
 from bringup_lint.graph.workspace import Package
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
+from bringup_lint.model.python import walk
 from bringup_lint.source import Located
 
 if TYPE_CHECKING:
@@ -82,7 +83,8 @@ def made(modules: Modules, file: NodeSource, function: str | None) -> Iterator[N
     seen = {function}
     singles = {(each.span.start, each.span.end): each for each in file.classes if each.name is None}
     while todo and len(seen) < FUNCTIONS:
-        for node in ast.walk(todo.pop()):
+        top = todo.pop()
+        for node in file.nodes if top is file.tree else walk(top):
             if not isinstance(node, ast.Call):
                 continue
             if isinstance(node.func, ast.Name) and node.func.id in file.functions and node.func.id not in seen:

@@ -14,7 +14,6 @@ from functools import cached_property
 from bringup_lint.graph.nodes.sources.sending import called
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import body_of
-from bringup_lint.graph.nodes.sources.syntax import nodes_of
 from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.named_tuple import NamedTuple
 
@@ -176,7 +175,7 @@ class Ending:
     def tries(self) -> list[tuple[ast.Try, list[Spin]]]:
         """The ``try`` statements around a spin."""
         found = []
-        for node in nodes_of(self.file):
+        for node in self.file.nodes:
             if not isinstance(node, ast.Try) or self._in_thread(node):
                 continue
             if spins := list(self.spins_in(node.body)):

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from functools import cached_property
 
 from bringup_lint.model.node_source import NodeSource
+from bringup_lint.model.python import children
 
 FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)
 
@@ -24,7 +25,8 @@ class Syntax:
             node = stack.pop()
             if isinstance(node, ast.Call):
                 self.calls.append(node)
-            for name, value in ast.iter_fields(node):
+            for name in node._fields:
+                value = getattr(node, name, None)
                 for child in value if isinstance(value, list) else (value,):
                     if isinstance(child, ast.AST):
                         self._above[child] = (node, name)
@@ -80,16 +82,11 @@ def own(nodes: Iterable[ast.AST]) -> Iterator[ast.AST]:
         node = stack.pop()
         yield node
         if not isinstance(node, (*FUNCTIONS, ast.ClassDef)):
-            stack.extend(reversed(list(ast.iter_child_nodes(node))))
+            stack.extend(reversed(children(node)))
 
 
 def own_calls(nodes: Iterable[ast.AST]) -> Iterator[ast.Call]:
     return (node for node in own(nodes) if isinstance(node, ast.Call))
-
-
-def nodes_of(file: NodeSource) -> Iterator[ast.AST]:
-    """All syntax of a file; none when it cannot be parsed."""
-    return ast.walk(file.tree) if file.tree is not None else iter(())
 
 
 def body_of(function: ast.AST | None) -> list[ast.AST]:

@@ -83,9 +83,7 @@ def _unquoted(text: str, span: Span) -> Located:
 
 
 def _of_python(file: NodeSource) -> Iterator[Watched]:
-    if file.tree is None:
-        return
-    for node in ast.walk(file.tree):
+    for node in file.nodes:
         if isinstance(node, ast.Assign) and len(node.targets) == 1:
             target = node.targets[0]
             name = (

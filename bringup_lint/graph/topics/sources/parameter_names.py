@@ -263,7 +263,7 @@ def _hands_out(file: NodeSource, workspace: Workspace) -> bool:
     """Whether a file gives a node to something that is not in the tree and may declare parameters in it."""
     if file.tree is None:
         return True
-    for call in ast.walk(file.tree):
+    for call in file.nodes:
         if not isinstance(call, ast.Call) or not any(map(_is_node, _given(call))):
             continue
         top, dot, _ = (file.qualified(call.func) or "").partition(".")
