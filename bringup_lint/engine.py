@@ -22,6 +22,7 @@ from bringup_lint.finding import Confidence
 from bringup_lint.finding import Finding
 from bringup_lint.finding import Fix
 from bringup_lint.finding import Severity
+from bringup_lint.finding import changed
 from bringup_lint.finding.copies import merged
 from bringup_lint.isolation import check
 from bringup_lint.isolation import too_slow
@@ -192,7 +193,7 @@ def _comments(sources: list[Source], is_name_of: Callable[[str, str], bool], ste
 def _graded(found: Finding, rule: Rule | None, selection: Selection) -> Finding:
     own = rule.severity if rule else Severity.ERROR
     highest = rule.meta.confidence if rule else Confidence.HIGH
-    return replace(
+    return changed(
         found,
         severity=selection.severity(found.rule) or found.own_severity or own,
         confidence=min(found.own_confidence or highest, highest),

@@ -25,6 +25,7 @@ from bringup_lint.dataclass import replace
 from bringup_lint.discover import disk
 from bringup_lint.finding import Finding
 from bringup_lint.finding import Severity
+from bringup_lint.finding import changed
 from bringup_lint.finding.origin import at_origin
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.named_tuple import NamedTuple
@@ -152,7 +153,7 @@ def _gather(
     try:
         _validate(found)
         if found.source.judged:
-            findings += _for_purpose(at_origin(replace(found, rule=rule.id)), robot, purposes)
+            findings += _for_purpose(at_origin(changed(found, rule=rule.id)), robot, purposes)
     except Exception as error:
         failed.append(_Failure(rule, error))
 
@@ -178,7 +179,7 @@ def _for_purpose(found: Finding, robot: Robot, purposes: Mapping[Purpose, Severi
         return
     lowered = purposes[purpose]
     if lowered is not None:
-        yield replace(found, own_severity=min(found.own_severity or lowered, lowered))
+        yield changed(found, own_severity=min(found.own_severity or lowered, lowered))
 
 
 def _blamed(

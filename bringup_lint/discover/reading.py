@@ -93,8 +93,7 @@ def read_bytes(path: str, limit: int = SIZE_LIMIT, *, follow: bool = False) -> t
             raise Unreadable(
                 f"{status.st_size / 1024 / 1024:.0f} MiB is more than the {limit // 1024 // 1024} MiB limit"
             )
-        with os.fdopen(descriptor, "rb", closefd=False) as file:
-            data = _PROPOSED[path] if path in _PROPOSED else file.read(limit)
+        data = _PROPOSED[path] if path in _PROPOSED else _content(descriptor, status.st_size + 1, limit)
         opened(question, path, status, data)
         return data, status
     except OSError as error:
@@ -102,6 +101,16 @@ def read_bytes(path: str, limit: int = SIZE_LIMIT, *, follow: bool = False) -> t
         raise Unreadable(error) from error
     finally:
         os.close(descriptor)
+
+
+def _content(descriptor: int, step: int, limit: int) -> bytes:
+    """All that a file holds up to a limit, read in steps of so many bytes: one, unless the file grows meanwhile."""
+    parts: list[bytes] = []
+    left = limit
+    while left and (part := os.read(descriptor, min(step, left))):
+        parts.append(part)
+        left -= len(part)
+    return parts[0] if len(parts) == 1 else b"".join(parts)
 
 
 def describe(mode: int) -> str:

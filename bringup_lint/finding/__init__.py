@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from enum import Enum
 from enum import IntEnum
+from typing import Any
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.named_tuple import NamedTuple
@@ -118,6 +119,14 @@ class Finding:
     @property
     def source(self) -> Source:
         return self.span.source
+
+
+def changed(finding: Finding, **fields: Any) -> Finding:
+    """As ``dataclasses.replace``, which asks for each of the fields; every finding of a run is changed several
+    times."""
+    new = object.__new__(Finding)
+    vars(new).update(vars(finding), **fields)
+    return new
 
 
 def span_of(where: Located | Span | Source) -> Span:

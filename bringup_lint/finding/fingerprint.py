@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterable
+from functools import lru_cache
 
 from bringup_lint.finding import Finding
 from bringup_lint.finding.place import inside
@@ -32,13 +33,14 @@ def _line(finding: Finding) -> str:
     return _masked(" ".join(source.line_text(source.position(start).line).split()))
 
 
+@lru_cache(1000)
 def _skeleton(message: str) -> str:
     return _masked(re.sub(r"\d+", "0", " ".join(message.split())))
 
 
 def _masked(text: str) -> str:
     """The text without the length of what is masked."""
-    return re.sub(r"\*+", "*", text)
+    return re.sub(r"\*+", "*", text) if "**" in text else text
 
 
 def _digest(*parts: str) -> str:

@@ -16,8 +16,9 @@ _EXPANDED = "$`\\"
 
 def at_origin(finding: Finding) -> Finding:
     """The finding, with every place where the tree holds it."""
-    spans = (finding.span, *(each.span for each in (*finding.related, *finding.chain)), *finding.hidden)
-    if not any(span.source.origin for span in spans):
+    spans = [finding.span, *finding.hidden]
+    spans += [each.span for each in (*finding.related, *finding.chain)]
+    if all(span.source.origin is None for span in spans):
         return finding
     origin = finding.span.source.origin
     return replace(

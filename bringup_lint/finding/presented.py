@@ -6,6 +6,7 @@ from collections.abc import Iterable
 
 from bringup_lint.dataclass import replace
 from bringup_lint.finding import Finding
+from bringup_lint.finding import changed
 from bringup_lint.finding.fingerprint import fingerprints
 from bringup_lint.finding.redact import Mask
 from bringup_lint.finding.redact import mask_of
@@ -28,4 +29,4 @@ def presented(findings: Iterable[Finding], root: str, cwd: str = "") -> Presente
     mask = mask_of(findings)
     masked = [mask.finding(finding) for finding in findings] if mask else list(findings)
     marks = fingerprints(masked, root, cwd)
-    return Presented(tuple(replace(finding, fingerprint=mark, copies=()) for finding, mark in zip(masked, marks)), mask)
+    return Presented(tuple(changed(finding, fingerprint=mark, copies=()) for finding, mark in zip(masked, marks)), mask)

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import posixpath
+from functools import lru_cache
 
 
+@lru_cache(10_000)
 def below_root(name: str, root: str, cwd: str = "") -> str:
     """The path relative to ``root``, absolute when the file lies outside; relative names start at ``cwd``."""
     if not root:

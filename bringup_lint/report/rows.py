@@ -40,6 +40,9 @@ class Bar(NamedTuple):
 
 def rows(line: str, marks: list[Underline], room: int) -> Iterator[tuple[str, list[Underline]]]:
     """The line cut to the room, with its marks in cells; once more for marks too far from the first."""
+    if len(line) <= min(room, FAR) and line.isascii() and line.isprintable():
+        yield line, marks
+        return
     pending = marks or [Underline(0, 0, "", "")]
     while pending:
         first = pending[0]

@@ -16,7 +16,6 @@ from bringup_lint.graph.graph import Edge
 from bringup_lint.graph.graph import Node
 from bringup_lint.graph.graph import Origin
 from bringup_lint.graph.systemd.references import instances
-from bringup_lint.graph.systemd.references import named_instances
 from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.systemd_values import split_name
@@ -47,7 +46,7 @@ def own_units(units: Units) -> list[OwnUnit]:
 
 def naming(units: Units) -> Callable[[Node], Node]:
     """Gives the template for an instance that only a specifier makes, such as ``alarm@%n.service``."""
-    named = named_instances(units)
+    named = units.named_instances
 
     def shown(node: Node) -> Node:
         parts = split_name(node.name)

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections import deque
+from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
+from functools import lru_cache
 from functools import partial
 
 from bringup_lint.graph.components import components
@@ -18,6 +20,8 @@ from bringup_lint.named_tuple import NamedTuple
 ROOTS = ("graphical.target", "multi-user.target")
 MOST_VISITS = 500_000
 """Edges that the search for cycles of one component goes along; what is found until then is told."""
+KEPT = 20
+"""Questions of what a unit pulls in whose answers are kept: they are few, as most cycles have a boot target."""
 MOST_ROOTS = 100
 """Units that are tried as the one that pulls in all members of a cycle."""
 
@@ -63,12 +67,13 @@ def _said(edge: Edge) -> str:
 
 def ordering_cycles(graph: Graph, roots: Iterable[str] = ROOTS) -> Iterator[Cycle]:
     """Shortest cycles of every strongly connected component of the ordering that the tree has a part in."""
+    reachable = lru_cache(KEPT)(graph.reachable)
     for nodes in sorted(components(graph.out, partial(_after, graph)), key=min):
         component = _Component(graph, nodes)
         for edges in component.covering_cycles():
             members = {edge.source for edge in edges}
-            root = _common_root(graph, members, roots)
-            required = frozenset(graph.reachable(root, HARD)) if root else frozenset()
+            root = _common_root(graph, members, roots, reachable)
+            required = reachable(root, HARD) if root else set()
             yield Cycle(edges, root, root is not None and members <= required, frozenset(members - required))
 
 
@@ -142,11 +147,13 @@ def _way_back(last: Edge, start: Node, arrived: dict[Node, Edge]) -> tuple[Edge,
     return tuple(reversed(way))
 
 
-def _common_root(graph: Graph, members: set[Node], roots: Iterable[str]) -> Node | None:
+def _common_root(
+    graph: Graph, members: set[Node], roots: Iterable[str], reachable: Callable[[Node, frozenset[str]], set[Node]]
+) -> Node | None:
     """Who pulls all members into one transaction: a boot target, a member, or another unit."""
     candidates = [*(Node("unit", name) for name in roots), *sorted(members)]
     pullers = {edge.source for member in members for edge in graph.into.get(member, ()) if edge.kind in PULLING}
     for root in [*candidates, *sorted(pullers)][:MOST_ROOTS]:
-        if members <= graph.reachable(root, PULLING):
+        if members <= reachable(root, PULLING):
             return root
     return None

@@ -15,6 +15,7 @@ from bringup_lint.graph.systemd import shipped_units
 from bringup_lint.graph.systemd.daemons import Daemon
 from bringup_lint.graph.systemd.provision import makes
 from bringup_lint.graph.systemd.provision import starts
+from bringup_lint.graph.systemd.relations import PULLS
 from bringup_lint.graph.systemd.shipped_units import GENERATED
 from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.graph.systemd.unit_loading import Link
@@ -22,6 +23,7 @@ from bringup_lint.graph.systemd.unit_loading import LoadedUnits
 from bringup_lint.graph.systemd.unit_loading import load_units
 from bringup_lint.graph.variants import overlay_of
 from bringup_lint.parsers.systemd_values import is_unit_name
+from bringup_lint.parsers.systemd_values import split_name
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.spelling import nearest
@@ -64,6 +66,18 @@ class NamedUnits:
     def alias_links(self) -> dict[tuple[str, str], str]:
         """(manager, alias) -> the unit of the distribution that a link of the tree gives the name to."""
         return self.loaded.alias_links
+
+    @cached_property
+    def named_instances(self) -> dict[tuple[str, str], set[str]]:
+        """(manager, template) -> the instances that something in the tree names."""
+        found: dict[tuple[str, str], set[str]] = {}
+        keys = (*PULLS, "After", "Before")
+        named = [(unit.manager, word) for unit in self.all for key in keys for word in unit.words(key)]
+        for manager, word in [*named, *((link.manager, link.name) for link in self.links)]:
+            parts = split_name(word) if "@" in word else None
+            if parts is not None and parts.instance and "%" not in parts.instance:
+                found.setdefault((manager, f"{parts.prefix}@.{parts.type}"), set()).add(parts.instance)
+        return found
 
     def candidates(self, name: str, manager: str = "system") -> list[Unit]:
         """The units of this name; for an instance without a file of its own, those of its template."""

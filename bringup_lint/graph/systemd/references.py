@@ -7,7 +7,6 @@ from collections.abc import Iterator
 
 from bringup_lint.graph.graph import Node
 from bringup_lint.graph.systemd.named_units import NamedUnits
-from bringup_lint.graph.systemd.relations import PULLS
 from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.systemd_values import expand
@@ -59,7 +58,7 @@ def expand_name(name: str, unit_name: str) -> str | None:
 def instances(units: NamedUnits) -> Iterator[Instance]:
     """Every unit that can start; a template once for each instance that the tree names, or once for a
     made-up one."""
-    named = named_instances(units)
+    named = units.named_instances
     for unit in units.all:
         if unit.masked:
             continue
@@ -68,19 +67,6 @@ def instances(units: NamedUnits) -> Iterator[Instance]:
             continue
         for word in sorted(named.get((unit.manager, unit.name), {_DEFAULT_INSTANCE})):
             yield Instance(unit, f"{unit.stem}{word}.{unit.type}", units.node(unit, word))
-
-
-def named_instances(units: NamedUnits) -> dict[tuple[str, str], set[str]]:
-    """(manager, template) -> the instances that something in the tree names."""
-    found: dict[tuple[str, str], set[str]] = {}
-    named = [
-        (unit.manager, word) for unit in units.all for key in (*PULLS, "After", "Before") for word in unit.words(key)
-    ]
-    for manager, word in [*named, *((link.manager, link.name) for link in units.links)]:
-        parts = split_name(word)
-        if parts.instance and "%" not in parts.instance:
-            found.setdefault((manager, f"{parts.prefix}@.{parts.type}"), set()).add(parts.instance)
-    return found
 
 
 def targets(instance: Instance, units: NamedUnits, words: Iterable[Located]) -> Iterator[tuple[Node, Span]]:

@@ -4,6 +4,7 @@ decides."""
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterable
 
 from bringup_lint.graph.systemd.unit import Unit
@@ -30,10 +31,10 @@ def layers(units: Iterable[Unit]) -> dict[str, str]:
     nothing."""
     units = list(units)
     words = {unit.name: re.split(r"[-_.@\d]+", unit.stem.lower()) for unit in units}
-    firsts = [own[0] for own in words.values()]
+    firsts = Counter(own[0] for own in words.values())
     found = {}
     for name, own in words.items():
-        rest = own[1:] if len(own) > 1 and firsts.count(own[0]) > 1 else own
+        rest = own[1:] if len(own) > 1 and firsts[own[0]] > 1 else own
         told = {_LAYER[word] for word in rest if word in _LAYER}
         if len(told) == 1:
             found[name] = told.pop()

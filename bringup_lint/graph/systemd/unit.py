@@ -74,7 +74,7 @@ class Unit:
     def stem(self) -> str:
         return self.name.rpartition(".")[0]
 
-    @property
+    @cached_property
     def section(self) -> str:
         """The section of the unit's own type, e.g. ``Service``; empty for a target."""
         return SECTION_OF_TYPE.get(self.type, "")
@@ -148,8 +148,11 @@ class Unit:
         """The values of a list setting; an empty assignment resets it, except for dependencies. ``section``
         is
         [Unit] for dependencies and the unit type's own section for other keys unless it is given."""
+        assignments = self.assignments(key, section)
+        if not assignments:
+            return []
         values: list[Located] = []
-        for assignment in self.assignments(key, section):
+        for assignment in assignments:
             if assignment.value:
                 values.append(assignment.value)
             elif key not in DEPENDENCIES:
@@ -207,7 +210,18 @@ class Unit:
 
     def words(self, key: str, section: str | None = None) -> list[Located]:
         """The blank-separated words of a list setting."""
-        return [word for value in self.values(key, section) for word in value.words()]
+        known = self._words.get((key, section))
+        if known is None:
+            values = self.values(key, section)
+            if not values:
+                return []
+            known = self._words[key, section] = [word for value in values for word in value.words()]
+        return list(known)
+
+    @cached_property
+    def _words(self) -> dict[tuple[str, str | None], list[Located]]:
+        """The words of the list settings that the unit has."""
+        return {}
 
     def naming(self, key: str, *names: str, section: str | None = None) -> Iterator[tuple[Assignment, Located]]:
         """The lines of a list setting that hold one of the words, with the word."""
