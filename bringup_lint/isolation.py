@@ -21,7 +21,6 @@ from bringup_lint.budget import OutOfTime
 from bringup_lint.budget import limited
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
-from bringup_lint.dataclass import replace
 from bringup_lint.discover import disk
 from bringup_lint.finding import Finding
 from bringup_lint.finding import Severity

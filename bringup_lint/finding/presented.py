@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from bringup_lint.dataclass import replace
 from bringup_lint.finding import Finding
 from bringup_lint.finding import changed
 from bringup_lint.finding.fingerprint import fingerprints
