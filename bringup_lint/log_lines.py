@@ -33,8 +33,10 @@ _OWN, _OTHER = 1.4, 0.4
 _WORD = regex(r"[a-z0-9_./=-]{2,}")
 _FREQUENT = frozenset(
     "no such the and for with was not has been from this that are error failed failure warning info to of in on at "
-    "is it by service unit node process systemd ros2 launch start started".split()
+    "is it by service unit node process systemd ros2 launch start started does exist file answers".split()
 )
+_WEAK = 5.0
+"""The score of a symptom that says nothing alone, such as "No such file or directory"."""
 
 
 class Match(NamedTuple):
@@ -107,7 +109,8 @@ class Weights:
 
 
 def _matches(line: str, rules: Iterable[Rule], weights: Weights, speaker: Speaker | None) -> list[Match]:
-    found = [match for rule in rules if (match := _best(rule, line, weights, speaker)).score > 0]
+    weakest = min(_WEAK, weights.weight(_words(line)) / 2)
+    found = [match for rule in rules if (match := _best(rule, line, weights, speaker)).score > weakest]
     found.sort(key=lambda match: (-match.score, -match.rule.severity, match.rule.id))
     return [match for match in found if match.score >= found[0].score * _NEAR][:MOST]
 

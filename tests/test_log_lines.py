@@ -38,6 +38,34 @@ FIRST = {
     "/etc/systemd/journald.conf:9: Unknown key name 'Colour' in section 'Journal', ignoring.": "journald/unknown-key",
     "/etc/systemd/logind.conf:9: Unknown key name 'Colour' in section 'Login', ignoring.": "logind/unknown-key",
     "/etc/systemd/system.conf:9: Unknown key name 'Colour' in section 'Manager', ignoring.": "system-conf/unknown-key",
+    "rover.service: Failed at step EXEC spawning /opt/rover/run.sh: No such file or directory": (
+        "systemd/execstartpre-missing-script"
+    ),
+    "rover.service: Failed at step EXEC spawning ros2: No such file or directory": "systemd/exec-bare-ros2",
+    "rover.service: Failed to execute /opt/rover/run.sh: No such file or directory": "script/crlf-shebang",
+    "rover.service: Failed to execute /opt/rover/run.sh: Exec format error": "script/no-shebang",
+    "rover.service: Failed at step NAMESPACE spawning /bin/true: No such file or directory": (
+        "systemd/readwritepaths-missing"
+    ),
+    "rover.service: Failed at step CHDIR spawning /bin/true: No such file or directory": (
+        "systemd/protecthome-workspace"
+    ),
+    "rover.service: Failed to determine supplementary groups: No such process": "systemd/user-missing",
+    "rover.service: Failed to run 'start' task: No such file or directory": "systemd/envfile-missing",
+    "rover.service: Found dependency on rover.service/start": "systemd/ordering-cycle",
+    "/etc/systemd/system/a.service:5: Failed to parse service type, ignoring: notyfy": "systemd/invalid-value",
+    "/etc/netplan/50-rover.yaml:7:7: Error in network definition: unknown key 'dhcp'": "netplan/unknown-key",
+    "keyfile: weird: invalid setting name 'weird'": "networkmanager/unknown-key",
+    "invalid connection: 802-11-wireless.mode: 'infra' is not a valid Wi-Fi mode": "networkmanager/invalid-value",
+    "keyfile: ipv4.addresses: ignoring invalid IPv4 address: Invalid IPv4 address '10.0.0.300'": (
+        "networkmanager/invalid-value"
+    ),
+    "Unsupported config option for services.robot: 'restrat'": "compose/unknown-key",
+    'Named volume "maps:/maps:rw" is used in service "robot" but no declaration was found in the volumes section.': (
+        "compose/undefined-name"
+    ),
+    "services.robot.depends_on contains an invalid type, it should be an array, or an object": "compose/invalid-value",
+    "exec /entrypoint.sh: no such file or directory": "script/crlf-shebang",
     "A dependency job for rover.service failed. See 'journalctl -xe' for details.": "systemd/device-*",
     "Timed out waiting for device /dev/disk/by-label/data.": "fstab/no-nofail",
     "bash: line 1: ros2: command not found": "env/ros2-not-sourced",
@@ -85,6 +113,9 @@ OTHER = {
     "rcl node's context is invalid, at ./src/rcl/node.c:404": "context was shut down",
     "permission denied while trying to connect to the Docker daemon socket at unix:///run/docker.sock": "group docker",
     "[INFO] [drive-1]: process started with pid [812]": "started a process",
+    "rover.service: Failed with result 'timeout'.": "took longer than",
+    "RTNETLINK answers: Device or resource busy": "while it is down",
+    "[controller_manager]: The 'type' param was not defined for 'arm'.": "NAME.type",
     "rover.service: Main process exited, code=exited, status=1/FAILURE": "message is some lines above",
 }
 """A line that no rule explains -> words of the reason."""
@@ -135,6 +166,8 @@ def test_the_program_that_writes_the_line(line: str, program: str | None) -> Non
 
 def test_nothing_is_known_of_other_words() -> None:
     assert answer("no such words anywhere") == Answer()
+    assert answer("drive: /opt/rover/maps/hall.pgm: No such file or directory") == Answer()
+    assert answer("the topic /scan does not exist") == Answer()
 
 
 def test_a_longer_known_line_wins_over_another_cause() -> None:

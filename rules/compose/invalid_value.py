@@ -57,7 +57,18 @@ MODES = ("rw", "ro", "z", "Z")
 CODES = (Code.SHAPE, Code.UNQUOTED, Code.VALUE, Code.ENUM, Code.RANGE, Code.BOOL, Code.NAME, Code.ADDRESS, Code.MISSING)
 
 
-@rule("error", fix="safe", symptoms=["must be a string", "must be a mapping", "services must be a mapping"])
+@rule(
+    "error",
+    fix="safe",
+    symptoms=[
+        "must be a string",
+        "contains an invalid type, it should be",
+        "must be a list",
+        "to appropriate type: * is not a valid boolean value",
+        "must be a mapping",
+        "services must be a mapping",
+    ],
+)
 def invalid_value(robot: Robot) -> Iterator[Finding]:
     for remark in robot.compose.remarks(*CODES):
         yield _refused(remark)

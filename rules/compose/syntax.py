@@ -43,7 +43,14 @@ from bringup_lint.api.yaml import YamlCode
 CONSEQUENCE = "docker compose starts nothing"
 
 
-@rule("error", symptoms=["yaml: line 3: did not find expected", "mapping key already defined"])
+@rule(
+    "error",
+    symptoms=[
+        "yaml: line 3: did not find expected",
+        "mapping values are not allowed in this context",
+        "mapping key already defined",
+    ],
+)
 def syntax(robot: Robot) -> Iterator[Finding]:
     for file in robot.compose.files:
         if not file.source.template:

@@ -43,7 +43,16 @@ from bringup_lint.api import rule
 from bringup_lint.api.compose import undefined_names
 
 
-@rule("error", symptoms=["refers to undefined volume", "refers to undefined network", "depends on undefined service"])
+@rule(
+    "error",
+    symptoms=[
+        "refers to undefined volume",
+        "refers to undefined network",
+        "depends on undefined service",
+        "but no declaration was found in the volumes section",
+        "depends on service * which is undefined",
+    ],
+)
 def undefined_name(robot: Robot) -> Iterator[Finding]:
     for found in undefined_names(robot.compose):
         yield finding(

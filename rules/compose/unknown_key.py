@@ -56,7 +56,11 @@ OLD = {
 """Keys of old versions and of other tools, and what compose has instead."""
 
 
-@rule("error", fix="unsafe", symptoms=["additional properties", "Additional property is not allowed"])
+@rule(
+    "error",
+    fix="unsafe",
+    symptoms=["additional properties", "Additional property is not allowed", "Unsupported config option for services"],
+)
 def unknown_key(robot: Robot) -> Iterator[Finding]:
     for remark in robot.compose.remarks(Code.UNKNOWN):
         key, inside = str(remark.where), remark.item

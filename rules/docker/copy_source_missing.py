@@ -41,7 +41,11 @@ from bringup_lint.api.docker import lacking_sources
 @rule(
     "error",
     confidence="medium",
-    symptoms=["failed to calculate checksum of ref", "COPY failed: file not found in build context"],
+    symptoms=[
+        "failed to calculate checksum of ref",
+        "COPY failed: file not found in build context",
+        "failed to compute cache key: * not found",
+    ],
 )
 def copy_source_missing(robot: Robot) -> Iterator[Finding]:
     for lacking in lacking_sources(robot.files, robot.compose):

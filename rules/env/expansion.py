@@ -45,7 +45,13 @@ _SECRET = regex(r"PASS|SECRET|TOKEN|KEY|PSK", re.I)
 _EXPANDED_BY_READER = ("CYCLONEDDS_URI",)
 
 
-@rule("error", symptoms=["No such file or directory", "does not exist"])
+@rule(
+    "error",
+    symptoms=[
+        "No such file or directory: '$HOME/",
+        "No such file or directory: '${HOME}/",
+    ],
+)
 def expansion(robot: Robot) -> Iterator[Finding]:
     for file in robot.env_files:
         for entry in file.entries:

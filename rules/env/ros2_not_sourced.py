@@ -63,6 +63,7 @@ DISTRO = regex(r"/opt/ros/[a-z]+")
         "ros2: command not found",
         "ModuleNotFoundError: No module named 'ros2cli'",
         "Package '*' not found: \"package '*' not found, searching:",
+        "Failed to load entry point 'launch': No module named 'launch_ros'",
     ],
 )
 def ros2_not_sourced(robot: Robot) -> Iterator[Finding]:

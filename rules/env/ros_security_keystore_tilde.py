@@ -36,7 +36,7 @@ ORIGINS = ("Environment=", "EnvironmentFile=", "env_file:", "SetEnvironmentVaria
 """Who reads the place without a shell; the last three are launch's."""
 
 
-@rule("error", symptoms=["SECURITY ERROR: directory"])
+@rule("error", symptoms=["SECURITY ERROR: directory '~"])
 def ros_security_keystore_tilde(robot: Robot) -> Iterator[Finding]:
     for setting in robot.ros.settings:
         if setting.name != "ROS_SECURITY_KEYSTORE" or setting.origin not in ORIGINS:

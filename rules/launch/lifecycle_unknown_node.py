@@ -42,7 +42,15 @@ from bringup_lint.api.supervision import Unstarted
 from bringup_lint.api.supervision import unstarted
 
 
-@rule("error", fix="unsafe", symptoms=["Waiting for service", "Failed to change state for node"])
+@rule(
+    "error",
+    fix="unsafe",
+    symptoms=[
+        "Waiting for service",
+        "Failed to change state for node",
+        "Failed to bring up all requested nodes. Aborting bringup.",
+    ],
+)
 def lifecycle_unknown_node(robot: Robot) -> Iterator[Finding]:
     for missing in unstarted(robot.launch, robot.params):
         managed, near = missing.managed, missing.near

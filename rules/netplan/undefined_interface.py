@@ -38,6 +38,6 @@ from bringup_lint.api.netplan import PlanCode
 from bringup_lint.api.netplan import undefined_names
 
 
-@rule("error", symptoms=["is not defined"])
+@rule("error", symptoms=["is not defined", "Error in network definition: *: interface * is not defined"])
 def undefined_interface(robot: Robot) -> Iterator[Finding]:
     yield from undefined_names(robot.netplan, PlanCode.UNDEFINED)

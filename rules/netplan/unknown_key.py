@@ -57,7 +57,7 @@ FOREIGN = {
 """Keys of other tools, and what netplan has instead."""
 
 
-@rule("error", fix="unsafe", symptoms=["Error in network definition: unknown key"])
+@rule("error", fix="unsafe", symptoms=["Error in network definition: unknown key '*'"])
 def unknown_key(robot: Robot) -> Iterator[Finding]:
     for problem in robot.netplan.problems(Code.UNKNOWN):
         if not isinstance(problem, Remark):

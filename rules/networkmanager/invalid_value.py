@@ -44,7 +44,18 @@ CODES = (Code.BOOL, Code.NUMBER, Code.ENUM, Code.ADDRESS)
 BOOLEANS = {"yes": "true", "on": "true", "no": "false", "off": "false"}
 
 
-@rule("error", fix="unsafe", symptoms=["is not a valid value for the property", "property is invalid"])
+@rule(
+    "error",
+    fix="unsafe",
+    symptoms=[
+        "is not a valid value for the property",
+        "property is invalid",
+        "is not a valid Wi-Fi mode",
+        "ignoring invalid IPv4 address",
+        "ignoring invalid DNS server",
+        "invalid setting: Key file contains key * which has a value that cannot be interpreted",
+    ],
+)
 def invalid_value(robot: Robot) -> Iterator[Finding]:
     for _, problem in robot.networkmanager.problems(*CODES):
         if not isinstance(problem, Remark):

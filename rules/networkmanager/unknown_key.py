@@ -39,7 +39,7 @@ from bringup_lint.api.schema import suggestions
 from bringup_lint.api.schema import unknown_name
 
 
-@rule("warning", fix="unsafe")
+@rule("warning", fix="unsafe", symptoms=["invalid setting name"])
 def unknown_key(robot: Robot) -> Iterator[Finding]:
     for _, problem in robot.networkmanager.problems(Code.UNKNOWN):
         if not isinstance(problem, Remark):

@@ -35,7 +35,16 @@ from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
-@rule("error", symptoms=["203/EXEC", "bad interpreter: No such file or directory", "/bin/bash^M"])
+@rule(
+    "error",
+    symptoms=[
+        "203/EXEC",
+        "Failed to execute *.sh: No such file or directory",
+        "exec /*.sh: no such file or directory",
+        "bad interpreter: No such file or directory",
+        "/bin/bash^M",
+    ],
+)
 def crlf_shebang(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("shell-script"):
         end = source.text.find("\n")

@@ -48,7 +48,15 @@ MISSPELT = regex(
 """A first line with such a mistake; a comment that silences this rule may precede it."""
 
 
-@rule("error", symptoms=["Exec format error", "203/EXEC"])
+@rule(
+    "error",
+    symptoms=[
+        "Exec format error",
+        "203/EXEC",
+        "Failed to execute *: Exec format error",
+        "Failed at step EXEC spawning *: Exec format error",
+    ],
+)
 def no_shebang(robot: Robot) -> Iterator[Finding]:
     seen = set()
     for unit in robot.units.services:

@@ -37,7 +37,7 @@ from bringup_lint.api.shell import Run
 PROGRAMS = ("cp", "mv", "rm", "ln", "install", "chmod", "chown")
 
 
-@rule("error", symptoms=["cannot stat", "No such file or directory"])
+@rule("error", symptoms=["cannot stat", "cannot access '*': No such file or directory"])
 def quoted_glob(robot: Robot) -> Iterator[Finding]:
     for _, run in robot.scripts.run(*PROGRAMS):
         for word in _quoted(run):

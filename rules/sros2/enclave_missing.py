@@ -38,7 +38,14 @@ from bringup_lint.api import rule
 from bringup_lint.api.spelling import nearest
 
 
-@rule("error", symptoms=["SECURITY ERROR: unable to find a folder matching the name", "SECURITY ERROR: directory"])
+@rule(
+    "error",
+    symptoms=[
+        "SECURITY ERROR: unable to find a folder matching the name",
+        "SECURITY ERROR: directory",
+        "SECURITY ERROR: directory '*/enclaves/*' does not exist",
+    ],
+)
 def enclave_missing(robot: Robot) -> Iterator[Finding]:
     for name in robot.sros2.selected:
         keystores = [each for each in robot.sros2.keystores if robot.same_robot(name, robot.sros2.anchor_of(each))]

@@ -45,6 +45,7 @@ RUNTIME = ("/run/", "/var/run/", "/tmp/", "/var/tmp/", "/proc/", "/dev/", "/sys/
     symptoms=[
         "Failed to load environment files: No such file or directory",
         "Failed with result 'resources'",
+        "Failed to run 'start' task: No such file or directory",
     ],
 )
 def envfile_missing(robot: Robot) -> Iterator[Finding]:

@@ -60,7 +60,16 @@ _SHELL_WORDS = (
 )
 
 
-@rule("error", fix="unsafe", symptoms=["status=203/EXEC", "Failed to locate executable", "is not executable"])
+@rule(
+    "error",
+    fix="unsafe",
+    symptoms=[
+        "status=203/EXEC",
+        "Failed to locate executable",
+        "Failed at step EXEC spawning ros2: No such file or directory",
+        "is not executable",
+    ],
+)
 def exec_bare_ros2(robot: Robot) -> Iterator[Finding]:
     for line in robot.units.lines:
         for command in line.commands:

@@ -60,7 +60,16 @@ TEXTS = {
 }
 
 
-@rule("error", symptoms=["status=203/EXEC", "Failed to locate executable", "Exec format error"])
+@rule(
+    "error",
+    symptoms=[
+        "status=203/EXEC",
+        "Failed to locate executable",
+        "Unable to locate executable",
+        "Failed at step EXEC spawning",
+        "Exec format error",
+    ],
+)
 def execstartpre_missing_script(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         for process in robot.units.processes(unit):

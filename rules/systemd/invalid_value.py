@@ -49,7 +49,17 @@ from bringup_lint.api.systemd import Line
 from bringup_lint.api.systemd import ValueProblem
 
 
-@rule("error", fix="unsafe", symptoms=["Failed to parse", "Invalid memory limit", "is not absolute", "ignoring:"])
+@rule(
+    "error",
+    fix="unsafe",
+    symptoms=[
+        "Failed to parse",
+        "Invalid memory limit",
+        "is not absolute",
+        "ignoring:",
+        "Failed to parse service type, ignoring:",
+    ],
+)
 def invalid_value(robot: Robot) -> Iterator[Finding]:
     for line in robot.units.lines:
         problems = [problem for problem in line.problems if _is_reported(line, problem)]

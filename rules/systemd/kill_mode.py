@@ -39,7 +39,11 @@ from bringup_lint.api import fix
 from bringup_lint.api import rule
 
 
-@rule("warning", fix="unsafe", symptoms=["left-over process", "Unit configured to use KillMode=none"])
+@rule(
+    "warning",
+    fix="unsafe",
+    symptoms=["left-over process", "remains running after unit stopped", "Unit configured to use KillMode=none"],
+)
 def kill_mode(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.ros:
         service = robot.units.supervision(unit)

@@ -59,6 +59,7 @@ from bringup_lint.api.systemd import Cycle
         "Found ordering cycle on",
         "deleted to break ordering cycle starting with",
         "Transaction order is cyclic",
+        "Found dependency on",
     ],
 )
 def ordering_cycle(robot: Robot) -> Iterator[Finding]:

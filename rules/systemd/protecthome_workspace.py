@@ -53,6 +53,7 @@ REFUSED = "the service does not start, 226/NAMESPACE"
     symptoms=[
         "status=200/CHDIR",
         "Changing to the requested working directory failed",
+        "Failed at step CHDIR spawning",
         "status=226/NAMESPACE",
     ],
 )

@@ -66,7 +66,11 @@ BASES = {
 }
 
 
-@rule("warning", fix="unsafe", symptoms=["Failed to set up mount namespacing", "status=226/NAMESPACE"])
+@rule(
+    "warning",
+    fix="unsafe",
+    symptoms=["Failed to set up mount namespacing", "status=226/NAMESPACE", "Failed at step NAMESPACE spawning"],
+)
 def readwritepaths_missing(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.judged:
         box = robot.units.sandbox(unit)

@@ -44,6 +44,8 @@ from bringup_lint.api import rule
         "Failed to determine user credentials",
         "Failed at step USER spawning",
         "Failed at step GROUP spawning",
+        "Failed to determine group credentials",
+        "Failed to determine supplementary groups",
     ],
 )
 def user_missing(robot: Robot) -> Iterator[Finding]:

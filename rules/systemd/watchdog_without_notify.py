@@ -68,7 +68,11 @@ TEXTS = {
 }
 
 
-@rule("error", fix="unsafe", symptoms=["Watchdog timeout (limit", "Failed with result 'watchdog'"])
+@rule(
+    "error",
+    fix="unsafe",
+    symptoms=["Watchdog timeout (limit", "Failed with result 'watchdog'", "with signal SIGABRT", "status=6/ABRT"],
+)
 def watchdog_without_notify(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         service = robot.units.supervision(unit)

@@ -41,7 +41,14 @@ from bringup_lint.api import rule
 HOME = regex(r"(/home/[^/]+)(?:/|$)")
 
 
-@rule("info", symptoms=["status=200/CHDIR", "Changing to the requested working directory failed"])
+@rule(
+    "info",
+    symptoms=[
+        "status=200/CHDIR",
+        "Changing to the requested working directory failed",
+        "Failed at step CHDIR spawning",
+    ],
+)
 def workdir_missing_user_home(robot: Robot) -> Iterator[Finding]:
     if not robot.tree.complete:
         return

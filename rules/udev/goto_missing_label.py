@@ -35,7 +35,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
-@rule("error", symptoms=["has no matching label, ignoring"])
+@rule("error", symptoms=["has no matching label, ignoring", "GOTO=* has no matching label, ignoring"])
 def goto_missing_label(robot: Robot) -> Iterator[Finding]:
     for problem, _ in robot.udev.problems("goto-without-label"):
         yield finding(

@@ -33,7 +33,10 @@ from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
-@rule("warning", symptoms=["Failed to execute", "No such file or directory"])
+@rule(
+    "warning",
+    symptoms=["Failed to execute '/usr/lib/udev/*': No such file or directory", "Failed to execute '/lib/udev/"],
+)
 def run_relative(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.judged:
         for command in line.commands:
