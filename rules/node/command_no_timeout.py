@@ -1,9 +1,10 @@
 """A velocity that goes on when no command comes any more.
 
 ## What it finds
-A node that keeps the last velocity it was sent, and whose timer sends it on again and again; and a node that writes
-velocities to pins or to an I2C bus, which keep what was written last. In both cases when nothing in the source looks
-at a time: no time-out, no stamp, no difference of two times.
+A node that keeps the last velocity it was sent, and whose timer or thread sends it on again and again; and code that
+writes velocities to pins, to an I2C bus or to a motor driver, which keep what was written last. Messages of other
+types count by their names: `MotorSpeeds`, `ThrusterCommand`. In both cases when nothing in the source looks at a
+time: no time-out, no stamp that is read, no difference of two times, and no count of the turns without a message.
 
 ## Why it matters on a robot
 When the planner ends, the teleoperation loses its WiFi or the message queue runs dry, the robot drives on at its last

@@ -1,4 +1,5 @@
-"""Python sources of ROS 2 nodes: files and scripts that import rclpy."""
+"""Python sources of ROS 2 nodes: files and scripts that import rclpy, and modules that make the subscriptions of a node
+which they are handed."""
 
 from __future__ import annotations
 
@@ -19,7 +20,7 @@ def _is_node(path: str, head: Head) -> bool:
     path = f"/{path}"
     if path.endswith(".py"):
         if not _OTHER.search(path):
-            return "rclpy" in head() and bool(_IMPORT.search(head()))
+            return bool("rclpy" in head() and _IMPORT.search(head())) or ".create_subscription(" in head()
         return "/launch/" in path and _says_nothing_of_launch(head())
     if "." in path.rpartition("/")[2]:
         return False

@@ -31,6 +31,8 @@ _SPEED = regex(
 )
 """What a bare number must be called to be a velocity: a position is held, not run on with."""
 _COMMAND = regex(r"(?:^|[/_])(?:cmd_?vel|cmd|commands?|vel|velocity|drive|throttle|pwm|effort|brake)s?(?=$|[/_])", re.I)
+_COMMON = frozenset({"std_msgs", "sensor_msgs", "nav_msgs", "geometry_msgs", "diagnostic_msgs", "trajectory_msgs"})
+"""Packages whose types say nothing of motors by their names."""
 _REPORT = regex(
     r"(?:^|[/_])(?:odom\w*|state|status|feedback|measured|actual|current|estimate\w*|viz|debug|imu|encoder\w*)(?=$|[/_])",
     re.I,
@@ -51,3 +53,15 @@ def moves(endpoint: Endpoint) -> bool:
     if endpoint.type in _NUMBERS and (not _SPEED.search(endpoint.name) or "position" in endpoint.name):
         return False
     return bool(_COMMAND.search(endpoint.name)) and not _REPORT.search(endpoint.name)
+
+
+_OF_MOTORS = regex(r"Motor|Wheel|Thrust|Throttle|Drive|Vel(?:ocity|ocities|s)?(?=[A-Z]|$)|Speed|Twist|Pwm|PWM|RPM|Rpm")
+_OTHER = regex(r"State|Status|Feedback|Info|Odom|Angle|Position|Servo|Report|Current|Temp|Encoder|Telemetry|Driver(?=[A-Z])")
+
+
+def is_motor_command(endpoint: Endpoint) -> bool:
+    """Whether the messages that come in are commands for motors, by the name of a message type of the robot's own."""
+    package, _, kind = (endpoint.type or "").partition("/msg/")
+    if endpoint.role != "subscription" or not kind or package in _COMMON or endpoint.type in _VELOCITIES:
+        return False
+    return bool(_OF_MOTORS.search(kind)) and not _OTHER.search(kind) and not _REPORT.search(str(endpoint.name or ""))

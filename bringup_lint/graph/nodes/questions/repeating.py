@@ -9,6 +9,9 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.nodes.questions.callback_code import reached
+from bringup_lint.graph.nodes.questions.kept_commands import held_over
+from bringup_lint.graph.nodes.questions.kept_commands import loops
+from bringup_lint.graph.nodes.questions.motion import is_motor_command
 from bringup_lint.graph.nodes.questions.motion import moves
 from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.model.node_source import Endpoint
@@ -26,25 +29,28 @@ if TYPE_CHECKING:
 _TYPES = frozenset({"Twist", "TwistStamped", "AckermannDrive", "AckermannDriveStamped"})
 _SENDS = regex(r"(?i)(?:publish|write|send|set_?(?:motor|speed|velocity|pwm|wheel)\w*|drive)\Z")
 _TIMED = regex(
-    r"time_?out|watch_?dog|dead_?man|stale|expir|elapsed|heart_?beat|fail_?safe|deadline|lease|since_?last"
+    r"time_?out|watch_?dog|dead_?man|stale|expir|elapsed|heart_?beat|fail_?safe|deadline|\blease|since_?last"
     r"|last_?\w{0,20}(?:time|stamp|recv|received|call)|(?:time|stamp)\w{0,20}last|no_?(?:cmd|command)|\bstamp\b|\bage\b"
     r"|(?:now|time|monotonic|clock)\(\)[\w.()]{0,40}\s{0,3}-|-\s{0,3}(?:self\.|this->)?(?:last|prev)",
     re.I,
 )
 """What code that ends a motion by time has in it somewhere."""
 _DRIVES = regex(r"(?i)motor|wheel|vtarget|throttle|thrust|pwm")
+_WRITES = regex(r"stop|halt|brake|set_|write|send|drive|motor|thr[ou]|pwm|speed|output|move|apply", re.I)
+"""What a call is named that may end a motion."""
 _REPORTS = regex(r"(?i)odom|state|status|feedback|metric|debug|diagnos|monitor")
 _COMMENT = regex(r"//[^\n]*|#[^\n]*|/\*(?:[^*]|\*(?!/))*(?:\*/|\Z)")
 _OTHER_TIMEOUTS = regex(
     r"\b(?:read_|write_|write|socket_)?timeout(?:_sec)?\s*=\s*[^,)\n]+"
-    r"|SerialTimeout\w*|serial::Timeout|setTimeout|TimeoutError"
+    r"|SerialTimeout\w*|serial::Timeout|setTimeout|settimeout|TimeoutE\w+"
+    r"|[\w.>-]*\bstamp\s*=(?!=)[^;\n]*|[\"']stamp[\"']\s*:"
 )
-"""Time-outs of reading and writing, which end no motion."""
+"""Time-outs of reading and writing and stamps that are written, which end no motion."""
 
 
 _PYTHON_BUS = regex(
     r"^[ \t]*(?:import|from)[ \t]+(?P<bus>smbus2?|RPi\.GPIO|gpiozero|pigpio|lgpio|Jetson\.GPIO"
-    r"|adafruit_\w+|board|pysabertooth|roboclaw\w*)\b",
+    r"|(?i:adafruit_\w+)|board|pysabertooth|roboclaw\w*|qwiic_\w+|odrive)\b",
     re.M,
 )
 _CPP_BUS = regex(r"(?P<bus>/dev/i2c-\d+|linux/i2c-dev\.h|wiringPi\.h|pigpio\w*\.h|lgpio\.h|wiringPiI2C\.h)")
@@ -90,18 +96,16 @@ def looks_at_time(text: str) -> bool:
 
 
 def _in_class(nodes: Nodes, file: NodeSource, node: NodeClass) -> Iterator[Repeated]:
-    for endpoint in filter(_is_command, node.endpoints):
-        held = _held(node, endpoint.callback)
-        for timer in node.timers:
-            method = node.methods.get(timer.callback or "")
-            if method is None or not held:
+    syntax = nodes.syntax(file)
+    for endpoint in node.endpoints:
+        if not _is_command(endpoint) and not is_motor_command(endpoint):
+            continue
+        for loop in loops(syntax, node):
+            if not any(isinstance(each, ast.Call) and _sends(each, node) for each in loop.code):
                 continue
-            run = list(reached(nodes.syntax(file), body_of(method.node), node))
-            if not any(isinstance(each, ast.Call) and _sends(each, node) for each in run):
-                continue
-            used = {each.attr for each in run if isinstance(each, ast.Attribute)}
-            for name in sorted(held & used)[:1]:
-                yield Repeated(file.source, endpoint, f"self.{name}", f"{timer.callback}()", timer.span)
+            found = sorted(held_over(syntax, node, endpoint.callback, loop))
+            for name in found[:1]:
+                yield Repeated(file.source, endpoint, f"self.{name}", f"{loop.name}()", loop.span)
 
 
 def _sends(call: ast.Call, node: NodeClass) -> bool:
@@ -119,32 +123,6 @@ def _is_motion(endpoint: Endpoint) -> bool:
         return False
     kind = (endpoint.type or "").rpartition("/")[2]
     return moves(endpoint) or kind in _TYPES or bool(_DRIVES.search(str(endpoint.name or "")))
-
-
-def _held(node: NodeClass, callback: str | None) -> set[str]:
-    """The attributes that a callback, and beside the constructor nothing else, fills; from its message."""
-    method = node.methods.get(callback or "")
-    if method is None or len(method.node.args.args) < 2:
-        return set()
-    message = method.node.args.args[1].arg
-    inside: set[str] = set()
-    outside: set[str] = set()
-    for name, each in node.methods.items():
-        for assigned, value in _assignments(each.node):
-            if each is method and any(isinstance(part, ast.Name) and part.id == message for part in ast.walk(value)):
-                inside.add(assigned)
-            elif each is not method and name != "__init__":
-                outside.add(assigned)
-    return inside - outside
-
-
-def _assignments(function: ast.AST) -> Iterator[tuple[str, ast.expr]]:
-    for node in ast.walk(function):
-        if isinstance(node, (ast.Assign, ast.AugAssign)):
-            for target in node.targets if isinstance(node, ast.Assign) else [node.target]:
-                for each in ast.walk(target):
-                    if isinstance(each, ast.Attribute) and isinstance(each.value, ast.Name) and each.value.id == "self":
-                        yield each.attr, node.value
 
 
 def _in_cpp(nodes: Nodes, source: CppNode) -> Iterator[Repeated]:
@@ -197,8 +175,9 @@ def held(nodes: Nodes) -> Iterator[Held]:
         bus = next(filter(None, (_bus(text, _PYTHON_BUS) for text in texts)), None)
         if bus is None or any(map(looks_at_time, texts)):
             continue
+        yield from (Held(file.source, each, bus) for each in file.strays if _is_held(each))
         for node in file.classes:
-            if node.is_node is True and not node.all_timers:
+            if node.is_node is True and not _ends_in_loop(nodes, file, node):
                 yield from (Held(file.source, each, bus) for each in node.endpoints if _is_held(each))
     for source in nodes.cpp:
         text = _with_header(nodes, source.source)
@@ -207,9 +186,19 @@ def held(nodes: Nodes) -> Iterator[Held]:
             yield from (Held(source.source, each, bus) for each in source.endpoints if _is_held(each))
 
 
+def _ends_in_loop(nodes: Nodes, file: NodeSource, node: NodeClass) -> bool:
+    """Whether a timer or thread of a node writes to the hardware, too, and so may stop it."""
+    if len(node.all_timers) != len(node.timers):
+        return True
+    called = (each for loop in loops(nodes.syntax(file), node) for each in loop.code if isinstance(each, ast.Call))
+    return any(_WRITES.search(ast.unparse(each.func)) for each in called)
+
+
 def _is_held(endpoint: Endpoint) -> bool:
     """Whether what comes in is a velocity, bare numbers included: motors keep those that were written last."""
-    return _is_command(endpoint) or (endpoint.role == "subscription" and moves(endpoint))
+    if _is_command(endpoint) or is_motor_command(endpoint):
+        return True
+    return endpoint.role == "subscription" and moves(endpoint)
 
 
 def _bus(text: str, pattern: re.Pattern[str]) -> str | None:
