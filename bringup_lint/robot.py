@@ -57,6 +57,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.observed.expected import Expected
     from bringup_lint.graph.observed.observed import Observed
     from bringup_lint.graph.params.params import Params
+    from bringup_lint.graph.plugins.controllers import UntypedController
+    from bringup_lint.graph.plugins.unknown import UnknownPlugin
     from bringup_lint.graph.provenance import Provenance
     from bringup_lint.graph.runners.runners import Runners
     from bringup_lint.graph.secrets.in_clear import Secret
@@ -345,6 +347,20 @@ class Robot:
         return Params(self.files, lambda: self.launch)
 
     @cached_property
+    def unknown_plugins(self) -> list[UnknownPlugin]:
+        """Plugins that robot descriptions and parameter files name, and that no package exports."""
+        from bringup_lint.graph.plugins.unknown import Plugins
+
+        return Plugins(self.files, self.launch.workspace, lambda: self.params).unknown
+
+    @cached_property
+    def untyped_controllers(self) -> list[UntypedController]:
+        """Controllers that launch files spawn, of types that their manager is not given."""
+        from bringup_lint.graph.plugins.controllers import untyped_controllers
+
+        return list(untyped_controllers(self.launch, self.params))
+
+    @cached_property
     def topics(self) -> Topics:
         """What launched nodes publish and subscribe, under full names."""
         from bringup_lint.graph.topics.topics import Topics
@@ -435,9 +451,15 @@ class Robot:
     @cached_property
     def open_services(self) -> list[OpenService]:
         """Services of the robot that ask for no password, and that no address limits to the robot."""
+        from bringup_lint.graph.host.open_services import OpenService
         from bringup_lint.graph.host.open_services import open_services
 
-        return list(open_services(self.files, self.runners, lambda: self.launch))
+        found = list(open_services(self.files, self.runners, lambda: self.launch))
+        if self.of_kind("python-node"):
+            from bringup_lint.graph.nodes.questions.web_servers import web_servers
+
+            found += [OpenService(*each) for each in web_servers(self.nodes)]
+        return found
 
     @property
     def ssh_logins(self) -> Iterator[tuple[str, Located, str | None]]:

@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch.started import exclusive
     from bringup_lint.graph.launch.started import literal_text
     from bringup_lint.graph.params.simulation_arguments import simulated_by_default
+    from bringup_lint.graph.plugins.controllers import UntypedController
     from bringup_lint.graph.runners.launching import Launching
     from bringup_lint.graph.runners.required_arguments import not_passed
     from bringup_lint.graph.supervision.launched_processes import check_of
@@ -121,6 +122,7 @@ __all__ = [
     "Timer",
     "TypedValue",
     "Unknown",
+    "UntypedController",
     "Used",
     "Value",
     "check_of",

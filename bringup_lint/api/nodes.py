@@ -14,7 +14,11 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.edits import tried_shutdown
     from bringup_lint.graph.nodes.questions.asyncio_waits import awaits_asyncio
     from bringup_lint.graph.nodes.questions.blocking_calls import UNTIL_TIMEOUT
+    from bringup_lint.graph.nodes.questions.early_results import early_results
     from bringup_lint.graph.nodes.questions.motion import moves
+    from bringup_lint.graph.nodes.questions.pin_modes import without_pin_mode
+    from bringup_lint.graph.nodes.questions.python_releases import not_there
+    from bringup_lint.graph.nodes.questions.python_releases import python_of
     from bringup_lint.graph.nodes.questions.rates import endless_rates
     from bringup_lint.graph.nodes.questions.repeating import held
     from bringup_lint.graph.nodes.questions.repeating import repeated
@@ -22,6 +26,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.safe_state import publish_after_deactivate
     from bringup_lint.graph.nodes.questions.safe_state import relays
     from bringup_lint.graph.nodes.questions.service_waits import waits
+    from bringup_lint.graph.nodes.questions.shell_commands import shell_commands
     from bringup_lint.graph.nodes.questions.signatures import without_qos
     from bringup_lint.graph.nodes.questions.stopped_callbacks import never_run
     from bringup_lint.graph.nodes.questions.stopped_callbacks import stopped_callbacks
@@ -52,6 +57,7 @@ __all__ = [
     "awaits_asyncio",
     "dict_ranges",
     "double_shutdown",
+    "early_results",
     "endless_rates",
     "fed_without_condition",
     "handler_never_runs",
@@ -60,10 +66,13 @@ __all__ = [
     "lowered",
     "moves",
     "never_run",
+    "not_there",
     "publish_after_deactivate",
+    "python_of",
     "range_text",
     "relays",
     "repeated",
+    "shell_commands",
     "stop_after_shutdown",
     "stopped_callbacks",
     "stopped_in_cpp",
@@ -75,6 +84,7 @@ __all__ = [
     "unset",
     "valid_node_name",
     "waits",
+    "without_pin_mode",
     "without_qos",
 ]
 

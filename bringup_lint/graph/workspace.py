@@ -232,7 +232,10 @@ class Workspace:
 
     def owner(self, source: Source) -> Package | None:
         """The package that a file lies in."""
-        folder = os.path.dirname(os.path.abspath(source.name))
+        return self.package_of(os.path.dirname(os.path.abspath(source.name)))
+
+    def package_of(self, folder: str) -> Package | None:
+        """The package that an absolute folder is, or lies in."""
         if folder not in self._owners:
             self._owners[folder] = self._owner_of(folder)
         return self._owners[folder]

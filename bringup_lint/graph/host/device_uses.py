@@ -179,3 +179,13 @@ def _of_value(value: Value | None, user: str, certainty: Certainty, declared: fr
     inner: Certainty = "default" if certainty != "argument" and isinstance(value, (Argument, Env)) else certainty
     for child in children(value):
         yield from _of_value(child, user, inner, declared)
+
+
+def of_descriptions(files: Files) -> Iterator[DeviceUse]:
+    """The devices that robot descriptions give to the hardware of ros2_control."""
+    from bringup_lint.parsers.urdf import parse
+
+    for description in files.parsed(parse, (each for each in files.of_kind("urdf") if each.judged)):
+        for name, value in description.parameters:
+            if value.startswith("/dev/"):
+                yield DeviceUse(value, f"the hardware parameter {name}")

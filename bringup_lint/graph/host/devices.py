@@ -11,6 +11,7 @@ from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.host.device_uses import DeviceUse
 from bringup_lint.graph.host.device_uses import device_path
 from bringup_lint.graph.host.device_uses import of_compose
+from bringup_lint.graph.host.device_uses import of_descriptions
 from bringup_lint.graph.host.device_uses import of_env_files
 from bringup_lint.graph.host.device_uses import of_launch
 from bringup_lint.graph.host.device_uses import of_params
@@ -106,6 +107,8 @@ class Devices:
             yield from of_launch(self.launch())
         if self.files.of_kind("params"):
             yield from of_params(self.params())
+        if self.files.of_kind("urdf"):
+            yield from of_descriptions(self.files)
         if self.files.of_kind("python-node", "cpp-node"):
             from bringup_lint.graph.host.device_code import of_sources
 

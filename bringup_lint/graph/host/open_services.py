@@ -45,7 +45,7 @@ _LIMITED = regex(r"^[ \t]*(?:acl_file|plugin|auth_plugin|bind_interface|require_
 
 class OpenService(NamedTuple):
     kind: str
-    """``bridge``, ``shell`` (of Jupyter), ``desktop`` or ``broker``."""
+    """``bridge``, ``shell`` (of Jupyter), ``desktop``, ``broker``, ``web`` or ``debugger``."""
     name: str
     where: Span
 

@@ -103,7 +103,7 @@ def _assigned_elsewhere(syntax: Syntax, node: NodeClass) -> set[str]:
 def _filled(
     node: NodeClass, function: ast.AST, message: set[str], buffers: dict[str, str], depth: int
 ) -> Iterator[str]:
-    """``message``: names whose value comes from the message; ``buffers``: parameters that are attributes of ``self``."""
+    """``message``: names whose value comes from it; ``buffers``: parameters that are attributes of the node."""
     body = body_of(function)
     for each in own(body):
         value = getattr(each, "value", None) if _targets(each) else getattr(each, "iter", None)

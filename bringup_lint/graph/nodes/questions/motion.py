@@ -56,7 +56,9 @@ def moves(endpoint: Endpoint) -> bool:
 
 
 _OF_MOTORS = regex(r"Motor|Wheel|Thrust|Throttle|Drive|Vel(?:ocity|ocities|s)?(?=[A-Z]|$)|Speed|Twist|Pwm|PWM|RPM|Rpm")
-_OTHER = regex(r"State|Status|Feedback|Info|Odom|Angle|Position|Servo|Report|Current|Temp|Encoder|Telemetry|Driver(?=[A-Z])")
+_OTHER = regex(
+    r"State|Status|Feedback|Info|Odom|Angle|Position|Servo|Report|Current|Temp|Encoder|Telemetry|Driver(?=[A-Z])"
+)
 
 
 def is_motor_command(endpoint: Endpoint) -> bool:

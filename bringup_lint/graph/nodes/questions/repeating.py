@@ -8,12 +8,10 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from bringup_lint.graph.nodes.questions.callback_code import reached
 from bringup_lint.graph.nodes.questions.kept_commands import held_over
 from bringup_lint.graph.nodes.questions.kept_commands import loops
 from bringup_lint.graph.nodes.questions.motion import is_motor_command
 from bringup_lint.graph.nodes.questions.motion import moves
-from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.named_tuple import NamedTuple
@@ -43,7 +41,7 @@ _COMMENT = regex(r"//[^\n]*|#[^\n]*|/\*(?:[^*]|\*(?!/))*(?:\*/|\Z)")
 _OTHER_TIMEOUTS = regex(
     r"\b(?:read_|write_|write|socket_)?timeout(?:_sec)?\s*=\s*[^,)\n]+"
     r"|SerialTimeout\w*|serial::Timeout|setTimeout|settimeout|TimeoutE\w+"
-    r"|[\w.>-]*\bstamp\s*=(?!=)[^;\n]*|[\"']stamp[\"']\s*:"
+    r"|\bstamp\s*=(?!=)[^;\n]*|[\"']stamp[\"']\s*:"
 )
 """Time-outs of reading and writing and stamps that are written, which end no motion."""
 

@@ -1,0 +1,13 @@
+"""Robot descriptions that name the hardware plugins of ros2_control."""
+
+from __future__ import annotations
+
+from bringup_lint.discover.kinds import Head
+from bringup_lint.discover.kinds import Kind
+
+
+def _is_description(path: str, head: Head) -> bool:
+    return path.endswith((".urdf", ".xacro")) and "ros2_control" in head()
+
+
+KINDS = (Kind("urdf", _is_description),)

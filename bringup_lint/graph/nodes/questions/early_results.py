@@ -1,0 +1,63 @@
+"""Results of services that are read before the answer can be there."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from bringup_lint.graph.nodes.sources.syntax import Syntax
+from bringup_lint.graph.nodes.sources.syntax import own
+from bringup_lint.graph.nodes.sources.syntax import own_calls
+from bringup_lint.pattern import regex
+
+_ASKS = ("call_async", "send_goal_async")
+_WAITS = regex(r"sleep|wait|spin|join|acquire|done|execute|recv|get\b")
+
+
+class EarlyResult(NamedTuple):
+    asked: ast.Call
+    read: ast.Call
+
+
+def early_results(syntax: Syntax) -> Iterator[EarlyResult]:
+    """``future.result()`` after ``call_async`` where nothing in between waits, or asks whether it is done."""
+    for call in syntax.calls:
+        if not isinstance(call.func, ast.Attribute) or call.func.attr not in _ASKS:
+            continue
+        outer = next(syntax.above(call), None)
+        if outer is None:
+            continue
+        read = _directly(syntax, outer[0]) or _later(syntax, outer[0])
+        if read is not None:
+            yield EarlyResult(call, read)
+
+
+def _directly(syntax: Syntax, outer: ast.AST) -> ast.Call | None:
+    """``call_async(...).result()``"""
+    if not isinstance(outer, ast.Attribute) or outer.attr != "result":
+        return None
+    called = next(syntax.above(outer), (None, ""))[0]
+    return called if isinstance(called, ast.Call) and called.func is outer else None
+
+
+def _later(syntax: Syntax, outer: ast.AST) -> ast.Call | None:
+    """The result of the future that an assignment keeps, in the plain statements after it."""
+    if not isinstance(outer, ast.Assign) or len(outer.targets) != 1:
+        return None
+    kept = ast.unparse(outer.targets[0])
+    for statement in syntax.after(outer):
+        calls = list(own_calls([statement]))
+        reads = [each for each in calls if ast.unparse(each.func) == f"{kept}.result"]
+        others = [each for each in calls if each not in reads and _WAITS.search(ast.unparse(each.func))]
+        if others or isinstance(statement, (ast.While, ast.For, ast.Try, ast.With, ast.AsyncWith)):
+            return None
+        if reads:
+            return reads[0]
+        if any(isinstance(each, ast.Await) or _is(each, kept) for each in own([statement])):
+            return None
+    return None
+
+
+def _is(node: ast.AST, kept: str) -> bool:
+    return isinstance(node, (ast.Name, ast.Attribute)) and ast.unparse(node) == kept

@@ -1,0 +1,101 @@
+"""What a node source needs of Python, against the Python that its distribution runs on."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from bringup_lint.facts import table
+from bringup_lint.facts.ros import distros
+from bringup_lint.graph.nodes.sources.syntax import Syntax
+from bringup_lint.graph.nodes.sources.syntax import nodes_of
+
+_PYTHONS = {"focal": (3, 8), "jammy": (3, 10), "noble": (3, 12)}
+"""Source: packages.ubuntu.com, python3."""
+_GENERIC = frozenset({"list", "dict", "set", "frozenset", "tuple", "type"})
+
+
+class NotThere(NamedTuple):
+    """``raises`` says what Python does with it."""
+
+    node: ast.expr | ast.stmt
+    what: str
+    raises: str
+
+
+def python_of(distribution: str | None) -> tuple[int, int] | None:
+    """The release of Python that a distribution is built for."""
+    found = distros.every().get(distribution or "")
+    return _PYTHONS.get(found.codename) if found is not None else None
+
+
+def not_there(syntax: Syntax, python: tuple[int, int]) -> Iterator[NotThere]:
+    """The imports and forms that a release of Python refuses, outside of tests of the release and of ``try``."""
+    lazy = any(dotted == "__future__.annotations" for dotted in syntax.file.imports.values())
+    names = _refused(python)
+    for node in nodes_of(syntax.file):
+        found = next(_imports(node, names), None)
+        if found is None and python < (3, 10):
+            found = _form(node, python, lazy)
+        if found is not None and not _is_guarded(syntax, found.node):
+            yield found
+
+
+def _refused(python: tuple[int, int]) -> dict[str, str]:
+    """The names that a release does not have yet, or not any more, with the reason."""
+    found = {}
+    for row in table("ros/python_since"):
+        if row["since"] and python < _release(row["since"]):
+            found[row["name"]] = f"came with Python {row['since']}"
+        elif row["removed"] and python >= _release(row["removed"]):
+            found[row["name"]] = f"is gone since Python {row['removed']}"
+    return found
+
+
+def _release(text: str) -> tuple[int, int]:
+    major, minor = text.split(".")
+    return int(major), int(minor)
+
+
+def _imports(node: ast.AST, names: dict[str, str]) -> Iterator[NotThere]:
+    if isinstance(node, ast.Import):
+        for alias in node.names:
+            if alias.name in names:
+                yield NotThere(node, f"{alias.name} {names[alias.name]}", "ModuleNotFoundError")
+    if isinstance(node, ast.ImportFrom) and node.level == 0:
+        if node.module in names:
+            yield NotThere(node, f"{node.module} {names[node.module]}", "ModuleNotFoundError")
+        for alias in node.names:
+            dotted = f"{node.module}.{alias.name}"
+            if dotted in names:
+                yield NotThere(node, f"{dotted} {names[dotted]}", "ImportError")
+
+
+def _form(node: ast.AST, python: tuple[int, int], lazy: bool) -> NotThere | None:
+    if isinstance(node, ast.Match):
+        return NotThere(node.subject, "match came with Python 3.10", "SyntaxError")
+    annotations = _annotations(node) if not lazy else ()
+    for annotation in annotations:
+        for each in ast.walk(annotation):
+            if isinstance(each, ast.BinOp) and isinstance(each.op, ast.BitOr):
+                return NotThere(each, "X | Y as a type came with Python 3.10", "TypeError")
+            if python < (3, 9) and isinstance(each, ast.Subscript) and _is_builtin(each.value):
+                return NotThere(each, "list[X] came with Python 3.9", "TypeError")
+    return None
+
+
+def _annotations(node: ast.AST) -> list[ast.expr]:
+    """The annotations that are evaluated when a function is defined."""
+    if not isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
+        return []
+    arguments = (*node.args.posonlyargs, *node.args.args, *node.args.kwonlyargs)
+    return [each for each in (*(one.annotation for one in arguments), node.returns) if each is not None]
+
+
+def _is_builtin(node: ast.expr) -> bool:
+    return isinstance(node, ast.Name) and node.id in _GENERIC
+
+
+def _is_guarded(syntax: Syntax, node: ast.AST) -> bool:
+    return any(isinstance(outer, (ast.If, ast.Try)) for outer, _ in syntax.above(node))

@@ -1,0 +1,99 @@
+"""Controllers that a launch file spawns, and the types that its controller manager is given."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+from typing import NamedTuple
+
+from bringup_lint.graph.launch.resolve import text_of
+from bringup_lint.graph.launch.started import literal_text
+from bringup_lint.graph.params.loads import path_of
+from bringup_lint.model.launch_values import DictValue
+from bringup_lint.model.launch_values import ParameterFile as LaunchedFile
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.launch.expansion import Expansion
+    from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.launch.started import Started
+    from bringup_lint.graph.params.params import Params
+    from bringup_lint.model.launch_values import Value
+    from bringup_lint.source import Located
+    from bringup_lint.source import Span
+
+_PACKAGE = "controller_manager"
+_SPAWNERS = ("spawner", "spawner.py")
+_TYPED = ("-p", "--param-file", "-t", "--controller-type")
+"""Options by which a spawner gives the type itself."""
+_WITH_VALUE = (
+    *("-c", "--controller-manager", "-n", "--namespace", "--controller-manager-timeout", "--switch-timeout"),
+    *("--service-call-timeout", "--controller-ros-args", "--fallback_controllers"),
+)
+"""Options of the spawner with a value. Source: spawner.py of controller_manager, Humble to Kilted."""
+
+
+class UntypedController(NamedTuple):
+    """A controller whose type the manager is not given."""
+
+    name: Located
+    spawner: Started
+    manager: Started
+    files: tuple[Span, ...]
+    """The parameter files of the manager, where the launch file names them."""
+
+
+def untyped_controllers(launch: Launch, params: Params) -> Iterator[UntypedController]:
+    seen: set[tuple[Span, str]] = set()
+    for expansion in launch.entries:
+        managers = [node for node in expansion.nodes if _is(node, "ros2_control_node")]
+        if len(managers) != 1 or managers[0].by_default is False or managers[0].arguments:
+            continue
+        typed = _typed(launch, params, managers[0])
+        if typed is None:
+            continue
+        for spawner, name in _spawned(expansion):
+            if name not in typed and (name.span, str(name)) not in seen:
+                seen.add((name.span, str(name)))
+                yield UntypedController(
+                    name, spawner, managers[0], tuple(value.span for value in managers[0].parameters)
+                )
+
+
+def _is(node: Started, *executables: str) -> bool:
+    return literal_text(node.package) == _PACKAGE and str(literal_text(node.executable)) in executables
+
+
+def _spawned(expansion: Expansion) -> Iterator[tuple[Started, Located]]:
+    for node in expansion.nodes:
+        if not _is(node, *_SPAWNERS) or node.by_default is False:
+            continue
+        words = [literal_text(word) for word in node.arguments]
+        if any(word is None or word.partition("=")[0] in _TYPED for word in words):
+            continue
+        before = ""
+        for word in words:
+            if word == "--ros-args" or word is None:
+                break
+            if word and not word.startswith("-") and before not in _WITH_VALUE:
+                yield node, word
+            before = str(word)
+
+
+def _typed(launch: Launch, params: Params, manager: Started) -> set[str] | None:
+    """The controllers whose type the parameters of a manager give; None when these are not all known."""
+    found: set[str] = set()
+    for value in manager.parameters:
+        names = _names(launch, params, value)
+        if names is None:
+            return None
+        found |= {name.rpartition(".")[0] for name in names if name.endswith(".type")}
+    return found
+
+
+def _names(launch: Launch, params: Params, value: Value) -> list[str] | None:
+    if isinstance(value, DictValue):
+        names = [text_of(key) for key, _ in value.items]
+        return None if value.open or None in names else [str(name) for name in names]
+    path = path_of(launch, value.file if isinstance(value, LaunchedFile) else value)
+    file = params.at_path(path) if path is not None else None
+    return [each.name for each in file.parameters] if file is not None and file.accepted else None

@@ -1,0 +1,112 @@
+"""Plugins that files name and that no package exports under this name."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from collections.abc import Iterator
+from functools import cached_property
+from typing import TYPE_CHECKING
+from typing import NamedTuple
+
+from bringup_lint.facts import table
+from bringup_lint.graph.plugins.exports import exports
+from bringup_lint.parsers.urdf import Description
+from bringup_lint.parsers.urdf import parse
+from bringup_lint.pattern import regex
+from bringup_lint.source import Located
+from bringup_lint.spelling import nearest
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.files import Files
+    from bringup_lint.graph.params.params import Params
+    from bringup_lint.graph.workspace import Workspace
+
+_NAME = regex(r"(?P<package>[a-z][a-z0-9_]*)(?:/|::)(?:\w+(?:/|::))*(?P<class>\w+)\Z")
+_KEYS = ("plugin", "type")
+_RENAMED = {
+    "nav2_recoveries": "nav2_behaviors",
+    "fake_components": "mock_components",
+    "joint_state_controller": "joint_state_broadcaster",
+}
+"""Packages whose successor has the same classes, but for the name of the package in them."""
+_DEAD = ("recoveries_server",)
+"""Nodes that a newer distribution starts no more: what their blocks name is never loaded."""
+
+
+class UnknownPlugin(NamedTuple):
+    name: Located
+    package: str
+    exported: Located | str | None
+    """The name that is meant; with its place when a package of the tree exports it."""
+    distribution: str | None
+    """The distribution that has no such name; None when a package of the tree should have it."""
+    loaded: bool
+    """A description of the robot, or a parameter file that a launch file loads."""
+
+
+class Plugins:
+    def __init__(self, files: Files, workspace: Workspace, params: Callable[[], Params]) -> None:
+        self._files = files
+        self._workspace = workspace
+        self._params = params
+
+    @cached_property
+    def descriptions(self) -> list[Description]:
+        return self._files.parsed(parse, (each for each in self._files.of_kind("urdf") if each.judged))
+
+    @cached_property
+    def _exported(self) -> dict[str, dict[str, Located]]:
+        return exports(self._files.tree, self._workspace)
+
+    @cached_property
+    def unknown(self) -> list[UnknownPlugin]:
+        found = (self._unknown(name, loaded) for name, loaded in self._named())
+        return [each for each in found if each is not None]
+
+    def _named(self) -> Iterator[tuple[Located, bool]]:
+        for description in self.descriptions:
+            yield from ((name, True) for name in description.plugins)
+        if not self._files.of_kind("params"):
+            return
+        params = self._params()
+        for file, parameter in params.parameters:
+            value = parameter.value.data
+            if parameter.name.rpartition(".")[2] in _KEYS and isinstance(value, str):
+                if parameter.block.key.rpartition("/")[2] not in _DEAD:
+                    yield Located(value, parameter.span), bool(params.loads(file))
+
+    def _unknown(self, name: Located, loaded: bool) -> UnknownPlugin | None:
+        match = _NAME.match(name)
+        if match is None or any(name in classes for classes in self._exported.values()):
+            return None
+        package = match["package"]
+        if package in self._workspace.packages or package in self._workspace.ambiguous:
+            return self._unknown_in_tree(name, package, match["class"], loaded)
+        distribution = self._files.target.ros
+        known = _known(distribution) if distribution is not None else frozenset()
+        if str(name) in known or not known:
+            return None
+        meant = _meant(known, package, match["class"])
+        return UnknownPlugin(name, package, meant, distribution, loaded) if meant is not None else None
+
+    def _unknown_in_tree(self, name: Located, package: str, cls: str, loaded: bool) -> UnknownPlugin | None:
+        classes = self._exported.get(package, {})
+        if not classes:
+            return None
+        same = [each for each in classes.values() if each.endswith((f"/{cls}", f":{cls}"))]
+        meant = same[0] if len(same) == 1 else next(iter(nearest(name, classes.values(), 4)), None)
+        return UnknownPlugin(name, package, meant, None, loaded)
+
+
+def _known(distribution: str) -> frozenset[str]:
+    """The names that the packages of the table export in a distribution."""
+    return frozenset(row["name"] for row in table("ros/plugins") if distribution in row["distributions"].split())
+
+
+def _meant(known: frozenset[str], package: str, cls: str) -> str | None:
+    """The same class in the package itself, or in the one that replaced it."""
+    packages = {package, _RENAMED.get(package, package)}
+    packages |= {old for old, new in _RENAMED.items() if new == package}
+    cls = cls.replace("JointStateController", "JointStateBroadcaster")
+    found = [each for each in known if (match := _NAME.match(each)) and match["package"] in packages]
+    return next((each for each in sorted(found) if each.endswith((f"/{cls}", f":{cls}"))), None)

@@ -1,0 +1,65 @@
+"""A controller is spawned whose type the controller manager is not given.
+
+## What it finds
+`spawner` of controller_manager with the name of a controller, when none of the parameter files and dictionaries of the
+only `ros2_control_node` of the launch holds `<name>.type`, and the spawner brings no `--param-file` itself. Also a
+`ros2_control_node` without any parameter file, whose controllers all lack their types. Managers whose parameters are
+not all known are left out.
+
+## Why it matters on a robot
+The spawner ends with "The 'type' param was not defined". The hardware is up, no controller moves it, and commands to
+the topics of the controller go nowhere.
+
+## Bad
+```python
+Node(package='controller_manager', executable='ros2_control_node'),
+Node(package='controller_manager', executable='spawner', arguments=['base_controller'])
+```
+
+## Good
+```python
+Node(package='controller_manager', executable='ros2_control_node', parameters=[controllers]),
+Node(package='controller_manager', executable='spawner', arguments=['base_controller'])
+```
+
+## When to ignore it
+When another node sets the parameters of the controller manager.
+
+## References
+- https://control.ros.org/, controller_manager, "Parameters" (`<controller_name>.type`) and "spawner"
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+from bringup_lint.api.launch import UntypedController
+
+
+@rule("error", confidence="medium", symptoms=["The 'type' param was not defined for"])
+def controller_untyped(robot: Robot) -> Iterator[Finding]:
+    without: dict[object, list[UntypedController]] = {}
+    for each in robot.untyped_controllers:
+        if each.files:
+            yield finding(
+                each.name,
+                f"No parameters of the controller manager say which type '{each.name}' has: its spawner fails",
+                advice=f"add {each.name}.type to the file, or spawn the controller that it declares",
+                related=[note(each.manager.span, "the controller manager gets its parameters here")],
+                chain=robot.provenance.chain_to_node(each.spawner),
+            )
+        else:
+            without.setdefault(each.manager.span, []).append(each)
+    for each, *others in without.values():
+        names = ", ".join(f"'{one.name}'" for one in (each, *others[:2]))
+        yield finding(
+            each.manager.span,
+            f"ros2_control_node is given no parameter file: it knows the type of no controller, and {names} "
+            f"{'is' if not others else 'are'} not loaded",
+            advice="pass the file with the controllers in parameters=",
+            related=[note(one.name, "spawned here") for one in (each, *others[:5])],
+            chain=robot.provenance.chain_to_node(each.manager),
+        )

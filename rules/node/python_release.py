@@ -1,0 +1,58 @@
+"""A node needs another release of Python than its distribution has.
+
+## What it finds
+Imports of modules and names that came later, or that were removed, and syntax and annotations that came later. Foxy and
+Galactic run on Python 3.8, Humble and Iron on 3.10, Jazzy and Kilted on 3.12. Imports in `try` and below a test of the
+release are left out, and trees whose distribution is not known.
+
+## Why it matters on a robot
+It works on the developer's computer. On the robot the node ends with an ImportError or a SyntaxError before its first
+line of code runs.
+
+## Bad
+```python
+from typing import Self     # Python 3.11; Humble has 3.10
+```
+
+## Good
+```python
+from typing_extensions import Self
+```
+
+## When to ignore it
+When the nodes of the robot run in an environment with a Python of its own, as with conda, pixi or Nix.
+
+## References
+- REP 2000: the Ubuntu release of each distribution
+- https://docs.python.org/3/whatsnew/
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import nodes
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", confidence="medium", symptoms=["ImportError: cannot import name 'deprecated' from 'warnings'"])
+def python_release(robot: Robot) -> Iterator[Finding]:
+    distribution = robot.target.ros
+    python = nodes.python_of(distribution)
+    if distribution is None or python is None:
+        return
+    for file in robot.nodes.programs:
+        found = sorted(nodes.not_there(robot.nodes.syntax(file), python), key=lambda each: each.node.lineno)
+        if not found:
+            continue
+        first, *others = found
+        yield finding(
+            file.span_of(first.node),
+            f"{first.what}, and {distribution.capitalize()} runs on {python[0]}.{python[1]}: "
+            f"the node ends with {first.raises}",
+            advice="use what both releases have, or a backport such as typing_extensions",
+            related=[note(file.span_of(each.node), each.what) for each in others[:5]],
+            severity=nodes.lowered(robot.nodes.purpose(file.source), "error"),
+        )

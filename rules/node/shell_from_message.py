@@ -1,0 +1,57 @@
+"""Text of a message becomes part of a shell command.
+
+## What it finds
+`os.system`, `os.popen` and `subprocess` with `shell=True`, whose command holds text of a subscription's message or of a
+service request: `std_msgs/String`, and types of the tree with fields of type `string`. Functions and methods of the
+file are followed. Not reported: text that is quoted with `shlex.quote`, converted to a number, looked up in a table or
+compared with what is allowed.
+
+## Why it matters on a robot
+Without SROS2, everybody in the same ROS domain may publish and call services. A name such as `x; reboot` runs with the
+rights of the node.
+
+## Bad
+```python
+def on_play(self, request, response):
+    os.system(f'aplay {request.file}')
+```
+
+## Good
+```python
+def on_play(self, request, response):
+    subprocess.run(['aplay', '--', request.file], check=True)
+```
+
+## When to ignore it
+When SROS2 is enforced and only trusted nodes may publish the topic or call the service.
+
+## References
+- https://docs.python.org/3/library/subprocess.html#security-considerations
+- CWE-78
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import nodes
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("warning", tags=["CWE-78"])
+def shell_from_message(robot: Robot) -> Iterator[Finding]:
+    seen = set()
+    for file, node in robot.nodes.with_callbacks:
+        for found in nodes.shell_commands(robot.nodes, robot.nodes.syntax(file), node):
+            if found.call in seen:
+                continue
+            seen.add(found.call)
+            yield finding(
+                file.span_of(found.call),
+                f"The shell command holds text of {found.what}: whoever sends it runs commands on the robot",
+                advice="pass a list of arguments without shell=True, or accept only known values",
+                related=[note(found.callback.span, f"the callback of a {found.callback.role}")],
+                severity=nodes.lowered(robot.nodes.purpose(file.source), "warning"),
+            )

@@ -1,0 +1,84 @@
+"""A plugin is named as no package exports it.
+
+## What it finds
+`plugin:` and `type:` in parameter files, and `<plugin>` in the `<ros2_control>` of robot descriptions, when
+
+- the name belongs to a package of the tree, whose plugin descriptions hold no such class, or
+- the package of Navigation2, ros2_controllers or ros2_control exports the class under another name in the distribution
+  of the robot: `nav2_recoveries/Spin` became `nav2_behaviors/Spin` (Humble) and `nav2_behaviors::Spin` (Jazzy),
+  `fake_components` became `mock_components`.
+
+## Why it matters on a robot
+pluginlib compares names letter by letter. A server of Navigation2 ends when it configures, and the lifecycle manager
+takes the whole stack down. ros2_control does not load the hardware, and no controller ever starts.
+
+## Bad
+```yaml
+behavior_server:
+  ros__parameters:
+    spin:
+      plugin: nav2_behaviors/Spin     # Jazzy
+```
+
+## Good
+```yaml
+behavior_server:
+  ros__parameters:
+    spin:
+      plugin: nav2_behaviors::Spin
+```
+
+## When to ignore it
+When the file is kept for an older distribution, or the build writes the plugin description.
+
+## References
+- https://docs.nav2.org/migration/ (Iron to Jazzy: all plugins are named with `::`)
+- pluginlib, `ClassLoader::createUniqueInstance`
+- the plugin descriptions of navigation2, ros2_controllers and ros2_control, branch by branch
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Located
+from bringup_lint.api import Related
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+from bringup_lint.api.params import UnknownPlugin
+
+
+@rule(
+    "error",
+    symptoms=[
+        "According to the loaded plugin descriptions the class with base class type does not exist",
+        "Failed to create plugin of type",
+    ],
+)
+def plugin_unknown(robot: Robot) -> Iterator[Finding]:
+    found: dict[tuple[str, str], list[UnknownPlugin]] = {}
+    for each in robot.unknown_plugins:
+        is_description = each.name.span.source.kind == "urdf" or each.distribution is None
+        found.setdefault(("", each.name) if is_description else (each.name.span.path, ""), []).append(each)
+    for first, *others in found.values():
+        where = f" in {first.distribution.capitalize()}" if first.distribution else ""
+        more = f", nor are {len(others)} others" if others else ""
+        yield finding(
+            first.name,
+            f"No plugin is called {first.name}{where}: it is not loaded{more}",
+            advice=f"write {first.exported}" if first.exported else "write the name of the plugin description",
+            severity=_severity(first),
+            related=[*_exported(first), *(note(each.name, "here, too") for each in others[:10])],
+        )
+
+
+def _severity(plugin: UnknownPlugin) -> str:
+    """Warning for hardware that only stands in for the real one, info for files that nothing loads."""
+    stands_in = plugin.package in ("fake_components", "mock_components")
+    return ("warning" if stands_in else "error") if plugin.loaded else "info"
+
+
+def _exported(plugin: UnknownPlugin) -> list[Related]:
+    name = plugin.exported
+    return [note(name, "this name is exported")] if isinstance(name, Located) else []
