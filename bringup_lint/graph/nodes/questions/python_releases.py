@@ -9,7 +9,6 @@ from typing import NamedTuple
 from bringup_lint.facts import table
 from bringup_lint.facts.ros import distros
 from bringup_lint.graph.nodes.sources.syntax import Syntax
-from bringup_lint.graph.nodes.sources.syntax import nodes_of
 
 _PYTHONS = {"focal": (3, 8), "jammy": (3, 10), "noble": (3, 12)}
 """Source: packages.ubuntu.com, python3."""
@@ -34,7 +33,7 @@ def not_there(syntax: Syntax, python: tuple[int, int]) -> Iterator[NotThere]:
     """The imports and forms that a release of Python refuses, outside of tests of the release and of ``try``."""
     lazy = any(dotted == "__future__.annotations" for dotted in syntax.file.imports.values())
     names = _refused(python)
-    for node in nodes_of(syntax.file):
+    for node in syntax.file.nodes:
         found = next(_imports(node, names), None)
         if found is None and python < (3, 10):
             found = _form(node, python, lazy)
