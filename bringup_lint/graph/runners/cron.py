@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from itertools import islice
 
 from bringup_lint.graph.commands.command_line import CommandLine
 from bringup_lint.graph.commands.environment import Environment
@@ -20,6 +21,10 @@ _REBOOT = regex(r"^[ \t]*@reboot[ \t]+(?P<user>[a-z_][\w-]*)[ \t]+(?P<command>\S
 _VARIABLE = regex(r"^[ \t]*(?P<name>[A-Za-z_]\w*)[ \t]*=[ \t]*(?P<value>(?:[^\n]*[^ \t\n])?)[ \t]*$", re.M)
 
 
+LIMIT = 200
+"""``@reboot`` lines of one crontab that are followed."""
+
+
 def runners(files: Files, layers: Layers) -> Iterator[Runner]:
     for source in files.of_kind("cron"):
         if source.judged and not source.template:
@@ -27,7 +32,10 @@ def runners(files: Files, layers: Layers) -> Iterator[Runner]:
 
 
 def _of(files: Files, source: Source) -> Iterator[Runner]:
-    for match in _REBOOT.finditer(source.text):
+    environment, at = Environment(), 0
+    for match in islice(_REBOOT.finditer(source.text), LIMIT):
+        _set(environment, source, at, match.start())
+        at = match.end()
         command = source.located(*match.span("command"))
         line = CommandLine(command, ())
         follow_text(line, command, lambda path: files.find(str(path), source) if path.startswith("/") else None)
@@ -35,7 +43,7 @@ def _of(files: Files, source: Source) -> Iterator[Runner]:
             RunnerKind.CRON,
             f"the @reboot line of {source.basename}",
             command.span,
-            _environment(source, match.start()),
+            environment.copy(),
             lines=[line],
             main=[line],
             runs_ros=bool(line.ros),
@@ -47,10 +55,8 @@ def _of(files: Files, source: Source) -> Iterator[Runner]:
         )
 
 
-def _environment(source: Source, end: int) -> Environment:
-    """The variables that the crontab sets above the line; cron adds hardly any."""
-    environment = Environment()
-    for match in _VARIABLE.finditer(source.text, 0, end):
+def _set(environment: Environment, source: Source, start: int, end: int) -> None:
+    """Set the variables of some lines; they count for the lines below, and cron adds hardly any."""
+    for match in _VARIABLE.finditer(source.text, start, end):
         value = source.located(*match.span("value")).strip_located("\"'")
         environment.set(Variable(match["name"], value, str(value), "crontab"))
-    return environment

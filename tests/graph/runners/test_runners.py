@@ -8,8 +8,10 @@ from pathlib import Path
 import pytest
 
 from bringup_lint.discover.walk import discover
+from bringup_lint.discover.walk import discover_text
 from bringup_lint.graph.runners.runner import RunnerKind
 from bringup_lint.robot import Robot
+from tests.growth import is_linear
 
 LAUNCH = (
     "from launch import LaunchDescription\n\n\ndef generate_launch_description():\n    return LaunchDescription([])\n"
@@ -142,3 +144,18 @@ def test_scripts_that_call_each_other_end(tmp_path: Path) -> None:
     }
     (runner,) = robot(tmp_path, files).runners.all
     assert len(runner.lines[0].steps) == 81
+
+
+def test_a_crontab_sets_variables_for_the_lines_below(tmp_path: Path) -> None:
+    text = "A=1\n@reboot rover /opt/one\nA=2\nB=3\n@reboot rover /opt/two\n"
+    one, two = robot(tmp_path, {"etc/cron.d/rover": text}).runners.all
+    assert [one.environment.text(name) for name in "AB"] == ["1", None]
+    assert [two.environment.text(name) for name in "AB"] == ["2", "3"]
+
+
+@pytest.mark.parametrize("unit", ["@reboot rover /opt/rover\n", "A=1\n@reboot rover /opt/rover\n"])
+def test_a_crontab_is_followed_in_linear_time(unit: str) -> None:
+    def follow(size: int) -> object:
+        return list(Robot(discover_text("etc/cron.d/rover", (unit * size).encode())).runners.all)
+
+    assert is_linear(follow, 250)
