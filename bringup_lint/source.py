@@ -11,6 +11,7 @@ from typing import cast
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
+from bringup_lint.ignore_marks import without_marks
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
@@ -75,6 +76,11 @@ class Source:
     @cached_property
     def _made(self) -> dict[object, object]:
         return {}
+
+    @cached_property
+    def said(self) -> str:
+        """The text as rules search it: blanks are written over the comments that silence them, and offsets stay."""
+        return without_marks(self.text)
 
     @cached_property
     def line_starts(self) -> list[int]:

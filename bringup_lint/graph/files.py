@@ -104,7 +104,7 @@ class Files:
 
     def mentions(self, pattern: re.Pattern[str]) -> bool:
         """Whether the text of a judged file matches."""
-        return any(pattern.search(source.text) for source in self.sources if source.judged)
+        return any(pattern.search(source.said) for source in self.sources if source.judged)
 
     @property
     def problems(self) -> list[Problem]:

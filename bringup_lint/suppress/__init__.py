@@ -18,9 +18,9 @@ from bringup_lint.dataclass import replace
 from bringup_lint.finding import Finding
 from bringup_lint.finding import Suppression
 from bringup_lint.finding.place import is_whole_file
+from bringup_lint.ignore_marks import MARK
 from bringup_lint.source import Source
 from bringup_lint.source import Span
-from bringup_lint.suppress.comments import MARK
 from bringup_lint.suppress.comments import Ignore
 from bringup_lint.suppress.comments import read
 from bringup_lint.suppress.forms import HASH

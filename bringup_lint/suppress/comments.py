@@ -11,17 +11,14 @@ from collections.abc import Iterator
 from itertools import islice
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.ignore_marks import IGNORE
+from bringup_lint.ignore_marks import OPENS
 from bringup_lint.named_tuple import NamedTuple
-from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.suppress.reach import head_end
 from bringup_lint.suppress.reach import statement_after
 
-MARK = "bringup-lint:"
-
-_MARK = regex(r"bringup-lint:[ \t]*(?P<what>ignore(?:-file)?)[ \t]*\[(?P<names>[^\[\]\n]*)\]")
-_OPENS = ("#", ";", "//", "<!--")
 _SEPARATORS = ("--", ":", "–", "—")
 LIMIT = 5000
 """Comments of one file that are read."""
@@ -75,13 +72,13 @@ def _comments(source: Source) -> Iterator[_Comment]:
     """The comments, each stretch of the text looked at once."""
     text = source.text
     ends = [match.start() for match in re.finditer("-->", text)]
-    marks = list(islice(_MARK.finditer(text), LIMIT))
+    marks = list(islice(IGNORE.finditer(text), LIMIT))
     own_line: dict[int, bool] = {}
     for at, match in enumerate(marks):
         line = source.position(match.start()).line
         start = source.line_starts[line - 1]
         before = text[max(start, marks[at - 1].end() if at else 0) : match.start()].rstrip()
-        opens = next((sign for sign in _OPENS if before.endswith(sign)), None)
+        opens = next((sign for sign in OPENS if before.endswith(sign)), None)
         if opens is None:
             continue
         alone = own_line.setdefault(line, not before.removesuffix(opens).strip())

@@ -87,7 +87,7 @@ def socket_buffer_exceeds_sysctl(robot: Robot) -> Iterator[Finding]:
 def _in_script(robot: Robot, name: str) -> bool:
     """Whether a script or an image may raise a limit."""
     spelt = (name, name.replace(".", "/"))
-    return any(each in source.text for source in robot.of_kind(*WRITING) for each in spelt)
+    return any(each in source.said for source in robot.of_kind(*WRITING) for each in spelt)
 
 
 def _limit(limit: KernelParameter | None) -> list[Related]:

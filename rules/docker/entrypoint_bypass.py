@@ -45,7 +45,7 @@ def entrypoint_bypass(robot: Robot) -> Iterator[Finding]:
     for file in robot.dockerfiles:
         stage = file.final
         entrypoint = stage.last("ENTRYPOINT") if stage else None
-        if stage is None or entrypoint is None or not OFFICIAL.search(stage.origin) or SOURCES.search(file.source.text):
+        if stage is None or entrypoint is None or not OFFICIAL.search(stage.origin) or SOURCES.search(file.source.said):
             continue
         words = entrypoint.exec_form or entrypoint.value.split()
         if words and words[0].rpartition("/")[2] == "ros2":

@@ -61,7 +61,7 @@ SYSTEMD = regex(r"/(?:s?bin/init|lib/systemd/systemd)\b")
 def root_user(robot: Robot) -> Iterator[Finding]:
     for file in robot.dockerfiles:
         stage = file.final
-        if stage is None or DROPS.search(file.source.text) or _starts_systemd(stage) or _is_base(robot, stage):
+        if stage is None or DROPS.search(file.source.said) or _starts_systemd(stage) or _is_base(robot, stage):
             continue
         users = [service for each in file.stages for service in robot.compose.users(each)]
         if users and all(service.user is not None for service in users):

@@ -76,6 +76,6 @@ def _own(robot: Robot) -> set[str]:
     return {
         name
         for source in robot.of_kind("ros-package")
-        if "rmw_implementation_packages" in source.text
+        if "rmw_implementation_packages" in source.said
         for name in [source.text.partition("<name>")[2].partition("</name>")[0].strip()]
     }

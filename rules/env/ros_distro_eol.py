@@ -62,7 +62,7 @@ def _runs_robot(robot: Robot, place: Located) -> bool:
     """Whether a file may decide what runs: not an image to work in, or a script that only looks at a running robot."""
     source = place.span.source
     if source.kind == "shell-script":
-        return not LOOKING.search(source.text) or RUNNING.search(source.text) is not None
+        return not LOOKING.search(source.said) or RUNNING.search(source.said) is not None
     image = next((file for file in robot.dockerfiles if file.source is source), None)
     return image is None or is_deployed(robot.compose, image)
 

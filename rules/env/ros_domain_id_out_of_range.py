@@ -55,5 +55,5 @@ def _own_ports(robot: Robot) -> bool:
     """Some DDS file of the tree may move the ports."""
     sources = robot.of_kind("cyclonedds", "fastdds")
     return any(
-        word in source.text for source in sources for word in ("DomainGain", "domainIDGain", "portBase", "<Base>")
+        word in source.said for source in sources for word in ("DomainGain", "domainIDGain", "portBase", "<Base>")
     )

@@ -49,7 +49,7 @@ SIZE = 8192
 @rule("error", symptoms=["unbound variable", "AMENT_TRACE_SETUP_FILES"])
 def setup_sourced_under_nounset(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("shell-script"):
-        if source.judged and not source.template and "setup." in source.text:
+        if source.judged and not source.template and "setup." in source.said:
             yield from _check(robot, source)
 
 

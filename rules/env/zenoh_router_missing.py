@@ -42,13 +42,12 @@ from bringup_lint.api import rule
 from bringup_lint.api.ros import at_least
 
 ELSEWHERE = ("ZENOH_ROUTER_CHECK_ATTEMPTS", "ZENOH_SESSION_CONFIG_URI", "ZENOH_CONFIG_OVERRIDE")
-ROUTER = regex(r"zenohd\b|zenoh[-_]router(?!-missing)")
-"""A router, and not the name of this rule in a comment that silences it."""
+ROUTER = regex(r"zenohd\b|zenoh[-_]router")
 
 
 @rule("error", confidence="medium", symptoms=["Unable to connect to a Zenoh router", "Have you started a router"])
 def zenoh_router_missing(robot: Robot) -> Iterator[Finding]:
-    if at_least(robot.target.ros, "humble") is False or any(ROUTER.search(source.text) for source in robot.sources):
+    if at_least(robot.target.ros, "humble") is False or any(ROUTER.search(source.said) for source in robot.sources):
         return
     for process in robot.ros.processes:
         environment = process.environment

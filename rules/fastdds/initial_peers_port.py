@@ -47,7 +47,7 @@ RANGE = 4
 @rule("info", confidence="medium")
 def initial_peers_port(robot: Robot) -> Iterator[Finding]:
     for profiles in robot.dds.profile_files:
-        if "maxInitialPeersRange" in profiles.source.text:
+        if "maxInitialPeersRange" in profiles.source.said:
             continue
         readers = robot.dds.profile_readers(profiles)
         count = sum(robot.ros.started_by(process) for process, _ in readers)

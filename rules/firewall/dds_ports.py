@@ -66,9 +66,9 @@ def dds_ports(robot: Robot) -> Iterator[Finding]:
 
 def uses_default_ports(robot: Robot) -> bool:
     """Whether a process surely keeps to the usual ports: every file with others is read by other processes."""
-    if any("portBase" in source.text for source in robot.of_kind("fastdds")):
+    if any("portBase" in source.said for source in robot.of_kind("fastdds")):
         return False
-    own = [each for each in robot.dds.configurations if "<Ports" in each.source.text]
+    own = [each for each in robot.dds.configurations if "<Ports" in each.source.said]
     readers = [robot.dds.readers(each) for each in own]
     elsewhere = {reader.process.unit for group in readers for reader in group}
     usual = any(process.unit and process.unit not in elsewhere for process in robot.ros.processes)

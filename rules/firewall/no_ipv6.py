@@ -36,7 +36,7 @@ from bringup_lint.api import rule
 @rule("info")
 def no_ipv6(robot: Robot) -> Iterator[Finding]:
     tools = {tool for firewall in robot.firewalls for tool in firewall.tools}
-    off = any("ipv6.disable=1" in source.text or "disable_ipv6" in source.text for source in robot.sources)
+    off = any("ipv6.disable=1" in source.said or "disable_ipv6" in source.said for source in robot.sources)
     if tools & {"ip6tables", "inet", "ufw"} or off:
         return
     for firewall in robot.firewalls:

@@ -41,7 +41,7 @@ OVERLAY = regex(r"^[ \t]*overlayroot=[\"']?(tmpfs)", re.M)
 @rule("warning", symptoms=["Data from the specified boot (-1) is not available: No such boot ID in journal"])
 def overlayroot_persistent_journal(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("overlayroot"):
-        overlay = OVERLAY.search(source.text)
+        overlay = OVERLAY.search(source.said)
         if not overlay:
             continue
         for journald in robot.journald:

@@ -87,10 +87,12 @@ def lifecycle_bond(robot: Robot) -> Iterator[Finding]:
 
 def _comment_above(name: Located) -> str:
     """The comment above a line, past one that silences a rule."""
+    source = name.span.source
+    starts = source.line_starts
     for line in range(name.line - 1, 0, -1):
-        text = name.span.source.line_text(line).strip()
-        if not text.startswith("#"):
+        said = source.said[starts[line - 1] : starts[line]].strip()
+        if said.startswith("#"):
+            return said
+        if said or not source.line_text(line).strip():
             break
-        if "bringup-lint:" not in text:
-            return text
     return ""

@@ -45,7 +45,7 @@ def output_missing(robot: Robot) -> Iterator[Finding]:
                 not isinstance(action, launch.Node)
                 or action.open
                 or "output" in action.options
-                or OVERRIDE in file.source.text
+                or OVERRIDE in file.source.said
             ):
                 continue
             if launch.literal(action.executable) == "spawner":

@@ -40,7 +40,7 @@ DOUBLED = regex(r"[A-Za-z_]\w*==(?=[\w$`/])")
 @rule("error", fix="unsafe")
 def assignment_equals(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("shell-script"):
-        if not source.judged or source.template or "==" not in source.text:
+        if not source.judged or source.template or "==" not in source.said:
             continue
         for command in shell_commands(source):
             for word in command.assignments:

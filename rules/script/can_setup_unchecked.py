@@ -56,7 +56,7 @@ DESCRIBING = ("echo", "printf", "exit", "true", "sleep", "")
 @rule("warning", symptoms=['Cannot find device "can0"'])
 def can_setup_unchecked(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("shell-script"):
-        if not source.judged or LOOKS.search(source.text):
+        if not source.judged or LOOKS.search(source.said):
             continue
         runs = [did for did in robot.scripts.done(source) if isinstance(did, Run)]
         ignored = [at for at, run in enumerate(runs) if run.command.ends not in ("||", "&&") and _sets_up(robot, run)]

@@ -54,7 +54,7 @@ EXPIRES = regex(r"\bchage\s+(?:-d\s*0|--lastday[= ]0)|passwd\s+(?:-e|--expire)\b
 @rule("error", tags=["CWE-798", "CWE-259"])
 def login_password(robot: Robot) -> Iterator[Finding]:
     for source, run in robot.scripts.run("chpasswd", "passwd", "useradd", "usermod"):
-        if EXPIRES.search(source.text):
+        if EXPIRES.search(source.said):
             continue
         for user, password in _set(run):
             yield finding(

@@ -42,10 +42,10 @@ from bringup_lint.api import rule
 SCRIPT = regex(r"\.(?:sh|bash|py|zsh)$")
 COMPILED = "\0"
 MISSPELT = regex(
-    r"(?:#[ \t]*bringup-lint:[^\n]*\n)?((?:#|!# ?|# ! ?)/(?:usr/)?bin/(?:env +)?(?:ba|da|z)?sh(?: -\w+)?)[ \t\r]*$",
+    r"(?:[ \t]*\n)?((?:#|!# ?|# ! ?)/(?:usr/)?bin/(?:env +)?(?:ba|da|z)?sh(?: -\w+)?)[ \t\r]*$",
     re.M,
 )
-"""A first line with such a mistake; a comment that silences this rule may precede it."""
+"""A first line with such a mistake."""
 
 
 @rule(
@@ -76,7 +76,7 @@ def no_shebang(robot: Robot) -> Iterator[Finding]:
                 related=[note(program, f"{unit.name} starts it")],
             )
     for source in robot.of_kind("shell-script"):
-        misspelt = MISSPELT.match(source.text) if source.judged and source not in seen else None
+        misspelt = MISSPELT.match(source.said) if source.judged and source not in seen else None
         if misspelt is not None:
             yield finding(
                 source.located(*misspelt.span(1)),

@@ -100,4 +100,4 @@ def _is_read_otherwise(robot: Robot, source: Source) -> bool:
     name = re.escape(source.basename)
     caller = re.compile(rf"(?:\b(?:source|bash|zsh)|(?:^|[\s;&(])\.)\s+(?:-\w+\s+)*['\"]?[^\s'\"]*{name}", re.M)
     others = (each for each in robot.sources if each is not source)
-    return bool(BOTH.search(source.text)) or any(caller.search(each.text) for each in others)
+    return bool(BOTH.search(source.said)) or any(caller.search(each.text) for each in others)

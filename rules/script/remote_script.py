@@ -73,7 +73,7 @@ def _unchecked(robot: Robot) -> Iterator[Finding]:
     """What is loaded without a look at the certificate, kept as a file, and run."""
     kept: dict[tuple[Source, str], Run] = {}
     for source in robot.of_kind("shell-script"):
-        if not source.judged or not LOADS.search(source.text):
+        if not source.judged or not LOADS.search(source.said):
             continue
         for run in robot.scripts.done(source):
             if not isinstance(run, Run):

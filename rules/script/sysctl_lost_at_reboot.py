@@ -46,7 +46,7 @@ DONE_HERE = regex(r"sysctl\.(?:conf|d)\b")
 def sysctl_lost_at_reboot(robot: Robot) -> Iterator[Finding]:
     by_script: dict[int, list[Run]] = {}
     for source, run in robot.scripts.run("sysctl"):
-        if _key(run) and not DONE_HERE.search(source.text) and not robot.sysctl.mentions(_key(run)):
+        if _key(run) and not DONE_HERE.search(source.said) and not robot.sysctl.mentions(_key(run)):
             by_script.setdefault(id(source), []).append(run)
     for first, *others in by_script.values():
         source = first.command.words[0].span.source

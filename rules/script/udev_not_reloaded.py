@@ -53,7 +53,7 @@ def udev_not_reloaded(robot: Robot) -> Iterator[Finding]:
         if target.startswith(("/etc", "/lib", "/usr/lib")) and FOLDER in target:
             copied.setdefault(source, []).append(run.words[-1])
     for source, (first, *others) in copied.items():
-        if TOLD.search(source.text) or _is_called(robot, source):
+        if TOLD.search(source.said) or _is_called(robot, source):
             continue
         yield finding(
             first,
@@ -66,4 +66,4 @@ def udev_not_reloaded(robot: Robot) -> Iterator[Finding]:
 def _is_called(robot: Robot, source: Source) -> bool:
     """Whether another file that tells udev, or builds an image, names the script."""
     named = (each for each in robot.sources if each is not source and source.basename in each.text)
-    return any(TOLD.search(each.text) or each.kind == "dockerfile" for each in named)
+    return any(TOLD.search(each.said) or each.kind == "dockerfile" for each in named)

@@ -70,7 +70,7 @@ def _uses(unit: Unit, robot: Robot) -> Iterator[tuple[Located | Span, str]]:
     variable = robot.units.environment(unit).get("CYCLONEDDS_URI")
     if variable is not None and variable.text and variable.text.startswith("file://"):
         source = robot.tree.find(variable.text.removeprefix("file://"))
-        found = SHARED.search(source.text) if source else None
+        found = SHARED.search(source.said) if source else None
         if source and found:
             yield (
                 source.located(found.start(), found.start() + len("<SharedMemory")),

@@ -74,4 +74,4 @@ def _rotated(robot: Robot) -> Iterator[str]:
         if "/logrotate.d/" in path or path.endswith("/logrotate.conf"):
             source = robot.tree.read(path, judged=False)
             if source is not None:
-                yield from PATTERN.findall(source.text)
+                yield from PATTERN.findall(source.said)

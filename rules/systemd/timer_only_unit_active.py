@@ -66,4 +66,4 @@ def _named_elsewhere(robot: Robot, timer: Unit, service: str) -> bool:
     if target is None or any(True for _ in robot.units.wanted_by(target)):
         return True
     own += [file.source for file in target.files]
-    return any(service in source.text for source in robot.sources if source not in own)
+    return any(service in source.said for source in robot.sources if source not in own)

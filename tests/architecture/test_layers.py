@@ -64,6 +64,7 @@ LAYERS = (
     {"model", "finding", "facts", "fleet.summary"},
     {"addresses"},
     {"budget", "digest", "garbage", "plural", "source", "spelling", "templates", "toml"},
+    {"ignore_marks"},
     {"pattern", "dataclass", "named_tuple", "on_demand"},
     {""},
 )

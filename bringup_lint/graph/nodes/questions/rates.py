@@ -23,11 +23,21 @@ def endless_rates(syntax: Syntax) -> Iterator[EndlessRate]:
     """The sleeps on rates of a file that runs in one thread; the first of each rate."""
     if _THREADS.search(syntax.file.source.text) or not _makes_node(syntax):
         return
-    for rate in syntax.calls:
-        kept = _kept(syntax, rate) if _is_method(rate, "create_rate") else None
-        sleeps = [call for call in syntax.calls if kept is not None and _is_method(call, "sleep", kept)]
-        if sleeps and not _is_in_callback(syntax, sleeps[0]):
-            yield EndlessRate(rate, sleeps[0])
+    rates = [call for call in syntax.calls if _is_method(call, "create_rate")]
+    first = _first_sleeps(syntax) if rates else {}
+    for rate in rates:
+        sleep = first.get(_kept(syntax, rate))
+        if sleep is not None and not _is_in_callback(syntax, sleep):
+            yield EndlessRate(rate, sleep)
+
+
+def _first_sleeps(syntax: Syntax) -> dict[str | None, ast.Call]:
+    """Variable or attribute -> the first call of its method ``sleep``."""
+    found: dict[str | None, ast.Call] = {}
+    for call in syntax.calls:
+        if isinstance(call.func, ast.Attribute) and call.func.attr == "sleep":
+            found.setdefault(ast.unparse(call.func.value), call)
+    return found
 
 
 def _makes_node(syntax: Syntax) -> bool:
@@ -35,11 +45,8 @@ def _makes_node(syntax: Syntax) -> bool:
     return "rclpy.init" in syntax.named
 
 
-def _is_method(call: ast.Call, name: str, owner: str | None = None) -> bool:
-    function = call.func
-    if not isinstance(function, ast.Attribute) or function.attr != name:
-        return False
-    return owner is None or ast.unparse(function.value) == owner
+def _is_method(call: ast.Call, name: str) -> bool:
+    return isinstance(call.func, ast.Attribute) and call.func.attr == name
 
 
 def _is_in_callback(syntax: Syntax, call: ast.Call) -> bool:
