@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import field
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 from bringup_lint.model.xml import Element
 from bringup_lint.parsers.xml import parse as parse_xml
 from bringup_lint.source import Located

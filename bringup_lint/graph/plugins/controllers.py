@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
-from typing import NamedTuple
 
 from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.params.loads import path_of
 from bringup_lint.model.launch_values import DictValue
 from bringup_lint.model.launch_values import ParameterFile as LaunchedFile
+from bringup_lint.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from bringup_lint.graph.launch.expansion import Expansion

@@ -6,10 +6,10 @@ from collections.abc import Callable
 from collections.abc import Iterator
 from functools import cached_property
 from typing import TYPE_CHECKING
-from typing import NamedTuple
 
 from bringup_lint.facts import table
 from bringup_lint.graph.plugins.exports import exports
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.urdf import Description
 from bringup_lint.parsers.urdf import parse
 from bringup_lint.pattern import regex

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import own
 from bringup_lint.graph.nodes.sources.syntax import own_calls
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
 _ASKS = ("call_async", "send_goal_async")

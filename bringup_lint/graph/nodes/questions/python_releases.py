@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from bringup_lint.facts import table
 from bringup_lint.facts.ros import distros
 from bringup_lint.graph.nodes.sources.syntax import Syntax
+from bringup_lint.named_tuple import NamedTuple
 
 _PYTHONS = {"focal": (3, 8), "jammy": (3, 10), "noble": (3, 12)}
 """Source: packages.ubuntu.com, python3."""
