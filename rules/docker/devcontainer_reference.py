@@ -36,7 +36,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.docker import broken_references
 
 
-@rule("error", symptoms=["has neither an image nor a build context specified", "no such service:"])
+@rule("warning", symptoms=["has neither an image nor a build context specified", "no such service:"])
 def devcontainer_reference(robot: Robot) -> Iterator[Finding]:
     for broken in broken_references(robot.files, robot.compose):
         if broken.what == "service":

@@ -1,9 +1,10 @@
 """A real robot waits for a simulated clock.
 
 ## What it finds
-`use_sim_time: true` in a file that the bring-up of a robot loads. Reported only when everything that the launch
-file starts is known, and none of it simulates or sets the parameter again. Files for simulation, tests and
-recordings are not reported.
+`use_sim_time: true` in a file that the bring-up of a robot loads. Reported only when everything that the launch file
+starts is known, and none of it simulates or sets the parameter again. Files for simulation, tests and recordings are
+not reported. It is an error for the nodes of Nav2, robot_localization and slam_toolbox, and for those whose
+source in the tree has timers in ROS time. Other nodes may do without that time: it is a warning.
 
 ## Why it matters on a robot
 Nothing publishes /clock: the time stays at zero, and timers never fire. The nodes run and do nothing.
@@ -35,9 +36,16 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
+from bringup_lint.api import launch
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.launch import Started
 from bringup_lint.api.params import simulated
+
+TIMERS = regex(r"\bcreate_(?:timer|rate)\s*\(|\bget_clock\(\)\s*(?:\.|->)\s*sleep_")
+WAITING = regex(r"nav2_|opennav_|robot_localization$|slam_toolbox$")
+"""Packages whose nodes compare the time with the stamps of transforms, or have timers in ROS time."""
 
 
 @rule("error", fix="unsafe", symptoms=["No clock received, using time argument instead!"])
@@ -51,4 +59,16 @@ def use_sim_time_real_robot(robot: Robot) -> Iterator[Finding]:
             related=[note(found.load.node.span, "gets the value here")],
             chain=robot.provenance.chain_to_load(found.load, note(found.parameter.span, "the node waits for /clock")),
             fix=fix("write false", (found.parameter.span, "false"), safe=False),
+            severity=None if _has_timers(robot, found.load.node) else "warning",
         )
+
+
+def _has_timers(robot: Robot, node: Started) -> bool:
+    """Whether something in the node surely waits for the ROS time."""
+    name = launch.literal_text(node.package) or ""
+    package = robot.launch.workspace.packages.get(name)
+    if package is None:
+        return WAITING.match(name) is not None
+    sources = robot.files.of_kind("python-node", "cpp-node")
+    own = (each for each in sources if robot.launch.workspace.owner(each) is package)
+    return any(TIMERS.search(each.text) for each in own if node.label() in each.text)

@@ -4,6 +4,8 @@
 A password as a literal that goes to `chpasswd` or `passwd`, or after `useradd -p` and `usermod -p`. A value from a
 variable that the script does not set, and a command that asks for it, are fine.
 
+In the entry point of a container without sshd, xrdp or VNC, nobody can log in with it: it is an info.
+
 In user data: `plain_text_passwd:` of a user, and `password:` or `chpasswd:` with `expire: false`. A hash is a warning,
 because it can be tried out on a computer; a password that expires at the first login and a random one are fine.
 
@@ -48,11 +50,13 @@ from bringup_lint.api.templates import is_stand_in
 PAIR = regex(r"^(?P<user>[a-z_][\w-]*):(?P<password>[^\s:{}$]+)$", re.M)
 TWICE = regex(r"(?P<password>[^\s{}$]+)\n(?P=password)\n?")
 HASH = regex(r"\$\w+\$")
+SERVER = regex(r"\b(?:sshd|openssh-server|xrdp|\w{0,20}vnc\w{0,20})\b")
 EXPIRES = regex(r"\bchage\s+(?:-d\s*0|--lastday[= ]0)|passwd\s+(?:-e|--expire)\b")
 
 
 @rule("error", tags=["CWE-798", "CWE-259"])
 def login_password(robot: Robot) -> Iterator[Finding]:
+    in_containers = set(_of_containers(robot))
     for source, run in robot.scripts.run("chpasswd", "passwd", "useradd", "usermod"):
         if EXPIRES.search(source.said):
             continue
@@ -62,6 +66,7 @@ def login_password(robot: Robot) -> Iterator[Finding]:
                 f"The password of {user} is in this script: everybody with a copy of it can log in on the robot",
                 advice="lock the password and log in with keys, or make a password for each robot at its first boot",
                 secrets=[password],
+                severity="info" if source in in_containers else None,
                 confidence=None if run.certain else "medium",
             )
     for login in robot.user_data_logins:
@@ -79,6 +84,18 @@ def _of_user_data(user: str, password: Located) -> Finding:
         severity="warning" if hashed else None,
         secrets=[password],
     )
+
+
+def _of_containers(robot: Robot) -> Iterator[Source]:
+    """The scripts that containers start, where no image and none of the scripts lets somebody log in from outside."""
+    if any(SERVER.search(each.text) for each in robot.files.of_kind("dockerfile", "compose")):
+        return
+    started = {
+        runner.reads(str(line.program)) for runner in robot.runners.all if runner.in_container for line in runner.main
+    }
+    for source in robot.files.of_kind("shell-script"):
+        if (source in started or "entrypoint" in source.basename) and not SERVER.search(source.text):
+            yield source
 
 
 def _set(run: Run) -> Iterator[tuple[str, Located]]:

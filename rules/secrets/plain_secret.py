@@ -10,7 +10,8 @@ where the image lets somebody log in.
 
 Not reported: variables, paths of credential files, placeholders such as `<your-password>`, and environment files
 that only root and a group can read. A weak or well-known value, and one in a comment, is a warning; a sample value,
-and the name of the user as the password of another machine, is info. Places of a file with the same value are one
+the name of the user as the password of another machine, and a password of an Ansible inventory that names no host but
+`localhost`, is info. Places of a file with the same value are one
 finding.
 
 ## Why it matters on a robot

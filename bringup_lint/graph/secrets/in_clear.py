@@ -98,7 +98,8 @@ class Secret(NamedTuple):
     weak: bool
     """A well-known stand-in such as ``changeme``, which nevertheless works as a password."""
     sample: bool
-    """A sample of a documentation, by its own word (it ends in EXAMPLE), or an account for everybody."""
+    """A sample of a documentation, by its own word (it ends in EXAMPLE), an account for everybody, or one of a
+    container on the computer that runs Ansible."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -148,7 +149,9 @@ class Secrets:
         for password in in_wifi_files(self.files):
             yield from _one(_of_password(password, "file"))
         for password in in_variables(self.files):
-            yield from _one(secret(password.name, password.value, "file"))
+            found = secret(password.name, password.value, "file")
+            if found is not None:
+                yield found._replace(sample=found.sample or password.local)
         for password in given_to_programs(self.files):
             yield from _one(_of_password(password, "program"))
         for password in in_images(self.files):

@@ -28,6 +28,7 @@ _VARIABLES = (
     regex(r"(?<![\w#])(?P<name>ansible_\w*pass(?:word)?)[ \t]*=[ \t]*" + _WORD + r"(?=\s|$)"),
 )
 """Variables of Ansible: YAML, and the words of an inventory."""
+_LOCAL = regex(r"localhost|127(?:\.\d{1,3}){3}|::1")
 
 _SUDO = r"(?:sudo[ \t]+(?:-\w+[ \t]+)*)?"
 _SECRET = r"(?P<value>[^\s\"'`$|;&<>\\{}]{1,100})"
@@ -70,6 +71,8 @@ class Password(NamedTuple):
     """The same word as the user's name: everybody tries it first."""
     factory: bool = False
     """The same word as the name of the user to log in as, on another machine: what a vendor sets and documents."""
+    local: bool = False
+    """It opens the computer itself on which Ansible runs, or a container there."""
 
 
 def in_wifi_files(files: Files) -> Iterator[Password]:
@@ -85,9 +88,23 @@ def in_variables(files: Files) -> Iterator[Password]:
     """The variables of Ansible's hosts, groups and roles."""
     for source in files.of_kind("ansible-vars"):
         if source.judged and not source.text.startswith("$ANSIBLE_VAULT"):
+            local = _is_of_local_hosts(source)
             for match in (match for pattern in _VARIABLES for match in pattern.finditer(source.text)):
                 if not _is_comment(source.text, match.start()):
-                    yield Password(match["name"], source.located(*match.span("value")))
+                    yield Password(match["name"], source.located(*match.span("value")), local=local)
+
+
+def _is_of_local_hosts(source: Source) -> bool:
+    """Whether an inventory names no host but this computer."""
+    hosts = []
+    in_hosts = source.basename.endswith((".ini", "hosts", "inventory"))
+    for line in source.text.splitlines() if in_hosts else ():
+        words = line.split("#", 1)[0].split()
+        if words and words[0].startswith("["):
+            in_hosts = ":" not in line
+        elif words and in_hosts:
+            hosts.append(words[0])
+    return bool(hosts) and all(_LOCAL.fullmatch(host) for host in hosts)
 
 
 def given_to_programs(files: Files) -> Iterator[Password]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator
 from enum import Enum
 
@@ -11,15 +12,25 @@ from bringup_lint.graph.systemd.restart import RestartPolicy
 from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.graph.systemd.units import Units
 from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Span
 
 SLOW = 60.0
 """Seconds between restarts from which a loop is a deliberate, harmless retry."""
+PATIENT = 10.0
+"""The same, of a service that sets no limit of its own."""
 FAST = 1.0
 """Seconds between restarts below which an endless loop loads the computer and the journal."""
 FAILING_LAUNCH = 1.0
 """Seconds that ros2 launch needs at least to start and fail."""
+
+_RELAY = regex(
+    r"(?:micro_?ros_agent|MicroXRCEAgent|rosbridge_\w+|foxglove_bridge|rmw_zenohd|zenohd|zenoh-bridge\S*|domain_bridge"
+    r"|ptp4l|phc2sys|ser2net|socat|autossh|frpc|cloudflared|mavproxy|mavlink-router\w*)(?:[.-]|$|_launch)",
+    re.I,
+)
+"""Programs that do nothing but connect to something, and that end when it is not there."""
 
 
 class Outcome(Enum):
@@ -116,7 +127,7 @@ def restart_loop(unit: Unit, policy: RestartPolicy, units: Units) -> Loop | None
     if not unit.complete or not policy.known or not policy.restarts or policy.misplaced:
         return None
     if policy.never_trips:
-        return _endless(policy)
+        return _endless(policy, _waits_for_peer(unit, units))
     if policy.leaves_no_time:
         return Loop(Outcome.NO_TIME_LEFT, False)
     if policy.interval_at or policy.burst_at:
@@ -129,10 +140,22 @@ def restart_loop(unit: Unit, policy: RestartPolicy, units: Units) -> Loop | None
     return Loop(Outcome.SLOW_FAILURE, False) if slow else None
 
 
-def _endless(policy: RestartPolicy) -> Loop | None:
+def _waits_for_peer(unit: Unit, units: Units) -> bool:
+    """Whether a service only relays for a board, a browser or a clock that may come at any time: it retries until
+    then."""
+    for process in units.started(unit):
+        programs = [process.program, *(ros.where for _, ros in process.ros)]
+        if any(_RELAY.match(program.rpartition("/")[2]) for program in programs):
+            return True
+    return False
+
+
+def _endless(policy: RestartPolicy, waits: bool) -> Loop | None:
     if policy.steps and policy.longest >= SLOW:
         return None
     if not policy.limited:
         return Loop(Outcome.NO_LIMIT, policy.longest < FAST)
-    is_unwanted = policy.own_limit or policy.restart == "always"
-    return Loop(Outcome.NEVER_TRIPS, is_unwanted and policy.longest < SLOW)
+    if policy.own_limit:
+        return Loop(Outcome.NEVER_TRIPS, policy.longest < SLOW)
+    retries = waits or policy.restart != "always" or policy.longest >= PATIENT
+    return Loop(Outcome.NEVER_TRIPS, not retries)
