@@ -55,6 +55,7 @@ if TYPE_CHECKING:
     from bringup_lint.model.launch import SetEnv
     from bringup_lint.model.launch import SetParameter
     from bringup_lint.model.launch import Timer
+    from bringup_lint.model.launch import Wait
     from bringup_lint.model.launch import walk_actions
     from bringup_lint.model.launch_values import Argument
     from bringup_lint.model.launch_values import Choice
@@ -125,6 +126,7 @@ __all__ = [
     "UntypedController",
     "Used",
     "Value",
+    "Wait",
     "check_of",
     "delayed",
     "exclusive",

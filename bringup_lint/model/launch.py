@@ -240,6 +240,16 @@ class Call(NamedTuple):
     """Inside a function that only the run calls, not while the description is built."""
 
 
+class Wait(NamedTuple):
+    """A call in a launch file's own code that holds up the whole launch."""
+
+    name: str
+    """The function that pauses, or the program that is run to its end."""
+    span: Span
+    seconds: float | None = None
+    """Of a pause, all rounds of its loop together; None for a program, whose failure is an exception."""
+
+
 class ObjectAsValue(NamedTuple):
     """A ``LaunchConfiguration`` that code takes for its text."""
 
@@ -289,6 +299,7 @@ class LaunchFile:
     ``nothing`` in ``parameters=``, ``remapping``."""
     objects: list[ObjectAsValue] = field(default_factory=list)
     bare_excepts: list[Span] = field(default_factory=list)
+    waits: list[Wait] = field(default_factory=list)
     tag: Tag | None = None
     """The root of an XML or YAML file, as it is written."""
     ros1: list[Located] = field(default_factory=list)

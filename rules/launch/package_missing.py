@@ -2,7 +2,9 @@
 
 ## What it finds
 Two kinds of packages. A name that no package of this workspace has, but that is close to one that exists, is an
-error. A package on which the launching package does not depend is info.
+error. A package on which the launching package does not depend is info; it is a warning when it is a public package
+that is started without any argument, and no package.xml, script, image, list of repositories or documentation of the
+tree names it.
 
 ## Why it matters on a robot
 launch aborts with "package 'my_robot_drivers' not found". A dependency that is missing in package.xml works on the
@@ -27,6 +29,7 @@ When the image installs the package by other means than rosdep, for example as a
 - ament_index, `get_package_prefix`
 """
 
+import os
 import re
 from collections.abc import Iterator
 
@@ -34,6 +37,7 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Fix
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -41,6 +45,7 @@ from bringup_lint.api import launch
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.launch import Started
 from bringup_lint.api.spelling import nearest
 
 BESIDE = ("exec_depend", "run_depend", "depend")
@@ -58,45 +63,89 @@ PLACEHOLDER = regex(r"^(?:your|my)_(?:package|pkg|robot|node)|package_name$")
 def package_missing(robot: Robot) -> Iterator[Finding]:
     workspace = robot.launch.workspace
     seen = set()
+    lacking: dict[launch.Package, list[Located]] = {}
     for node in robot.launch.nodes:
         package = launch.literal_text(node.package)
         owner = workspace.owner(node.file.source)
         if package is None or owner is None or package == owner.name or owner.depends_on(package):
             continue
-        known = (
-            package in workspace.packages or package in workspace.ambiguous or robot.launch.is_known_package(package)
-        )
-        near = nearest(package, sorted(workspace.packages)) if not known and len(package) > 5 else []
-        near = [other for other in near if re.sub(r"\d", "", other) != re.sub(r"\d", "", package)]
-        if near:
+        near = _near(robot, package)
+        if near is not None:
             yield finding(
                 package,
                 f"Package '{package}' not found: launch aborts",
-                advice=f"start it from '{near[0]}'",
+                advice=f"start it from '{near.name}'",
                 chain=robot.provenance.chain_to_node(node),
-                related=[note(workspace.packages[near[0]].place, "the package of the workspace")],
-                fix=fix(f"write {near[0]}", (package, near[0]), safe=False) if package.span.text == package else None,
+                related=[note(near.place, "the package of the workspace")],
+                fix=fix(f"write {near.name}", (package, near.name), safe=False)
+                if package.span.text == package
+                else None,
             )
         elif not robot.launch.comes_with(owner, package) and (owner.name, package) not in seen:
             seen.add((owner.name, str(package)))
             own = package in workspace.packages or package in workspace.ambiguous
             if not own and PLACEHOLDER.search(package):
                 continue
-            starts = workspace.packages.get(package)
-            is_above = starts is not None and owner.name in workspace.required(starts)
-            built = f"colcon build --packages-up-to {owner.name} leaves it out"
-            effect = built if own else "rosdep does not install it"
-            tag = owner.manifest.tag_at_runtime
-            yield finding(
-                package,
-                f"{package} is not {NAMED[tag]} of {owner.name}: {effect}",
-                advice=f"{package} depends on {owner.name}: start it from a launch file of {package}"
-                if is_above
-                else f"add <{tag}>{package}</{tag}> to the package.xml",
-                related=[note(owner.place, "the package that starts it")],
-                fix=None if is_above else dependency(owner, package),
-                severity="info",
-            )
+            if not own and _is_lacking(robot, node, package):
+                lacking.setdefault(owner, []).append(package)
+            else:
+                yield _undeclared(robot, owner, package, own)
+    for owner, packages in lacking.items():
+        yield _lacking(owner, packages)
+
+
+def _near(robot: Robot, package: Located) -> launch.Package | None:
+    """The package of the workspace that is meant by a name which nobody has."""
+    workspace = robot.launch.workspace
+    known = package in workspace.packages or package in workspace.ambiguous or robot.launch.is_known_package(package)
+    near = nearest(package, sorted(workspace.packages)) if not known and len(package) > 5 else []
+    names = [other for other in near if re.sub(r"\d", "", other) != re.sub(r"\d", "", package)]
+    return workspace.packages[names[0]] if names else None
+
+
+def _undeclared(robot: Robot, owner: launch.Package, package: Located, own: bool) -> Finding:
+    workspace = robot.launch.workspace
+    starts = workspace.packages.get(package)
+    is_above = starts is not None and owner.name in workspace.required(starts)
+    built = f"colcon build --packages-up-to {owner.name} leaves it out"
+    tag = owner.manifest.tag_at_runtime
+    return finding(
+        package,
+        f"{package} is not {NAMED[tag]} of {owner.name}: {built if own else 'rosdep does not install it'}",
+        advice=f"{package} depends on {owner.name}: start it from a launch file of {package}"
+        if is_above
+        else f"add <{tag}>{package}</{tag}> to the package.xml",
+        related=[note(owner.place, "the package that starts it")],
+        fix=None if is_above else dependency(owner, package),
+        severity="info",
+    )
+
+
+def _lacking(owner: launch.Package, packages: list[Located]) -> Finding:
+    first, *others = packages
+    more = "1 other package" if len(others) == 1 else f"{len(others)} other packages"
+    names = f"{first} and {more} are" if others else f"{first} is"
+    tag = owner.manifest.tag_at_runtime
+    return finding(
+        first,
+        f"{names} declared and installed by nothing of this tree: on a fresh robot the launch aborts",
+        advice=f"add <{tag}>{first}</{tag}> to the package.xml of {owner.name}",
+        related=[*(note(other, f"{other} too") for other in others), note(owner.place, "the package that starts it")],
+        fix=dependency(owner, first),
+        severity="warning",
+    )
+
+
+def _is_lacking(robot: Robot, node: Started, package: str) -> bool:
+    """Whether a public package is needed on the robot, and nothing of the tree declares, installs or mentions it."""
+    if node.by_default is not True or robot.launch.simulated(node.file) or not _is_installed(robot, node.file.source):
+        return False
+    return robot.launch.is_known_package(package) and not robot.launch.is_brought(package)
+
+
+def _is_installed(robot: Robot, source: Source) -> bool:
+    owner = robot.launch.workspace.owner(source)
+    return owner is not None and owner.takes(os.path.abspath(source.name))
 
 
 def dependency(owner: launch.Package, package: Located) -> Fix | None:

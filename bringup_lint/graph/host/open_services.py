@@ -15,6 +15,7 @@ from bringup_lint.graph.commands.open_access import open_access
 from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.purpose import Purpose
+from bringup_lint.graph.workspace import place
 from bringup_lint.model.launch_values import Argument
 from bringup_lint.model.launch_values import DictValue
 from bringup_lint.model.launch_values import TypedValue
@@ -75,6 +76,20 @@ def _launched(files: Files, launch: Launch) -> Iterator[OpenService]:
             executable = str(literal_text(node.executable))
             if "rosapi" not in executable and _is_open(node, BRIDGES[package]):
                 yield OpenService("bridge", package, node.span)
+    yield from _included(files, launch)
+
+
+def _included(files: Files, launch: Launch) -> Iterator[OpenService]:
+    """The launch files of the bridges' own packages that a file of the robot includes, with their defaults."""
+    for expansion in launch.expansions:
+        if files.purpose(expansion.entry.source) is not Purpose.ROBOT or launch.simulated(expansion.entry):
+            continue
+        for include in expansion.includes:
+            found = place(include.file) if include.source is expansion.entry and include.target is None else None
+            if found is None or found.package not in BRIDGES or include.conditions or include.action.open:
+                continue
+            if include.source.source.judged and set(include.arguments) <= {"port", "use_sim_time"}:
+                yield OpenService("bridge", found.package, include.action.span)
 
 
 def _is_open(node: Started, limits: tuple[str, ...]) -> bool:
@@ -84,7 +99,7 @@ def _is_open(node: Started, limits: tuple[str, ...]) -> bool:
             return False
         for key, inner in value.items:
             name = text_of(key)
-            if name is None or name in limits:
+            if name is None or (name in limits and _known(inner) not in ("False", "false")):
                 return False
             address = _known(inner) if name == "address" else ""
             if address is None or is_loopback(address):

@@ -19,6 +19,8 @@ from bringup_lint.parsers.launch_python.objects import Sequence
 from bringup_lint.parsers.launch_python.state import Evaluator
 from bringup_lint.parsers.launch_python.state import State
 from bringup_lint.parsers.launch_python.statements import run
+from bringup_lint.parsers.launch_python.waits import MENTIONED
+from bringup_lint.parsers.launch_python.waits import waits
 from bringup_lint.parsers.python_syntax import Positions
 from bringup_lint.parsers.python_syntax import byte_order_mark
 from bringup_lint.parsers.python_syntax import syntax_tree
@@ -40,6 +42,8 @@ def parse(source: Source) -> LaunchFile:
     if tree is None:
         return file
     positions = Positions(source, byte_order_mark(source))
+    if MENTIONED.search(source.text):
+        file.waits += waits(tree, positions)
     state = State(file, positions, Frame({}), Evaluator(evaluate, call, run))
     try:
         _describe(state, tree)
