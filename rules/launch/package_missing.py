@@ -3,8 +3,8 @@
 ## What it finds
 Two kinds of packages. A name that no package of this workspace has, but that is close to one that exists, is an
 error. A package on which the launching package does not depend is info; it is a warning when it is a public package
-that is started without any argument, and no package.xml, script, image, list of repositories or documentation of the
-tree names it.
+that is started without any argument, a script or Dockerfile of the tree runs `rosdep install`, and no package.xml,
+script, image, list of repositories or documentation names the package.
 
 ## Why it matters on a robot
 launch aborts with "package 'my_robot_drivers' not found". A dependency that is missing in package.xml works on the
@@ -55,6 +55,8 @@ REST = regex(r"[ \t]*(?:<!--[^\n<>]*-->[ \t]*)?(?=\r?\n)")
 """The end of a line that has nothing or a comment."""
 DEPENDENCY = regex(r"[ \t]*<\w+_?depend\b")
 PLACEHOLDER = regex(r"^(?:your|my)_(?:package|pkg|robot|node)|package_name$")
+
+ROSDEP = regex(r"\brosdep\s+install\b")
 
 
 @rule(
@@ -128,7 +130,7 @@ def _lacking(owner: launch.Package, packages: list[Located]) -> Finding:
     tag = owner.manifest.tag_at_runtime
     return finding(
         first,
-        f"{names} declared and installed by nothing of this tree: on a fresh robot the launch aborts",
+        f"{names} declared and installed by nothing of this tree: after its rosdep install, the launch aborts",
         advice=f"add <{tag}>{first}</{tag}> to the package.xml of {owner.name}",
         related=[*(note(other, f"{other} too") for other in others), note(owner.place, "the package that starts it")],
         fix=dependency(owner, first),
@@ -137,8 +139,11 @@ def _lacking(owner: launch.Package, packages: list[Located]) -> Finding:
 
 
 def _is_lacking(robot: Robot, node: Started, package: str) -> bool:
-    """Whether a public package is needed on the robot, and nothing of the tree declares, installs or mentions it."""
+    """Whether a public package is needed on the robot, which rosdep sets up, and nothing of the tree declares, installs
+    or mentions it."""
     if node.by_default is not True or robot.launch.simulated(node.file) or not _is_installed(robot, node.file.source):
+        return False
+    if not any(ROSDEP.search(each.text) for each in robot.files.of_kind("dockerfile", "shell-script", "ansible")):
         return False
     return robot.launch.is_known_package(package) and not robot.launch.is_brought(package)
 

@@ -4,7 +4,8 @@
 `ros2 ... &`, `roslaunch ... &` or a server such as `gst-launch-1.0`, `MicroXRCEAgent` or `zenohd` with `&` in the
 shell text or script of ExecStart=, and `python3 ... &`, `node ... &` or `bash -c '...' &` in the shell text itself.
 It is an error when nothing keeps the shell running after the job, and a warning otherwise. All jobs of a service are
-one finding. Services with Type=oneshot, Type=forking or RemainAfterExit= are exempt, and shells with `wait -n`.
+one finding. Jobs that a service with RemainAfterExit= leaves running are a warning, and so are two and more of
+Type=forking without PIDFile=. Other services with Type=oneshot are exempt, and shells with `wait -n`.
 
 ## Why it matters on a robot
 The shell is the main process. When it exits, systemd considers the service finished and kills the job. When
@@ -47,12 +48,35 @@ from bringup_lint.api.systemd import Unit
 def shell_background_job(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         remains = unit.flag("RemainAfterExit")
-        if unit.get("Type") in ("oneshot", "forking") or remains or remains.unknown:
+        if remains.unknown:
+            continue
+        leaves = bool(remains) or unit.get("Type") == "forking"
+        if unit.get("Type") == "oneshot" and not leaves:
             continue
         for process in robot.units.started(unit):
             jobs = list(background_jobs(process))
-            if jobs:
+            if jobs and not leaves:
                 yield _finding(unit, process, jobs)
+            elif leaves and not unit.has("PIDFile"):
+                yield from _left(unit, process, jobs)
+
+
+def _left(unit: Unit, process: Process, jobs: list[Job]) -> Iterator[Finding]:
+    """The jobs that a command leaves running when it ends, where the unit stays active all the same. Of one job with
+    Type=forking, systemd finds the main process by itself."""
+    if not jobs or (len(jobs) == 1 and unit.get("Type") == "forking"):
+        return
+    (first, _), *others = jobs
+    yield finding(
+        first.command.words[0],
+        f"Nothing watches this background job: when it dies, {unit.name} stays active, and nothing restarts it",
+        advice="run each program in the foreground of a unit of its own, with Type=exec",
+        related=[
+            note(process.program, "the command that leaves it running"),
+            *(note(other.command.words[0], "this job too") for other, _ in others),
+        ],
+        severity="warning",
+    )
 
 
 def _finding(unit: Unit, process: Process, jobs: list[Job]) -> Finding:

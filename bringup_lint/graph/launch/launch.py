@@ -414,7 +414,11 @@ class Launch:
         family = name.partition("_")[0] + "_"
         if name in BASE or any(depend == name or depend.startswith(family) for depend in depends):
             return True
-        return name in self._words or (name in DESKTOP and any("desktop" in word for word in self._words))
+        parts = name.split("_")
+        if any("_".join(parts[:end]) in self._words for end in range(max(2, len(parts) - 2), len(parts) + 1)):
+            return True
+        wholes = {"nav2": "navigation2", "opennav": "navigation2"}
+        return wholes.get(parts[0]) in self._words or (name in DESKTOP and any("desktop" in w for w in self._words))
 
     @cached_property
     def _words(self) -> frozenset[str]:
