@@ -50,6 +50,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.systemd.restart_loop import CrashLoop
     from bringup_lint.graph.systemd.restart_loop import Outcome
     from bringup_lint.graph.systemd.restart_loop import crash_loops
+    from bringup_lint.graph.systemd.restart_loop import only_connects
     from bringup_lint.graph.systemd.restart_loop import sufficient_limit
     from bringup_lint.graph.systemd.sandbox import Sandbox
     from bringup_lint.graph.systemd.sandbox import View
@@ -131,6 +132,7 @@ __all__ = [
     "misspelt_trigger",
     "move_lines",
     "needless_root",
+    "only_connects",
     "open_access",
     "paths",
     "reads_display_of_root",

@@ -4,6 +4,7 @@ blockinfile and lineinfile; ``write_files``)."""
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.model.yaml_node import Scalar
@@ -17,6 +18,8 @@ _MODULES = frozenset({"copy", "template", "blockinfile", "lineinfile"})
 _CONTENTS = {"content": False, "block": True, "line": True}
 """Key that holds the text of a file -> whether the text is added to the file."""
 _VARIABLE = regex(r"\{\{ *(?P<name>\w+) *\}\}")
+
+_ITEM = regex(r"\{\{ *(?P<name>item(?:\.\w+)?) *\}\}")
 
 
 class Put(NamedTuple):
@@ -39,11 +42,44 @@ def puts(source: Source) -> Iterator[Put]:
     for node in nodes:
         for key, value in node.entries:
             if isinstance(value, Mapping) and key.value.rpartition(".")[2] in _MODULES:
-                yield from _put(value, node.get("when") is None and node.get("loop") is None, variables)
+                items = _items(node)
+                certain = node.get("when") is None and (node.get("loop") is None or items != [{}])
+                for item in items:
+                    yield from _put(_filled(value, item), certain, variables)
         files = node.sequence("write_files")
         for each in files or ():
             if isinstance(each, Mapping) and each.get("encoding") is None:
                 yield from _put(each, True, variables)
+
+
+def _items(task: Mapping) -> list[dict[str, Scalar]]:
+    """What a loop over a list of the task itself puts in the place of ``item`` and ``item.key``, round by round; one
+    round with nothing where there is no such loop."""
+    given = task.sequence("loop") or task.sequence("with_items")
+    rounds: list[dict[str, Scalar]] = []
+    for each in given or ():
+        if isinstance(each, Scalar):
+            rounds.append({"item": each})
+        elif isinstance(each, Mapping):
+            keys = {f"item.{key.value}": value for key, value in each.entries if isinstance(value, Scalar)}
+            rounds.append(keys)
+    return rounds or [{}]
+
+
+def _filled(module: Mapping, item: dict[str, Scalar]) -> Mapping:
+    """The settings of a module in one round of a loop; a value that is the item has the place of the item."""
+    if not item:
+        return module
+    pairs = [(key, _with_item(value, item) if isinstance(value, Scalar) else value) for key, value in module.pairs]
+    return replace(module, pairs=pairs)
+
+
+def _with_item(value: Scalar, item: dict[str, Scalar]) -> Scalar:
+    whole = _ITEM.fullmatch(value.value)
+    if whole is not None:
+        return item.get(whole["name"], value)
+    text = _ITEM.sub(lambda match: str(item[match["name"]].value) if match["name"] in item else match[0], value.value)
+    return value if text == value.value else replace(value, value=Located(text, value.value.span))
 
 
 def _variables(nodes: list[Mapping]) -> dict[str, str]:

@@ -1,8 +1,9 @@
 """Nothing restarts the ROS service when it exits.
 
 ## What it finds
-A ROS service without Restart= that should keep running: it is not Type=oneshot or Type=forking, no timer or
-path unit starts it, and it runs more than a command-line tool such as ros2 topic. It is an info in two cases:
+A service of ROS, or one that only connects to a board, a clock or another computer (MicroXRCEAgent, ptp4l), without
+Restart= that should keep running: it is not Type=oneshot or Type=forking, no timer or path unit starts it, and it runs
+more than a command-line tool such as ros2 topic. It is an info in two cases:
 
 - Restart=no is set explicitly, which is a decision;
 - the start script of the service is not in the tree.
@@ -47,6 +48,7 @@ from bringup_lint.api import fix
 from bringup_lint.api import rule
 from bringup_lint.api.systemd import Unit
 from bringup_lint.api.systemd import Units
+from bringup_lint.api.systemd import only_connects
 
 TOOLS = "cli"
 
@@ -54,7 +56,9 @@ TOOLS = "cli"
 @rule("warning", fix="unsafe")
 def restart_missing(robot: Robot) -> Iterator[Finding]:
     units = robot.units
-    for unit in (*units.ros, *units.ros1, *units.presumed_ros):
+    ros = [*units.ros, *units.ros1, *units.presumed_ros]
+    agents = [unit for unit in units.services if unit not in ros and only_connects(unit, units)]
+    for unit in (*ros, *agents):
         policy = units.restart(unit)
         if policy.restart != "no" or not unit.complete or unit.name in units.triggered:
             continue

@@ -6,7 +6,7 @@ A service of the system manager that runs as root (`User=` is not set or is root
 
 - ROS;
 - in a long-running service: an interpreter with a script of the robot;
-- in a long-running service: a program in somebody's home folder;
+- a program in somebody's home folder;
 - in a long-running service: a plain network relay such as socat.
 
 Commands that change the user themselves, containers, and programs whose XAUTHORITY= is a file of root are exempt.
@@ -63,11 +63,14 @@ TEXTS = {
     Work.ROS: "ROS",
     Work.PROBABLY_ROS: "{name} (probably ROS: it is not in this tree)",
     Work.IN_HOME: "{name}, which user {owner} can change,",
+    Work.SET_UP_IN_HOME: "{name}, which user {owner} can change,",
     Work.OWN_SCRIPT: "{name}",
     Work.OWN_PROGRAM: "{name}",
     Work.RELAY: "{name}, which needs no root,",
 }
-CERTAIN = (Work.ROS, Work.IN_HOME)
+CERTAIN = (Work.ROS, Work.IN_HOME, Work.SET_UP_IN_HOME)
+OWN_USER = "add a User= of its own, and SupplementaryGroups= for the devices that it opens"
+MOVE = "move it to /usr/local/sbin, where only root may write"
 
 
 @rule(
@@ -104,12 +107,13 @@ def root_user(robot: Robot) -> Iterator[Finding]:
 
 def _without_user(robot: Robot, unit: Unit, needless: NeedlessRoot, others: set[str | None]) -> Finding:
     user = unit.identity.user
+    sets_up = needless.work is Work.SET_UP_IN_HOME
     return finding(
         user or unit.where,
         f"{unit.name} runs {_text(needless)} as root" + ("" if user else ": it has no User="),
-        advice="add a User= of its own, and SupplementaryGroups= for the devices that it opens",
+        advice=MOVE if sets_up else OWN_USER,
         related=[note(needless.where, "the unit starts it here")],
-        fix=_fix(unit, others),
+        fix=None if sets_up else _fix(unit, others),
         severity="info" if _is_separated(robot, unit) else None,
         confidence="high" if needless.work in CERTAIN else "medium",
     )

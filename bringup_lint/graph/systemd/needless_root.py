@@ -45,6 +45,7 @@ class Work(Enum):
     ROS = "ROS"
     PROBABLY_ROS = "a script outside the tree, in a tree for ROS"
     IN_HOME = "a program in the home of a user, who can change it"
+    SET_UP_IN_HOME = "the same, once: what sets something up may need root"
     OWN_SCRIPT = "a script that the distribution does not ship"
     OWN_PROGRAM = "a program that no package of the distribution brings"
     RELAY = "a program that relays data"
@@ -56,7 +57,7 @@ class NeedlessRoot(NamedTuple):
     work: Work
     where: Located
     owner: str = ""
-    """For ``IN_HOME``: the user."""
+    """For ``IN_HOME`` and ``SET_UP_IN_HOME``: the user."""
 
 
 def reads_display_of_root(unit: Unit, units: Units) -> bool:
@@ -81,13 +82,14 @@ def needless_root(process: Process, units: Units) -> NeedlessRoot | None:
     script = process.script_outside_tree
     if script is not None and process.unit in units.presumed_ros:
         return NeedlessRoot(Work.PROBABLY_ROS, script)
-    if process.unit.get("Type") in ("oneshot", "forking"):
-        return None
     paths = [word for word in process.argv[:2] if word.startswith("/")]
+    ends = process.unit.get("Type") in ("oneshot", "forking")
     for path in paths:
         home = _HOME.match(path)
         if home:
-            return NeedlessRoot(Work.IN_HOME, path, home[1])
+            return NeedlessRoot(Work.SET_UP_IN_HOME if ends else Work.IN_HOME, path, home[1])
+    if ends:
+        return None
     if _INTERPRETER.match(process.name) and len(paths) > 1 and not paths[1].startswith(_OF_DISTRIBUTION):
         return NeedlessRoot(Work.OWN_SCRIPT, paths[1])
     if process.name in _RELAYS:

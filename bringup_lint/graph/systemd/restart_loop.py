@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterator
 from enum import Enum
 
+from bringup_lint.graph.commands.wrappers import unwrapped
 from bringup_lint.graph.systemd.restart import DEFAULT_BURST
 from bringup_lint.graph.systemd.restart import RestartPolicy
 from bringup_lint.graph.systemd.unit import Unit
@@ -27,7 +28,7 @@ FAILING_LAUNCH = 1.0
 
 _RELAY = regex(
     r"(?:micro_?ros_agent|MicroXRCEAgent|rosbridge_\w+|foxglove_bridge|rmw_zenohd|zenohd|zenoh-bridge\S*|domain_bridge"
-    r"|ptp4l|phc2sys|ser2net|socat|autossh|frpc|cloudflared|mavproxy|mavlink-router\w*)(?:[.-]|$|_launch)",
+    r"|ptp4l|phc2sys|ser2net|autossh|frpc|cloudflared|mavproxy|mavlink-router\w*)(?:[.-]|$|_launch)",
     re.I,
 )
 """Programs that do nothing but connect to something, and that end when it is not there."""
@@ -127,7 +128,7 @@ def restart_loop(unit: Unit, policy: RestartPolicy, units: Units) -> Loop | None
     if not unit.complete or not policy.known or not policy.restarts or policy.misplaced:
         return None
     if policy.never_trips:
-        return _endless(policy, _waits_for_peer(unit, units))
+        return _endless(policy, only_connects(unit, units))
     if policy.leaves_no_time:
         return Loop(Outcome.NO_TIME_LEFT, False)
     if policy.interval_at or policy.burst_at:
@@ -140,11 +141,13 @@ def restart_loop(unit: Unit, policy: RestartPolicy, units: Units) -> Loop | None
     return Loop(Outcome.SLOW_FAILURE, False) if slow else None
 
 
-def _waits_for_peer(unit: Unit, units: Units) -> bool:
+def only_connects(unit: Unit, units: Units) -> bool:
     """Whether a service only relays for a board, a browser or a clock that may come at any time: it retries until
     then."""
     for process in units.started(unit):
-        programs = [process.program, *(ros.where for _, ros in process.ros)]
+        commands = [process.argv, *(step.command.words for step in process.steps)]
+        programs = [words[0] for words in map(unwrapped, commands) if words]
+        programs += [ros.where for _, ros in process.ros]
         if any(_RELAY.match(program.rpartition("/")[2]) for program in programs):
             return True
     return False
