@@ -52,10 +52,12 @@ INTERFACE = regex(r"^[ \t]*interface=(?P<name>[\w.-]{1,15})[ \t\r]*$", re.M)
 @rule("warning", symptoms=["nl80211: Could not configure driver mode", "AP-DISABLED"])
 def access_point_conflict(robot: Robot) -> Iterator[Finding]:
     taken = list(_of_hostapd(robot))
-    for interface in robot.netplan.interfaces if taken else ():
+    if not taken:
+        return
+    for interface in robot.netplan.interfaces:
         joined = [point for point in interface.access_points if point.mode != "ap"]
-        for name in taken if joined else ():
-            if interface.device == name and robot.same_robot(name, joined[0].ssid):
+        for name in taken:
+            if joined and interface.device == name and robot.same_robot(name, joined[0].ssid):
                 yield finding(
                     joined[0].ssid,
                     f"netplan connects {name} to a network, and hostapd opens an access point on it: they take it away "

@@ -96,9 +96,11 @@ def in_variables(files: Files) -> Iterator[Password]:
 
 def _is_of_local_hosts(source: Source) -> bool:
     """Whether an inventory names no host but this computer."""
+    if not source.basename.endswith((".ini", "hosts", "inventory")):
+        return False
     hosts = []
-    in_hosts = source.basename.endswith((".ini", "hosts", "inventory"))
-    for line in source.text.splitlines() if in_hosts else ():
+    in_hosts = True
+    for line in source.text.splitlines():
         words = line.split("#", 1)[0].split()
         if words and words[0].startswith("["):
             in_hosts = ":" not in line
