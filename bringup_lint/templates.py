@@ -73,12 +73,25 @@ _STAND_IN = regex(
     r"|placeholder|todo|none|null|n/?a",
     re.IGNORECASE | re.DOTALL,
 )
+_RUN_TOGETHER = regex(r"(?:[Yy]our|[Mm]y|[Ee]nter|[Ii]nsert|[Ss]ome)(?:[A-Z][a-z]+|SSID|WiFi|PSK|WPA)+\d*(?:Here)?")
+"""``YourNetworkPassword``: words that begin with capitals."""
+_TEMPLATE_NAME = regex(
+    r"(?:^|[._-])(?:template|sample|example|placeholder)s?(?=[._-]|\d|$)|[.-](?:dist|tmpl|default)s?(?=$|\.)"
+    r"|(?<=[a-z])(?-i:Template|Sample|Example)s?(?=[._-]|\d|$)",
+    re.IGNORECASE,
+)
 _EXAMPLE_FOLDER = regex(r"(?:^|/)(?:examples?|docs?|documentation|samples?|demo)/", re.IGNORECASE)
 
 
 def is_stand_in(value: str) -> bool:
     """Whether a value only stands in for the real one: ``<your-password>``, ``${PSK}``, ``CHANGE_ME``."""
-    return len(value) < 200 and bool(_STAND_IN.fullmatch(value.strip()))
+    text = value.strip()
+    return len(value) < 200 and bool(_STAND_IN.fullmatch(text) or _RUN_TOGETHER.fullmatch(text))
+
+
+def is_named_template(name: str) -> bool:
+    """Whether the name of a file says that it is to be copied and filled in: ``wifi.example.env``."""
+    return bool(_TEMPLATE_NAME.search(name))
 
 
 def is_example(name: str) -> bool:

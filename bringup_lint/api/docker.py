@@ -8,6 +8,9 @@ from bringup_lint.on_demand import on_demand
 
 if TYPE_CHECKING:
     from bringup_lint.graph.build_context import lacking_sources
+    from bringup_lint.graph.container_folders import CONTAINER_KINDS
+    from bringup_lint.graph.container_folders import container_folders
+    from bringup_lint.graph.container_folders import is_in_container
     from bringup_lint.graph.devcontainers import Broken
     from bringup_lint.graph.devcontainers import broken_references
     from bringup_lint.graph.image_use import is_deployed
@@ -29,6 +32,7 @@ else:
     __getattr__ = on_demand(globals())
 
 __all__ = [
+    "CONTAINER_KINDS",
     "Broken",
     "Dockerfile",
     "Runner",
@@ -38,10 +42,12 @@ __all__ = [
     "can_be_pulled",
     "commands_of",
     "commands_of_run",
+    "container_folders",
     "expanded",
     "image_name",
     "image_user",
     "is_deployed",
+    "is_in_container",
     "lacking_sources",
     "last_user",
     "runs_as_root",

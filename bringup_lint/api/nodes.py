@@ -40,9 +40,11 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.undefined_names import undefined
     from bringup_lint.graph.nodes.questions.unsafe_ends import unsafe_ends
     from bringup_lint.graph.topics.questions.undeclared import asked_in_vain
+    from bringup_lint.graph.topics.questions.undeclared import is_called_nowhere
     from bringup_lint.graph.topics.questions.undeclared import unset
     from bringup_lint.model.node_source import Callback
     from bringup_lint.model.node_source import Endpoint
+    from bringup_lint.model.node_source import NodeSource
     from bringup_lint.model.node_source import Timer
 else:
     __getattr__ = on_demand(globals())
@@ -51,6 +53,7 @@ __all__ = [
     "UNTIL_TIMEOUT",
     "Callback",
     "Endpoint",
+    "NodeSource",
     "Purpose",
     "Timer",
     "asked_in_vain",
@@ -63,6 +66,7 @@ __all__ = [
     "handler_never_runs",
     "held",
     "import_edits",
+    "is_called_nowhere",
     "lowered",
     "moves",
     "never_run",

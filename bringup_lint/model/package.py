@@ -25,6 +25,8 @@ class Manifest:
     """Tag -> the last dependency with it."""
     format: int = 1
     """Of the manifest: the first one has ``run_depend`` and no ``exec_depend``."""
+    for_both: bool = False
+    """Conditions on ROS_VERSION make it a package of ROS 1 as well."""
     problems: list[Problem] = field(default_factory=list)
 
     @property

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 import re
 from collections.abc import Iterator
 
@@ -15,6 +16,7 @@ _ASSIGNMENT = regex(
     r"""^[ \t]*(?:export[ \t]+|readonly[ \t]+)?(\w+)[ \t]*[:?]?=[ \t]*["']?([\w./:-]+)["']?[ \t]*$""", re.M
 )
 _VARIABLE = regex(r"\$(?:\{(\w+)\}|\((\w+)\)|(\w+))")
+_CD = regex(r"(?<![\w-])cd[ \t]+([\w./-]+)[ \t]*(?:&&|;)")
 _VALUED = frozenset(
     "--add-host --build-arg --build-context --builder --cache-from --cache-to --cgroup-parent --file --iidfile --label"
     " --load --memory --metadata-file --network --no-cache-filter --output --platform --progress --secret --shm-size"
@@ -40,7 +42,18 @@ def _build(source: Source, match: re.Match[str], values: dict[str, str]) -> Imag
     names = tuple(value for option, value in options if option in ("-t", "--tag"))
     last = dict(options)
     dockerfile = last.get("-f") or last.get("--file") or ""
+    folder = _folder(source.text, match.start())
+    if folder:
+        context = posixpath.join(folder, context or ".")
+        dockerfile = dockerfile and posixpath.join(folder, dockerfile)
     return ImageBuild(names, context, dockerfile, last.get("--target", ""), source.located(match.start(), match.end()))
+
+
+def _folder(text: str, at: int) -> str:
+    """Where ``cd`` goes before a command on the same line; empty when it does not."""
+    before = text[text.rfind("\n", 0, at) + 1 : at]
+    found = [match[1] for match in _CD.finditer(before)]
+    return posixpath.join(*found) if found else ""
 
 
 def _words(text: str, values: dict[str, str]) -> Iterator[str]:

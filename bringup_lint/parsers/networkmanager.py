@@ -79,7 +79,8 @@ def fault_of(item: Item, text: str) -> Fault | None:
     if item.type == "bool":
         return None if text in TRUE + FALSE else Fault(Code.BOOL, "true or false", False)
     if item.type == "int":
-        return None if _INTEGER.fullmatch(text) else Fault(Code.NUMBER, "a number", False)
+        fits = text in item.words or _INTEGER.fullmatch(text)
+        return None if fits else Fault(Code.NUMBER, listed(("a number", *item.words)), False)
     if item.type == "enum":
         return None if text in item.words else Fault(Code.ENUM, listed(item.words))
     if item.type.startswith("address") and not _addresses(text, item):

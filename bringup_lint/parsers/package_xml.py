@@ -4,12 +4,16 @@ from __future__ import annotations
 
 from bringup_lint.model.package import Manifest
 from bringup_lint.parsers import xml
+from bringup_lint.pattern import regex
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
 
 DEPENDENCIES = frozenset(
     "depend exec_depend build_depend build_export_depend buildtool_depend test_depend run_depend group_depend".split()
 )
+
+_ROS_1 = regex(r"\$ROS_VERSION\s*==\s*[\"']?1\b|^\s*[\"']?1[\"']?\s*==\s*\$ROS_VERSION")
+"""A condition of REP 149 that holds in ROS 1."""
 
 
 def parse(source: Source) -> Manifest:
@@ -24,6 +28,7 @@ def parse(source: Source) -> Manifest:
     tools = set()
     for element in root.children:
         tag = str(element.local)
+        manifest.for_both |= bool(_ROS_1.search(element.get("condition") or ""))
         if tag == "name":
             manifest.name = element.text
         elif tag in DEPENDENCIES:
@@ -33,6 +38,7 @@ def parse(source: Source) -> Manifest:
                 tools.add(str(element.text))
         elif tag == "export":
             for exported in element.find_all("build_type"):
+                manifest.for_both |= bool(_ROS_1.search(exported.get("condition") or ""))
                 manifest.build_type = str(exported.text)
     if not manifest.build_type:
         manifest.build_type = "catkin" if "catkin" in tools else ("ament_cmake" if tools else "")

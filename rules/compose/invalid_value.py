@@ -44,8 +44,10 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import fix
+from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.schema import Code
 from bringup_lint.api.schema import Remark
@@ -54,6 +56,8 @@ REFUSED = "docker compose refuses the file"
 BY_ENGINE = ("container-name", "device", "restart", "stop-signal")
 """Grammars that the Docker engine checks, not compose."""
 MODES = ("rw", "ro", "z", "Z")
+REDUNDANT = ("bind", "rbind")
+"""Mount options of mount(8) that say what compose does with a path by itself."""
 CODES = (Code.SHAPE, Code.UNQUOTED, Code.VALUE, Code.ENUM, Code.RANGE, Code.BOOL, Code.NAME, Code.ADDRESS, Code.MISSING)
 
 
@@ -72,12 +76,24 @@ CODES = (Code.SHAPE, Code.UNQUOTED, Code.VALUE, Code.ENUM, Code.RANGE, Code.BOOL
 def invalid_value(robot: Robot) -> Iterator[Finding]:
     for remark in robot.compose.remarks(*CODES):
         yield _refused(remark)
-    for remark in robot.compose.remarks(Code.IGNORED):
+    yield from _ignored(list(robot.compose.remarks(Code.IGNORED)))
+
+
+def _ignored(remarks: list[Remark]) -> Iterator[Finding]:
+    """One finding for each file and option: people copy such a mount from line to line."""
+    found: dict[tuple[Source, str], list[Remark]] = {}
+    for remark in remarks:
+        span = remark.where.span if isinstance(remark.where, Located) else remark.where
+        found.setdefault((span.source, remark.detail), []).append(remark)
+    for (_, option), (first, *others) in found.items():
+        redundant = option in REDUNDANT
         yield finding(
-            remark.where,
-            f"Compose passes over the mount option '{remark.detail}'",
-            advice=_mount_option(str(remark.detail)),
-            severity="warning",
+            first.where,
+            f"Compose ignores the unknown mount option '{option}': "
+            + ("a mount of a path is a bind mount anyway" if redundant else "the mount is writable"),
+            advice="remove the option" if redundant else _mount_option(str(option)),
+            severity="info" if redundant else "warning",
+            related=[note(other.where, "here, too") for other in others],
         )
 
 

@@ -74,11 +74,19 @@ def _dropped(runner: Runner) -> Dropped | None:
     if isinstance(entrypoint, Located) and not entrypoint.startswith("["):
         return Dropped(command, entrypoint, "The entrypoint is in shell form and takes no arguments")
     for line in runner.main:
-        program = unwrapped(line.argv)
-        script = runner.reads(str(program[0])) if program else None
+        program = next(iter(unwrapped(line.argv)), None)
+        if program is None or not _is_part(program, entrypoint):
+            continue
+        script = runner.reads(str(program))
         if script is not None and script.text.startswith("#!") and not READS_ARGUMENTS.search(script.text):
             return Dropped(command, entrypoint, f"{script.basename} reads none of its arguments")
     return None
+
+
+def _is_part(program: Located, entrypoint: Located | Span) -> bool:
+    """Whether the entrypoint names the program: after ``tini --`` comes that of the command, which does run."""
+    whole = entrypoint.span if isinstance(entrypoint, Located) else entrypoint
+    return program.span.source is whole.source and whole.start <= program.span.start < max(whole.end, whole.start + 1)
 
 
 def _of_service(runner: Runner) -> tuple[Located | Span, Located | Span] | None:

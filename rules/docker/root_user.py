@@ -54,6 +54,8 @@ from bringup_lint.api.docker import is_deployed
 from bringup_lint.api.docker import last_user
 
 DROPS = regex(r"\b(?:gosu|su-exec|setpriv|runuser|fixuid)\b")
+LOGINS = regex(r"\b(?:openssh-server|sshd|supervisord|sysvinit|s6-overlay)\b")
+"""What needs root to serve logins, or to start services as other users."""
 SYSTEMD = regex(r"/(?:s?bin/init|lib/systemd/systemd)\b")
 
 
@@ -67,7 +69,7 @@ def root_user(robot: Robot) -> Iterator[Finding]:
         if users and all(service.user is not None for service in users):
             continue
         if not _drops_in_script(robot, stage) and not _entrypoint_is_unknown(robot, stage):
-            lowered = not is_deployed(robot.compose, file)
+            lowered = not is_deployed(robot.compose, file) or _serves_logins(stage)
             yield from _of(stage, [service for service in users if service.user is None], lowered)
 
 
@@ -100,6 +102,11 @@ def _starts_systemd(stage: Stage) -> bool:
     """systemd as the first process has to be root."""
     starts = (stage.last("ENTRYPOINT"), stage.last("CMD"))
     return any(each is not None and SYSTEMD.search(each.value) for each in starts)
+
+
+def _serves_logins(stage: Stage) -> bool:
+    """Whether the image starts an ssh daemon or an init system beside its program."""
+    return any(LOGINS.search(each.value) for each in stage.instructions)
 
 
 def _is_base(robot: Robot, stage: Stage) -> bool:

@@ -50,7 +50,7 @@ def entry_point_missing(robot: Robot) -> Iterator[Finding]:
             runs = (package.name, str(entry.script)) in started
             yield finding(
                 entry.script,
-                f"'{entry.script}' ends at its start: {_lack(entry)}",
+                f"`ros2 run {package.name} {entry.script}` fails with {_lack(entry)}",
                 advice="name the module and function that exist, or remove the script",
                 related=[note(entry.file.whole, "the module")] if entry.file else [],
                 severity=None if runs else "warning",
@@ -59,5 +59,5 @@ def entry_point_missing(robot: Robot) -> Iterator[Finding]:
 
 def _lack(entry: MissingEntry) -> str:
     if entry.file is None:
-        return f"{entry.package.name} has no module {entry.module}"
-    return f"{os.path.basename(entry.file.name)} has no function {entry.function}"
+        return f"ModuleNotFoundError: {entry.package.name} has no module {entry.module}"
+    return f"ImportError: {os.path.basename(entry.file.name)} has no function {entry.function}"

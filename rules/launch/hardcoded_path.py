@@ -34,6 +34,9 @@ from bringup_lint.api import finding
 from bringup_lint.api import launch
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.docker import CONTAINER_KINDS
+from bringup_lint.api.docker import container_folders
+from bringup_lint.api.docker import is_in_container
 
 PATH = regex(r"(?:^|(?<=[=: ,'\"]))/(?:home/[\w.-]+|root|opt/ros/(?!\$)\w+)/[\w./-]+")
 
@@ -43,13 +46,16 @@ PLACEHOLDERS = ("/home/livox/livox_test.lvx",)
 
 @rule("warning", symptoms=["No such file or directory: '/home/"])
 def hardcoded_path(robot: Robot) -> Iterator[Finding]:
+    folders = container_folders(robot.of_kind(*CONTAINER_KINDS))
     for file in robot.launch.judged:
         for action, _ in robot.launch.visited(file):
             for value in values(action):
                 for each in launch.walk(value):
                     text = launch.literal(each)
                     match = PATH.search(text) if text else None
-                    if text is not None and match is not None and match[0] not in PLACEHOLDERS:
+                    if text is None or match is None or match[0] in PLACEHOLDERS:
+                        continue
+                    if not is_in_container(match[0], folders):
                         yield finding(
                             text.part(*match.span()),
                             f"{match[0]} exists only on one machine or distribution",

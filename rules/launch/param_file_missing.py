@@ -35,12 +35,18 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.spelling import nearest
 
+OPENED = "launch opens the file and ends with FileNotFoundError"
+
 
 @rule("error", symptoms=["Parameter file path is not a file", "Couldn't parse params file"])
 def param_file_missing(robot: Robot) -> Iterator[Finding]:
     for reference, package in robot.launch.missing("parameters"):
         near = nearest(reference.name, robot.launch.yaml_names(package), 3)
-        effect = "launch aborts" if reference.aborts else "the node starts with the defaults of its code"
+        effect = (
+            "launch opens it and ends with FileNotFoundError"
+            if reference.aborts
+            else "the node starts with the defaults of its code"
+        )
         yield finding(
             reference.span,
             f"{reference.name} does not exist in {package.name}: {effect}",

@@ -32,6 +32,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.launch import LaunchFile
 
 INSTEAD = {"type": "exec", "arg": "var", "find": "find-pkg-share", "ns": "namespace"}
 WORDS = {
@@ -45,7 +46,7 @@ WORDS = {
 @rule("error", fix="safe", symptoms=["Unexpected attribute(s) found in `node`", "Unknown substitution: arg"])
 def ros1_construct(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
-        if not file.ros1:
+        if not file.ros1 or (file.source.name.endswith(".launch") and is_for_both(robot, file)):
             continue
         edits = [(name, INSTEAD[name]) for name in file.ros1 if name in INSTEAD and name.span.text == name]
         name, *others = sorted(file.ros1, key=lambda each: each.span.start)
@@ -58,7 +59,7 @@ def ros1_construct(robot: Robot) -> Iterator[Finding]:
         )
     for file in robot.launch.ros1:
         package = robot.launch.workspace.owner(file.source)
-        if "ros1" in file.source.name.lower():
+        if "ros1" in file.source.name.lower() or is_for_both(robot, file):
             continue
         if package is not None and not package.manifest.is_ros1 and package.manifest.build_type and file.ros1:
             yield finding(
@@ -67,6 +68,12 @@ def ros1_construct(robot: Robot) -> Iterator[Finding]:
                 advice="migrate the file, or remove it",
                 severity="warning",
             )
+
+
+def is_for_both(robot: Robot, file: LaunchFile) -> bool:
+    """Whether the package of a launch file is one of ROS 1 as well."""
+    package = robot.launch.workspace.owner(file.source)
+    return package is not None and package.manifest.for_both
 
 
 def instead(name: str) -> str:

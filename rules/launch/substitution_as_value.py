@@ -40,7 +40,10 @@ from bringup_lint.api import rule
 
 ADVICE = "read the value in an OpaqueFunction with perform(context)"
 EFFECTS = {
-    "compared": ("is compared as an object: the outcome never depends on the argument", "use EqualsSubstitution"),
+    "compared": (
+        "is a LaunchConfiguration object, not its text: this comparison has the same result whatever the argument is",
+        "use EqualsSubstitution",
+    ),
     "condition": ("is an object, which is always true: the argument decides nothing", "use IfCondition"),
     "text": ("is an object: the text holds '<launch.substitutions…>' instead of the value", "write a list of parts"),
     "path": ("is an object and no path: launch ends with a TypeError", "use PathJoinSubstitution"),

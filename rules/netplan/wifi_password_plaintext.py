@@ -41,6 +41,8 @@ from bringup_lint.api import rule
 from bringup_lint.api.templates import is_example
 from bringup_lint.api.templates import is_stand_in
 
+KEY = "WPA key (the 64 hex digits are as good as the password)"
+
 
 @rule("warning", tags=["CWE-256", "CWE-798"])
 def wifi_password_plaintext(robot: Robot) -> Iterator[Finding]:
@@ -52,7 +54,7 @@ def wifi_password_plaintext(robot: Robot) -> Iterator[Finding]:
             key = len(password) == 64 and all(char in "0123456789abcdefABCDEF" for char in password)
             yield finding(
                 password,
-                f"The {'key' if key else 'password'} of {interface.name} is in the file in clear text",
+                f"The {KEY if key else 'Wi-Fi password'} of {interface.name} is in the file in clear text",
                 advice="keep it out of version control: write it on the robot, into a file with mode 0600",
                 severity="info" if is_example(source.name) else None,
                 secrets=[password],

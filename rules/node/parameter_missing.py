@@ -37,6 +37,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.nodes import asked_in_vain
+from bringup_lint.api.nodes import is_called_nowhere
 from bringup_lint.api.nodes import lowered
 from bringup_lint.api.nodes import unset
 
@@ -48,7 +49,9 @@ def parameter_missing(robot: Robot) -> Iterator[Finding]:
             name,
             f"Nothing declares the parameter '{name}': the call raises ParameterNotDeclaredException",
             advice="declare the parameter with a default before it is asked for",
-            severity=lowered(robot.nodes.purpose(name.span.source), "error"),
+            severity="info"
+            if is_called_nowhere(robot.topics, name.span)
+            else lowered(robot.nodes.purpose(name.span.source), "error"),
             confidence="medium",
         )
     for found in unset(robot.topics):

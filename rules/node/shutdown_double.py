@@ -39,32 +39,61 @@ When the program is only ever started by hand and a traceback at its end does no
 - https://docs.ros.org/en/jazzy/p/rclpy/, rclpy.try_shutdown
 """
 
+import ast
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
+from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import nodes
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.named_tuple import NamedTuple
 
 
 @rule("warning", fix="safe", symptoms=["failed to shutdown: rcl_shutdown already called on the given context"])
 def shutdown_double(robot: Robot) -> Iterator[Finding]:
+    found: dict[tuple[object, bool], list[Late]] = {}
     for file in robot.nodes.programs:
-        ending = robot.nodes.ending(file)
-        uncaught = () if robot.nodes.stopped_by(file) == {"SIGINT"} else nodes.unhandled_shutdown(ending)
-        told = {each.spin for each in uncaught}
-        for call, spin in nodes.double_shutdown(ending):
-            if spin in told:
-                continue
-            yield finding(
-                file.span_of(call),
-                "'rcl_shutdown already called': Ctrl-C and a stop by systemd end in this exception and status 1, "
-                "because the signal has already shut the context down",
-                advice="call rclpy.try_shutdown()",
-                related=[note(file.span_of(spin.call), "the signal ends this spin")],
-                fix=fix("call rclpy.try_shutdown()", *nodes.tried_shutdown(ending, call)),
-                severity=None if robot.nodes.is_stopped(file) else "info",
-            )
+        package = robot.launch.workspace.owner(file.source) or file
+        found.setdefault((package, robot.nodes.is_stopped(file)), []).extend(late(robot, file))
+    for (_, stopped), alike in found.items():
+        if alike:
+            yield _finding(robot, alike, stopped)
+
+
+class Late(NamedTuple):
+    """A shutdown after the spin that a signal has ended together with the context."""
+
+    file: nodes.NodeSource
+    call: ast.Call
+    spin: Span
+
+
+def late(robot: Robot, file: nodes.NodeSource) -> Iterator[Late]:
+    ending = robot.nodes.ending(file)
+    uncaught = () if robot.nodes.stopped_by(file) == {"SIGINT"} else nodes.unhandled_shutdown(ending)
+    told = {each.spin for each in uncaught}
+    for call, spin in nodes.double_shutdown(ending):
+        if spin not in told:
+            yield Late(file, call, file.span_of(spin.call))
+
+
+def _finding(robot: Robot, alike: list[Late], stopped: bool) -> Finding:
+    """One finding for the programs of a package, which people write after the same pattern."""
+    first, *others = alike
+    edits = (nodes.tried_shutdown(robot.nodes.ending(each.file), each.call) for each in alike)
+    return finding(
+        first.file.span_of(first.call),
+        "'rcl_shutdown already called': Ctrl-C and a stop by systemd end in this exception and status 1, "
+        "because the signal has already shut the context down",
+        advice="call rclpy.try_shutdown()",
+        related=[
+            note(first.spin, "the signal ends this spin"),
+            *(note(each.file.span_of(each.call), "the same in this program of the package") for each in others),
+        ],
+        fix=fix("call rclpy.try_shutdown()", *(edit for each in edits for edit in each)),
+        severity=None if stopped else "info",
+    )

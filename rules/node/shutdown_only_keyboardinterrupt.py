@@ -3,7 +3,8 @@
 ## What it finds
 `except KeyboardInterrupt` around a spin, when rclpy handles the signals itself and nothing catches
 `ExternalShutdownException`. An `rclpy.shutdown()` after the spin, which fails on Ctrl-C too, is reported with it.
-Info unless a unit, a container or a launch file of the robot starts the program, and in tools that read keys.
+The programs of a package make one finding. Info unless a unit, a container or another runner starts the program or a
+launch file with it, and in tools that read keys: nothing of the tree sends the signal there.
 
 ## Why it matters on a robot
 systemd, Docker and the second step of ros2 launch stop a node with SIGTERM. The spin then raises
@@ -35,6 +36,7 @@ outside this tree.
 - https://docs.ros.org/en/jazzy/p/rclpy/, rclpy.executors.ExternalShutdownException
 """
 
+import ast
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -45,6 +47,7 @@ from bringup_lint.api import fix
 from bringup_lint.api import nodes
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.named_tuple import NamedTuple
 
 
 @rule(
@@ -56,33 +59,62 @@ from bringup_lint.api import rule
     ],
 )
 def shutdown_only_keyboardinterrupt(robot: Robot) -> Iterator[Finding]:
+    found: dict[tuple[object, ...], list[Unhandled]] = {}
+    for each in unhandled(robot):
+        package = robot.launch.workspace.owner(each.file.source) or each.file
+        found.setdefault((package, each.stopped, bool(each.doubles)), []).append(each)
+    for alike in found.values():
+        yield _finding(robot, alike)
+
+
+class Unhandled(NamedTuple):
+    """A handler of KeyboardInterrupt alone, the spin in its ``try``, and the shutdowns that come too late."""
+
+    file: nodes.NodeSource
+    caught: Span
+    spin: Span
+    doubles: list[ast.Call]
+    stopped: bool
+
+
+def unhandled(robot: Robot) -> Iterator[Unhandled]:
     for file in robot.nodes.programs:
         if robot.nodes.stopped_by(file) == {"SIGINT"}:
             continue
         ending = robot.nodes.ending(file)
         for caught, spin in nodes.unhandled_shutdown(ending):
             doubles = [call for call, ended in nodes.double_shutdown(ending) if ended == spin]
-            ctrl_c = ", and Ctrl-C ends in 'rcl_shutdown already called'" if doubles else ""
-            place = file.span_of(caught)
-            yield finding(
-                place,
-                "SIGTERM raises ExternalShutdownException: stopped by systemd or Docker, the node exits with a "
-                f"traceback and status 1{ctrl_c}",
-                advice="catch (KeyboardInterrupt, ExternalShutdownException)"
-                + (" and call rclpy.try_shutdown()" if doubles else ""),
-                related=[
-                    note(file.span_of(spin.call), "raised by this spin"),
-                    *(note(file.span_of(call), "the signal has already shut the context down") for call in doubles),
-                    *(note(runner.where, f"{runner.name} stops it") for runner in robot.nodes.runners(file)),
-                ],
-                fix=fix(
-                    "catch both",
-                    _both(place),
-                    *nodes.import_edits(file, "rclpy.executors", "ExternalShutdownException"),
-                    *(edit for call in doubles for edit in nodes.tried_shutdown(ending, call)),
-                ),
-                severity=None if robot.nodes.is_stopped(file) else "info",
-            )
+            stopped = robot.nodes.is_stopped(file)
+            yield Unhandled(file, file.span_of(caught), file.span_of(spin.call), doubles, stopped)
+
+
+def _finding(robot: Robot, alike: list[Unhandled]) -> Finding:
+    """One finding for the programs of a package, which people write after the same pattern."""
+    first, *others = alike
+    doubles = [first.file.span_of(call) for call in first.doubles]
+    ctrl_c = ", and Ctrl-C ends in 'rcl_shutdown already called'" if doubles else ""
+    return finding(
+        first.caught,
+        "SIGTERM raises ExternalShutdownException: stopped by systemd or Docker, the node exits with a "
+        f"traceback and status 1{ctrl_c}",
+        advice="catch (KeyboardInterrupt, ExternalShutdownException)"
+        + (" and call rclpy.try_shutdown()" if doubles else ""),
+        related=[
+            note(first.spin, "raised by this spin"),
+            *(note(place, "the signal has already shut the context down") for place in doubles),
+            *(note(runner.where, f"{runner.name} stops it") for runner in robot.nodes.runners(first.file)),
+            *(note(other.caught, "the same in this program of the package") for other in others),
+        ],
+        fix=fix("catch both", *(edit for each in alike for edit in _edits(robot, each))),
+        severity=None if first.stopped else "info",
+    )
+
+
+def _edits(robot: Robot, each: Unhandled) -> Iterator[tuple[Span, str]]:
+    yield _both(each.caught)
+    yield from nodes.import_edits(each.file, "rclpy.executors", "ExternalShutdownException")
+    for call in each.doubles:
+        yield from nodes.tried_shutdown(robot.nodes.ending(each.file), call)
 
 
 def _both(place: Span) -> tuple[Span, str]:

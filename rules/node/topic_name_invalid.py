@@ -44,10 +44,14 @@ from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api import topics
+from bringup_lint.api.nodes import Endpoint
 from bringup_lint.named_tuple import NamedTuple
 
+TESTED = regex(r"\.empty\(\)|[=!]=\s*(?:\"\"|'')|\bif not \w+:")
+"""Code that asks whether a text is empty."""
 ROLES = {"publisher": "topic", "subscription": "topic", "service": "service", "client": "service"}
 
 
@@ -63,7 +67,7 @@ def topic_name_invalid(robot: Robot) -> Iterator[Finding]:
     for endpoint in robot.topics.endpoints:
         if endpoint.role not in ROLES or endpoint.name is None:
             continue
-        if endpoint.parameter is not None and robot.topics.is_given(str(endpoint.parameter)):
+        if endpoint.parameter is not None and (is_guarded(endpoint) or robot.topics.is_given(str(endpoint.parameter))):
             continue
         reason = topics.refusal(endpoint.name)
         if reason is not None:
@@ -86,6 +90,12 @@ def topic_name_invalid(robot: Robot) -> Iterator[Finding]:
             related=[note(node.started.span, f"{node.label()} is started here")]
             + [note(each.where, f"'{each.name}' is not valid either") for each in others],
         )
+
+
+def is_guarded(endpoint: Endpoint) -> bool:
+    """Whether the code looks at the value of the parameter first, so that the default may mean that there is no
+    topic."""
+    return endpoint.conditional or (endpoint.name == "" and bool(TESTED.search(endpoint.span.source.text)))
 
 
 class Refused(NamedTuple):

@@ -36,6 +36,9 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.docker import CONTAINER_KINDS
+from bringup_lint.api.docker import container_folders
+from bringup_lint.api.docker import is_in_container
 from bringup_lint.api.templates import is_example
 
 _HOME = regex(r"(?:file://)?(/home/[^/\s<>${}]+/|/root/)\S*\Z")
@@ -46,19 +49,18 @@ _PATH_KEY = regex(r"(?:path|file|filename|dir|directory|folder)\Z")
 @rule("warning")
 def absolute_home_path(robot: Robot) -> Iterator[Finding]:
     kept = (
-        [str(value) for unit in robot.units.judged if (value := unit.get("WorkingDirectory"))]
+        [str(value).rstrip("/") for unit in robot.units.judged if (value := unit.get("WorkingDirectory"))]
         if robot.of_kind("systemd-unit")
         else []
     )
+    kept += container_folders(robot.of_kind(*CONTAINER_KINDS))
     for file, parameter in robot.params.parameters:
         if is_example(file.source.name) or "/test" in f"/{file.source.name}":
             continue
         for item in robot.params.items(parameter):
             if item.type != "string":
                 continue
-            if _HOME.match(item.text) and not any(
-                item.text.startswith(folder.rstrip("/") + "/") for folder in kept if folder
-            ):
+            if _HOME.match(item.text) and not is_in_container(item.text.removeprefix("file://"), kept):
                 yield finding(
                     item.span,
                     f"The path of '{parameter.name}' is in a home folder: it exists only on that machine",

@@ -36,17 +36,26 @@ When only your own program, which resolves aliases, reads the file before ROS ge
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
+from bringup_lint.api import Span
 from bringup_lint.api import finding
+from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.params import ParameterFile
 
 
 @rule("error", symptoms=["Will not support aliasing"])
 def alias(robot: Robot) -> Iterator[Finding]:
+    found: dict[ParameterFile, list[Located | Span]] = {}
     for file, problem in robot.params.problems("alias"):
         if robot.params.reader(file) != "pyyaml":
-            yield finding(
-                problem.where,
-                "rcl does not support YAML aliases: the process that loads the file exits at start",
-                advice="write the values out, or use a block for '/**'",
-            )
+            found.setdefault(file, []).append(problem.where)
+    for file, (first, *others) in found.items():
+        yield finding(
+            first,
+            "rcl does not support YAML aliases: the process that loads the file exits at start",
+            advice="write the values out, or use a block for '/**'",
+            related=[note(other, "another alias") for other in others[:20]],
+            severity=robot.params.proven(file),
+        )

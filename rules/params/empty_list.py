@@ -53,7 +53,7 @@ def empty_list(robot: Robot) -> Iterator[Finding]:
                 "For rcl the empty mapping ends the block: it reads the next parameter as a node, and the process that "
                 "loads the file exits at start",
                 advice="remove the empty mapping",
-                severity="error",
+                severity=robot.params.proven(file) or "error",
             )
     for _, parameter in robot.params.parameters:
         if parameter.text in ("[]", "{}", "[ ]", "{ }") and parameter.span not in ended:

@@ -46,4 +46,5 @@ def empty_value(robot: Robot) -> Iterator[Finding]:
             parameter.key if parameter else problem.where,
             f"{name}: the process that loads the file exits at start",
             advice='give it a value (an empty string is ""), or remove the line',
+            severity=robot.params.proven(file),
         )

@@ -49,7 +49,7 @@ def list_of_maps(robot: Robot) -> Iterator[Finding]:
             problem.where,
             "rcl does not support lists of mappings: the process that loads the file exits at start",
             advice=_ADVICE,
-            severity="warning" if robot.params.reader(file) == "pyyaml" else "error",
+            severity=robot.params.proven(file) or "error",
         )
     for _, parameter in robot.params.parameters:
         if parameter.span not in refused and robot.params.holds_maps(parameter):

@@ -73,7 +73,7 @@ def missing_ros_parameters(robot: Robot) -> Iterator[Finding]:
         )
     outside: dict[ParameterFile, list[Located | Span]] = {}
     for file, problem in robot.params.problems("value-before-parameters", "list-before-parameters", "internal"):
-        if robot.params.reader(file) == "rcl" or in_config(file):
+        if robot.params.reader(file) == "rcl" or (not robot.params.reader(file) and in_config(file)):
             outside.setdefault(file, []).append(problem.where)
     for file, (first, *others) in outside.items():
         yield _outside(robot, file, first, others if file.is_certain else [])
@@ -82,10 +82,13 @@ def missing_ros_parameters(robot: Robot) -> Iterator[Finding]:
 def _outside(robot: Robot, file: ParameterFile, first: Located | Span, others: list[Located | Span]) -> Finding:
     """rcl stops at the first value that is outside; the others are named with it."""
     loads = [note(load.where, "a node loads it here") for load in robot.params.loads(file)[:1]]
-    what, name = ("A value is outside", "the file") if file.is_certain else ("The file has no", "it")
+    if file.is_certain:
+        message = f"A value is outside ros__parameters: rcl refuses this file, {_effect(robot, file, 'it')}"
+    else:
+        message = f"The file has no ros__parameters: {_effect(robot, file, 'it')}"
     return finding(
         first,
-        f"{what} ros__parameters: {_effect(robot, file, name)}",
+        message,
         advice="move it below ros__parameters"
         if file.is_certain
         else "put the node name and ros__parameters above the values",

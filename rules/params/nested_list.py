@@ -38,11 +38,12 @@ from bringup_lint.api import rule
 
 @rule("error", symptoms=["Sequences cannot be key"])
 def nested_list(robot: Robot) -> Iterator[Finding]:
-    for _, problem in robot.params.problems("nested-list"):
+    for file, problem in robot.params.problems("nested-list"):
         yield finding(
             problem.where,
             "rcl does not support nested lists: the process that loads the file exits at start",
             advice="write a flat list, or one quoted string that the node parses",
+            severity=robot.params.proven(file),
         )
     for _, parameter in robot.params.parameters:
         if robot.params.is_flattened(parameter):

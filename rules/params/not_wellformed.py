@@ -66,7 +66,7 @@ def not_wellformed(robot: Robot) -> Iterator[Finding]:
             f"{what}: the process that loads the file exits at start",
             advice=_ADVICE.get(problem.code, "correct the YAML; quote values that start with a special character"),
             fix=_spaces(robot, file) if problem.code == YamlCode.TAB else None,
-            severity="warning" if problem.code == "yaml-version" else None,
+            severity=robot.params.proven(file) or ("warning" if problem.code == "yaml-version" else None),
         )
 
 

@@ -70,7 +70,7 @@ def remote_script(robot: Robot) -> Iterator[Finding]:
 
 
 def _unchecked(robot: Robot) -> Iterator[Finding]:
-    """What is loaded without a look at the certificate, kept as a file, and run."""
+    """What is loaded without a check of the certificate, kept as a file, and run."""
     kept: dict[tuple[Source, str], Run] = {}
     for source in robot.of_kind("shell-script"):
         if not source.judged or not LOADS.search(source.said):
@@ -84,10 +84,11 @@ def _unchecked(robot: Robot) -> Iterator[Finding]:
             program = run.words[1:2] if run.name in SHELLS else run.words[:1]
             loaded = kept.pop((source, run.text(program[0]).rpartition("/")[2]), None) if program else None
             if loaded is not None:
+                option = next(word for word in loaded.arguments if word in UNCHECKED)
                 yield finding(
                     loaded.words[0],
-                    f"{run.name} runs what {loaded.name} loads without a look at the certificate: anybody in between "
-                    "can change it",
+                    f"Downloaded with {option}, so without a check of the certificate, and then run: anybody on the "
+                    f"network can change {_file(loaded)}",
                     advice="load it with the certificate checked, and check its SHA-256",
                     related=[note(program[0], "it is run here")],
                     severity="warning",

@@ -46,6 +46,8 @@ from bringup_lint.api.systemd import Units
 from bringup_lint.api.systemd import docker_starts
 
 _DAEMON = ("docker.service", "docker.socket", "snap.docker.dockerd.service")
+_TARGETS = ("multi-user.target", "graphical.target", "default.target")
+"""What is ordered after the daemon, which its package enables for multi-user.target."""
 _ASKS = ("docker info", "docker ps", "docker version", "is-active docker", "start docker", "docker.sock")
 
 
@@ -59,7 +61,7 @@ def docker_not_ordered(robot: Robot) -> Iterator[Finding]:
             continue
         found = [start for process in units.processes(unit) for start in docker_starts(process)]
         starts = [start for start in found if start.process.key in ("ExecStart", "ExecStartPre")]
-        if not starts or any(_waits_for(unit, daemon, units) for daemon in _DAEMON):
+        if not starts or _waits_for(unit, units):
             continue
         yield finding(
             starts[0].process.program,
@@ -72,10 +74,12 @@ def docker_not_ordered(robot: Robot) -> Iterator[Finding]:
         )
 
 
-def _waits_for(unit: Unit, daemon: str, units: Units) -> bool:
-    """Whether lines of the tree order the unit after the daemon, and not only all sockets do."""
-    chain = units.waits_for(unit, daemon)
-    return chain is not None and bool(chain) and chain[-1].where is not None
+def _waits_for(unit: Unit, units: Units) -> bool:
+    """Whether lines of the tree order the unit after the daemon, and not only all sockets do, or after a target that
+    is ordered after the daemon."""
+    direct = (units.waits_for(unit, daemon) for daemon in _DAEMON)
+    through = (units.waits_for(unit, target) for target in _TARGETS)
+    return any(chain and chain[-1].where is not None for chain in (*direct, *through))
 
 
 def _fix(unit: Unit) -> Fix | None:

@@ -2,11 +2,13 @@
 
 ## What it finds
 A service that runs ros2 launch and is stopped with a signal other than SIGINT: KillSignal= is not set
-(SIGTERM) or names another signal. One-shot services and containers are exempt.
+(SIGTERM) or names another signal. One-shot services and containers are exempt. Info where `KillMode=control-group`
+stops the nodes as well, and none of the tree waits for SIGINT alone.
 
 ## Why it matters on a robot
 On SIGINT, ros2 launch runs its shutdown handlers and stops its nodes: SIGINT, then SIGTERM, then SIGKILL. On
-SIGTERM it exits at once. The nodes then die without reaching their safe state, or keep running.
+SIGTERM it exits at once. With the default KillMode= the nodes get the same signal and end by themselves in any order;
+with others they are killed without reaching their safe state, or keep running.
 
 ## Bad
 ```ini
@@ -23,7 +25,7 @@ TimeoutStopSec=20
 ```
 
 ## When to ignore it
-When every node handles SIGTERM, and KillMode=control-group sends it to all of them.
+When every node handles SIGTERM, and the order of their ends does not matter.
 
 ## References
 - systemd.kill(5), KillSignal=
@@ -34,16 +36,18 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
+from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import fix
+from bringup_lint.api import nodes
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Unit
 
 THEN = {
-    "control-group": "and every node gets the signal at the same time",
-    "mixed": "and systemd kills them with SIGKILL",
-    "process": "and they keep running",
-    "none": "and they keep running",
+    "mixed": "ros2 launch exits without stopping its nodes, and systemd kills them with SIGKILL",
+    "process": "ros2 launch exits without stopping its nodes, and they keep running",
+    "none": "ros2 launch exits without stopping its nodes, and they keep running",
 }
 
 
@@ -61,12 +65,33 @@ def kill_signal_not_sigint(robot: Robot) -> Iterator[Finding]:
             continue
         if service.in_container or (signal.at is None and unit.get("KillSignal")):
             continue
+        mode = service.kill_mode.value or "control-group"
+        needy = list(waiting_for_sigint(robot, unit))
         change = (signal.at, "SIGINT") if signal.at else unit.new_line("Service", "KillSignal=SIGINT")
         yield finding(
             signal.at or unit.where,
-            f"{unit.name} is stopped with {signal.value}: ros2 launch exits without stopping "
-            f"its nodes, {THEN.get(service.kill_mode.value or '', THEN['control-group'])}",
+            message(unit.name, str(signal.value), mode),
             advice="set KillSignal=SIGINT",
-            related=[note(found.where, "the unit starts ros2 launch here") for found in launches],
+            related=[
+                *(note(found.where, "the unit starts ros2 launch here") for found in launches),
+                *(note(place, "ends with a traceback: it waits for Ctrl-C, which is SIGINT") for place in needy[:5]),
+            ],
+            severity=None if mode != "control-group" or needy else "info",
             fix=fix("set KillSignal=SIGINT", change) if unit.editable else None,
         )
+
+
+def message(unit: str, signal: str, mode: str) -> str:
+    if mode in THEN:
+        return f"systemd stops {unit} with {signal}: {THEN[mode]}"
+    return (
+        f"systemd sends {signal} to ros2 launch and all nodes of {unit} at once: nothing is stopped in order, and "
+        "ros2 launch does not wait for its nodes"
+    )
+
+
+def waiting_for_sigint(robot: Robot, unit: Unit) -> Iterator[Span]:
+    """Where the programs that a unit launches handle SIGINT alone."""
+    for file in robot.nodes.programs if robot.of_kind("python-node") else ():
+        if any(runner.unit is unit for runner in robot.nodes.runners(file)):
+            yield from (file.span_of(caught) for caught, _ in nodes.unhandled_shutdown(robot.nodes.ending(file)))

@@ -43,6 +43,6 @@ def line_outside_section(robot: Robot) -> Iterator[Finding]:
         if not file.source.template:
             yield finding(
                 problem.where,
-                "Assignment outside of a section: systemd ignores the line",
+                "Text before the first [Section]: systemd ignores this line",
                 advice="move it below the header of its section",
             )

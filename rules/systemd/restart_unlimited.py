@@ -116,9 +116,15 @@ def _message(crash: CrashLoop) -> str:
     if loop.outcome is Outcome.NO_LIMIT:
         return f"The start limit is disabled: a failing {name} restarts every {every} forever"
     if loop.outcome is Outcome.NEVER_TRIPS:
-        sums = "The first {0} delays take {2}" if policy.steps else "{0} restarts × {1} = {2}"
-        sums = sums.format(policy.burst, every, duration(policy.loop()))
-        return f"{sums} > {interval}: the start limit never trips, a failing {name} restarts forever"
+        delays = (
+            f"delays that add up to {duration(policy.loop())}"
+            if policy.steps
+            else f"RestartSec={every.replace(' ', '')}"
+        )
+        return (
+            f"systemd's start limit ({limit}) can never be reached with {delays}: a failing {name} is restarted "
+            "forever and never counts as failed"
+        )
     if loop.outcome is Outcome.NO_TIME_LEFT:
         return f"{policy.burst} restarts × {every} fill the interval of {interval}: the limit never trips"
     if loop.outcome is Outcome.GIVES_UP:

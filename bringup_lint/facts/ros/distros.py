@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from datetime import date
 from functools import cache
 
@@ -42,6 +43,13 @@ def every() -> dict[str, Distro]:
 def supported() -> tuple[str, ...]:
     """The distributions that can be a target, oldest first."""
     return tuple(distro.name for distro in every().values() if distro.systemd is not None)
+
+
+def named_in(name: str) -> str | None:
+    """The distribution that a file is for by its name (``base_foxy.launch.py``); None when it names none or several."""
+    words = set(re.split(r"[^a-z]+", name.lower()))
+    found = [distro for distro in every() if distro in words]
+    return found[0] if len(found) == 1 else None
 
 
 def distros_since(first: str) -> tuple[str, ...]:

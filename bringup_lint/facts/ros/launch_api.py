@@ -26,7 +26,7 @@ def _rows() -> dict[str, list[tuple[str, str, str]]]:
 @cache
 def removed(name: str, distribution: str | None) -> frozenset[str]:
     """The keywords that a class had once and that a distribution no longer has; the newest one when it is not known."""
-    order = distros.supported()
+    order = tuple(distros.every())
     found = set()
     rows = (row for row in table("ros/launch_api") if row["name"] == name)
     for change in (change for row in rows for change in row["param_changes"].split(",")):

@@ -111,7 +111,7 @@ def of_params(params: Params) -> Iterator[DeviceUse]:
     for file, parameter in params.parameters:
         if "/dev/" not in parameter.text or (params.loads(file) and not params.effective(file, parameter)):
             continue
-        if _is_on_network(parameter, file):
+        if _is_on_network(parameter, file) or params.is_unknown_to_code(file, parameter):
             continue
         nodes = parameter.node.items if hasattr(parameter.node, "items") else [parameter.node]
         for node in nodes:

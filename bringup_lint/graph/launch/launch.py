@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 from typing import TypeVar
 
 from bringup_lint.discover.kinds.launch import LAUNCH
+from bringup_lint.facts.ros import distros
 from bringup_lint.facts.ros import launch_api
 from bringup_lint.facts.ros.node_roles import HARDWARE
 from bringup_lint.facts.ros.node_roles import Role
@@ -476,8 +477,9 @@ class Launch:
         file looks itself which distribution runs."""
         if _LOOKS_AT_DISTRIBUTION.search(file.source.text):
             return
+        distribution = distros.named_in(file.source.basename) or self._tree_files.target.ros
         for owner, keyword in file.keywords:
-            if keyword in launch_api.removed(owner, self._tree_files.target.ros):
+            if keyword in launch_api.removed(owner, distribution):
                 yield owner, keyword
 
     def actions(self, kind: type[Kind]) -> Iterator[tuple[LaunchFile, Kind]]:

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from bringup_lint.graph.launch.expansion import Expansion
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.workspace import Found
+from bringup_lint.model.launch import ComposableNode
 from bringup_lint.model.launch import LaunchFile
 from bringup_lint.model.launch_values import Concat
 from bringup_lint.model.launch_values import DerivedFile
@@ -31,7 +32,7 @@ class Reference(NamedTuple):
     optional: bool
     """Under a condition that is open, or off by default."""
     aborts: bool = False
-    """launch itself opens the file."""
+    """launch itself opens the file: it fills in substitutions, or reads the values for a component."""
 
 
 Find = Callable[[Value], "Found | None"]
@@ -51,10 +52,10 @@ def references(expansion: Expansion, file: LaunchFile, find: Find) -> Iterator[R
 
 def _of_node(node: Started, find: Find) -> Iterator[Reference]:
     optional = node.by_default is not True
+    component = isinstance(node.action, ComposableNode)
     for source in node.parameters:
-        aborts = isinstance(source, DerivedFile) or (
-            isinstance(source, ParameterFile) and source.allow_substs is not None
-        )
+        substitutes = isinstance(source, ParameterFile) and source.allow_substs is not None
+        aborts = component or substitutes or isinstance(source, DerivedFile)
         value = _base(source)
         found = find(value)
         if found is not None:

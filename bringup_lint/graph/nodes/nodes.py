@@ -194,18 +194,16 @@ class Nodes:
         launches = (each for each in self._runners().launches if each.runner.kind is not RunnerKind.SCRIPT)
         return list(dict.fromkeys(each.runner for each in launches if actions & self._actions(each)))
 
-    def is_deployed(self, file: NodeSource) -> bool:
-        """Whether a launch file of the robot, or a runner that is not a person, runs a file as a program."""
-        if any(self.files.purpose(each.file.source) is Purpose.ROBOT for each in self.launched(file)):
-            return True
+    def is_supervised(self, file: NodeSource) -> bool:
+        """Whether a runner that is not a person runs a file as a program, by itself or through a launch file."""
         if file.source in self._run_directly or self.runners(file):
             return True
         return any(file.source.basename in each.text for each in self.files.of_kind(*_RUNNERS))
 
     def is_stopped(self, file: NodeSource) -> bool:
-        """Whether something of the robot starts a program that is not for tests, examples or a person, and so stops it
-        as well."""
-        if not self.is_deployed(file) or not self.is_for_robot(file.source):
+        """Whether a unit, a container or the like starts a program that is not for tests, examples or a person, and so
+        stops it with a signal; a launch file alone is stopped by a person at the keyboard."""
+        if not self.is_supervised(file) or not self.is_for_robot(file.source):
             return False
         return not self.is_tool(file) and not self.launch.workspace.is_vendored(file.source)
 

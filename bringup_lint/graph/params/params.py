@@ -20,6 +20,7 @@ from bringup_lint.model.params import Value
 from bringup_lint.model.params import matches
 from bringup_lint.model.yaml_node import Scalar
 from bringup_lint.parsers.params import parse
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
@@ -36,6 +37,11 @@ BUILD = ("params", "cmake", "setup-py", "setup-cfg", "ros-package")
 """Kinds that may name a parameter file without loading it."""
 _UNTYPED = ("ardent", "bouncy", "crystal", "dashing", "eloquent", "foxy")
 """Distributions in which a declared parameter may take any type."""
+
+
+_CODE = (".py", ".cpp", ".cc", ".cxx", ".hpp", ".hh", ".h", ".rs")
+_QUOTED = regex(r"[\"']([\w.]{3,80})[\"']")
+_MOST_SOURCES = 4000
 
 
 class Params:
@@ -198,6 +204,20 @@ class Params:
         word = str(parameter.key).rpartition(".")[2]
         return bool(packages) and all(each and not mentions(self._tree_files, each, word) for each in packages)
 
+    def is_unknown_to_code(self, file: ParameterFile, parameter: Parameter) -> bool:
+        """Whether the sources of the tree name several other parameters of the same block, and not this one: what would
+        read it is here, and does not."""
+        others = {_last(other) for other in file.parameters if other.block is parameter.block}
+        return _last(parameter) not in self._names_in_code and len(others & self._names_in_code) >= 3
+
+    @cached_property
+    def _names_in_code(self) -> frozenset[str]:
+        """The texts in sources that have to do with parameters."""
+        paths = [path for path in self._tree_files.tree.paths if path.endswith(_CODE)][:_MOST_SOURCES]
+        sources = (self._tree_files.tree.read(path, judged=False) for path in paths)
+        texts = (source.text for source in sources if source is not None and "param" in source.text)
+        return frozenset(part for text in texts for name in _QUOTED.findall(text) for part in name.split("."))
+
     @cached_property
     def _by_source(self) -> dict[int, ParameterFile]:
         return {id(file.source): file for file in self.files}
@@ -330,7 +350,13 @@ class Params:
     def _is_unused(self, file: ParameterFile) -> bool:
         if self.loads(file) or not self._tree_files.of_kind(*LAUNCH):
             return False
-        return not self.named_elsewhere(file.source.basename, {file.source})
+        name, workspace = file.source.basename, self._launch().workspace
+        owner = workspace.owner(file.source)
+        sources = (each for each in self._tree_files.sources if each is not file.source and each.kind not in BUILD)
+        named = [each for each in sources if name in each.text]
+        if owner is not None:
+            named = [each for each in named if owner.name in each.text or workspace.owner(each) is owner]
+        return not named
 
     def _is_for_tests(self, file: ParameterFile) -> bool:
         return self._tree_files.purpose(file.source) in (Purpose.TEST, Purpose.CI, Purpose.ARCHIVE)
@@ -342,3 +368,7 @@ class Params:
         if ways & {"rcl", "substituted"}:
             return "rcl"
         return "pyyaml" if ways else ""
+
+
+def _last(parameter: Parameter) -> str:
+    return str(parameter.name).rpartition(".")[2]

@@ -32,6 +32,7 @@ from bringup_lint.source import Source
 from bringup_lint.source import Span
 from bringup_lint.templates import has_placeholder
 from bringup_lint.templates import is_example
+from bringup_lint.templates import is_named_template
 from bringup_lint.templates import is_stand_in
 
 if TYPE_CHECKING:
@@ -61,15 +62,10 @@ _NO_VALUE = regex(
     re.I,
 )
 _WEAK = regex(r"(?:change[-_ ]?me|password|passwd|secret|admin|default|test|example|xxx+|foo|bar|abc)\d*$", re.I)
+_DUMMY = regex(r"(?:xxx+|foo|bar|abc|example)\d*", re.I)
 _PLACEHOLDER = regex(r"(?:xxx+|foo|bar|abc|test|example|.{1,3})\d*", re.I)
 """The default of a launch argument that nobody takes for a password."""
 _OPTION = regex(r"--([A-Za-z][\w.-]*)(?:=(.*))?$", re.S)
-_SAMPLE = regex(
-    r"_(?:example|sample|template)s?\.|[.-](?:example|sample|template|dist|tmpl|default)s?(?:$|\.)|^(?:example|sample)",
-    re.I,
-)
-
-
 _SETTING = regex(
     r"^[ \t]*(?P<name>[\w-]*(?:password|passwd|passphrase|psk|secret|token))[ \t]*[=:][ \t]*"
     r"[\"']?(?P<value>[^\s\"']{3,})"
@@ -176,7 +172,7 @@ class Secrets:
 
 def _is_real(source: Source) -> bool:
     """Whether findings may be about a file, and it is no sample."""
-    return source.judged and not _SAMPLE.search(source.basename) and not is_example(source.name)
+    return source.judged and not is_named_template(source.basename) and not is_example(source.name)
 
 
 def secret(name: str, value: Located, holder: str) -> Secret | None:
@@ -196,7 +192,12 @@ def secret(name: str, value: Located, holder: str) -> Secret | None:
     weak = _WEAK.match(part) is not None
     if not weak and (_NO_VALUE.match(part) or is_stand_in(part) or has_placeholder(part)):
         return None
-    return Secret(part, name, holder, weak, part.upper().endswith("EXAMPLE"))
+    return Secret(part, name, holder, weak, _stands_in(part))
+
+
+def _stands_in(text: str) -> bool:
+    """Whether a word of documentation is in the place of the secret."""
+    return text.upper().endswith("EXAMPLE") or bool(_DUMMY.fullmatch(text))
 
 
 def _of_password(password: Password, holder: str) -> Secret | None:
@@ -205,7 +206,7 @@ def _of_password(password: Password, holder: str) -> Secret | None:
     weak = password.known or _WEAK.match(value) is not None
     if not weak and (value.startswith("$") or is_stand_in(value) or has_placeholder(value)):
         return None
-    return Secret(value, password.name, holder, weak, password.factory or value.upper().endswith("EXAMPLE"))
+    return Secret(value, password.name, holder, weak, password.factory or _stands_in(value))
 
 
 def _of_environment(runner: Runner) -> Iterator[Secret]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -17,6 +18,7 @@ from bringup_lint.model.launch_values import TypedValue
 from bringup_lint.model.launch_values import Value
 from bringup_lint.model.params import matches
 from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Span
 
@@ -24,6 +26,9 @@ if TYPE_CHECKING:
     from bringup_lint.graph.topics.resolved.endpoint_use import LaunchedNode
     from bringup_lint.graph.topics.topics import Topics
     from bringup_lint.model.params import Block
+
+
+_FUNCTION = regex(r"^(?P<indent>[ \t]*)(?:async )?def (?P<name>\w+)", re.M)
 
 
 class GivenName(NamedTuple):
@@ -62,6 +67,19 @@ def undeclared(topics: Topics) -> Iterator[Undeclared]:
             grouped.setdefault(pair[1].group, []).append(pair)
     for pairs in grouped.values():
         yield Undeclared(pairs[0][0], tuple(given for _, given in pairs))
+
+
+def is_called_nowhere(topics: Topics, place: Span) -> bool:
+    """Whether a place is in a Python function that no source of the tree names again: code that never runs."""
+    before = place.source.text[: place.start]
+    indent = len(place.source.line_text(place.line)) - len(place.source.line_text(place.line).lstrip())
+    around = [each for each in _FUNCTION.finditer(before) if len(each["indent"]) < indent]
+    if not around or not place.source.name.endswith(".py"):
+        return False
+    name = around[-1]["name"]
+    word = regex(rf":{name}\b|(?<![\w\"'])(?<!def ){name}\b(?![\w\"'])")
+    sources = (source for source in topics.files.sources if source.name.endswith(".py"))
+    return not name.startswith("__") and not any(name in source.text and word.search(source.text) for source in sources)
 
 
 def asked_in_vain(topics: Topics) -> Iterator[Located]:

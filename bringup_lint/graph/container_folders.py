@@ -1,0 +1,31 @@
+"""The folders below a home that containers of the tree have, whatever the machine: mounts, WORKDIR, COPY."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+
+from bringup_lint.pattern import regex
+from bringup_lint.source import Source
+
+CONTAINER_KINDS = ("dockerfile", "compose", "shell-script", "devcontainer")
+"""Kinds of file that say what a container holds."""
+_HOME = r"(?P<path>/(?:home/[\w.-]+|root)(?:/[\w./-]*)?)"
+_FORMS = (
+    regex(rf"(?:^|[ \t])(?:-v|--volume)[ =]?[\"']?[^\s:]+:{_HOME}", re.M),
+    regex(rf"\b(?:target|dst|destination|workspaceFolder)[\"']?[=:][ \t]*[\"']?{_HOME}"),
+    regex(rf"^[ \t]*-[ \t]+[\"']?[^\s:\"']+:{_HOME}", re.M),
+    regex(rf"(?:^[ \t]*WORKDIR[ \t]+|\bworking_dir:[ \t]*|(?<![\w-])(?:--workdir|-w)[ =])[\"']?{_HOME}", re.M),
+    regex(rf"^[ \t]*(?:COPY|ADD)[ \t][^\n]*[ \t]{_HOME}[ \t]*$", re.M),
+)
+
+
+def container_folders(sources: Iterable[Source]) -> frozenset[str]:
+    """The folders that are the target of a mount or a copy, or a working directory, of a container."""
+    found = (match for source in sources for form in _FORMS for match in form.finditer(source.text))
+    return frozenset(match["path"].rstrip("/") for match in found)
+
+
+def is_in_container(path: str, folders: Iterable[str]) -> bool:
+    """Whether a path is in one of the folders."""
+    return any(path == folder or path.startswith(f"{folder}/") for folder in folders)
