@@ -100,7 +100,7 @@ def class_of(name: str, path: Path) -> Class:
     members: dict[str, Entry] = {}
     for base in node.bases:
         where = _imports(path).get(ast.unparse(base))
-        if where is not None:
+        if where is not None and where[1] != "NamedTuple":
             members |= class_of(where[1], where[0]).members
     for at, item in enumerate(node.body):
         if isinstance(item, ast.FunctionDef) and not item.name.startswith("_"):
