@@ -73,9 +73,7 @@ _STAND_IN = regex(
     r"|placeholder|todo|none|null|n/?a",
     re.IGNORECASE | re.DOTALL,
 )
-_RUN_TOGETHER = regex(
-    r"(?:[Yy]our|[Mm]y|[Ee]nter|[Ii]nsert|[Ss]ome)[A-Z][a-z]+[A-Za-z]*\d*|(?:[Yy]our|[Mm]y)(?:SSID|PSK|WPA)[A-Za-z]*"
-)
+_RUN_TOGETHER = regex(r"(?:[Yy]our|[Mm]y|[Ee]nter|[Ii]nsert|[Ss]ome)[A-Z][A-Za-z]{2,40}")
 """``YourNetworkPassword``: words that begin with capitals."""
 _TEMPLATE_NAME = regex(
     r"(?:^|[._-])(?:template|sample|example|placeholder)s?(?=[._-]|\d|$)|[.-](?:dist|tmpl|default)s?(?=$|\.)"

@@ -43,7 +43,6 @@ LAYERS = (
         "graph.installed",
         "graph.compose_names",
         "graph.build_context",
-        "graph.container_folders",
         "graph.devcontainers",
         "graph.image_use",
     },
