@@ -92,6 +92,8 @@ def message(unit: str, signal: str, mode: str) -> str:
 
 def waiting_for_sigint(robot: Robot, unit: Unit) -> Iterator[Span]:
     """Where the programs that a unit launches handle SIGINT alone."""
-    for file in robot.nodes.programs if robot.of_kind("python-node") else ():
+    if not robot.of_kind("python-node"):
+        return
+    for file in robot.nodes.programs:
         if any(runner.unit is unit for runner in robot.nodes.runners(file)):
             yield from (file.span_of(caught) for caught, _ in nodes.unhandled_shutdown(robot.nodes.ending(file)))
