@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import importlib.util
+import os
 import re
 import shutil
 import subprocess
@@ -19,6 +20,7 @@ from bringup_lint.suppress.forms import PYTHON_KINDS
 from bringup_lint.suppress.forms import XML_KINDS
 from bringup_lint.suppress.forms import YAML_KINDS
 from tests.oracles import sshd_server
+from tests.oracles import systemd_daemons
 from tests.oracles import test_netplan
 from tests.oracles import test_params
 from tests.oracles import udevadm
@@ -98,6 +100,50 @@ def rcl(path: Path) -> Counter[str]:
     return Counter(["refused"] if table is None else [])
 
 
+def journald(path: Path) -> Counter[str]:
+    return systemd_daemons.complaints(path, "journald.conf")
+
+
+def logind(path: Path) -> Counter[str]:
+    return systemd_daemons.complaints(path, "logind.conf")
+
+
+def manager(path: Path) -> Counter[str]:
+    return systemd_daemons.complaints(path, "system.conf")
+
+
+def nmcli(path: Path) -> Counter[str]:
+    """What libnm says of a profile that it would write anew."""
+    run = subprocess.run(
+        ["nmcli", "--offline", "connection", "modify", "connection.zone", "home"],
+        input=path.read_text("utf-8-sig"),
+        capture_output=True,
+        text=True,
+        env={**os.environ, "LC_ALL": "C"},
+        check=False,
+    )
+    return Counter(re.sub(r"\d+", "0", line) for line in run.stderr.splitlines())
+
+
+def hadolint(path: Path) -> Counter[str]:
+    """Its warnings, and what its parser cannot read."""
+    run = subprocess.run(
+        ["hadolint", "--no-color", "-"], input=path.read_text("utf-8"), capture_output=True, text=True, check=False
+    )
+    return Counter(re.sub(r"\d+", "0", line) for line in (run.stdout + run.stderr).splitlines())
+
+
+def apt(path: Path) -> Counter[str]:
+    return Counter(
+        subprocess.run(["apt-config", "-c", path, "dump"], capture_output=True, text=True).stderr.split("\n")
+    )
+
+
+def bash(path: Path) -> Counter[str]:
+    run = subprocess.run(["bash", "-n"], input=path.read_bytes(), capture_output=True, check=False)
+    return Counter(re.sub(r"\d+", "0", line) for line in run.stderr.decode("utf-8", "replace").splitlines())
+
+
 def findmnt(path: Path) -> Counter[str]:
     """What it says of the words; whether a device is there depends on the host."""
     run = subprocess.run(["findmnt", "--verify", "--tab-file", str(path)], capture_output=True, text=True, check=False)
@@ -114,11 +160,22 @@ READERS: dict[str, tuple[str, Judge]] = {
     "sshd-config": ("sshd -t", sshd),
     "params": ("rcl", rcl),
     "fstab": ("findmnt --verify", findmnt),
+    "journald-conf": ("systemd-journald", journald),
+    "logind-conf": ("systemd-logind", logind),
+    "system-conf": ("systemd --test", manager),
+    "env-file": ("systemd's environment.d", systemd_daemons.of_environment),
+    "networkmanager": ("nmcli", nmcli),
+    "dockerfile": ("hadolint", hadolint),
+    "apt-conf": ("apt-config", apt),
+    "shell-script": ("bash -n", bash),
 }
 """Kind -> the program that reads it on a robot, and how to ask it."""
 
 
-STOPS = frozenset(["netplan generate"])
+DAEMONS = frozenset(["systemd-journald", "systemd-logind", "systemd --test"])
+PROGRAMS = frozenset(["logrotate", "findmnt", "nmcli", "hadolint", "apt-config", "bash"])
+"""Judges that are found on the path, or not at all."""
+STOPS = frozenset(["netplan generate", "nmcli", "hadolint", "bash -n"])
 """Tools that say nothing after the first mistake: without it, they come to the next one."""
 
 
@@ -145,5 +202,9 @@ def is_installed(tool: str) -> bool:
         return sshd_server.SSHD is not None and shutil.which("ssh-keygen") is not None
     if tool == "rcl":
         return importlib.util.find_spec("rclpy") is not None
+    if tool in DAEMONS:
+        return systemd_daemons.can_start_daemons()
+    if tool == "systemd's environment.d":
+        return systemd_daemons.GENERATOR.is_file()
     program = tool.partition(" ")[0]
-    return program not in ("logrotate", "findmnt") or shutil.which(program) is not None
+    return program not in PROGRAMS or shutil.which(program) is not None
