@@ -4,8 +4,8 @@ blockinfile and lineinfile; ``write_files``)."""
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 
+from bringup_lint.dataclass import replace
 from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.model.yaml_node import Scalar
 from bringup_lint.named_tuple import NamedTuple
