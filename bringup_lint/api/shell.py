@@ -13,18 +13,22 @@ if TYPE_CHECKING:
     from bringup_lint.graph.commands.wrappers import unwrapped
     from bringup_lint.graph.installed.script import Run
     from bringup_lint.graph.installed.script import Written
+    from bringup_lint.model.shell import Block
     from bringup_lint.model.shell import Command
+    from bringup_lint.parsers.shell import shell_blocks
     from bringup_lint.parsers.shell import shell_commands
 else:
     __getattr__ = on_demand(globals())
 
 __all__ = [
+    "Block",
     "Command",
     "Job",
     "Run",
     "Written",
     "background_jobs",
     "program_name",
+    "shell_blocks",
     "shell_commands",
     "unwrapped",
 ]

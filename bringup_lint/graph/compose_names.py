@@ -27,6 +27,9 @@ _NAMED_VOLUME = regex(r"[A-Za-z0-9][\w.-]+")
 _EXTENSION = regex(r"\.(?:xml|ya?ml|json|toml|conf|cfg|ini|sh|bash|py|properties|launch|rules|urdf|xacro|rviz)$")
 """Of files that a program of the container reads."""
 
+_TEMPORARY = regex(r"/tmp/(?:[\w.-]+/)*[\w.-]*(?:\.xauth|\.Xauthority|\.(?:xml|ya?ml|json|conf|cfg|ini))")
+"""A file that is gone after each boot."""
+
 
 class MissingFile(NamedTuple):
     what: str
@@ -87,6 +90,8 @@ def _read(service: Service) -> Iterator[MissingFile]:
         is_path = volume.source is not None and volume.source.startswith("./") and _EXTENSION.search(volume.source)
         if volume.source is not None and is_path and _EXTENSION.search(volume.target or ""):
             yield MissingFile("mount", service, volume.source, False)
+        elif volume.source is not None and _TEMPORARY.fullmatch(volume.source):
+            yield MissingFile("mount", service, volume.source, False)
 
 
 def _is_folder(files: Files, service: Service, context: Located) -> bool:
@@ -99,6 +104,8 @@ def _beside(service: Service, *parts: str) -> str:
 
 
 def _is_missing(files: Files, service: Service, found: MissingFile) -> bool:
+    if _TEMPORARY.fullmatch(found.path):
+        return not _is_named(files, os.path.basename(found.path))
     if is_variable(found.path) or found.path.startswith(("/", "~")):
         return False
     context = service.build.context if found.what == "Dockerfile" and service.build else None
@@ -108,6 +115,14 @@ def _is_missing(files: Files, service: Service, found: MissingFile) -> bool:
         return False
     is_copied = found.what in ("env_file", "mount") and any(files.tree.named(os.path.basename(path)))
     return not is_copied and not _is_made(files, path)
+
+
+def _is_named(files: Files, name: str) -> bool:
+    """Whether a script or a text for people speaks of a file, so that somebody makes it."""
+    texts = [path for path in files.tree.paths if path.endswith((".md", ".rst", ".txt", "Makefile", "justfile"))]
+    told = (files.tree.read(path, judged=False) for path in texts)
+    sources = (source for source in (*files.sources, *told) if source is not None and source.kind != "compose")
+    return any(name in source.text for source in sources)
 
 
 def _elsewhere(files: Files, service: Service, relative: str) -> bool:

@@ -60,6 +60,8 @@ class Stage:
     """The earlier stage that it builds on; None for an image from elsewhere."""
     resolved: str = ""
     """The image with the defaults of global ARGs put in; a variable without default stays as written."""
+    earlier: tuple[Stage, ...] = ()
+    """The stages before it that it may build on, where a variable without a value names its image."""
     arguments: Mapping[str, Located | None] = field(default_factory=dict)
     """The global ARGs of the file, with their defaults: an ARG of the stage without a default takes these."""
 

@@ -71,6 +71,8 @@ def _add_stage(file: Dockerfile, instruction: Instruction) -> None:
     stage.arguments = file.arguments
     stage.resolved = file.expand(words[0])
     stage.base = file.stage(stage.resolved)
+    if "$" in stage.resolved:
+        stage.earlier = tuple(file.stages)
     file.add(stage)
 
 

@@ -44,6 +44,11 @@ def shell_commands(source: Source) -> list[Command]:
     return list(source.once(shell_commands, lambda: tuple(flatten(script_blocks(source)))))
 
 
+def shell_blocks(source: Source) -> tuple[Block, ...]:
+    """The statements of a whole script file."""
+    return blocks(source.located(0, len(source.text)))
+
+
 def words(line: Located) -> Iterator[Located]:
     """The words of a command line; operators, which only a shell would read, are left out."""
     for command in commands(line):

@@ -1,10 +1,11 @@
 """A compose file names a file or folder that does not exist.
 
 ## What it finds
-Build contexts, Dockerfiles, env files and bind-mounted configuration files with a path relative to compose.yaml
-or docker-compose.yml. Files that git ignores, files of which the tree has a copy or a template, files that a shell
-script names, and paths that exist below a folder above are not reported. A mount is a
-warning, and the build of an image that may be pulled instead is info.
+Build contexts, Dockerfiles, env files and bind-mounted configuration files with a path relative to compose.yaml or
+docker-compose.yml, and bind-mounted files below `/tmp`, such as `/tmp/.docker.xauth`, of which no script and no
+document of the tree speaks. Files that git ignores, files of which the tree has a copy or a template, files that a
+shell script names, and paths that exist below a folder above are not reported. A mount is a warning, and the build of
+an image that may be pulled instead is info.
 
 ## Why it matters on a robot
 docker compose ends with "path not found" or "env file not found" and starts none of the services. For a mount docker
@@ -51,9 +52,15 @@ def file_missing(robot: Robot) -> Iterator[Finding]:
         yield finding(
             missing.path,
             f"The {missing.what} '{missing.path}' of service '{missing.service.name}' does not exist: {effect}",
-            advice="write the path relative to the folder of the compose file",
+            advice=_advice(missing),
             severity=_severity(missing),
         )
+
+
+def _advice(missing: MissingFile) -> str:
+    if missing.path.startswith("/tmp/"):
+        return "let a script or a unit make it before the start"
+    return "write the path relative to the folder of the compose file"
 
 
 def _severity(missing: MissingFile) -> str | None:

@@ -35,6 +35,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.docker import Runner
 from bringup_lint.api.docker import is_deployed
 from bringup_lint.api.docker import stays_in_shell
 
@@ -45,15 +46,15 @@ LAUNCH = regex(r"\bros2[\s\",\[\]]+launch\b")
 def stopsignal(robot: Robot) -> Iterator[Finding]:
     for file in robot.dockerfiles:
         stage = file.final
-        signal = stage.last("STOPSIGNAL") if stage is not None else None
-        if stage is None or (signal is not None and signal.value in ("SIGINT", "2")):
+        if stage is None:
             continue
         runs = next((i for i in (stage.last("CMD"), stage.last("ENTRYPOINT")) if i and LAUNCH.search(i.value)), None)
-        services = [service for service in robot.compose.services if robot.compose.stage(service) is stage]
+        runners = [runner for runner in robot.runners.all if runner.stage is stage]
         if runs is None or stays_in_shell(stage, runs):
             continue
-        if services and all(service.scalar("stop_signal") for service in services):
+        if runners and not any(map(_gets_sigterm, runners)):
             continue
+        signal = stage.last("STOPSIGNAL")
         source, start = runs.keyword.span.source, runs.keyword.span.start
         here = (source.span(start, start), "STOPSIGNAL SIGINT\n")
         yield finding(
@@ -62,4 +63,13 @@ def stopsignal(robot: Robot) -> Iterator[Finding]:
             advice="add STOPSIGNAL SIGINT",
             fix=fix("add STOPSIGNAL SIGINT", here) if signal is None else None,
             severity=None if is_deployed(robot.compose, file) else "info",
+            confidence=None if any(runner.stop.signal for runner in runners) else "medium",
         )
+
+
+def _gets_sigterm(runner: Runner) -> bool:
+    """Whether docker stop sends SIGTERM; of an image whose base is not known it is assumed."""
+    service = runner.service
+    if service is not None and service.scalar("stop_signal") is not None:
+        return False
+    return runner.stop.signal in (None, "SIGTERM", "TERM", "15")

@@ -2,7 +2,8 @@
 
 ## What it finds
 A shell that sources the setup file of a workspace first and `/opt/ros/<distro>/setup.*` after it: in a unit, in the
-command or entry script of a container, or in a script of the tree.
+command or entry script of a container, in a script of the tree, or in the `.bashrc` to which a script or a Dockerfile
+adds both.
 
 ## Why it matters on a robot
 Each setup file puts its own paths first. If the distribution is sourced last, it hides every package of which the
@@ -27,6 +28,7 @@ When the workspace has no package that also exists in the distribution. The orde
 - ROS 2 documentation, "Creating a workspace": overlay and underlay
 """
 
+import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -41,6 +43,14 @@ from bringup_lint.api.systemd import Step
 
 INSTALLED = regex(r"(?:^|/)(?:install|devel)/(?:local_)?setup\.\w+$")
 """The setup file of a workspace; another prefix may hold the packages of one vendor only."""
+
+ADDED = regex(
+    r"^(?![ \t]*#)[^\n#]*?\becho[ \t]+(?:-e[ \t]+)?[\"']?(?:source|\.)[ \t]+"
+    r"(?P<setup>[^\s\"';&|]{1,200}?setup\.(?:ba|z)?sh)[\"']?[ \t]*>>[ \t]*"
+    r"(?P<file>[^\s\"';&|]{0,100}\.(?:bash|zsh)rc)\b",
+    re.M,
+)
+"""A line that a command adds to the file of a login shell."""
 
 
 @rule("warning")
@@ -63,6 +73,31 @@ def workspace_source_order(robot: Robot) -> Iterator[Finding]:
                         related=[note(workspace[1], "the workspace is sourced here"), *apart],
                     )
                     break
+    yield from _login_files(robot)
+
+
+def _login_files(robot: Robot) -> Iterator[Finding]:
+    """The files of login shells to which scripts and build steps add lines."""
+    for source in robot.of_kind("shell-script", "dockerfile"):
+        if not source.judged or source.template:
+            continue
+        added: dict[str, list[Located]] = {}
+        for line in ADDED.finditer(source.text):
+            added.setdefault(line["file"], []).append(source.located(*line.span("setup")))
+        for file, words in added.items():
+            workspace = next((word for word in words if INSTALLED.search(word) and not _is_distribution(word)), None)
+            if workspace is None or not _is_distribution(words[-1]):
+                continue
+            yield finding(
+                words[-1],
+                f"{words[-1]} comes last in {file} and hides the packages of {workspace} that exist in both",
+                advice="source the distribution first, then the workspace",
+                related=[note(workspace, "the workspace is sourced here")],
+            )
+
+
+def _is_distribution(word: str) -> bool:
+    return word.startswith("/opt/ros/")
 
 
 def _is_last(runner: Runner, found: list[tuple[Step, Located]], workspace: Step, distribution: Step) -> bool:

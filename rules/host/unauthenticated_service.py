@@ -2,12 +2,14 @@
 
 ## What it finds
 Services of the robot itself that listen on all addresses and ask for no password:
-- **error**: Jupyter with an empty token on `--ip=0.0.0.0`, a VNC server with `SecurityTypes None` or `-nopw`, and Flask
-  with `debug=True` on `0.0.0.0` in a node: its debugger runs Python for whoever knows or guesses the PIN, and its
-  reloader runs the program, and so the node, twice.
+- **error**: Jupyter with an empty token on `--ip=0.0.0.0`, a VNC server with `SecurityTypes None` or `-nopw`, a compose
+  service whose image serves a desktop without a password (`linuxserver/baseimage-kasmvnc`, `linuxserver/webtop`,
+  `theasp/novnc`), and Flask with `debug=True` on `0.0.0.0`: its debugger runs Python for whoever knows or guesses the
+  PIN, and its reloader runs the program, and so a node in it, twice.
 - **warning**: `rosbridge_server` and `foxglove_bridge`, which publish for their clients, in a tree that mentions
-  `cmd_vel`; information in others. A mosquitto broker with `allow_anonymous true`. A web server (Flask, uvicorn,
-  websockets, `http.server`) on all addresses in a node that publishes velocities and has no login.
+  `cmd_vel`; information in others. A mosquitto broker with `allow_anonymous true`, and a ser2net `accepter: tcp,PORT`
+  without an address. A web server (Flask, uvicorn, websockets, `http.server`) on all addresses in a node that publishes
+  velocities and has no login.
 
 Not reported: a service on the loopback address, with a password, with limits of its own (`topics_glob`,
 `capabilities`, `acl_file`), with parameters that are not known, and services for simulation, development and tests.
@@ -60,6 +62,10 @@ TEXTS = {
         "drives the robot for everybody who reaches its port",
         "ask for a password, or listen on 127.0.0.1 with a proxy that does",
     ),
+    "serial": (
+        "hands a serial port to everybody who reaches its port",
+        "write the address too, as in 'accepter: tcp,127.0.0.1,2022', or close the port in the firewall",
+    ),
     "broker": ("takes messages from everybody who reaches its port", "use password_file, or bind it to 127.0.0.1"),
 }
 
@@ -78,11 +84,11 @@ def unauthenticated_service(robot: Robot) -> Iterator[Finding]:
             advice=advice,
             related=[note(each, "and here") for each in others],
             severity=_severity(kind, motion),
-            confidence="medium" if kind in ("bridge", "broker", "web") else None,
+            confidence="medium" if kind in ("bridge", "broker", "web", "serial") else None,
         )
 
 
 def _severity(kind: str, motion: bool) -> str | None:
     if kind == "bridge":
         return "warning" if motion else "info"
-    return "warning" if kind in ("broker", "web") else None
+    return "warning" if kind in ("broker", "web", "serial") else None

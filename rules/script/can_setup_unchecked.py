@@ -38,6 +38,7 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
@@ -50,6 +51,7 @@ LOOKS = regex(
 )
 BUS = regex(r"can\d+")
 SETS_UP = regex(r"\bip link (?:set|add) (?:dev )?['\"]?(?:can\d|\$)[^\n]{0,200}(?:\bup\b|type can)")
+ARRAY = regex(r"\$\{(\w+)\[@\]\}")
 DESCRIBING = ("echo", "printf", "exit", "true", "sleep", "")
 
 
@@ -63,7 +65,7 @@ def can_setup_unchecked(robot: Robot) -> Iterator[Finding]:
         if not ignored:
             continue
         after = runs[ignored[0] + 1 :]
-        ros = next((run for run in after if run.name == "ros2" and {"launch", "run"} & set(run.arguments[:1])), None)
+        ros = next((run for run in after if _starts_ros(run, source)), None)
         first, *others = [runs[at] for at in ignored]
         if ros is None and not (robot.scripts.starts_by_itself(source) and _goes_on(after)):
             continue
@@ -91,6 +93,14 @@ def _sets_up(robot: Robot, run: Run) -> bool:
     named = [each for each in robot.tree.named(path.rpartition("/")[2]) if path.endswith(".sh")]
     script = robot.tree.read(named[0], judged=False) if len(named) == 1 else None
     return script is not None and SETS_UP.search(script.text) is not None
+
+
+def _starts_ros(run: Run, source: Source) -> bool:
+    """Whether a command is ``ros2 launch`` or ``ros2 run``, or an array that holds one."""
+    if run.name == "ros2":
+        return run.arguments[:1] in (["launch"], ["run"])
+    array = ARRAY.fullmatch(run.words[0]) if run.words else None
+    return array is not None and re.search(rf"\b{array[1]}=\(\s*ros2\s+(?:launch|run)\b", source.text) is not None
 
 
 def _goes_on(after: list[Run]) -> bool:

@@ -3,7 +3,8 @@ r"""A link depends only on the vendor and product id.
 ## What it finds
 A rule for a serial port or camera that makes a link and identifies the device by `idVendor` and `idProduct`
 alone:
-- **warning**: a bridge chip that is used in many products (FTDI, CP210x, CH340, PL2303, STM32, Arduino).
+- **warning**: a bridge chip that is used in many products (FTDI, CP210x, CH340, PL2303, STM32, Arduino), and any
+  device whose link ends in the number of the kernel (`gps_%n`).
 - **info**: any other device.
 
 ## Why it matters on a robot
@@ -34,6 +35,7 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
 _WEAK = {
@@ -50,6 +52,7 @@ _WEAK = {
     ("ENV", "DEVTYPE"),
     ("ENV", "ID_BUS"),
 }
+NUMBERED = regex(r"(?:%n|\$number)$")
 _DECIDING = ("PROGRAM", "IMPORT", "RESULT", "TEST")
 
 
@@ -65,7 +68,13 @@ def symlink_vidpid_only(robot: Robot) -> Iterator[Finding]:
             f"Every {products[0]} matches" if products else f"A second device {' or '.join(line.usb_ids)} matches too"
         )
         for link in line.links:
-            if link.is_fixed:
+            if NUMBERED.search(link.name):
+                yield finding(
+                    link.name,
+                    f"The number in {link.name} is that of the kernel, which counts devices in the order of discovery",
+                    advice="match ATTRS{serial}, or the USB port, and give the link a fixed name",
+                )
+            elif link.is_fixed:
                 yield finding(
                     link.name,
                     f"{what}: {link.path} points to the one found last",

@@ -7,7 +7,11 @@ from bringup_lint.discover.kinds import Kind
 from bringup_lint.pattern import regex
 
 _NAME = regex(r"\.(?:sh|bash)$")
-_FOLDER = regex(r"(?:^|/)(?:s?bin|scripts?|libexec|cron\.(?:hourly|daily|weekly|monthly))/[^/.]+$")
+_FOLDER = regex(
+    r"(?:^|/)(?:s?bin|scripts?|libexec|usr/lib/[\w.-]+|cron\.(?:hourly|daily|weekly|monthly))/[^/.]+$"
+    r"|(?:^|/)(?:rc\.local|[\w.-]*entrypoint|(?:[\w.-]*[.-])?(?:pre|post)(?:inst|rm))$"
+)
+"""Places and names of scripts that have no ending of their own."""
 _SHEBANG = regex(r"#!\s*(?:/usr)?(?:/bin/env\s+)?(?:\S*/)?(?:ba|da|k|z)?sh\b")
 
 

@@ -14,10 +14,12 @@ from bringup_lint.graph.commands.open_access import Offer
 from bringup_lint.graph.commands.open_access import open_access
 from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.started import literal_text
+from bringup_lint.graph.modules import modules
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.graph.workspace import place
 from bringup_lint.model.launch_values import Argument
 from bringup_lint.model.launch_values import DictValue
+from bringup_lint.model.launch_values import Literal
 from bringup_lint.model.launch_values import TypedValue
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
@@ -29,6 +31,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
     from bringup_lint.graph.launch.launch import Launch
     from bringup_lint.graph.launch.started import Started
+    from bringup_lint.graph.runners.runner import Runner
     from bringup_lint.graph.runners.runners import Runners
     from bringup_lint.model.launch_values import Value
 
@@ -39,6 +42,14 @@ BRIDGES = {
 """Packages whose server gives the graph to every client on all addresses by default -> the parameters that limit it.
 Source: rosbridge_websocket.py (address ""), foxglove_bridge's README (address 0.0.0.0, capabilities)."""
 
+DESKTOPS = regex(r"(?:^|/)(?:linuxserver/)?(?:baseimage-kasmvnc|webtop)(?::|$)|(?:^|/)theasp/novnc(?::|$)")
+"""Images with a desktop that asks for nothing unless PASSWORD is set. Source: the README of each."""
+_ACCEPTER = regex(r"^[ \t]*accepter:[ \t]*(?P<where>(?:telnet\([^)\n]*\),|telnet,)?tcp,\d+)[ \t\r]*$", re.M)
+_FLASK = regex(r"\b(?:app|application|server|socketio)\.run\((?P<arguments>[^()]{0,300})\)")
+_ANY_HOST = regex(r"\bhost[ \t]*=[ \t]*[\"'](?:0\.0\.0\.0|::)[\"']")
+_DEBUG = regex(r"\bdebug[ \t]*=[ \t]*True\b")
+_OPERATOR = regex(r"(?:^|[/_.-])(?:pc|operator|monitor(?:ing)?|ground|groundstation|basestation)(?=[/_.-])", re.I)
+"""Launch files for the computer of those who look at the robot."""
 _LISTENER = regex(r"^[ \t]*listener[ \t]+(?P<port>\d+)(?:[ \t]+(?P<address>\S+))?[ \t\r]*$", re.M)
 _ANONYMOUS = regex(r"^[ \t]*allow_anonymous[ \t]+true\b", re.M)
 _LIMITED = regex(r"^[ \t]*(?:acl_file|plugin|auth_plugin|bind_interface|require_certificate[ \t]+true)\b", re.M)
@@ -46,7 +57,7 @@ _LIMITED = regex(r"^[ \t]*(?:acl_file|plugin|auth_plugin|bind_interface|require_
 
 class OpenService(NamedTuple):
     kind: str
-    """``bridge``, ``shell`` (of Jupyter), ``desktop``, ``broker``, ``web`` or ``debugger``."""
+    """``bridge``, ``shell`` (of Jupyter), ``desktop``, ``broker``, ``serial``, ``web`` or ``debugger``."""
     name: str
     where: Span
 
@@ -55,8 +66,11 @@ def open_services(files: Files, runners: Runners, launch: Callable[[], Launch]) 
     """The open services of the robot itself; those for development, simulation and tests are left out."""
     if files.of_kind(*LAUNCH):
         yield from _launched(files, launch())
+    yield from _serial_ports(files)
+    yield from _debuggers(files)
     for runner in runners.all:
         if runner.purpose is Purpose.ROBOT and runner.source.judged:
+            yield from _image(runner)
             for command in runner.commands:
                 yield from _command(command.words)
             for start in runner.starts:
@@ -82,13 +96,19 @@ def _launched(files: Files, launch: Launch) -> Iterator[OpenService]:
 def _included(files: Files, launch: Launch) -> Iterator[OpenService]:
     """The launch files of the bridges' own packages that a file of the robot includes, with their defaults."""
     for expansion in launch.expansions:
-        if files.purpose(expansion.entry.source) is not Purpose.ROBOT or launch.simulated(expansion.entry):
+        source = expansion.entry.source
+        if (
+            files.purpose(source) is not Purpose.ROBOT
+            or launch.simulated(expansion.entry)
+            or _OPERATOR.search(source.name)
+        ):
             continue
         for include in expansion.includes:
             found = place(include.file) if include.source is expansion.entry and include.target is None else None
             if found is None or found.package not in BRIDGES or include.conditions or include.action.open:
                 continue
-            if include.source.source.judged and set(include.arguments) <= {"port", "use_sim_time"}:
+            limits = ("address", *BRIDGES[found.package])
+            if include.source.source.judged and not any(map(include.arguments.get, limits)):
                 yield OpenService("bridge", found.package, include.action.span)
 
 
@@ -99,12 +119,19 @@ def _is_open(node: Started, limits: tuple[str, ...]) -> bool:
             return False
         for key, inner in value.items:
             name = text_of(key)
-            if name is None or (name in limits and _known(inner) not in ("False", "false")):
+            if name is None or (name in limits and _switches_on(inner)):
                 return False
             address = _known(inner) if name == "address" else ""
             if address is None or is_loopback(address):
                 return False
     return not node.arguments
+
+
+def _switches_on(value: Value) -> bool:
+    """Whether a limit may limit something: ``authenticate: False`` and an empty list of topics do not."""
+    known = text_of(value)
+    literal = value.value if isinstance(value, Literal) else known
+    return str(literal).lower() not in ("false", "", "[]")
 
 
 def _known(value: Value | None) -> str | None:
@@ -114,6 +141,44 @@ def _known(value: Value | None) -> str | None:
     if isinstance(value, Argument):
         return _known(value.default)
     return None if value is None else text_of(value)
+
+
+def _image(runner: Runner) -> Iterator[OpenService]:
+    """A desktop that an image serves without a password as long as no variable sets one."""
+    service = runner.service
+    if (
+        service is None
+        or service.image is None
+        or service.env_files
+        or any("PASS" in name for name in service.environment)
+    ):
+        return
+    ports = service.items("ports")
+    is_reached = service.is_on_host_network or any(
+        not is_loopback(port.rpartition(":")[0].partition(":")[0]) for port in ports
+    )
+    if is_reached and DESKTOPS.search(service.image):
+        yield OpenService("desktop", f"service '{service.name}'", service.image.span)
+
+
+def _serial_ports(files: Files) -> Iterator[OpenService]:
+    """What ser2net hands to the network: a port without an address is that of all interfaces."""
+    for name in ("ser2net.yaml", "ser2net.yml"):
+        for path in files.tree.named(name):
+            source = files.tree.read(path)
+            if source is None or not source.judged or files.purpose(source) is not Purpose.ROBOT:
+                continue
+            for accepter in _ACCEPTER.finditer(source.text):
+                yield OpenService("serial", "ser2net", source.span(*accepter.span("where")))
+
+
+def _debuggers(files: Files) -> Iterator[OpenService]:
+    for source in modules(files):
+        if "flask" in source.text and files.purpose(source) is Purpose.ROBOT:
+            for call in _FLASK.finditer(source.text):
+                arguments = call["arguments"]
+                if _ANY_HOST.search(arguments) and _DEBUG.search(arguments):
+                    yield OpenService("debugger", "Flask", source.span(*call.span("arguments")))
 
 
 def _command(words: tuple[Located, ...]) -> Iterator[OpenService]:

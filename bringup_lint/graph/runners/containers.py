@@ -135,9 +135,11 @@ def in_image(stage: Stage | None, path: str, folder: str | None = None) -> str |
 
 
 def _steps(stage: Stage) -> Iterator[tuple[str | None, Instruction]]:
-    """The instructions of an image from the bottom on, each with the WORKDIR that counts after it."""
+    """The instructions of an image from the bottom on, each with the WORKDIR that counts after it; those of all stages
+    that may be at the bottom."""
     folder: str | None = None
-    for one in reversed(list(stage.chain)):
+    chain = list(stage.chain)
+    for one in (*chain[-1].earlier, *reversed(chain)):
         for instruction in one.instructions:
             if instruction.name == "WORKDIR":
                 value = str(instruction.value).strip("\"'")

@@ -54,6 +54,8 @@ _NO_NAME = regex(r"^(?:old)?pwd$", re.I)
 _KNOWN_VALUE = regex(
     r"\b(?:AKIA|ASIA)[0-9A-Z]{16}\b|\bgh[pousr]_[A-Za-z0-9]{30,}|\bgithub_pat_\w{30,}|\bglpat-[\w-]{20}"
     r"|\bsk[-_]live[-_]\w{16,}|\bxox[abprs]-[\w-]{20,}|-----BEGIN (?:[A-Z]+ )*PRIVATE KEY-----"
+    r"|https://(?:\w+\.)?discord(?:app)?\.com/api/webhooks/\d{15,20}/[\w-]{40,}"
+    r"|https://hooks\.slack\.com/services/T\w{5,}/B\w{5,}/\w{16,}|\b\d{8,10}:AA[\w-]{33}\b"
     r"|\beyJ[\w-]{10,}\.eyJ[\w-]{10,}\.[\w-]{10,}"
 )
 _USER_INFO = regex(r"\b[a-z][a-z0-9+.-]*://[^/\s:@]+:([^@/\s]+)@")

@@ -1,0 +1,33 @@
+"""The Python modules of a tree that are neither nodes nor launch files: web servers, tools and parts of packages."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from itertools import islice
+from typing import TYPE_CHECKING
+
+from bringup_lint.pattern import regex
+from bringup_lint.source import Source
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.files import Files
+
+MODULES = 2_000
+"""Python modules of one tree that are read besides its nodes."""
+TEXT = 500_000
+"""Code points of such a module."""
+TEST = regex(r"(?:^|/)(?:tests?|examples?|samples?)/|(?:^|/)(?:test_[^/]*|[^/]*_test)\.")
+_LAUNCH = regex(r"[._-]launch\.py$|/launch/|/(?:setup|conftest)\.py$")
+_FOREIGN = regex(r"/(?:site-packages|dist-packages|\.?venv|env|node_modules|build|install|third_?party|vendor)/")
+
+
+def modules(files: Files) -> Iterator[Source]:
+    """The judged modules, at most so many; tests, examples and what others wrote are left out."""
+    known = {os.path.abspath(source.name) for source in files.sources}
+    paths = (path for path in sorted(files.tree.paths) if path.endswith(".py") and path not in known)
+    own = (path for path in paths if not (TEST.search(path) or _LAUNCH.search(path) or _FOREIGN.search(path)))
+    for path in islice(own, MODULES):
+        source = files.tree.read(path)
+        if source is not None and source.judged and len(source.text) <= TEXT:
+            yield source

@@ -1,0 +1,82 @@
+"""A script starts ROS although the build before it failed.
+
+## What it finds
+`colcon build` whose result nobody looks at, before a `ros2 launch` or `ros2 run` of the same script, in a script
+without `set -e`. Silent if `&&` or `||` follows, if the build is the condition of an `if`, and if the script looks at
+`$?`.
+
+## Why it matters on a robot
+When a package does not compile, its last build is still in `install/`. The script sources it and starts it: the robot
+drives with the old code, and the message of the compiler has long left the screen. Whoever tests a fix sees that it
+changes nothing.
+
+## Bad
+```sh
+#!/bin/bash
+colcon build --symlink-install
+source install/setup.bash
+ros2 launch rover rover.launch.py
+```
+
+## Good
+```sh
+#!/bin/bash
+set -e
+colcon build --symlink-install
+source install/setup.bash
+exec ros2 launch rover rover.launch.py
+```
+
+## When to ignore it
+When the last build that succeeded is what is to be started.
+
+## References
+- bash(1), "set": errexit
+"""
+
+import re
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import regex
+from bringup_lint.api import rule
+from bringup_lint.api.shell import Run
+
+LOOKS = regex(
+    r"^[ \t]*set -(?:\w{0,8}e|o errexit)|^#![^\n]{0,80} -\w{0,8}e|\btrap [^\n]{0,200}\bERR\b|\$\?|\bPIPESTATUS\b",
+    re.M,
+)
+CONDITION = regex(r"\b(?:if|elif|while|until)\b[^;\n]{0,200}$|![ \t]*$")
+
+
+@rule("warning", symptoms=["Failed   <<<"])
+def build_unchecked(robot: Robot) -> Iterator[Finding]:
+    for source in robot.of_kind("shell-script"):
+        if not source.judged or "colcon" not in source.text or LOOKS.search(source.text):
+            continue
+        runs = [did for did in robot.scripts.done(source) if isinstance(did, Run)]
+        builds = [at for at, run in enumerate(runs) if _is_ignored(run)]
+        ros = next((run for run in runs[builds[0] + 1 :] if _starts_ros(run)), None) if builds else None
+        if ros is None:
+            continue
+        yield finding(
+            runs[builds[0]].words[0],
+            "A build that fails is ignored: ROS starts with what the last build left in install/",
+            advice="begin the script with set -e, or write '|| exit 1' after the build",
+            related=[note(ros.words[0], "ROS is started here")],
+        )
+
+
+def _is_ignored(run: Run) -> bool:
+    if run.name != "colcon" or run.arguments[:1] != ["build"] or run.command.ends in ("&&", "||", "&"):
+        return False
+    span = run.command.words[0].span
+    before = span.source.text[: span.start].rpartition("\n")[2]
+    return CONDITION.search(before) is None
+
+
+def _starts_ros(run: Run) -> bool:
+    return run.certain and run.name == "ros2" and run.arguments[:1] in (["launch"], ["run"])
