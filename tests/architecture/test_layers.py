@@ -46,7 +46,15 @@ LAYERS = (
         "graph.devcontainers",
         "graph.image_use",
     },
-    {"graph.workspace", "graph.compose", "graph.netplan", "graph.networkmanager", "graph.udev", "graph.commands"},
+    {
+        "graph.workspace",
+        "graph.compose",
+        "graph.modules",
+        "graph.netplan",
+        "graph.networkmanager",
+        "graph.udev",
+        "graph.commands",
+    },
     {"graph.files", "graph.file_nodes", "graph.images", "graph.places", "graph.layers"},
     {
         "graph.absence",
