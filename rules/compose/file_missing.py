@@ -49,9 +49,10 @@ def file_missing(robot: Robot) -> Iterator[Finding]:
         effect = "docker compose ends" if missing.fatal else "the image cannot be built here"
         if missing.what == "mount":
             effect = "docker mounts an empty folder in its place"
+        lacks = "is made by nothing of this tree" if missing.path.startswith("/tmp/") else "does not exist"
         yield finding(
             missing.path,
-            f"The {missing.what} '{missing.path}' of service '{missing.service.name}' does not exist: {effect}",
+            f"The {missing.what} '{missing.path}' of service '{missing.service.name}' {lacks}: {effect}",
             advice=_advice(missing),
             severity=_severity(missing),
         )
