@@ -33,6 +33,7 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
@@ -54,7 +55,7 @@ def background_unwatched(robot: Robot) -> Iterator[Finding]:
         jobs = [run for run in runs if run.certain and _starts_ros(run) and run.command.background]
         if len(jobs) < LEAST or any(_starts_ros(run) and not run.command.background for run in runs):
             continue
-        if any(runner.in_container or runner.unit is not None for runner in _runners(robot, source.basename)):
+        if any(runner.in_container or runner.unit is not None for runner in _runners(robot, source)):
             continue
         first, *others = jobs
         yield finding(
@@ -69,6 +70,9 @@ def _starts_ros(run: Run) -> bool:
     return run.name == "ros2" and run.arguments[:1] in (["launch"], ["run"])
 
 
-def _runners(robot: Robot, name: str) -> Iterator[Runner]:
-    """The runners whose files name the script."""
-    return (runner for runner in robot.runners.all if re.search(rf"(?<![\w.-]){re.escape(name)}\b", runner.source.text))
+def _runners(robot: Robot, source: Source) -> Iterator[Runner]:
+    """The runners of the same robot whose files name the script."""
+    named = re.compile(rf"(?<![\w.-]){re.escape(source.basename)}\b")
+    for runner in robot.runners.all:
+        if named.search(runner.source.text) and robot.same_robot(runner.source, source):
+            yield runner

@@ -82,7 +82,7 @@ def _is_hard(run: Run) -> bool:
 def _pattern(robot: Robot, run: Run) -> Located | None:
     """The word that says what is killed, when that is something of ROS on the robot."""
     for word in run.words[1:]:
-        text = run.text(word)
+        text = str(word) if word.startswith(("$(", "`")) else run.text(word)
         if word.startswith("-") or NOT_ROBOT.search(text):
             continue
         if run.name == "kill" and not text.startswith(("$(", "`")):
