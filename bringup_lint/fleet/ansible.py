@@ -1,15 +1,21 @@
-"""An Ansible inventory in YAML: its hosts are robots. Where their files lie, host variables say: ``bringup_lint_root``,
+"""An Ansible inventory in YAML: its hosts are robots. Where their files lie, variables say: ``bringup_lint_root``,
 ``bringup_lint_overlays``, ``bringup_lint_role``, ``bringup_lint_site`` and ``bringup_lint_domain``, in the inventory or
-in ``host_vars/`` and ``group_vars/`` beside it. Variables of a host count more than those of its groups, those of inner
-groups more than those of outer ones; templates are not filled in.
+in ``host_vars/`` and ``group_vars/`` beside it.
+
+Which variable counts is as in Ansible's "Variable precedence" and "How variables are merged"; ansible-inventory --list
+shows the same. Of templates, only ``{{ inventory_hostname }}`` is filled in.
 """
 
 from __future__ import annotations
 
 import os
+from collections.abc import Iterable
 from collections.abc import Iterator
+from functools import cache
 
 from bringup_lint.config import ConfigError
+from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 from bringup_lint.fleet.members import ROLE
 from bringup_lint.fleet.members import Inventory
 from bringup_lint.fleet.members import Member
@@ -19,12 +25,57 @@ from bringup_lint.model.yaml_node import Node
 from bringup_lint.model.yaml_node import Scalar
 from bringup_lint.model.yaml_node import Sequence
 from bringup_lint.parsers.yaml_nodes import parse
+from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 
 _PREFIX = "bringup_lint_"
 _NAMES = ("root", "overlays", "role", "site", "domain")
+_PRIORITY = "ansible_group_priority"
+_ALL = "all"
 _DEPTH = 20
+_MOST = 100_000
+"""Hosts that one range may name."""
+_ENDINGS = ("", ".yml", ".yaml", ".json")
+_RANGE = regex(r"\[(?P<first>\d+|[a-zA-Z]):(?P<last>\d+|[a-zA-Z])(?::(?P<step>\d+))?\]")
+_HOST_NAME = regex(r"\{\{ *inventory_hostname *\}\}")
 Variables = dict[str, Node]
+
+
+@dataclass
+class Group:
+    """A group of an inventory, which may speak of it at several places."""
+
+    variables: Variables = field(default_factory=dict)
+    parents: set[str] = field(default_factory=set)
+    priority: int = 1
+
+
+@dataclass
+class Hosts:
+    """What an inventory says, before its variables are merged."""
+
+    groups: dict[str, Group] = field(default_factory=dict)
+    variables: dict[str, Variables] = field(default_factory=dict)
+    """By host."""
+    members: dict[str, set[str]] = field(default_factory=dict)
+    """Host -> the groups that list it."""
+
+    def depth(self, name: str, left: int = _DEPTH) -> int:
+        """How many groups lie around a group at most; a circle ends somewhere."""
+        if name == _ALL or not left:
+            return 0
+        return 1 + max((self.depth(parent, left - 1) for parent in self.groups[name].parents), default=0)
+
+    def around(self, host: str) -> list[str]:
+        """The groups of a host, those that count most last."""
+        found: set[str] = {_ALL}
+        waiting = list(self.members[host])
+        while waiting:
+            name = waiting.pop()
+            if name not in found:
+                found.add(name)
+                waiting += self.groups[name].parents
+        return sorted(found, key=lambda name: (self.depth(name), self.groups[name].priority, name))
 
 
 def read_ansible(path: str) -> Inventory:
@@ -32,26 +83,43 @@ def read_ansible(path: str) -> Inventory:
     top = _read(path)
     if top is None:
         raise ConfigError(f"{path}: neither a {path.rpartition('.')[2]} archive nor an Ansible inventory in YAML")
-    hosts: dict[str, Variables] = {}
+    hosts = Hosts({_ALL: Group()})
     for name, group in top.merged:
-        if isinstance(group, Mapping):
-            for host, variables in _hosts(path, str(name.value), group, {}, 0):
-                hosts.setdefault(host, {}).update(variables)
-    if not hosts:
+        _gather(hosts, str(name.value), group, None, 0)
+    if not hosts.members:
         raise ConfigError(f"{path}: an inventory without hosts")
-    return Inventory(tuple(_member(path, host, variables) for host, variables in hosts.items()))
+    return Inventory(tuple(_member(path, host, _merged(path, hosts, host)) for host in hosts.members))
 
 
-def _hosts(path: str, name: str, group: Mapping, outer: Variables, depth: int) -> Iterator[tuple[str, Variables]]:
-    """The hosts of a group and of the groups in it, each with its variables."""
-    own = {**outer, **_variables(_beside(path, "group_vars", name)), **_variables(group.mapping("vars"))}
-    for host, value in _entries(group, "hosts"):
-        inline = _variables(value if isinstance(value, Mapping) else None)
-        yield host, {**own, **_variables(_beside(path, "host_vars", host)), **inline}
-    if depth < _DEPTH:
-        for child, value in _entries(group, "children"):
-            if isinstance(value, Mapping):
-                yield from _hosts(path, child, value, own, depth + 1)
+def _gather(hosts: Hosts, name: str, value: Node, parent: str | None, depth: int) -> None:
+    """Note a group, its hosts and the groups in it."""
+    group = hosts.groups.setdefault(name, Group())
+    if parent is not None:
+        group.parents.add(parent)
+    if not isinstance(value, Mapping) or depth > _DEPTH:
+        return
+    given = value.mapping("vars")
+    group.variables.update(_variables(given))
+    priority = given.get(_PRIORITY) if given else None
+    if isinstance(priority, Scalar) and priority.integer is not None:
+        group.priority = priority.integer
+    for pattern, inline in _entries(value, "hosts"):
+        for host in expanded(pattern):
+            hosts.members.setdefault(host, set()).add(name)
+            hosts.variables.setdefault(host, {}).update(_variables(inline if isinstance(inline, Mapping) else None))
+    for child, inner in _entries(value, "children"):
+        _gather(hosts, child, inner, name, depth + 1)
+
+
+def _merged(path: str, hosts: Hosts, host: str) -> Variables:
+    """The variables of a host. Files count more than the inventory, and group_vars/all more than the groups in it."""
+    groups = hosts.around(host)
+    merged: Variables = {}
+    for name in groups:
+        merged.update(hosts.groups[name].variables)
+    for name in groups:
+        merged.update(_beside(path, "group_vars", name))
+    return {**merged, **hosts.variables[host], **_beside(path, "host_vars", host)}
 
 
 def _entries(group: Mapping, name: str) -> Iterator[tuple[str, Node]]:
@@ -60,12 +128,44 @@ def _entries(group: Mapping, name: str) -> Iterator[tuple[str, Node]]:
         yield from ((str(key.value), value) for key, value in inner.merged)
 
 
-def _beside(path: str, folder: str, name: str) -> Mapping | None:
-    for ending in (".yml", ".yaml", ""):
-        file = os.path.join(os.path.dirname(path), folder, name + ending)
-        if "/" not in name and os.path.isfile(file):
-            return _read(file)
-    return None
+def expanded(pattern: str) -> Iterator[str]:
+    """The hosts of ``rover-[01:03].hall``, as Ansible counts them; a name without ranges is itself."""
+    found = _RANGE.search(pattern)
+    if found is None:
+        yield pattern
+        return
+    before, after = pattern[: found.start()], pattern[found.end() :]
+    for middle in _counted(found["first"], found["last"], int(found["step"] or 1)):
+        yield from (f"{before}{middle}{rest}" for rest in expanded(after))
+
+
+def _counted(first: str, last: str, step: int) -> Iterator[str]:
+    if not step or first.isdigit() != last.isdigit():
+        return
+    if not first.isdigit():
+        yield from map(chr, range(ord(first), ord(last) + 1, step))
+        return
+    width = len(first) if first.startswith("0") else 0
+    yield from (str(number).zfill(width) for number in range(int(first), int(last) + 1, step)[:_MOST])
+
+
+@cache
+def _beside(path: str, folder: str, name: str) -> Variables:
+    """The variables in the files of ``host_vars`` or ``group_vars`` for a name: one file, or all in a folder."""
+    if "/" in name:
+        return {}
+    place = os.path.join(os.path.dirname(path), folder, name)
+    found: Variables = {}
+    for file in [*filter(os.path.isfile, map(place.__add__, _ENDINGS)), *_files_below(place)]:
+        found.update(_variables(_read(file)))
+    return found
+
+
+def _files_below(place: str) -> list[str]:
+    if not os.path.isdir(place):
+        return []
+    names = sorted(os.listdir(place))
+    return [os.path.join(place, name) for name in names if name.endswith(_ENDINGS[1:]) and not name.startswith(".")]
 
 
 def _read(path: str) -> Mapping | None:
@@ -81,7 +181,7 @@ def _variables(mapping: Mapping | None) -> Variables:
 
 
 def _member(path: str, host: str, variables: Variables) -> Member:
-    layers = [*_texts(variables.get("root")), *_texts(variables.get("overlays"))]
+    layers = [*_texts(variables.get("root"), host), *_texts(variables.get("overlays"), host)]
     if not layers:
         raise ConfigError(f"{path}: nothing says where the files of '{host}' lie: set {_PREFIX}root")
     folder = os.path.dirname(os.path.abspath(path))
@@ -91,11 +191,14 @@ def _member(path: str, host: str, variables: Variables) -> Member:
         raise ConfigError(f"{path}: robot '{host}': there is no '{missing}'")
     domain = variables.get("domain")
     number = domain.integer if isinstance(domain, Scalar) else None
-    role, site = (next(iter(_texts(variables.get(name))), "") for name in ("role", "site"))
+    role, site = (next(iter(_texts(variables.get(name), host)), "") for name in ("role", "site"))
     return Member(host, places, role or ROLE, site, number)
 
 
-def _texts(node: Node | None) -> list[str]:
+def _texts(node: Node | None, host: str) -> list[str]:
+    scalars: Iterable[Scalar] = ()
     if isinstance(node, Scalar):
-        return [str(node.value)]
-    return [str(each.value) for each in node.scalars] if isinstance(node, Sequence) else []
+        scalars = [node]
+    elif isinstance(node, Sequence):
+        scalars = node.scalars
+    return [_HOST_NAME.sub(lambda _: host, str(each.value)) for each in scalars]

@@ -120,6 +120,20 @@ def test_commands_run(command: str, tmp_path: Path) -> None:
     assert run.code in (0, 1) and "bringup-lint: " not in run.stderr, run.stderr
 
 
+def test_the_configuration_of_the_readme_holds_in_any_tree(tmp_path: Path) -> None:
+    shutil.copytree(PROJECT / "docs" / "example", tmp_path / "robot")
+    block = (
+        (PROJECT / "README.md").read_text("utf-8").partition("<!-- configuration -->\n```toml\n")[2].partition("```")[0]
+    )
+    write(tmp_path / "robot/bringup-lint.toml", block)
+    run = lint("--output-format", "concise", ".", cwd=tmp_path / "robot")
+    assert run.code == 1 and run.stderr == ""
+    assert "error[systemd/root-user]" in run.stdout
+    (tmp_path / "robot/deploy/units").mkdir(parents=True)
+    write(tmp_path / "robot/bringup-lint.toml", block.replace('# "deploy', '"deploy'))
+    assert lint(".", cwd=tmp_path / "robot").code == 1
+
+
 def example_rule() -> str:
     text = CONTRIBUTING.read_text("utf-8")
     block = text.partition("   ```python\n")[2].partition("\n   ```\n\n   The docstring")[0]
