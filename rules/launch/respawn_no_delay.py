@@ -30,14 +30,43 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
+from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import launch
+from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.named_tuple import NamedTuple
 
 
 @rule("warning", fix="unsafe")
 def respawn_no_delay(robot: Robot) -> Iterator[Finding]:
+    found: dict[Source, dict[Span, Hasty]] = {}
+    for hasty in restarted_at_once(robot):
+        found.setdefault(hasty.value.source, {}).setdefault(hasty.value, hasty)
+    for alike in found.values():
+        first, *others = alike.values()
+        edits = [each.edit for each in alike.values() if each.edit is not None]
+        yield finding(
+            first.value,
+            f"{first.label} is restarted without a delay: a crash at start uses up a core and floods the log",
+            advice="set respawn_delay to 2.0",
+            related=[note(other.value, f"so is {other.label}") for other in others],
+            fix=fix("wait 2 s", *edits) if edits else None,
+        )
+
+
+class Hasty(NamedTuple):
+    """A process that launch restarts at once."""
+
+    label: str
+    value: Span
+    edit: tuple[Span, str] | None
+    """What makes launch wait; None where the delay is not written with the node."""
+
+
+def restarted_at_once(robot: Robot) -> Iterator[Hasty]:
     for node in robot.launch.nodes:
         if not isinstance(node.action, launch.Process) or node.action.open or robot.launch.simulated(node.file):
             continue
@@ -51,18 +80,15 @@ def respawn_no_delay(robot: Robot) -> Iterator[Finding]:
             continue
         span = (node.action.options["respawn_delay"] if delay is not None else value).span
         own = span.source is node.file.source and span.start >= node.span.start and span.end <= node.span.end
-        repair = None
-        if own and delay is None and node.file.format == "python":
-            repair = fix("wait 2 s", (span.source.span(span.end, span.end), ", respawn_delay=2.0"))
-        elif own and delay is None and node.file.format == "xml":
-            end = span.end + 1
-            repair = fix("wait 2 s", (span.source.span(end, end), ' respawn_delay="2.0"'))
-        yield finding(
-            value.span,
-            f"{node.label()} is restarted without a delay: a crash at start uses up a core and floods the log",
-            advice="set respawn_delay to 2.0",
-            fix=repair,
-        )
+        yield Hasty(node.label(), value.span, _edit(span, node.file.format) if own and delay is None else None)
+
+
+def _edit(span: Span, form: str) -> tuple[Span, str] | None:
+    if form == "python":
+        return span.source.span(span.end, span.end), ", respawn_delay=2.0"
+    if form == "xml":
+        return span.source.span(span.end + 1, span.end + 1), ' respawn_delay="2.0"'
+    return None
 
 
 def is_container(action: launch.Process) -> bool:

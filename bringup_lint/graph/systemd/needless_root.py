@@ -5,6 +5,7 @@ from __future__ import annotations
 from enum import Enum
 
 from bringup_lint.graph.commands.wrappers import program_name
+from bringup_lint.graph.commands.wrappers import unwrapped
 from bringup_lint.graph.systemd.process import Process
 from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.graph.systemd.units import Units
@@ -75,6 +76,12 @@ def changes_user(process: Process) -> bool:
     return False
 
 
+def _programs(process: Process) -> tuple[Located, ...]:
+    """The program, and the script that it interprets; arguments of other programs are only files."""
+    words = unwrapped(process.argv)
+    return words[:2] if words and _INTERPRETER.match(program_name(words[0])) else words[:1]
+
+
 def needless_root(process: Process, units: Units) -> NeedlessRoot | None:
     """What a command line runs that needs no root; None when it may need it."""
     if process.mentions_ros or process.is_ros1:
@@ -82,7 +89,7 @@ def needless_root(process: Process, units: Units) -> NeedlessRoot | None:
     script = process.script_outside_tree
     if script is not None and process.unit in units.presumed_ros:
         return NeedlessRoot(Work.PROBABLY_ROS, script)
-    paths = [word for word in process.argv[:2] if word.startswith("/")]
+    paths = [word for word in _programs(process) if word.startswith("/")]
     ends = process.unit.get("Type") in ("oneshot", "forking")
     for path in paths:
         home = _HOME.match(path)

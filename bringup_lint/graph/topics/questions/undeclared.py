@@ -70,7 +70,8 @@ def undeclared(topics: Topics) -> Iterator[Undeclared]:
 
 
 def is_called_nowhere(topics: Topics, place: Span) -> bool:
-    """Whether a place is in a Python function that no source of the tree names again: code that never runs."""
+    """Whether a place is in a Python function that neither its own file nor one that names the module names again: code
+    that never runs."""
     before = place.source.text[: place.start]
     indent = len(place.source.line_text(place.line)) - len(place.source.line_text(place.line).lstrip())
     around = [each for each in _FUNCTION.finditer(before) if len(each["indent"]) < indent]
@@ -78,8 +79,10 @@ def is_called_nowhere(topics: Topics, place: Span) -> bool:
         return False
     name = around[-1]["name"]
     word = regex(rf":{name}\b|(?<![\w\"'])(?<!def ){name}\b(?![\w\"'])")
-    sources = (source for source in topics.files.sources if source.name.endswith(".py"))
-    return not name.startswith("__") and not any(name in source.text and word.search(source.text) for source in sources)
+    module = place.source.basename.removesuffix(".py")
+    sources = (each for each in topics.files.sources if each.name.endswith(".py") and name in each.text)
+    callers = (each for each in sources if each is place.source or module in each.text)
+    return not name.startswith("__") and not any(word.search(each.text) for each in callers)
 
 
 def asked_in_vain(topics: Topics) -> Iterator[Located]:
