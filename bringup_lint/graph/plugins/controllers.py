@@ -64,8 +64,9 @@ def _is(node: Started, *executables: str) -> bool:
 
 
 def _spawned(expansion: Expansion) -> Iterator[tuple[Started, Located]]:
+    """The controllers of spawners that give the manager nothing else; newer ones hand over their own parameters."""
     for node in expansion.nodes:
-        if not _is(node, *_SPAWNERS) or node.by_default is False:
+        if not _is(node, *_SPAWNERS) or node.by_default is False or node.parameters:
             continue
         words = [literal_text(word) for word in node.arguments]
         if any(word is None or word.partition("=")[0] in _TYPED for word in words):
