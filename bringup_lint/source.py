@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from bisect import bisect_right
 from collections.abc import Callable
 from collections.abc import Iterator
@@ -101,6 +102,11 @@ class Source:
         starts = self.line_starts
         end = starts[line] if line < len(starts) else len(self.text)
         return self.text[starts[line - 1] : end].rstrip("\r\n")
+
+    @cached_property
+    def absolute(self) -> str:
+        """The absolute path of the file, from the folder in which the run began."""
+        return os.path.abspath(self.name)
 
     def span(self, start: int, end: int) -> Span:
         return Span(self, start, end)
@@ -219,7 +225,7 @@ class Located(str):
         if end <= start:
             at = self.origin(start)
             return Located("", Span(source, at, at))
-        text = str.__getitem__(self, slice(start, end))
+        text = self[start:end]
         if self.pieces is None and opens + end <= closes:
             return Located(text, Span(source, opens + start, opens + end))
         first = self.origin(start)
@@ -232,13 +238,21 @@ class Located(str):
     def strip_located(self, chars: str | None = None) -> Located:
         """Like ``str.strip``, keeping the place."""
         length = len(self)
-        if len(self.strip(chars)) == length == self.span.end - self.span.start and self.pieces is None:
+        if len(self.strip(chars)) == length and self.is_verbatim:
             return self
         start = length - len(self.lstrip(chars))
         return self.part(start, max(start, len(self.rstrip(chars))))
 
+    @property
+    def is_verbatim(self) -> bool:
+        """Whether this is what the source holds there, character by character."""
+        return self.pieces is None and len(self) == self.span.end - self.span.start
+
     def words(self) -> Iterator[Located]:
         """The words between blanks of ASCII, each with its place: other blanks belong to a word, as C reads it."""
+        if _WORD.fullmatch(self) and type(self) is Located and self.is_verbatim:
+            yield self
+            return
         for match in _WORD.finditer(self):
             yield self.part(*match.span())
 

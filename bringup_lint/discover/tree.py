@@ -71,6 +71,7 @@ class Tree:
     _held: dict[str, bool] = field(default_factory=dict)
     _indexes: dict[str, frozenset[bytes]] = field(default_factory=dict)
     _heads: dict[tuple[str, int], str] = field(default_factory=dict)
+    _there: dict[str, bool] = field(default_factory=dict)
     _texts: dict[str, Source] = field(default_factory=dict)
     """Path -> the file, as it was read first."""
     _kept: int = 0
@@ -235,7 +236,9 @@ class Tree:
     def exists(self, path: str) -> bool:
         """Whether there is a file, folder or link at a path of the tree, walked or not. Nobody looks for what lies
         outside: it is taken to be there."""
-        return not self.holds(path) or disk.lexists(path)
+        if path not in self._there:
+            self._there[path] = not self.holds(path) or disk.lexists(path)
+        return self._there[path]
 
     def matches(self, pattern: str) -> bool:
         """Whether a path of the tree, walked or not, matches a shell pattern. What may lie outside is taken to be

@@ -127,7 +127,7 @@ class Package:
     def origins(self, path: str) -> Iterator[str]:
         """The source files, there or not, that the build would install at a path below the prefix."""
         for build in self.builds:
-            folder = os.path.dirname(os.path.abspath(build.source.name))
+            folder = os.path.dirname(build.source.absolute)
             for install in build.installs:
                 origin = _origin(install, path)
                 if origin is not None:
@@ -232,7 +232,7 @@ class Workspace:
 
     def owner(self, source: Source) -> Package | None:
         """The package that a file lies in."""
-        return self.package_of(os.path.dirname(os.path.abspath(source.name)))
+        return self.package_of(os.path.dirname(source.absolute))
 
     def package_of(self, folder: str) -> Package | None:
         """The package that an absolute folder is, or lies in."""
@@ -327,7 +327,7 @@ def place(value: Value) -> Place | None:
     if isinstance(value, Literal) and isinstance(value.value, str):
         return Place("", "", str(value.value))
     if isinstance(value, FileDir):
-        path = os.path.abspath(value.span.source.name)
+        path = value.span.source.absolute
         return Place("file", "", path if value.itself else os.path.dirname(path))
     if isinstance(value, (PackageShare, PackagePrefix)):
         name = value.package

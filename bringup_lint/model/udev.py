@@ -70,10 +70,12 @@ class Rule:
         return found
 
     def matches(self, key: str) -> tuple[Token, ...]:
-        return tuple([token for token in self.by_key.get(key, ()) if token.is_match])
+        tokens = self.by_key.get(key)
+        return tuple([token for token in tokens if token.is_match]) if tokens else ()
 
     def assignments(self, key: str) -> tuple[Token, ...]:
-        return tuple([token for token in self.by_key.get(key, ()) if not token.is_match])
+        tokens = self.by_key.get(key)
+        return tuple([token for token in tokens if not token.is_match]) if tokens else ()
 
     def first(self, key: str) -> Token | None:
         return next(iter(self.by_key.get(key, ())), None)

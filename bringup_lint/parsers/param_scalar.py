@@ -19,6 +19,8 @@ _HEXADECIMAL = regex(r"[+-]?0[xX](?:[0-9a-fA-F]+(?:\.[0-9a-fA-F]*)?|\.[0-9a-fA-F
 _WORD = regex(r"[+-]?(?:inf|infinity|nan|nan\([0-9A-Za-z_]*\))\Z", re.I)
 _YAML_WORD = regex(r"(?:\.(?:nan|NaN|NAN)|[+-]?\.(?:inf|Inf|INF))\Z")
 _FIRST = frozenset("0123456789+-.iInN" + BLANK)
+_SHORT = 18
+"""Digits that surely fit 64 bits."""
 SMALLEST = 2.2250738585072014e-308
 """The smallest normal double; what is rounded below it is out of range for strtod."""
 
@@ -45,6 +47,8 @@ def scalar(text: str, style: str = "", tag: str = "") -> Value:
 
 def integer(text: str) -> int | None:
     """As ``strtoll`` with base 0: ``0x`` is hexadecimal, a leading zero octal; None when it does not fit 64 bits."""
+    if len(text) <= _SHORT and text.isascii() and text.isdecimal() and text[0] != "0":
+        return int(text)
     match = _INTEGER.match(text)
     if match is None or len(text) > 400:
         return None

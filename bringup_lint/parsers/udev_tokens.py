@@ -17,6 +17,11 @@ _OPERATOR = regex(r"[ \t\n\r]*(==|!=|\+=|-=|:=|=)[ \t\n\r]*")
 _VALUE = regex(r"([ei]{0,2})\"")
 _PLAIN_END = regex(r"(?:[^\"\\]|\\\"|\\(?!\"))*")
 _ESCAPED_END = regex(r"(?:[^\"\\]|\\.)*", re.DOTALL)
+_USUAL = regex(
+    r"(?P<key>[A-Z_]+)(?:\{(?P<attribute>[^}\"]{0,200})\})?[ \t\n\r]*(?P<operator>==|!=|\+=|-=|:=|=)[ \t\n\r]*"
+    r"\"(?P<value>[^\"\\]*)\""
+)
+"""A token with nothing in its value that means something else than it says."""
 _RESUME = regex(r"[ \t,](?=[A-Za-z]+(?:\{[^}\"]*\})?[ \t]*(?:==|!=|\+=|-=|:=|=))")
 _SINGLE_QUOTED = regex(r"'([^'\"]*)'(?=[ \t\r\n,]|\Z)")
 _ESCAPE = regex(r"\\(x[0-9A-Fa-f]{2}|u[0-9A-Fa-f]{4}|U[0-9A-Fa-f]{8}|[0-7]{3}|[abfnrtv\\\"'s])|\\")
@@ -60,6 +65,15 @@ def _skip(pattern: re.Pattern[str], line: str, at: int) -> int:
 
 
 def _read_token(line: Located, start: int) -> tuple[Token, int]:
+    usual = _USUAL.match(line, start)
+    if usual is None:
+        return _read_unusual(line, start)
+    key, operator, value = (line.part(*usual.span(group)) for group in ("key", "operator", "value"))
+    attribute = None if usual["attribute"] is None else line.part(*usual.span("attribute"))
+    return Token(key, attribute, operator, value, line.part(start, usual.end()).span), usual.end()
+
+
+def _read_unusual(line: Located, start: int) -> tuple[Token, int]:
     key_end = _skip(_KEY, line, start)
     key = line.part(start, key_end)
     attribute = None

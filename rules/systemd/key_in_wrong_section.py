@@ -73,17 +73,19 @@ from bringup_lint.api.systemd import move_lines
 def key_in_wrong_section(robot: Robot) -> Iterator[Finding]:
     for file in robot.units.unit_files:
         allowed = directives.sections_of_type(file.type)
-        given = {(section.name, str(each.key)) for section in file.sections for each in section.assignments}
         for section in file.sections:
             if section.name not in allowed:
                 continue
             for assignment in section.assignments:
                 key = assignment.key
+                if directives.directive(section.name, key):
+                    continue
                 homes = [name for name in allowed if directives.directive(name, key)]
-                if not homes or section.name in homes:
+                if not homes:
                     continue
                 change = None
-                if not file.source.template and (homes[0], str(key)) not in given:
+                home = [each.key for other in file.sections if other.name == homes[0] for each in other.assignments]
+                if not file.source.template and key not in home:
                     change = fix(f"move it to [{homes[0]}]", *move_lines(file, assignment, homes[0]))
                 yield finding(
                     key,

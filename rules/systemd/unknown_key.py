@@ -56,6 +56,8 @@ def unknown_key(robot: Robot) -> Iterator[Finding]:
                 continue
             for assignment in section.assignments:
                 key = assignment.key
+                if directives.directive(section.name, key):
+                    continue
                 if not key or key.startswith("X-") or file.is_filled_in(key) or key.span in reported:
                     continue
                 if not any(directives.directive(name, key) for name in allowed):

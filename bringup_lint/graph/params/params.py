@@ -64,7 +64,7 @@ class Params:
 
     def _may_load(self, file: ParameterFile) -> bool:
         """Whether rcl may read the file: it has the form, and is not an argument that the program reads by itself."""
-        return file.is_certain and (bool(self.loads(file)) or os.path.abspath(file.source.name) not in self._own)
+        return file.is_certain and (bool(self.loads(file)) or file.source.absolute not in self._own)
 
     @cached_property
     def _own(self) -> frozenset[str]:
@@ -257,7 +257,7 @@ class Params:
     def _paths(self) -> dict[str, ParameterFile]:
         paths: dict[str, ParameterFile] = {}
         for file in self.files:
-            path = os.path.abspath(file.source.name)
+            path = file.source.absolute
             for name in (path, self._tree_files.tree.real_path(path), file.source.robot_path):
                 if name:
                     paths.setdefault(name, file)
@@ -281,7 +281,7 @@ class Params:
         """The nodes of the tree's launch files that are given a file."""
         found = self._loads.get(id(file))
         if found is None:
-            found = self._unclaimed.get(os.path.abspath(file.source.name), [])
+            found = self._unclaimed.get(file.source.absolute, [])
             self._loads[id(file)] = found
         return found
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from bringup_lint.model.params import NOT_SET
 from bringup_lint.model.params import Data
 from bringup_lint.model.params import Parameter
 from bringup_lint.model.params import ParameterFile
@@ -37,15 +38,17 @@ class Item(NamedTuple):
 def items(parameter: Parameter) -> list[Item]:
     """The scalars of a value; empty when a list holds anything else."""
     node = parameter.node
+    if isinstance(node, Scalar) and parameter.value.type != NOT_SET:
+        return [_item(node, parameter.value)]
     nodes = node.items if isinstance(node, Sequence) else [node]
     scalars = [each for each in nodes if isinstance(each, Scalar)]
     if len(scalars) < len(nodes):
         return []
-    found = []
-    for each in scalars:
-        value = scalar(each.value, each.style, each.tag)
-        found.append(Item(value.type, value.data, str(each.value), each.span, bool(each.style or each.tag)))
-    return found
+    return [_item(each, scalar(each.value, each.style, each.tag)) for each in scalars]
+
+
+def _item(node: Scalar, value: Value) -> Item:
+    return Item(value.type, value.data, str(node.value), node.span, bool(node.style or node.tag))
 
 
 def holds_maps(parameter: Parameter) -> bool:

@@ -30,6 +30,8 @@ from bringup_lint.source import Span
 ACTIONS = ("add", "change", "bind", "unbind", "move", "online", "offline", "remove")
 _SUBSTITUTION = regex(r"%%|\$\$|[%$](?:[a-z]+|[A-Z])?(?:\{[^}]{0,400}\})?")
 _PLACEHOLDER = regex(r"\{\{(?:(?!\{\{|\}\}).)*\}\}|@\w+@")
+STARTING = ("RUN", "PROGRAM", "IMPORT")
+"""The keys that start a program."""
 _ID = regex(r"[0-9a-f]{4}\Z")
 
 
@@ -241,8 +243,10 @@ class UdevRule:
     @property
     def commands(self) -> list[Command]:
         """The programs that the rule starts: RUN, PROGRAM and IMPORT{program}."""
+        if self.line.by_key.keys().isdisjoint(STARTING):
+            return []
         tokens = (token for token in self.line.tokens if token.attribute in (None, "program"))
-        return [read_command(token) for token in tokens if token.key in ("RUN", "PROGRAM", "IMPORT") and token.value]
+        return [read_command(token) for token in tokens if token.key in STARTING and token.value]
 
     @cached_property
     def impossible_parents(self) -> tuple[Token, Token] | None:

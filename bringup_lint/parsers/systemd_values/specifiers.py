@@ -72,6 +72,8 @@ def literal(text: str) -> str | None:
 
 def expand(text: str, known: Mapping[str, str | None]) -> str | None:
     """The text with ``known`` (letter to value) put in; None when it lacks a specifier or has None for it."""
+    if "%" not in text:
+        return str(text)
     out = []
     at = 0
     while at < len(text):
