@@ -126,12 +126,24 @@ class Package:
 
     def origins(self, path: str) -> Iterator[str]:
         """The source files, there or not, that the build would install at a path below the prefix."""
-        for build in self.builds:
-            folder = os.path.dirname(build.source.absolute)
-            for install in build.installs:
-                origin = _origin(install, path)
-                if origin is not None:
-                    yield os.path.normpath(os.path.join(folder, origin))
+        for folder, install, destination, source in self._installs:
+            origin = _origin(install, destination, source, path)
+            if origin is not None:
+                yield os.path.normpath(os.path.join(folder, origin))
+
+    @cached_property
+    def _installs(self) -> list[tuple[str, Install, str, str]]:
+        """Each installation with the folder of its build description, its destination and its source in plain form."""
+        return [
+            (
+                os.path.dirname(build.source.absolute),
+                install,
+                posixpath.normpath(install.destination),
+                posixpath.normpath(install.source),
+            )
+            for build in self.builds
+            for install in build.installs
+        ]
 
     def takes(self, path: str) -> bool:
         """Whether the build installs a source file, whatever becomes its name and place."""
@@ -168,9 +180,7 @@ def _reaches(pattern: list[str], folders: list[str]) -> bool:
     return len(folders) in reachable
 
 
-def _origin(install: Install, path: str) -> str | None:
-    destination = posixpath.normpath(install.destination)
-    source = posixpath.normpath(install.source)
+def _origin(install: Install, destination: str, source: str, path: str) -> str | None:
     if not install.tree:
         folder, name = posixpath.split(path)
         if install.renamed:

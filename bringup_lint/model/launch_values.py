@@ -230,15 +230,14 @@ def bounded(value: Value) -> Value:
     """The value itself, or Unknown when it holds too much to be walked again and again."""
     if isinstance(value, Literal):
         return value
-    count = 0
+    count = 1
     todo: list[Value] = [value]
     while todo:
-        inner = todo.pop()
-        count += 1
+        inner = children(todo.pop())
+        count += len(inner)
         if count > SIZE:
             return Unknown("too large", value.span)
-        if not isinstance(inner, Literal):
-            todo.extend(children(inner))
+        todo += [each for each in inner if not isinstance(each, Literal)]
     return value
 
 

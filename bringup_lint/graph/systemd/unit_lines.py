@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cache
+from functools import cached_property
 
 from bringup_lint import facts
 from bringup_lint.dataclass import dataclass
@@ -57,6 +58,10 @@ class Line:
         """What an Exec line runs; nothing for other keys and for values that a template fills in."""
         if self.directive.type != "command" or self.assignment.opaque:
             return ()
+        return self._commands
+
+    @cached_property
+    def _commands(self) -> tuple[Command, ...]:
         return split_command_line(self.value).commands
 
     @property

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.systemd_values.problems import ValueProblem
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.source import Span
@@ -13,6 +14,7 @@ _SIMPLE = {
     "a": "\a", "b": "\b", "f": "\f", "n": "\n", "r": "\r", "t": "\t", "v": "\v", "s": " ",
     "\\": "\\", '"': '"', "'": "'",
 }  # fmt: skip
+_ORDINARY = regex(r"[^\\'\" \t\n\r]+")
 _HEXADECIMAL = set("0123456789abcdefABCDEF")
 _DIGITS = {"x": (2, 16), "u": (4, 16), "U": (8, 16)}
 
@@ -166,7 +168,8 @@ def _word(
         elif not quote and char in separators:
             break
         else:
-            at += 1
+            ordinary = _ORDINARY.match(text, at) if separators == BLANKS else None
+            at = ordinary.end() if ordinary else at + 1
     if quote:
         bad = ValueProblem("unbalanced-quotes", value.part(quoted_from, size))
         return value.part(start, size), size, (bad,), True
