@@ -71,6 +71,10 @@ class Tree:
     _held: dict[str, bool] = field(default_factory=dict)
     _indexes: dict[str, frozenset[bytes]] = field(default_factory=dict)
     _heads: dict[tuple[str, int], str] = field(default_factory=dict)
+    _indexed: int = 0
+    """How many sources there were when these were filled:"""
+    _placed: dict[str, list[Source]] = field(default_factory=dict)
+    _named: dict[str, Source] = field(default_factory=dict)
     _there: dict[str, bool] = field(default_factory=dict)
     _texts: dict[str, Source] = field(default_factory=dict)
     """Path -> the file, as it was read first."""
@@ -91,6 +95,9 @@ class Tree:
             problems=list(self.problems),
             unknown=frozenset(names),
             _texts={},
+            _indexed=0,
+            _placed={},
+            _named={},
             _on_demand={},
             _by_reference={},
         )
@@ -186,7 +193,8 @@ class Tree:
         return self._on_demand[robot_path]
 
     def _find(self, robot_path: str) -> Source | None:
-        known = [source for source in self.sources if source.robot_path == robot_path]
+        self._index()
+        known = self._placed.get(robot_path, ())
         if len(known) == 1:
             return known[0]
         if known:
@@ -197,12 +205,29 @@ class Tree:
         walked = self._by_suffix(robot_path)
         return None if walked is None else self._referred(walked)
 
+    def place(self, source: Source, robot_path: str) -> None:
+        """Note where a source is on the robot, which was not known before."""
+        source.robot_path = robot_path
+        self._indexed = 0
+
+    def _index(self) -> None:
+        """Know the sources by their names and places, as long as none comes later."""
+        if self._indexed == len(self.sources):
+            return
+        self._indexed = len(self.sources)
+        self._placed.clear()
+        self._named.clear()
+        for source in self.sources:
+            self._named.setdefault(source.name, source)
+            if source.robot_path is not None:
+                self._placed.setdefault(source.robot_path, []).append(source)
+
     def _referred(self, path: str) -> Source | None:
         """A file that another one names, whatever path led to it: one source, read once."""
         if path not in self._by_reference:
             name = display_name(path)
-            known = next((source for source in self.sources if source.name == name), None)
-            self._by_reference[path] = known or self.read(path)
+            self._index()
+            self._by_reference[path] = self._named.get(name) or self.read(path)
         return self._by_reference[path]
 
     def _by_suffix(self, robot_path: str) -> str | None:

@@ -7,6 +7,7 @@ unique prefix.
 from __future__ import annotations
 
 import re
+from functools import cache
 from functools import lru_cache
 
 from bringup_lint.facts import table
@@ -44,5 +45,10 @@ def repeats(item: Item) -> bool:
 
 def features_of(item: Item, version: str) -> frozenset[str]:
     """Compile-time features without which the item does not exist: ``tcp(11)`` is one in version 11 only."""
-    found = re.findall(r"(\w+)(?:\(([^)]*)\))?", item.row.get("build", ""))
+    return _features(item.row.get("build", ""), version)
+
+
+@cache
+def _features(build: str, version: str) -> frozenset[str]:
+    found = re.findall(r"(\w+)(?:\(([^)]*)\))?", build)
     return frozenset(name for name, versions in found if not versions or version in versions.split(","))

@@ -57,6 +57,7 @@ WRITING = ("shell-script", "dockerfile", "compose", "ansible", "cloud-init", "sy
     symptoms=["failed to increase socket receive buffer size", "failed to increase socket send buffer size"],
 )
 def socket_buffer_exceeds_sysctl(robot: Robot) -> Iterator[Finding]:
+    raised: dict[str, bool] = {}
     used = ((each, domain) for each, domain in robot.dds.domains if robot.dds.in_use(each))
     for configuration, domain in used:
         for setting, limit_name in least_buffers(domain):
@@ -68,7 +69,7 @@ def socket_buffer_exceeds_sysctl(robot: Robot) -> Iterator[Finding]:
             if wanted <= 2 * granted or (limit is not None and not robot.same_robot(limit.value, configuration.source)):
                 continue
             known = limit is not None or robot.tree.complete
-            scripted = not known and _in_script(robot, limit_name)
+            scripted = not known and _in_script(robot, limit_name, raised)
             has = f"this robot has {granted}" if known else f"no file of this tree raises it from {granted}"
             if scripted:
                 has = f"only a script of this tree raises it from {granted}"
@@ -84,8 +85,14 @@ def socket_buffer_exceeds_sysctl(robot: Robot) -> Iterator[Finding]:
             )
 
 
-def _in_script(robot: Robot, name: str) -> bool:
-    """Whether a script or an image may raise a limit."""
+def _in_script(robot: Robot, name: str, found: dict[str, bool]) -> bool:
+    """Whether a script or an image may raise a limit; what was found out is kept."""
+    if name not in found:
+        found[name] = _is_raised(robot, name)
+    return found[name]
+
+
+def _is_raised(robot: Robot, name: str) -> bool:
     spelt = (name, name.replace(".", "/"))
     return any(each in source.said for source in robot.of_kind(*WRITING) for each in spelt)
 

@@ -24,10 +24,6 @@ DRIVERS = 5
 SIZES = (1, 3, 9)
 LINEAR = 3.0
 LOGARITHM = 1.4
-KNOWN = {
-    "model/netplan.py": "each DDS file asks each interface for its match",
-    "model/yaml_node.py": "the same",
-}
 NOTICED = 5_000
 """Calls that a layer makes more, before growth means something."""
 
@@ -83,7 +79,7 @@ def test_every_layer_grows_as_the_tree_does(tmp_path: Path) -> None:
     lint(".", cwd=tops[0])  # imports everything
     small, middle, large = (counted(lambda top=top: lint(".", cwd=top)) for top in tops)
     growth = {layer: excess(small[layer], middle[layer], large[layer]) for layer in large if layer}
-    assert {layer: round(value, 2) for layer, value in growth.items() if value > LOGARITHM and layer not in KNOWN} == {}
+    assert {layer: round(value, 2) for layer, value in growth.items() if value > LOGARITHM} == {}
 
 
 def test_quadratic_work_is_noticed() -> None:

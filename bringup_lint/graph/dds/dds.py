@@ -150,12 +150,26 @@ class Dds:
 
     def readers(self, configuration: Configuration) -> list[Selection]:
         """The processes that read a configuration file."""
-        return [each for each in self.selections if configuration.source in each.files]
+        return self._readers.get(configuration.source, [])
+
+    @cached_property
+    def _readers(self) -> dict[Source, list[Selection]]:
+        found: dict[Source, list[Selection]] = {}
+        for each in self.selections:
+            for source in dict.fromkeys(each.files):
+                found.setdefault(source, []).append(each)
+        return found
 
     def profile_readers(self, profiles: Profiles) -> list[tuple[RosProcess, Located]]:
         """The processes that read a profiles file, each with the value that names it."""
-        found = self._profile_selections
-        return [(process, value) for process, value, source in found if source is profiles.source]
+        return self._profile_readers.get(profiles.source, [])
+
+    @cached_property
+    def _profile_readers(self) -> dict[Source, list[tuple[RosProcess, Located]]]:
+        found: dict[Source, list[tuple[RosProcess, Located]]] = {}
+        for process, value, source in self._profile_selections:
+            found.setdefault(source, []).append((process, value))
+        return found
 
     def _runners(self, configuration: Configuration | Profiles) -> Iterator[Runner]:
         """Who starts the processes that read a file."""
@@ -169,7 +183,7 @@ class Dds:
         """Whether a process of the tree reads a file, or no process is known to read any of its sort."""
         if isinstance(configuration, Profiles):
             return bool(self.profile_readers(configuration)) or not self._profile_selections
-        return bool(self.readers(configuration)) or not any(each.files for each in self.selections)
+        return bool(self.readers(configuration)) or not self._readers
 
     def domains_of(self, process: RosProcess) -> Iterator[Domain]:
         """The Domain blocks of the Cyclone DDS files that a process reads."""

@@ -96,10 +96,10 @@ class UsedEnvFile:
     @cached_property
     def sourced_by(self) -> Source | None:
         """A file of the tree that reads this one with a shell as well."""
-        name = re.compile(rf"{re.escape(self.source.basename)}\b")
-        own = self.source
-        found = (each for word, each in self.mentions.sourced if name.search(word) and each is not own)
-        return next(found, None)
+        basename, own = self.source.basename, self.source
+        name = re.compile(rf"{re.escape(basename)}\b")
+        sourced = ((word, each) for word, each in self.mentions.sourced if basename in word)
+        return next((each for word, each in sourced if name.search(word) and each is not own), None)
 
     @property
     def docker_run(self) -> Located | None:

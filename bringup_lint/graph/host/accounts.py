@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from bringup_lint import facts
 from bringup_lint.dataclass import dataclass
+from bringup_lint.graph.memo import memo
 from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
@@ -54,6 +55,7 @@ class Accounts:
         account = self._database.account(user) if self._database else None
         return account.home if account else None
 
+    @memo
     def login_home(self, user: str) -> str | None:
         """The home of a regular user who can log in; None for system users, and when the tree cannot tell."""
         if self._database is not None and self._database.passwd is not None:

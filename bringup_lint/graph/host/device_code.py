@@ -31,7 +31,7 @@ _NAMES = regex(r"/dev/|VideoCapture")
 
 def of_sources(files: Files) -> Iterator[DeviceUse]:
     """What nodes open under a literal path, and the defaults of parameters that no other file gives."""
-    given = [source.text for source in files.of_kind(*_GIVING)]
+    given = _Given([source.text for source in files.of_kind(*_GIVING)])
     for file in files.parsed(parse_python, _naming(files, "python-node")):
         if file.tree is not None:
             yield from _of_python(file, given)
@@ -43,10 +43,10 @@ def of_sources(files: Files) -> Iterator[DeviceUse]:
         yield from _defaults(node.parameters, given)
 
 
-def _defaults(parameters: Iterable[Parameter], given: list[str]) -> Iterator[DeviceUse]:
+def _defaults(parameters: Iterable[Parameter], given: _Given) -> Iterator[DeviceUse]:
     for parameter in parameters:
         path = parameter.default
-        if isinstance(path, Located) and path.startswith("/dev/") and not _is_given(str(parameter.name), given):
+        if isinstance(path, Located) and path.startswith("/dev/") and not given.has(str(parameter.name)):
             yield DeviceUse(path, f"the parameter {parameter.name}", "argument")
 
 
@@ -68,12 +68,21 @@ def _naming(files: Files, kind: str) -> list[Source]:
     return [source for source in files.of_kind(kind) if source.judged and _NAMES.search(source.text)]
 
 
-def _is_given(parameter: str, texts: list[str]) -> bool:
-    """Whether a file that starts or configures nodes names a parameter."""
-    return any(parameter.rpartition(".")[2] in text for text in texts)
+class _Given:
+    """What the files that start or configure nodes name."""
+
+    def __init__(self, texts: list[str]) -> None:
+        self._texts = texts
+        self._known: dict[str, bool] = {}
+
+    def has(self, parameter: str) -> bool:
+        word = parameter.rpartition(".")[2]
+        if word not in self._known:
+            self._known[word] = any(word in text for text in self._texts)
+        return self._known[word]
 
 
-def _of_python(file: NodeSource, given: list[str]) -> Iterator[DeviceUse]:
+def _of_python(file: NodeSource, given: _Given) -> Iterator[DeviceUse]:
     for call in file.nodes:
         if not isinstance(call, ast.Call):
             continue

@@ -186,7 +186,7 @@ def _place(files: Files, placed: dict[str, str]) -> None:
         if source is None:
             _claim(files, path, place)
         elif source.robot_path is None:
-            source.robot_path = place
+            files.tree.place(source, place)
 
 
 def _claim(files: Files, path: str, place: str) -> None:

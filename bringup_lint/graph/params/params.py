@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch.started import Started
     from bringup_lint.graph.params.declared import Declared
     from bringup_lint.graph.params.loads import Load
+    from bringup_lint.graph.params.mentions import Mentions
 
 BUILD = ("params", "cmake", "setup-py", "setup-cfg", "ros-package")
 """Kinds that may name a parameter file without loading it."""
@@ -246,8 +247,17 @@ class Params:
 
     def named_elsewhere(self, name: str, known: set[Source]) -> bool:
         """Whether a file other than the known ones and those that only build or install mentions a name."""
-        sources = (source for source in self._tree_files.sources if source not in known)
-        return any(name in source.text for source in sources if source.kind not in BUILD)
+        count = len(self._tree_files.sources)
+        if count not in self._mentions:
+            from bringup_lint.graph.params.mentions import Mentions
+
+            self._mentions[count] = Mentions([each for each in self._tree_files.sources if each.kind not in BUILD])
+        return self._mentions[count].outside(name, known)
+
+    @cached_property
+    def _mentions(self) -> dict[int, Mentions]:
+        """By the number of sources, to which some come later."""
+        return {}
 
     def at_path(self, path: str) -> ParameterFile | None:
         """The file at a path, of the tree or of the robot."""

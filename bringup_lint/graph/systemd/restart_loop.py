@@ -136,8 +136,7 @@ def restart_loop(unit: Unit, policy: RestartPolicy, units: Units) -> Loop | None
     is_ros = unit in units.ros
     if policy.restart == "always" and policy.delay < 1 and (is_ros or policy.delay):
         return Loop(Outcome.GIVES_UP, is_ros)
-    launches = any(unit is launching for launching, _ in units.launch)
-    slow = launches and policy.loop(FAILING_LAUNCH) > policy.interval
+    slow = unit in units.launching and policy.loop(FAILING_LAUNCH) > policy.interval
     return Loop(Outcome.SLOW_FAILURE, False) if slow else None
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterable
 from collections.abc import Iterator
 from functools import cached_property
@@ -270,9 +271,20 @@ class Units(NamedUnits):
         """Whether the two never run at the same time."""
         return other.name in one.words("Conflicts") or one.name in other.words("Conflicts")
 
+    def any_conflict(self, group: list[Unit]) -> bool:
+        """Whether any two of a group never run at the same time."""
+        count = Counter(unit.name for unit in group)
+        named = ((unit, word) for unit in group for word in unit.words("Conflicts"))
+        return any(count[word] > (word == unit.name) for unit, word in named)
+
     def layers(self, units: list[Unit]) -> dict[str, str]:
         """Unit name -> layer of the robot's stack, for those whose names tell one."""
         return layers(units)
+
+    @cached_property
+    def launching(self) -> frozenset[Unit]:
+        """The services whose main process is ``ros2 launch``."""
+        return frozenset(unit for unit, _ in self.launch)
 
     @cached_property
     def launch(self) -> list[tuple[Unit, Process]]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from collections.abc import Iterator
-from itertools import combinations
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.launch.expansion import Expansion
@@ -63,7 +62,7 @@ def _of_units(members: list[_Member], units: Units) -> Iterator[tuple[str, list[
     grouped = set()
     for group in units.enabled_ros_groups:
         grouped.update(group)
-        if not any(units.conflict(one, other) for one, other in combinations(group, 2)):
+        if not units.any_conflict(group):
             yield "the units", [each for each in members if each.runner.unit in group]
     for runner in dict.fromkeys(each.runner for each in members):
         if runner.unit not in grouped:
