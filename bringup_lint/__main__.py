@@ -14,7 +14,7 @@ _HOME = __file__.rpartition("/bringup_lint/")[0]
 def program() -> None:
     """``main`` in a process of its own, which ends without taking apart the objects of the run one by one: that would
     take a tenth of the time."""
-    code: object = 0
+    code: str | int | None = 0
     try:
         main()
     except SystemExit as ended:

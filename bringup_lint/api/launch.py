@@ -7,11 +7,10 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.api import finding
 from bringup_lint.api import fix
-from bringup_lint.finding import Finding
-from bringup_lint.graph.launch.launch import Launch
 from bringup_lint.on_demand import on_demand
 
 if TYPE_CHECKING:
+    from bringup_lint.finding import Finding
     from bringup_lint.graph.launch.delays import delayed
     from bringup_lint.graph.launch.delays import undelayed
     from bringup_lint.graph.launch.delays import waiting_comment
@@ -19,6 +18,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch.entry_points import missing_entries
     from bringup_lint.graph.launch.expansion import Expansion
     from bringup_lint.graph.launch.expansion import Used
+    from bringup_lint.graph.launch.launch import Launch
     from bringup_lint.graph.launch.lifecycle import full_name
     from bringup_lint.graph.launch.lifecycle import managers
     from bringup_lint.graph.launch.lifecycle import outside

@@ -80,10 +80,18 @@ class Body(Expressions):
     @cached_property
     def truth(self) -> Needs:
         """What is needed for the call to give a true value."""
+        return self._returns(Expressions.true)
+
+    @cached_property
+    def value(self) -> Needs:
+        """What is needed for the call to give something else than None."""
+        return self._returns(Expressions.given)
+
+    def _returns(self, ask: Question) -> Needs:
         self._walk()
         if self._is_generator:
             return NOTHING
-        return either(*(both(given, self.true(value)) for value, given in self._returned))
+        return either(*(both(given, ask(self, value)) for value, given in self._returned))
 
     def _walk(self) -> None:
         """Twice: the second time it is known where lists are filled."""
@@ -191,7 +199,9 @@ class Body(Expressions):
         values = {each.arg: self._value(given) for each, given in zip(function.args.args, call.args, strict=False)}
         values.update((str(each.arg), self._value(each.value)) for each in call.keywords)
         body = Body(function, values, self.functions, self._depth + 1)
-        return body.items if ask is Expressions.some else body.truth
+        if ask is Expressions.some:
+            return body.items
+        return body.truth if ask is Expressions.true else body.value
 
     def _value(self, node: ast.expr) -> Value:
         """What is given to a parameter."""

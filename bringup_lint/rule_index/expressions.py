@@ -179,7 +179,7 @@ class Expressions(ABC):
             chosen = both(self.true(node.test), self.true(node.body))
             return either(chosen, both(self.false(node.test), self.true(node.orelse)))
         if isinstance(node, ast.Attribute) and node.attr in ("at", "value"):
-            return self._setting(node.value)
+            return self.given(node.value)
         if isinstance(node, ast.Call):
             return self._true_call(node)
         return NOTHING
@@ -218,7 +218,7 @@ class Expressions(ABC):
         left, (operator,), (right,) = node.left, node.ops, node.comparators
         equal = isinstance(operator, (ast.Eq, ast.In) if holds else (ast.NotEq, ast.NotIn))
         if isinstance(right, ast.Constant) and right.value is None:
-            return self._setting(left) if isinstance(operator, ast.IsNot if holds else ast.Is) else NOTHING
+            return self.given(left) if isinstance(operator, ast.IsNot if holds else ast.Is) else NOTHING
         if not equal:
             return NOTHING
         words = right.elts if isinstance(right, (ast.Tuple, ast.List, ast.Set)) else [right]
@@ -228,21 +228,28 @@ class Expressions(ABC):
             return NOTHING
         if isinstance(left, ast.Attribute) and left.attr in ("type", "manager") and self._is_unit(left):
             return any_of(left.attr, (each.value for each in words if isinstance(each, ast.Constant)))
-        return self._setting(left)
+        return self.given(left)
 
-    def _setting(self, node: ast.expr) -> Needs:
-        """What is needed for a value not to be None: a unit sets it."""
+    def given(self, node: ast.expr) -> Needs:
+        """What is needed for a value not to be None, such as a setting of a unit."""
         if isinstance(node, ast.NamedExpr):
-            return self._setting(node.value)
+            return self.given(node.value)
         if isinstance(node, ast.Attribute) and node.attr in ("at", "value"):
-            return self._setting(node.value)
+            return self.given(node.value)
         if isinstance(node, ast.Name):
             value = self.names.get(node.id)
             if value is None or value.expression is None or value.body is None:
                 return NOTHING
-            return value.body._setting(value.expression)
+            return value.body.given(value.expression)
+        if isinstance(node, ast.IfExp):
+            chosen = both(self.true(node.test), self.given(node.body))
+            return either(chosen, both(self.false(node.test), self.given(node.orelse)))
+        if isinstance(node, ast.Constant):
+            return NEVER if node.value is None else NOTHING
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in self.functions:
+            return self.of_function(node, self.functions[node.func.id], Expressions.given)
         return self._keys(node) if asks_for_one(node) else NOTHING
 
 
 Question = Callable[[Expressions, ast.expr], Needs]
-"""``Expressions.some`` or ``Expressions.true``."""
+"""``Expressions.some``, ``Expressions.true`` or ``Expressions.given``."""

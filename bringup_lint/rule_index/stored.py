@@ -86,8 +86,8 @@ def _stamps(folder: Path) -> Iterator[tuple[str, Stamp]]:
             for entry in entries:
                 if entry.name == FAMILY or (entry.name.endswith(".py") and not entry.name.startswith("_")):
                     yield f"{family}/{entry.name}", _stamp(entry.stat())
-    for name in ("described.py", "needs.py", "stored.py"):
-        yield name, _stamp(os.stat(Path(__file__).with_name(name)))
+    with os.scandir(os.path.dirname(__file__)) as entries:
+        yield from ((entry.name, _stamp(entry.stat())) for entry in entries if entry.name.endswith(".py"))
 
 
 def _folders(folder: Path) -> Iterator[str]:

@@ -65,7 +65,7 @@ def ros_arguments_invalid(robot: Robot) -> Iterator[Finding]:
     for node in robot.launch.nodes:
         if id(node.file) in judged and node.is_node and not isinstance(node.action, launch.ComposableNode):
             yield from of_node(node)
-    for runner in robot.runners.all:
+    for runner in robot.runners.ros:
         for start in runner.starts:
             if start.ros.kind in ("run", "node"):
                 words = [None if UNKNOWN.search(word) else word for word in start.ros.arguments]

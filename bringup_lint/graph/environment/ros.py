@@ -13,10 +13,6 @@ from bringup_lint.dataclass import dataclass
 from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.discover.tree import display_name
 from bringup_lint.graph.commands.environment import UNKNOWN
-from bringup_lint.graph.environment.launched import alike
-from bringup_lint.graph.environment.launched import launch_variables
-from bringup_lint.graph.environment.launched import launched
-from bringup_lint.graph.environment.launched import view
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.graph.target import mentions_of
 from bringup_lint.named_tuple import NamedTuple
@@ -178,6 +174,8 @@ class RosEnvironment:
         for source in self.files.of_kind("shell-script"):
             yield from _of_script(source)
         if self._set_in_launch:
+            from bringup_lint.graph.environment.launched import launch_variables
+
             yield from map(_setting, launch_variables(self.launch()))
         if self.files.of_kind("dockerfile"):
             from bringup_lint.graph.runners.containers import image_variables
@@ -200,6 +198,8 @@ class RosEnvironment:
     def launched_by(self, launcher: RosProcess) -> list[Launched]:
         """Every process that the launch files of a runner start, with its environment."""
         if launcher not in self._launched:
+            from bringup_lint.graph.environment.launched import launched
+
             found = (launched(expansion, base) for expansion, base in self._expansions(launcher))
             self._launched[launcher] = [each for processes in found for each in processes]
         return self._launched[launcher]
@@ -241,8 +241,15 @@ class RosEnvironment:
     def _apart(self, launcher: RosProcess) -> Iterator[RosProcess]:
         """The launcher for all that has its environment, then those that have another one."""
         expansions = self._expansions(launcher) if self._set_in_launch else []
+        if not expansions:
+            yield launcher
+            return
+        from bringup_lint.graph.environment.launched import alike
+        from bringup_lint.graph.environment.launched import launched
+        from bringup_lint.graph.environment.launched import view
+
         groups: dict[tuple[Any, ...], list[Launched]] = {}
-        own = len(expansions) < len(launcher.starts) or not expansions
+        own = len(expansions) < len(launcher.starts)
         for expansion, base in expansions:
             by_view = alike(launched(expansion, base), OF_ROS)
             own |= by_view.pop(view(base, OF_ROS), None) is not None or expansion.open or not by_view
@@ -257,6 +264,9 @@ class RosEnvironment:
         """The processes of launch files that nothing of the tree starts, as far as they set variables of ROS."""
         if not self._set_in_launch:
             return
+        from bringup_lint.graph.environment.launched import alike
+        from bringup_lint.graph.environment.launched import launched
+
         run = {file for each in self.launchers for expansion, _ in self._expansions(each) for file in expansion.files}
         seen: set[tuple[Span, tuple[Any, ...]]] = set()
         for expansion in self.launch().entries:

@@ -12,44 +12,28 @@ from bringup_lint.addresses import is_wildcard
 from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.graph.commands.open_access import Offer
 from bringup_lint.graph.commands.open_access import open_access
-from bringup_lint.graph.launch.resolve import text_of
-from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.modules import modules
 from bringup_lint.graph.purpose import Purpose
-from bringup_lint.graph.workspace import place
-from bringup_lint.model.launch_values import Argument
-from bringup_lint.model.launch_values import DictValue
-from bringup_lint.model.launch_values import Literal
-from bringup_lint.model.launch_values import TypedValue
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
-from bringup_lint.source import Located
-from bringup_lint.source import Source
-from bringup_lint.source import Span
 
 if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
     from bringup_lint.graph.launch.launch import Launch
-    from bringup_lint.graph.launch.started import Started
     from bringup_lint.graph.runners.runner import Runner
     from bringup_lint.graph.runners.runners import Runners
-    from bringup_lint.model.launch_values import Value
+    from bringup_lint.source import Located
+    from bringup_lint.source import Source
+    from bringup_lint.source import Span
 
-BRIDGES = {
-    "rosbridge_server": ("topics_glob", "services_glob", "authenticate"),
-    "foxglove_bridge": ("capabilities", "client_topic_whitelist", "tls"),
-}
-"""Packages whose server gives the graph to every client on all addresses by default -> the parameters that limit it.
-Source: rosbridge_websocket.py (address ""), foxglove_bridge's README (address 0.0.0.0, capabilities)."""
-
+BRIDGES = frozenset({"rosbridge_server", "foxglove_bridge"})
+"""Packages whose server gives the graph to every client, on all addresses by default."""
 DESKTOPS = regex(r"(?:^|/)(?:linuxserver/)?(?:baseimage-kasmvnc|webtop)(?::|$)|(?:^|/)theasp/novnc(?::|$)")
 """Images with a desktop that asks for nothing unless PASSWORD is set. Source: the README of each."""
 _ACCEPTER = regex(r"^[ \t]*accepter:[ \t]*(?P<where>(?:telnet\([^)\n]*\),|telnet,)?tcp,\d+)[ \t\r]*$", re.M)
 _FLASK = regex(r"\b(?:app|application|server|socketio)\.run\((?P<arguments>[^()]{0,300})\)")
 _ANY_HOST = regex(r"\bhost[ \t]*=[ \t]*[\"'](?:0\.0\.0\.0|::)[\"']")
 _DEBUG = regex(r"\bdebug[ \t]*=[ \t]*True\b")
-_OPERATOR = regex(r"(?:^|[/_.-])(?:pc|operator|monitor(?:ing)?|ground|groundstation|basestation)(?=[/_.-])", re.I)
-"""Launch files for the computer of those who look at the robot."""
 _LISTENER = regex(r"^[ \t]*listener[ \t]+(?P<port>\d+)(?:[ \t]+(?P<address>\S+))?[ \t\r]*$", re.M)
 _ANONYMOUS = regex(r"^[ \t]*allow_anonymous[ \t]+true\b", re.M)
 _LIMITED = regex(r"^[ \t]*(?:acl_file|plugin|auth_plugin|bind_interface|require_certificate[ \t]+true)\b", re.M)
@@ -65,7 +49,9 @@ class OpenService(NamedTuple):
 def open_services(files: Files, runners: Runners, launch: Callable[[], Launch]) -> Iterator[OpenService]:
     """The open services of the robot itself; those for development, simulation and tests are left out."""
     if files.of_kind(*LAUNCH):
-        yield from _launched(files, launch())
+        from bringup_lint.graph.host.launched_bridges import launched_bridges
+
+        yield from (OpenService("bridge", *each) for each in launched_bridges(files, launch()))
     yield from _serial_ports(files)
     yield from _debuggers(files)
     for runner in runners.all:
@@ -79,68 +65,6 @@ def open_services(files: Files, runners: Runners, launch: Callable[[], Launch]) 
     for source in files.of_kind("mosquitto"):
         if source.judged and files.purpose(source) is Purpose.ROBOT:
             yield from _broker(source)
-
-
-def _launched(files: Files, launch: Launch) -> Iterator[OpenService]:
-    for node in launch.nodes:
-        package = str(literal_text(node.package))
-        if package not in BRIDGES or node.by_default is not True or not node.file.source.judged:
-            continue
-        if files.purpose(node.file.source) is Purpose.ROBOT and not launch.simulated(node.file):
-            executable = str(literal_text(node.executable))
-            if "rosapi" not in executable and _is_open(node, BRIDGES[package]):
-                yield OpenService("bridge", package, node.span)
-    yield from _included(files, launch)
-
-
-def _included(files: Files, launch: Launch) -> Iterator[OpenService]:
-    """The launch files of the bridges' own packages that a file of the robot includes, with their defaults."""
-    for expansion in launch.expansions:
-        source = expansion.entry.source
-        if (
-            files.purpose(source) is not Purpose.ROBOT
-            or launch.simulated(expansion.entry)
-            or _OPERATOR.search(source.name)
-        ):
-            continue
-        for include in expansion.includes:
-            found = place(include.file) if include.source is expansion.entry and include.target is None else None
-            if found is None or found.package not in BRIDGES or include.conditions or include.action.open:
-                continue
-            limits = ("address", *BRIDGES[found.package])
-            if include.source.source.judged and not any(map(include.arguments.get, limits)):
-                yield OpenService("bridge", found.package, include.action.span)
-
-
-def _is_open(node: Started, limits: tuple[str, ...]) -> bool:
-    """Whether nothing limits a bridge; parameters that are not known may."""
-    for value in node.parameters:
-        if not isinstance(value, DictValue):
-            return False
-        for key, inner in value.items:
-            name = text_of(key)
-            if name is None or (name in limits and _switches_on(inner)):
-                return False
-            address = _known(inner) if name == "address" else ""
-            if address is None or is_loopback(address):
-                return False
-    return not node.arguments
-
-
-def _switches_on(value: Value) -> bool:
-    """Whether a limit may limit something: ``authenticate: False`` and an empty list of topics do not."""
-    known = text_of(value)
-    literal = value.value if isinstance(value, Literal) else known
-    return str(literal).lower() not in ("false", "", "[]")
-
-
-def _known(value: Value | None) -> str | None:
-    """The text of a value, that of an argument by its default."""
-    if isinstance(value, TypedValue):
-        return _known(value.value)
-    if isinstance(value, Argument):
-        return _known(value.default)
-    return None if value is None else text_of(value)
 
 
 def _image(runner: Runner) -> Iterator[OpenService]:

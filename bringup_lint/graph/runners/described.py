@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from itertools import accumulate
+from typing import TYPE_CHECKING
 
-from bringup_lint.graph.runners.runner import Runner
-from bringup_lint.source import Source
-from bringup_lint.source import Span
+if TYPE_CHECKING:
+    from bringup_lint.graph.runners.runner import Runner
+    from bringup_lint.source import Source
+    from bringup_lint.source import Span
 
 
 class Described:

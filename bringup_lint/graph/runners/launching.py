@@ -4,20 +4,18 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from bringup_lint.graph.commands.ros_command import Ros
-from bringup_lint.graph.launch.expansion import Expansion
-from bringup_lint.graph.runners.runner import Runner
-from bringup_lint.graph.runners.runner import Start
-from bringup_lint.model.launch import LaunchFile
-from bringup_lint.model.launch_values import Literal
-from bringup_lint.model.launch_values import Unknown
-from bringup_lint.model.launch_values import Value
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
-from bringup_lint.source import Located
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.commands.ros_command import Ros
+    from bringup_lint.graph.launch.expansion import Expansion
     from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.runners.runner import Runner
+    from bringup_lint.graph.runners.runner import Start
+    from bringup_lint.model.launch import LaunchFile
+    from bringup_lint.model.launch_values import Value
+    from bringup_lint.source import Located
 
 _EXPANDED = regex(r"[$`*?%]")
 """What a shell or systemd replaces."""
@@ -48,6 +46,9 @@ def expansion_of(ros: Ros, launch: Launch) -> Expansion | None:
     file = launch.named(ros.package, ros.target) if ros.kind == "launch" else None
     if file is None:
         return None
+    from bringup_lint.model.launch_values import Literal
+    from bringup_lint.model.launch_values import Unknown
+
     arguments: dict[str, Value] = {}
     for word in ros.arguments:
         name, colon, text = word.partition(":=")

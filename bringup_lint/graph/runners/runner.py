@@ -14,25 +14,25 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
-from bringup_lint.graph.commands.command_line import CommandLine
-from bringup_lint.graph.commands.command_line import Step
 from bringup_lint.graph.commands.environment import SETUP_FILE
 from bringup_lint.graph.commands.environment import UNKNOWN
 from bringup_lint.graph.commands.environment import Environment
 from bringup_lint.graph.commands.environment import after_commands
 from bringup_lint.graph.commands.environment import assign_before
-from bringup_lint.graph.commands.ros_command import Ros
 from bringup_lint.graph.purpose import Purpose
-from bringup_lint.model.shell import Command
 from bringup_lint.named_tuple import NamedTuple
-from bringup_lint.source import Located
-from bringup_lint.source import Source
-from bringup_lint.source import Span
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.commands.command_line import CommandLine
+    from bringup_lint.graph.commands.command_line import Step
+    from bringup_lint.graph.commands.ros_command import Ros
     from bringup_lint.graph.systemd.unit import Unit
     from bringup_lint.model.compose import Service
     from bringup_lint.model.dockerfile import Stage
+    from bringup_lint.model.shell import Command
+    from bringup_lint.source import Located
+    from bringup_lint.source import Source
+    from bringup_lint.source import Span
 
 
 class RunnerKind(Enum):

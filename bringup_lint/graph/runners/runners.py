@@ -10,24 +10,24 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.discover.starters import STARTERS
-from bringup_lint.graph.commands.ros_command import Ros
-from bringup_lint.graph.files import Files
-from bringup_lint.graph.launch.expansion import Expansion
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.graph.runners.described import Described
 from bringup_lint.graph.runners.launching import Launching
 from bringup_lint.graph.runners.launching import expansion_of
-from bringup_lint.graph.runners.layers import Layers
 from bringup_lint.graph.runners.runner import Runner
 from bringup_lint.graph.runners.runner import RunnerKind
 from bringup_lint.graph.runners.runner import Start
-from bringup_lint.model.launch import LaunchFile
-from bringup_lint.source import Source
-from bringup_lint.source import Span
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.commands.ros_command import Ros
+    from bringup_lint.graph.files import Files
+    from bringup_lint.graph.launch.expansion import Expansion
     from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.runners.layers import Layers
     from bringup_lint.model.compose import Service
+    from bringup_lint.model.launch import LaunchFile
+    from bringup_lint.source import Source
+    from bringup_lint.source import Span
 
 _SUPERVISING = ("systemd-unit", "systemd-dropin", "compose", "dockerfile", "supervisord", "cron")
 
