@@ -74,12 +74,12 @@ class Selection:
 
     def known(self, name: str) -> str:
         """The id that a name means. Raises ConfigError when it means none."""
-        if name in self.families or name in self.registry.paths:
+        if name in self.families or name in self.registry.family_of:
             return name
         for rule in self.registry.all():
             if name in rule.meta.aliases:
                 return rule.id
-        near = meant(name, [*self.families, *self.registry.paths])
+        near = meant(name, [*self.families, *self.registry.family_of])
         raise ConfigError(
             f"{self.config.place(name)}no rule or family is called '{name}'"
             + (f"; did you mean '{near}'?" if near else "")
@@ -136,7 +136,7 @@ def run(
     unique = list(_unique(sorted(graded, key=_order)))
     lowest = Severity[config.min_severity.upper()]
     shown, hidden = [], Counter[Severity]()
-    unsaid = frozenset(rule_id for rule_id in registry.paths if not selection.runs(rule_id))
+    unsaid = frozenset(rule_id for rule_id in registry.family_of if not selection.runs(rule_id))
     quiet: set[tuple[str, str]] = set()
     for found in (*steps.attempt("looking for copies", lambda: list(merged(unique)), unique), *steps.unplaced):
         if found.severity >= lowest or found.rule in selection.select:

@@ -105,21 +105,28 @@ class Family:
     indexed: tuple[str, ...] | None = None
     """The names of the rule files, where the index knows them."""
 
-    def rules_for(self, robot: Robot) -> Iterator[Path]:
-        """The rule files that can say something about the robot."""
+    def ids_for(self, robot: Robot) -> Iterator[str]:
+        """The rules that can say something about the robot."""
         kinds = robot.kinds
         concerned = bool(self.reads & kinds) or not (self.reads or self.mentions)
         if not concerned and self.mentions:
             concerned = robot.mentions(self.mentions)
-        for path in self.rule_paths:
-            if concerned or self.joins.get(path.stem, frozenset()) & kinds:
-                yield path
+        if concerned or self.joins:
+            for rule_id, name in self.files.items():
+                if concerned or self.joins.get(name.removesuffix(".py"), frozenset()) & kinds:
+                    yield rule_id
 
     @cached_property
+    def files(self) -> dict[str, str]:
+        """Rule id -> name of the file."""
+        names = self.indexed
+        if names is None:
+            names = tuple(sorted(path.name for path in self.path.glob("*.py") if not path.name.startswith("_")))
+        return {f"{self.name}/{name.removesuffix('.py').replace('_', '-')}": name for name in names}
+
+    @property
     def rule_paths(self) -> list[Path]:
-        if self.indexed is not None:
-            return [self.path / name for name in self.indexed]
-        return sorted(path for path in self.path.glob("*.py") if not path.name.startswith("_"))
+        return [self.path / name for name in self.files.values()]
 
     def rule_id(self, path: Path) -> str:
         return f"{self.name}/{path.stem.replace('_', '-')}"
@@ -259,16 +266,21 @@ class Registry:
         return cls([*_builtin().families, *own], _builtin().index) if own else _builtin()
 
     @cached_property
+    def family_of(self) -> dict[str, Family]:
+        """Rule id -> family. Raises RuleError when a user's rule takes the id of another."""
+        owners: dict[str, Family] = {}
+        for family in self.families:
+            for rule_id in family.files:
+                if rule_id in owners:
+                    path, other = (each.path / each.files[rule_id] for each in (family, owners[rule_id]))
+                    raise RuleError(f"{path}: the id {rule_id} is taken by {other}")
+                owners[rule_id] = family
+        return owners
+
+    @property
     def paths(self) -> dict[str, Path]:
         """Rule id -> file. Raises RuleError when a user's rule takes the id of another."""
-        paths: dict[str, Path] = {}
-        for family in self.families:
-            for path in family.rule_paths:
-                rule_id = family.rule_id(path)
-                if rule_id in paths:
-                    raise RuleError(f"{path}: the id {rule_id} is taken by {paths[rule_id]}")
-                paths[rule_id] = path
-        return paths
+        return {rule_id: family.path / family.files[rule_id] for rule_id, family in self.family_of.items()}
 
     @cached_property
     def _loaded(self) -> dict[str, Rule]:
@@ -277,14 +289,15 @@ class Registry:
     def __getitem__(self, rule_id: str) -> Rule:
         """A rule, always the same. One of the index is loaded when it is first run."""
         if rule_id not in self._loaded:
-            path = self.paths[rule_id]
-            self._loaded[rule_id] = self._from_index(path, rule_id) or load(path, rule_id)
+            family = self.family_of[rule_id]
+            path = family.path / family.files[rule_id]
+            self._loaded[rule_id] = self._from_index(family, path, rule_id) or load(path, rule_id)
         return self._loaded[rule_id]
 
-    def _from_index(self, path: Path, rule_id: str) -> Rule | None:
-        if self.index is None or path.parent.parent != builtin_folder():
+    def _from_index(self, family: Family, path: Path, rule_id: str) -> Rule | None:
+        if self.index is None or family.indexed is None:
             return None
-        entry = self.index.entry(f"{path.parent.name}/{path.name}")
+        entry = self.index.entry(f"{family.path.name}/{family.files[rule_id]}")
         return None if entry is None else _unloaded(path, rule_id, entry.described, entry.needs)
 
     def purposes(self, rule_id: str) -> Mapping[Purpose, Severity | None]:
@@ -294,20 +307,21 @@ class Registry:
         return found.purposes if found is not None and name.replace("-", "_") in found.deployment else {}
 
     def get(self, rule_id: str) -> Rule | None:
-        return self[rule_id] if rule_id in self.paths else None
+        return self[rule_id] if rule_id in self.family_of else None
 
     def ids_for(self, robot: Robot) -> list[str]:
         """The rules that can say something about a robot (``family.toml``: reads, mentions, joins)."""
-        return [family.rule_id(path) for family in self.families for path in family.rules_for(robot)]
+        return [rule_id for family in self.families for rule_id in family.ids_for(robot)]
 
     def all(self) -> Iterator[Rule]:
         """All rules, the built-in ones not loaded yet."""
         builtin = builtin_folder()
-        for rule_id, path in self.paths.items():
-            if builtin not in path.parents:
+        for rule_id, family in self.family_of.items():
+            path = family.path / family.files[rule_id]
+            if family.path.parent != builtin:
                 yield load(path, rule_id)
             else:
-                yield self._from_index(path, rule_id) or described(path, rule_id)
+                yield self._from_index(family, path, rule_id) or described(path, rule_id)
 
 
 @cache

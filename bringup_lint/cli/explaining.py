@@ -35,7 +35,7 @@ def explain(what: tuple[str, ...], rule_folders: Iterable[Path], colour: bool | 
     """Print what a rule says of itself, or the rules for a line of a log; returns the exit code."""
     text = " ".join(what)
     registry = Registry.of(rule_folders)
-    if text in registry.paths:
+    if text in registry.family_of:
         _print(registry[text], colour)
         return 0
     from bringup_lint.log_lines import Answer
@@ -99,5 +99,5 @@ def _print_other(line: str, cause: OtherCause) -> None:
 def _unknown(text: str, registry: Registry) -> str:
     if any(text == family.name for family in registry.families):
         return f"'{text}' is a family; bringup-lint rules {text} lists its rules"
-    near = meant(text, registry.paths)
+    near = meant(text, registry.family_of)
     return f"no rule and no known log line matches '{text}'" + (f"; did you mean {near}?" if near else "")

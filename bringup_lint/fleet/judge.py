@@ -43,7 +43,7 @@ def judge(
     """``ignores``: whether anything silences findings. Raises ConfigError for names that mean nothing."""
     selection = Selection(registry, config)
     silence = _silence(accepted if ignores else (), config if ignores else Config(), selection)
-    ids = [rule_id for rule_id in registry.paths if rule_id.startswith(f"{FAMILY}/") and selection.runs(rule_id)]
+    ids = [rule_id for rule_id in registry.family_of if rule_id.startswith(f"{FAMILY}/") and selection.runs(rule_id)]
     rules = {rule_id: registry[rule_id] for rule_id in ids}
     failures: dict[str, str] = {}
     findings: list[FleetFinding] = []

@@ -49,7 +49,7 @@ def mentions_of(distro: str) -> re.Pattern[str]:
     name = re.escape(distro)
     before = r"(?m)^(?![ \t]*(?:#|//))[^#\n]*?"
     words = rf"/opt/ros/{name}\b|\bROS_DISTRO[=:]\s*[\"']?{name}\b|\bros:{name}\b|\bros-{name}-"
-    return re.compile(f"{before}(?P<name>{words})")
+    return regex(f"{before}(?P<name>{words})")
 
 
 @dataclass(frozen=True)

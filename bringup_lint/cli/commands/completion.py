@@ -25,4 +25,4 @@ def command(shell: str, rule_folders: tuple[Path, ...]) -> None:
     from bringup_lint.cli.syntax import commands
     from bringup_lint.registry import Registry
 
-    click.echo(SHELLS[shell](list(commands()), Names(Registry.of(rule_folders).paths)), nl=False)
+    click.echo(SHELLS[shell](list(commands()), Names(Registry.of(rule_folders).family_of)), nl=False)

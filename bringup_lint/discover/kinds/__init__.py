@@ -6,10 +6,10 @@ alike (polkit's ``.rules``, a docs folder called ``ros2.service``) must not be c
 
 from __future__ import annotations
 
-import importlib
+import os
 from collections.abc import Callable
 from functools import lru_cache
-from pathlib import Path
+from importlib import import_module
 
 from bringup_lint.named_tuple import NamedTuple
 
@@ -27,16 +27,39 @@ class Kind(NamedTuple):
     claims: Callable[[str, Head], bool]
 
 
+UNIT_TYPES = (
+    "service",
+    "socket",
+    "target",
+    "timer",
+    "path",
+    "mount",
+    "automount",
+    "swap",
+    "slice",
+    "scope",
+    "device",
+)
+_USUAL = dict.fromkeys(UNIT_TYPES, "systemd")
+"""Extension -> the module that claims most files with it. It is asked first, so that the others need not be loaded."""
+
+
 @lru_cache
 def kinds() -> tuple[Kind, ...]:
     """All kinds, in the order of the modules' names: path tests are exclusive, so the order does not matter."""
-    modules = sorted(path.stem for path in Path(__file__).parent.glob("*.py") if not path.stem.startswith("_"))
-    return tuple(kind for name in modules for kind in importlib.import_module(f"{__name__}.{name}").KINDS)
+    modules = sorted(name[:-3] for name in os.listdir(os.path.dirname(__file__)) if name.endswith(".py"))
+    return tuple(kind for name in modules if not name.startswith("_") for kind in _of_module(name))
 
 
 def kind_of(path: str, head: Head) -> str:
     """The name of the kind that claims the file, or an empty string."""
-    for kind in kinds():
-        if kind.claims(path, head):
-            return kind.name
-    return ""
+    usual = _USUAL.get(path.rpartition(".")[2])
+    return (usual and _claim(_of_module(usual), path, head)) or _claim(kinds(), path, head)
+
+
+def _of_module(name: str) -> tuple[Kind, ...]:
+    return tuple(import_module(f"{__name__}.{name}").KINDS)
+
+
+def _claim(asked: tuple[Kind, ...], path: str, head: Head) -> str:
+    return next((kind.name for kind in asked if kind.claims(path, head)), "")

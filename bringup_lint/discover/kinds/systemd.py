@@ -4,23 +4,11 @@ from __future__ import annotations
 
 import re
 
+from bringup_lint.discover.kinds import UNIT_TYPES
 from bringup_lint.discover.kinds import Head
 from bringup_lint.discover.kinds import Kind
 from bringup_lint.pattern import regex
 
-UNIT_TYPES = (
-    "service",
-    "socket",
-    "target",
-    "timer",
-    "path",
-    "mount",
-    "automount",
-    "swap",
-    "slice",
-    "scope",
-    "device",
-)
 _TYPES = "|".join(UNIT_TYPES)
 _TEMPLATE = r"(?:\.(?:in|j2|jinja|jinja2|em|m4|tmpl|tpl|template|erb))?"
 _UNIT = regex(rf"/[^/]+\.(?:{_TYPES}){_TEMPLATE}$")
