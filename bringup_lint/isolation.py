@@ -8,7 +8,6 @@ that failed run again on a robot of which this source is unknown, so that they s
 from __future__ import annotations
 
 import time
-import traceback
 from collections.abc import Callable
 from collections.abc import Collection
 from collections.abc import Iterable
@@ -97,6 +96,8 @@ def unread(robot: Robot) -> Iterator[Finding]:
 
 def internal(source: Source, what: str, error: Exception) -> Finding:
     """A finding for what failed inside. It says where, and nothing that a file holds."""
+    import traceback
+
     frames = traceback.extract_tb(error.__traceback__)
     where = f" in {frames[-1].filename.rpartition('/')[2]}:{frames[-1].lineno}" if frames else ""
     return Finding(
@@ -224,6 +225,8 @@ def _source_of(value: object) -> Source | None:
 
 def _step(failure: _Failure) -> str:
     """Where it failed: the rule, or the module of a layer."""
+    import traceback
+
     file = traceback.extract_tb(failure.error.__traceback__)[-1].filename
     if file == str(failure.rule.path) or _PACKAGE not in file:
         return f"rule {failure.rule.id}"

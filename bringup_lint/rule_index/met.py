@@ -13,10 +13,12 @@ if TYPE_CHECKING:
     from bringup_lint.rule_index.needs import Atom
     from bringup_lint.rule_index.needs import Path
 
-KINDS: dict[tuple[str, str], tuple[str, ...]] = {
+KINDS: dict[tuple[str, ...], tuple[str, ...]] = {
     ("compose", "files"): ("compose",),
     ("compose", "services"): ("compose",),
     ("compose", "whole_services"): ("compose",),
+    ("installations",): ("shell-script", "dockerfile"),
+    ("jails",): ("fail2ban-jail",),
     ("launch", "entries"): LAUNCH,
     ("launch", "expansions"): LAUNCH,
     ("launch", "judged"): LAUNCH,

@@ -13,7 +13,6 @@ from collections.abc import Iterable
 from collections.abc import Iterator
 from functools import lru_cache
 
-from bringup_lint.model.python import syntax_of
 from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.model.yaml_node import Node
 from bringup_lint.model.yaml_node import Scalar
@@ -199,6 +198,8 @@ def _shell(source: Source) -> Lines:
 
 def _python(text: str) -> Lines:
     """Strings that span several lines."""
+    from bringup_lint.model.python import syntax_of
+
     tree = syntax_of(text.removeprefix("\ufeff"))
     if tree is not None:
         parts = (node for node in ast.walk(tree) if isinstance(node, (ast.Constant, ast.JoinedStr)))

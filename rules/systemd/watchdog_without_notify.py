@@ -75,6 +75,8 @@ TEXTS = {
 )
 def watchdog_without_notify(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
+        if not unit.has("WatchdogSec"):
+            continue
         service = robot.units.supervision(unit)
         if not unit.complete or not service.watchdog_on or service.main is None or service.access.unknown:
             continue

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import reduce
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -61,6 +63,11 @@ def any_of(*atoms: Atom) -> Needs:
             "        continue\n    yield unit",
             all_of(JUDGED, ("type", "timer")),
         ),
+        (
+            "for unit in robot.units.judged:\n    found = unit.get('User') if unit.has('A') else None\n"
+            "    if found is None:\n        continue\n    yield unit",
+            all_of(JUDGED, ("key", "A"), ("key", "User")),
+        ),
         ("yield from (*robot.jails, *robot.sshd)", any_of(("some", ("jails",)), ("some", ("sshd",)))),
         ("for each in [robot]:\n    yield each", NOTHING),
         ("for unit in robot.units.judged:\n    pass\nelse:\n    yield 1", NOTHING),
@@ -85,6 +92,13 @@ def test_own_functions_are_followed() -> None:
         "def _named(units):\n    for unit in units.judged:\n        if unit.has('User'):\n            yield unit\n"
     )
     assert needs(body, function) == all_of(JUDGED, ("key", "User"))
+
+
+def test_what_an_own_function_gives_besides_none() -> None:
+    body = "for unit in robot.units.judged:\n    found = _set(unit)\n    if found is not None:\n        yield found"
+    function = "def _set(unit):\n    if unit.flag('A'):\n        return 'A', 1\n    return None\n"
+    assert needs(body, function) == all_of(JUDGED, ("key", "A"))
+    assert needs(body, function.replace("None", "1")) == all_of(JUDGED)
 
 
 def test_a_list_that_another_function_returns_may_be_filled() -> None:
@@ -114,12 +128,12 @@ def test_no_rule_that_is_left_out_finds_anything(top: Path, root: bool) -> None:
 
 
 @pytest.mark.parametrize("path", KINDS, ids=".".join)
-def test_a_list_is_empty_without_the_kinds_of_its_files(path: tuple[str, str]) -> None:
+def test_a_list_is_empty_without_the_kinds_of_its_files(path: tuple[str, ...]) -> None:
     for top in sorted((PROJECT / "fixtures/robots").glob("*/tree")):
         tree = discover([str(top)])
         robot = Robot(tree.without({source.name for source in tree.sources if source.kind in KINDS[path]}))
-        layer, name = path
-        assert list(getattr(getattr(robot, layer), name)) == []
+        found: Any = reduce(getattr, path, robot)
+        assert list(found) == []
 
 
 @pytest.mark.slow

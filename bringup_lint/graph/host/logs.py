@@ -9,25 +9,22 @@ from collections.abc import Iterator
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from bringup_lint.graph.systemd.unit import Unit
-from bringup_lint.model.logrotate import Directive
-from bringup_lint.model.logrotate import LogrotateFile
-from bringup_lint.model.logrotate import Script
-from bringup_lint.model.logrotate import Stanza
-from bringup_lint.model.shell import Command
 from bringup_lint.named_tuple import NamedTuple
-from bringup_lint.parsers.logrotate import directives
-from bringup_lint.parsers.logrotate import parse
-from bringup_lint.parsers.logrotate_values import owners
 from bringup_lint.parsers.shell import commands
 from bringup_lint.pattern import regex
-from bringup_lint.source import Located
-from bringup_lint.source import Source
 
 if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
     from bringup_lint.graph.host.fstab import Mounts
+    from bringup_lint.graph.systemd.unit import Unit
     from bringup_lint.graph.systemd.units import Units
+    from bringup_lint.model.logrotate import Directive
+    from bringup_lint.model.logrotate import LogrotateFile
+    from bringup_lint.model.logrotate import Script
+    from bringup_lint.model.logrotate import Stanza
+    from bringup_lint.model.shell import Command
+    from bringup_lint.source import Located
+    from bringup_lint.source import Source
 
 _DEFAULT = regex(r"(?:^|/)\.ros/log(?:/|$)")
 _USUAL = regex(r"^/(?:var|opt|data|home)/(?:[^/]+/)*ros2?(?:/|$)")
@@ -63,6 +60,10 @@ class RosLogs:
     def files(self) -> list[LogrotateFile]:
         """The judged logrotate files."""
         sources = [source for source in self.sources.of_kind("logrotate") if source.judged and not source.template]
+        if not sources:
+            return []
+        from bringup_lint.parsers.logrotate import parse
+
         return self.sources.parsed(parse, sources)
 
     @cached_property
@@ -72,11 +73,16 @@ class RosLogs:
     @property
     def directives(self) -> list[str]:
         """The words that logrotate knows."""
+        from bringup_lint.parsers.logrotate import directives
+
         return list(directives())
 
     @staticmethod
     def owners(directive: Directive) -> tuple[Located | None, Located | None]:
         """The user and the group that ``create``, ``createolddir`` or ``su`` names."""
+        from bringup_lint.parsers.logrotate import directives
+        from bringup_lint.parsers.logrotate_values import owners
+
         kind = directives()[directive.name].type
         user, group, _ = owners(kind, directive.value) if kind in ("owner", "su") else (None, None, False)
         return user, group

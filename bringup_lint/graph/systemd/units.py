@@ -23,7 +23,6 @@ from bringup_lint.graph.systemd.cycles import ROOTS
 from bringup_lint.graph.systemd.cycles import Cycle
 from bringup_lint.graph.systemd.cycles import ordering_cycles
 from bringup_lint.graph.systemd.dependencies import dependency_graph
-from bringup_lint.graph.systemd.endless import never_ends
 from bringup_lint.graph.systemd.environment import EnvironmentFile
 from bringup_lint.graph.systemd.environment import environment_files
 from bringup_lint.graph.systemd.environment import process_environment
@@ -175,6 +174,8 @@ class Units(NamedUnits):
     @memo
     def never_ends(self, process: Process) -> Located | None:
         """What of a command line runs until it is stopped; None when it may end."""
+        from bringup_lint.graph.systemd.endless import never_ends
+
         return never_ends(process, self.files)
 
     def longest_wait(self, process: Process) -> Wait:
