@@ -6,7 +6,6 @@ knows where values end. Lines are counted from 1.
 
 from __future__ import annotations
 
-import ast
 import re
 from bisect import bisect_right
 from collections.abc import Iterable
@@ -198,6 +197,8 @@ def _shell(source: Source) -> Lines:
 
 def _python(text: str) -> Lines:
     """Strings that span several lines."""
+    import ast
+
     from bringup_lint.model.python import syntax_of
 
     tree = syntax_of(text.removeprefix("\ufeff"))

@@ -31,6 +31,62 @@ except SystemExit: pass"""
     assert loaded_after(code) <= {"click"}
 
 
+PLAIN = """\
+[Unit]
+Description=Camera server
+After=network.target
+
+[Service]
+ExecStart=/usr/bin/camera-server
+Restart=on-failure
+
+[Install]
+WantedBy=multi-user.target
+"""
+OF_OTHER_FILES = (
+    *("inspect", "dataclasses", "ast", "shlex", "traceback"),
+    *(f"bringup_lint.{name}" for name in ("api.launch", "graph.launch", "model.launch", "parsers.logrotate")),
+    *(f"bringup_lint.discover.kinds.{name}" for name in ("params", "shell", "udev")),
+)
+"""Modules that nothing in a tree of one unit asks for."""
+MOST_MODULES = 235
+"""Of our own that one plain unit loads: some more than now, for new rules about units."""
+MOST_RULES = 90
+
+
+def test_one_unit_loads_what_units_need(tmp_path: Path) -> None:
+    (tmp_path / "camera.service").write_text(PLAIN)
+    code = f"""import sys
+from bringup_lint import registry
+loaded, load = [], registry.load
+registry.load = lambda *about: (loaded.append(about), load(*about))[1]
+from bringup_lint.cli import dispatch
+try: dispatch([{str(tmp_path)!r}])
+except SystemExit: pass
+print(len(loaded), *sys.modules)"""
+    run = subprocess.run(
+        [sys.executable, "-ISc", f"import sys; sys.path[:0] = {sys.path!r}\n{code}"],
+        capture_output=True,
+        text=True,
+        cwd=PROJECT,
+        check=True,
+    )
+    rules, *modules = run.stdout.splitlines()[-1].split()
+    assert not set(OF_OTHER_FILES) & set(modules)
+    assert sum(name.startswith("bringup_lint") for name in modules) <= MOST_MODULES
+    assert int(rules) <= MOST_RULES
+
+
+def test_the_process_ends_with_the_code_of_the_run(tmp_path: Path) -> None:
+    (tmp_path / "camera.service").write_text(PLAIN)
+    for words, code in (([], 0), (["--fail-on", "info", "--min-severity", "info"], 1), (["--select", "nothing"], 2)):
+        command = [sys.executable, "-m", "bringup_lint", *words, str(tmp_path)]
+        run = subprocess.run(command, capture_output=True, text=True, cwd=PROJECT, check=False)
+        assert run.returncode == code
+        assert run.stdout.endswith("\n") or code == 2
+        assert bool(run.stderr) == (code == 2)
+
+
 def test_an_ordering_cycle_is_found_without_a_graph_library(tmp_path: Path) -> None:
     for name, other in (("one", "two"), ("two", "one")):
         unit = f"[Unit]\nAfter={other}.service\n\n[Service]\nExecStart=/opt/ros/jazzy/bin/ros2 launch rover {name}.py\n"
