@@ -1,12 +1,14 @@
 """ROS 2 is started without its setup file.
 
 ## What it finds
-Two mistakes in services:
+Two mistakes in services, and one in Ansible:
 
 - A service starts `ros2` or an executable of a workspace, and nothing before it sources a setup file. Silent if a
   script that is not in the tree may source it, or if the environment sets `AMENT_PREFIX_PATH`.
 - `ExecStartPre=` sources a setup file, but `ExecStart=` does not. The setup applies only to the process of
   `ExecStartPre=`.
+- A task of Ansible starts `ros2` with `shell` or `command`, sources no setup file, and neither it nor its play
+  sets an `environment:`. Ansible's shell is not interactive: Ubuntu's `.bashrc` returns before its last lines.
 
 ## Why it matters on a robot
 `ros2` is a Python program that works only with the variables that `setup.bash` sets. Without them it exits at once
@@ -34,6 +36,7 @@ When the program is a wrapper with the same name that sources the setup file its
 - ROS 2 documentation, "Configuring environment"
 """
 
+import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -53,6 +56,13 @@ from bringup_lint.api.systemd import unsourced
 EXITS = "it exits with \"No module named 'ros2cli'\""
 FINDS_NOTHING = "it finds no ROS packages or libraries"
 IN_ONE_LINE = "start it with /bin/bash -c 'source /opt/ros/<distro>/setup.bash && exec ...'"
+TASK = regex(
+    r"^[ \t]*(?:-[ \t]+)?(?:ansible\.builtin\.)?(?:shell|command):[ \t]*(?P<program>ros2)[ \t]+"
+    r"(?:run|launch|topic|param|service|node|pkg|daemon|security)\b",
+    re.M,
+)
+SOURCED = regex(r"setup\.(?:ba|z)?sh|AMENT_PREFIX_PATH|^[ \t]*environment:", re.M)
+OF_PLAY = regex(r"^  environment:", re.M)
 DISTRO = regex(r"/opt/ros/[a-z]+")
 
 
@@ -79,6 +89,22 @@ def ros2_not_sourced(robot: Robot) -> Iterator[Finding]:
                 advice=IN_ONE_LINE,
                 related=[note(each.sourcing[0].setup_files[0][1], "sourced here, for a process that exits at once")],
             )
+    for source in robot.of_kind("ansible"):
+        started = next((each for each in TASK.finditer(source.text) if source.judged and not _is_set(each)), None)
+        if started is not None:
+            yield finding(
+                source.located(*started.span("program")),
+                "The shell of Ansible has no ROS environment: ros2 is not found",
+                advice="write '. /opt/ros/<distro>/setup.bash && ros2 ...' with executable: /bin/bash",
+                confidence="medium",
+            )
+
+
+def _is_set(started: re.Match[str]) -> bool:
+    """Whether the task, or the play above it, sets the environment."""
+    text = started.string
+    before, after = text[: started.start()].rpartition("\n- ")[2], text[started.start() :].partition("\n- ")[0]
+    return SOURCED.search(before + after) is not None or OF_PLAY.search(text) is not None
 
 
 def _sourced_before(found: SourcedBefore) -> Finding:
