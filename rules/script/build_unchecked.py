@@ -66,7 +66,14 @@ def build_unchecked(robot: Robot) -> Iterator[Finding]:
             runs[builds[0]].words[0],
             "A build that fails is ignored: ROS starts with what the last build left in install/",
             advice="begin the script with set -e, or write '|| exit 1' after the build",
-            related=[note(ros.words[0], "ROS is started here")],
+            related=[
+                *(
+                    note(run.words[0], "a folder that is not there is ignored too")
+                    for run in runs[: builds[0]]
+                    if _moves(run)
+                ),
+                note(ros.words[0], "ROS is started here"),
+            ],
         )
 
 
@@ -76,6 +83,11 @@ def _is_ignored(run: Run) -> bool:
     span = run.command.words[0].span
     before = span.source.text[: span.start].rpartition("\n")[2]
     return CONDITION.search(before) is None
+
+
+def _moves(run: Run) -> bool:
+    """Whether the build is in another folder when the command fails."""
+    return run.name == "cd" and run.certain and run.command.ends not in ("&&", "||")
 
 
 def _starts_ros(run: Run) -> bool:
