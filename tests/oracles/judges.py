@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import configparser
 import importlib.util
 import os
 import re
@@ -144,6 +145,16 @@ def bash(path: Path) -> Counter[str]:
     return Counter(re.sub(r"\d+", "0", line) for line in run.stderr.decode("utf-8", "replace").splitlines())
 
 
+def ini(path: Path) -> Counter[str]:
+    """What fail2ban and setuptools read such files with."""
+    parser = configparser.RawConfigParser(strict=False)
+    try:
+        parser.read_string(path.read_text("utf-8-sig"))
+    except configparser.Error as error:
+        return Counter([type(error).__name__])
+    return Counter()
+
+
 def findmnt(path: Path) -> Counter[str]:
     """What it says of the words; whether a device is there depends on the host."""
     run = subprocess.run(["findmnt", "--verify", "--tab-file", str(path)], capture_output=True, text=True, check=False)
@@ -168,6 +179,8 @@ READERS: dict[str, tuple[str, Judge]] = {
     "dockerfile": ("hadolint", hadolint),
     "apt-conf": ("apt-config", apt),
     "shell-script": ("bash -n", bash),
+    "fail2ban-jail": ("Python's configparser", ini),
+    "setup-cfg": ("Python's configparser", ini),
 }
 """Kind -> the program that reads it on a robot, and how to ask it."""
 
