@@ -28,7 +28,12 @@ def main() -> None:
     if sys.argv[1:] == ["--version"]:
         from bringup_lint import __version__
 
-        print(f"bringup-lint {__version__}")
+        try:
+            print(f"bringup-lint {__version__}", flush=True)
+        except OSError as error:
+            from bringup_lint.cli.streams import lost
+
+            sys.exit(lost(error))
         return
     from bringup_lint.cli.answering import asked
     from bringup_lint.cli.answering import replayed

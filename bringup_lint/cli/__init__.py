@@ -52,6 +52,8 @@ def dispatch(arguments: list[str], prog: str = "bringup-lint", question: Questio
 def _code(command: Callable[[], object]) -> int:
     """The exit code of a command; what escapes from it is one line on standard error."""
     from bringup_lint.cli.streams import complain
+    from bringup_lint.cli.streams import is_of_stream
+    from bringup_lint.cli.streams import lost
     from bringup_lint.cli.streams import prepare
 
     try:
@@ -65,9 +67,22 @@ def _code(command: Callable[[], object]) -> int:
             complain("the working folder does not exist")
             return 2
         return _bug(error)
+    except OSError as error:
+        return lost(error) if is_of_stream(error) else _bug(error)
     except Exception as error:
-        return _of_click(error) if "click" in sys.modules else _bug(error)
+        return _of_unwritten(error) or (_of_click(error) if "click" in sys.modules else _bug(error))
     return done if isinstance(done, int) else 0
+
+
+def _of_unwritten(error: Exception) -> int:
+    """2 for what could not be written, which a line says; 0 for any other error."""
+    from bringup_lint.cli.streams import complain
+    from bringup_lint.writing import NotWritten
+
+    if not isinstance(error, NotWritten):
+        return 0
+    complain(error)
+    return 2
 
 
 def _of_click(error: Exception) -> int:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import codecs
 import contextlib
+import errno
 import os
 import sys
 
@@ -28,6 +29,7 @@ _PLAIN = str.maketrans(
     }
 )
 _HANDLER = "bringup-lint-plain"
+_OF_STREAMS = frozenset((errno.EPIPE, errno.ENOSPC, errno.EBADF, errno.EIO, errno.EFBIG))
 
 
 def prepare() -> None:
@@ -76,6 +78,20 @@ def put(text: str) -> None:
     except OSError as error:
         _let_go()
         raise _not_written(error) from error
+
+
+def lost(error: OSError) -> int:
+    """The exit code where standard output takes nothing more: nobody reads on, or a line says why."""
+    _let_go()
+    if isinstance(error, BrokenPipeError):
+        return 0
+    complain(_not_written(error))
+    return 2
+
+
+def is_of_stream(error: OSError) -> bool:
+    """Whether an error is of a stream, which has no name, and not of a file."""
+    return error.filename is None and error.errno in _OF_STREAMS
 
 
 def _not_written(why: str | Exception) -> Exception:

@@ -57,6 +57,45 @@ def test_the_exit_code_is_one_of_the_documented_ones(
         assert b"systemd/network-target" in run.stdout
 
 
+COMMANDS = [
+    "rules",
+    "explain systemd/root-user",
+    "--help",
+    "--version",
+    "init --help",
+    "graph .",
+    "rules --help",
+    "fleet .",
+]
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_a_full_disk_is_said_in_a_line(tree: Path, command: str) -> None:
+    run = shell(f"{sys.executable} -m bringup_lint {command} > /dev/full", tree)
+    assert (run.returncode, run.stdout) == (2, b"")
+    assert run.stderr == b"bringup-lint: standard output: No space left on device\n"
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_nobody_has_to_read_on(tree: Path, command: str) -> None:
+    read, write = os.pipe()
+    os.close(read)
+    environment = {**os.environ, "PYTHONPATH": str(PROJECT)}
+    whole = [sys.executable, "-m", "bringup_lint", *command.split()]
+    run = subprocess.run(whole, cwd=tree, stdout=write, stderr=subprocess.PIPE, env=environment, timeout=120)
+    os.close(write)
+    assert run.returncode in (0, 1)
+    assert run.stderr == b""
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_a_closed_output_is_no_bug(tree: Path, command: str) -> None:
+    run = shell(f"{sys.executable} -m bringup_lint {command} >&-", tree)
+    assert run.returncode in (0, 1, 2)
+    assert b"internal error" not in run.stderr
+    assert b"Traceback" not in run.stderr
+
+
 def test_an_interrupt_is_130(tree: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     from bringup_lint import engine
 
