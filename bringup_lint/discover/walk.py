@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import stat
 from collections.abc import Callable
@@ -190,8 +191,12 @@ def walk(
         excluded = _with_system_folders(excluded, top)
     for entry in entries:
         if entry.is_dir(follow_symlinks=False):
-            if entry.name not in SKIPPED_FOLDERS and depth < DEPTH_LIMIT and not excluded(entry.path + "/"):
+            if entry.name in SKIPPED_FOLDERS or excluded(entry.path + "/"):
+                continue
+            if depth < DEPTH_LIMIT:
                 yield from walk(entry.path, excluded, failed, depth + 1, ignored)
+            else:
+                failed(entry.path, OSError(errno.ENAMETOOLONG, f"it is more than {DEPTH_LIMIT} folders deep"))
         elif not excluded(entry.path) and (entry.is_file(follow_symlinks=False) or entry.is_symlink()):
             yield entry.path
 

@@ -80,7 +80,9 @@ MOVE = "move it to /usr/local/sbin, where only root may write"
     symptoms=["$HOME is not set", "Failed to get logging directory"],
 )
 def root_user(robot: Robot) -> Iterator[Finding]:
-    others = {unit.identity.name for unit in robot.units.ros if unit.identity.is_other}
+    elsewhere = [unit for unit in robot.units.ros if unit.identity.is_other]
+    others = {unit.identity.name for unit in elsewhere}
+    folders = {_folder(unit) for unit in elsewhere}
     for unit in robot.units.services:
         is_root = unit.identity.is_root
         if unit.manager == "user" or is_root is None or reads_display_of_root(unit, robot.units):
@@ -92,7 +94,8 @@ def root_user(robot: Robot) -> Iterator[Finding]:
             if needless is None:
                 continue
             if is_root:
-                yield _without_user(robot, unit, needless, others)
+                is_meant = _is_separated(robot, unit, folders)
+                yield _without_user(unit, needless, others, is_meant)
             else:
                 set_user = unit.identity.user or unit.identity.dynamic.at
                 says = f"User={unit.identity.user}" if unit.identity.user else "DynamicUser="
@@ -105,7 +108,7 @@ def root_user(robot: Robot) -> Iterator[Finding]:
             break
 
 
-def _without_user(robot: Robot, unit: Unit, needless: NeedlessRoot, others: set[str | None]) -> Finding:
+def _without_user(unit: Unit, needless: NeedlessRoot, others: set[str | None], is_meant: bool) -> Finding:
     user = unit.identity.user
     sets_up = needless.work is Work.SET_UP_IN_HOME
     return finding(
@@ -114,20 +117,19 @@ def _without_user(robot: Robot, unit: Unit, needless: NeedlessRoot, others: set[
         advice=MOVE if sets_up else OWN_USER,
         related=[note(needless.where, "the unit starts it here")],
         fix=None if sets_up else _fix(unit, others),
-        severity="info" if _is_separated(robot, unit) else None,
+        severity="info" if is_meant else None,
         confidence="high" if needless.work in CERTAIN else "medium",
     )
 
 
-def _is_separated(robot: Robot, unit: Unit) -> bool:
-    """Whether the robot's ROS services are divided into those of root and those of another user."""
+def _is_separated(robot: Robot, unit: Unit, folders: set[str]) -> bool:
+    """Whether the robot's ROS services are divided into those of root and those of another user, in these folders."""
     user = unit.identity.user
     if unit.fragment is None or unit not in robot.units.ros:
         return False
     if user is None or user != "root" or user.span.source is not unit.fragment.source:
         return False
-    others = (other for other in robot.units.ros if other.identity.is_other)
-    return any(_folder(other) == _folder(unit) for other in others)
+    return _folder(unit) in folders
 
 
 def _folder(unit: Unit) -> str:

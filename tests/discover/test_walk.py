@@ -59,3 +59,13 @@ def test_a_marker_counts_by_its_whole_name(tmp_path: Path) -> None:
 def test_caches_and_version_control_are_not_entered(tmp_path: Path) -> None:
     write(tmp_path, ".git/a.service", "__pycache__/a.service", "node_modules/a.service", "a.service")
     assert walked(tmp_path) == ["a.service"]
+
+
+def test_folders_too_deep_to_read_are_said(tmp_path: Path) -> None:
+    deep = tmp_path.joinpath(*["d"] * 70)
+    deep.mkdir(parents=True)
+    (deep / "a.service").write_text("[Service]\n")
+    tree = discover((str(tmp_path),))
+    (problem,) = tree.problems
+    assert (problem.code, problem.detail) == ("unreadable", "it is more than 60 folders deep")
+    assert problem.span.path.endswith("/d")
