@@ -10,6 +10,7 @@ import pytest
 from bringup_lint.cli.syntax import commands
 from tests.conftest import PROJECT
 from tests.docs.man_page import page
+from tests.lint import lint
 
 FILE = PROJECT / "docs" / "bringup-lint.1"
 
@@ -48,3 +49,10 @@ def test_page_shows_every_option(command: list[str]) -> None:
         assert made.name in shown
         for option in made.options:
             assert option.spellings[0] in shown
+
+
+def test_help_has_the_commands_first_and_then_every_option() -> None:
+    text = lint("--help", cwd=PROJECT).stdout
+    assert text.index("Commands:") < text.index("What is checked:") < text.index("Exit codes:")
+    check = next(commands())
+    assert [option.spellings[0] for option in check.options if option.spellings[0] not in text] == []

@@ -23,17 +23,54 @@ from bringup_lint.cli.outputs import PairedOptions
 from bringup_lint.cli.outputs import file_option
 from bringup_lint.cli.outputs import format_option
 
-EPILOG = "\n\n".join(
-    [
-        "\b\nCommands:\n" + "\n".join(f"  {name:<12}{text}" for name, text in COMMANDS.items()),
-        "\b\nExit codes:\n  0  nothing at or above --fail-on\n  1  findings"
-        "\n  2  wrong usage or configuration, or a file that cannot be written"
-        "\n  3  a rule or parser failed inside; everything else is still reported",
-    ]
+SECTIONS = {
+    "What is checked": ("root", "exclude", "tracked", "stdin_filename", "target_ros", "target_systemd", "now"),
+    "What is found": ("select", "ignore", "rule_folders", "no_ignores", "config_path", "isolated"),
+    "What is shown": (
+        "output_format",
+        "output_file",
+        "min_severity",
+        "quiet",
+        "statistics",
+        "show_files",
+        "show_settings",
+        "colour",
+    ),
+    "What fails": ("fail_on", "exit_zero"),
+    "Trees that have findings already": (
+        "since",
+        "changed",
+        "baseline",
+        "write_baseline",
+        "prune_baseline",
+        "add_ignores",
+    ),
+    "Fixes": ("fix", "unsafe_fixes", "diff"),
+}
+"""The options by what they are for; all others come last."""
+EPILOG = (
+    "\b\nExit codes:\n  0  nothing at or above --fail-on\n  1  findings"
+    "\n  2  wrong usage or configuration, or a file that cannot be written"
+    "\n  3  a rule or parser failed inside; everything else is still reported"
 )
 
 
-@click.command(cls=PairedOptions, epilog=EPILOG, context_settings={"help_option_names": ["-h", "--help"]})
+class Sections(PairedOptions):
+    """Has the commands, then the options in sections."""
+
+    def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        with formatter.section("Commands"):
+            formatter.write_dl(list(COMMANDS.items()))
+        records = {param.name: param.get_help_record(ctx) for param in self.get_params(ctx)}
+        for title, options in SECTIONS.items():
+            shown = [records.pop(name) for name in options]
+            with formatter.section(title):
+                formatter.write_dl([record for record in shown if record])
+        with formatter.section("Other options"):
+            formatter.write_dl([record for record in records.values() if record])
+
+
+@click.command(cls=Sections, epilog=EPILOG, context_settings={"help_option_names": ["-h", "--help"]})
 @click.argument("paths", nargs=-1, type=click.Path(readable=False), metavar="[PATH]...")
 @root_option
 @format_option
@@ -59,8 +96,8 @@ EPILOG = "\n\n".join(
 def command(ctx: click.Context, paths: tuple[str, ...], **options) -> None:
     """Check every file that decides how a ROS 2 robot comes up.
 
-    PATH is a file or a folder, by default the current one. Give /etc on the robot, or --root with a mounted image. A
-    path that is also a command's name is reached as ./NAME.
+    PATH is a file or a folder, by default the current one. Give /etc on the robot, or --root with a mounted image.
+    Write ./NAME for a path that is also the name of a command.
     """
     given = {name for name in ctx.params if ctx.get_parameter_source(name) is not ParameterSource.DEFAULT}
     ctx.exit(check(paths, options, ctx.meta["outputs"], given, ctx.obj))
