@@ -8,8 +8,8 @@ Dockerfile or the entry script mentions gosu, su-exec, setpriv, runuser or fixui
 entry script is that of a base image that is not known.
 
 It is info for images that a robot hardly runs by themselves: without USER, CMD and ENTRYPOINT; a shell in which
-somebody works; a builder, a simulator or a demonstration; and a Dockerfile that nothing builds while another one in
-its place is built.
+somebody works or logs in with ssh; a builder, a simulator or a demonstration; and a Dockerfile that nothing builds
+while another one in its place is built.
 
 ## Why it matters on a robot
 An intruder in one node is root in the container. If the host uses another user, Fast DDS's shared memory cannot be
@@ -54,8 +54,8 @@ from bringup_lint.api.docker import is_deployed
 from bringup_lint.api.docker import last_user
 
 DROPS = regex(r"\b(?:gosu|su-exec|setpriv|runuser|fixuid)\b")
-LOGINS = regex(r"\b(?:openssh-server|sshd|supervisord|sysvinit|s6-overlay)\b")
-"""What needs root to serve logins, or to start services as other users."""
+LOGINS = regex(r"\b(?:openssh-server|sshd|sysvinit|s6-overlay)\b")
+"""What needs root to serve logins, or to start services as an init system."""
 SYSTEMD = regex(r"/(?:s?bin/init|lib/systemd/systemd)\b")
 
 
@@ -105,7 +105,10 @@ def _starts_systemd(stage: Stage) -> bool:
 
 
 def _serves_logins(stage: Stage) -> bool:
-    """Whether the image starts an ssh daemon or an init system beside its program."""
+    """Whether the image holds an ssh daemon or an init system, and does not start ROS itself."""
+    starts = (stage.last("ENTRYPOINT"), stage.last("CMD"))
+    if any(each is not None and "ros2" in each.value for each in starts):
+        return False
     return any(LOGINS.search(each.value) for each in stage.instructions)
 
 
