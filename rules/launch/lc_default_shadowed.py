@@ -1,7 +1,7 @@
 """The default of a LaunchConfiguration never applies.
 
 ## What it finds
-`LaunchConfiguration('x', default=D)` in a file that also declares `x` with another default.
+`LaunchConfiguration('x', default=D)` in a file that also declares `x` with another default. Info in packages of others that the tree only holds.
 
 ## Why it matters on a robot
 The declaration runs first and binds `x`, even to an empty string. The default at the place of use looks like a
@@ -69,6 +69,7 @@ def lc_default_shadowed(robot: Robot) -> Iterator[Finding]:
                 advice="move the default into the declaration",
                 related=[note(action.span, "declared here")],
                 fix=fix("remove the default that is never used", codemod=drop, safe=False) if drop else None,
+                severity="info" if robot.launch.workspace.is_vendored(file.source) else None,
             )
 
 

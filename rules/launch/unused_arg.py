@@ -2,7 +2,7 @@
 
 ## What it finds
 Declared arguments that neither the file nor any file that it includes reads. A variable that is only the default of
-the argument itself does not read it.
+the argument itself does not read it. Info in packages of others that the tree only holds.
 
 ## Why it matters on a robot
 Setting the argument has no effect, and launch does not say so. The robot runs with another configuration than the
@@ -65,6 +65,7 @@ def unused_arg(robot: Robot) -> Iterator[Finding]:
                 f"'{name}' is declared but nothing reads it: setting it has no effect",
                 advice="use the argument, or remove the declaration",
                 fix=fix(f"remove the declaration of '{name}'", codemod=drop, safe=False) if drop else None,
+                severity="info" if robot.launch.workspace.is_vendored(file.source) else None,
             )
 
 

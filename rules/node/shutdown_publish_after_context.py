@@ -3,7 +3,8 @@
 ## What it finds
 A message that is published in the `finally` or `except` of a spin, directly or through a method such as `stop()` or
 an overridden `destroy_node()`, when rclpy handles the signals itself. Also a message that is published in a
-callback of `context.on_shutdown` or `atexit`.
+callback of `context.on_shutdown` or `atexit`. A message that moves nothing is info unless a unit, a container or the
+like stops the program.
 
 ## Why it matters on a robot
 SIGINT and SIGTERM invalidate the context before any `finally` runs. `publish` then raises an exception, or
@@ -84,10 +85,13 @@ def shutdown_publish_after_context(robot: Robot) -> Iterator[Finding]:
                 "signal.signal(signal.SIGTERM, signal.default_int_handler), and give the node a timer",
                 related=steps,
                 chain=robot.nodes.chain_to(file, note(place, f"the {what} comes too late")),
-                severity=_severity(robot.nodes.ending(file).is_raw_terminal, purpose, moves),
+                severity=_severity(robot, file, purpose, moves),
             )
 
 
-def _severity(raw_terminal: bool, purpose: nodes.Purpose, moves: bool) -> str:
-    """In a raw terminal Ctrl-C is not a signal: the message is sent then, and lost only on SIGTERM."""
-    return "info" if raw_terminal else nodes.lowered(purpose, "error" if moves else "warning")
+def _severity(robot: Robot, file: nodes.NodeSource, purpose: nodes.Purpose, moves: bool) -> str:
+    """In a raw terminal Ctrl-C is not a signal: the message is sent then, and lost only on SIGTERM. A message that
+    moves nothing matters where something of the robot stops the program."""
+    if robot.nodes.ending(file).is_raw_terminal or not (moves or robot.nodes.is_stopped(file)):
+        return "info"
+    return nodes.lowered(purpose, "error" if moves else "warning")
