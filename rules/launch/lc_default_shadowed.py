@@ -1,7 +1,8 @@
 """The default of a LaunchConfiguration never applies.
 
 ## What it finds
-`LaunchConfiguration('x', default=D)` in a file that also declares `x` with another default. Info in packages of others that the tree only holds.
+`LaunchConfiguration('x', default=D)` in a file that also declares `x` with another default. Info in
+packages of others that the tree only holds.
 
 ## Why it matters on a robot
 The declaration runs first and binds `x`, even to an empty string. The default at the place of use looks like a
