@@ -20,7 +20,8 @@ _PREFIX = regex(r"^ros_[a-z]{1,20}_")
 _PARAMETERS = "ros__parameters"
 
 BASE = frozenset(
-    "robot_state_publisher tf2_ros rclcpp_components rosbag2_transport launch_ros joint_state_publisher rviz2".split()
+    "robot_state_publisher tf2_ros rclcpp_components rosbag2_transport launch_ros joint_state_publisher "
+    "joint_state_publisher_gui rviz2".split()
 )
 """Nodes that come with ros-base, or with what every model and simulation depends on."""
 DESKTOP = frozenset("depthimage_to_laserscan joy teleop_twist_joy teleop_twist_keyboard image_tools".split())
