@@ -68,7 +68,11 @@ def reads_display_of_root(unit: Unit, units: Units) -> bool:
 
 
 def changes_user(process: Process) -> bool:
-    """Whether the command line gives root up itself, or starts a container."""
+    """Whether the command line gives root up itself, or starts a container. What a program in a home gives up later
+    comes too late."""
+    home = any(_HOME.match(word) for word in process.argv[:1])
+    if home and process.unit.get("Type") in ("oneshot", "forking"):
+        return False
     for step in process.steps:
         words = step.command.words[:2] if step.command.name == "exec" else step.command.words[:1]
         if any(program_name(word) in _DROPPERS or program_name(word) in _CONTAINERS for word in words):
