@@ -3,7 +3,8 @@
 ## What it finds
 `spawner` of controller_manager with the name of a controller, when none of the parameter files and dictionaries of the
 only `ros2_control_node` of the launch holds `<name>.type`, and the spawner brings no `--param-file` itself. Also a
-`ros2_control_node` without any parameter file, whose controllers all lack their types. Managers whose parameters are
+`ros2_control_node` without any parameter file, whose controllers all lack their types; where the launch spawns none,
+it is a warning. Managers whose parameters are
 not all known are left out.
 
 ## Why it matters on a robot
@@ -37,6 +38,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.launch import UntypedController
+from bringup_lint.api.launch import literal_text
 
 
 @rule("error", confidence="medium", symptoms=["The 'type' param was not defined for"])
@@ -63,3 +65,22 @@ def controller_untyped(robot: Robot) -> Iterator[Finding]:
             related=[note(one.name, "spawned here") for one in (each, *others[:5])],
             chain=robot.provenance.chain_to_node(each.manager),
         )
+    yield from _without_spawners(robot)
+
+
+def _without_spawners(robot: Robot) -> Iterator[Finding]:
+    """Controller managers without any parameter, in launches that spawn nothing."""
+    for node in robot.launch.nodes:
+        if literal_text(node.executable) != "ros2_control_node" or not node.file.source.judged:
+            continue
+        if node.parameters or node.arguments or getattr(node.action, "open", False):
+            continue
+        around = (each for expansion in robot.launch.leading_to(node.file) for each in expansion.nodes)
+        if not any("spawner" in str(literal_text(each.executable)) for each in around):
+            yield finding(
+                node.span,
+                "ros2_control_node is given no parameter file: it knows no controller, and none can be loaded",
+                advice="pass the file with the controllers in parameters=",
+                severity="warning",
+                chain=robot.provenance.chain_to_node(node),
+            )
