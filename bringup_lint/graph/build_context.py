@@ -33,10 +33,11 @@ class Lacking(NamedTuple):
 
 def lacking_sources(files: Files, compose: Compose) -> Iterator[Lacking]:
     """The files and folders that COPY and ADD name and that are certainly not in the build context."""
+    known = _builders(compose)
     for file in compose.images.dockerfiles:
         if not file.source.judged:
             continue
-        builders = list(_builders(files, compose, file))
+        builders = known.get(file.source.absolute, [])
         for word in _sources(file):
             lacking = _judged(files, file, word, builders)
             if lacking is not None and not _is_made(files, word):
@@ -58,15 +59,17 @@ def _paths(instruction: Instruction) -> Iterator[Located]:
             yield word
 
 
-def _builders(files: Files, compose: Compose, file: Dockerfile) -> Iterator[tuple[Service, str]]:
-    """The compose services that build a Dockerfile, with the folders of their contexts."""
+def _builders(compose: Compose) -> dict[str, list[tuple[Service, str]]]:
+    """Path of a Dockerfile -> the compose services that build it, with the folders of their contexts."""
+    found: dict[str, list[tuple[Service, str]]] = {}
     for service in compose.services:
         build = service.build
         if build is None or service.inline_dockerfile or is_variable(build.context or ""):
             continue
         context = os.path.normpath(os.path.join(_folder(service.source.name), build.context or "."))
-        if os.path.join(context, build.dockerfile or "Dockerfile") == os.path.abspath(file.source.name):
-            yield service, context
+        path = os.path.join(context, build.dockerfile or "Dockerfile")
+        found.setdefault(path, []).append((service, context))
+    return found
 
 
 def _judged(files: Files, file: Dockerfile, word: Located, builders: list[tuple[Service, str]]) -> Lacking | None:

@@ -127,9 +127,9 @@ def _is_built(compose: Compose, file: Dockerfile) -> bool:
 def _folders(compose: Compose, file: Dockerfile) -> set[str]:
     """The folder of a Dockerfile, and those that services build it from."""
     found = {os.path.dirname(file.source.name)}
-    for service in compose.services:
+    for service in (service for stage in file.stages for service in compose.users(stage)):
         build = service.build
-        if build is not None and compose.stage(service) in file.stages:
+        if build is not None:
             beside = os.path.dirname(service.source.name)
             found.add(os.path.normpath(os.path.join(beside, str(build.context or "."))).removeprefix("."))
     return found

@@ -49,9 +49,9 @@ def stopsignal(robot: Robot) -> Iterator[Finding]:
         if stage is None:
             continue
         runs = next((i for i in (stage.last("CMD"), stage.last("ENTRYPOINT")) if i and LAUNCH.search(i.value)), None)
-        runners = [runner for runner in robot.runners.all if runner.stage is stage]
         if runs is None or stays_in_shell(stage, runs):
             continue
+        runners = [runner for runner in robot.runners.all if runner.stage is stage]
         if runners and not any(map(_gets_sigterm, runners)):
             continue
         signal = stage.last("STOPSIGNAL")

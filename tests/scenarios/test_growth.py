@@ -82,6 +82,38 @@ def test_every_layer_grows_as_the_tree_does(tmp_path: Path) -> None:
     assert {layer: round(value, 2) for layer, value in growth.items() if value > LOGARITHM} == {}
 
 
+def rules(folder: Path, count: int) -> None:
+    """The rules of one udev file."""
+    file = folder / "etc/udev/rules.d/99-robot.rules"
+    file.parent.mkdir(parents=True)
+    lines = (f'SUBSYSTEM=="tty", ATTRS{{serial}}=="A{n}", SYMLINK+="robot{n}"\n' for n in range(count))
+    file.write_text("".join(lines))
+
+
+def chain(folder: Path, count: int) -> None:
+    """Units of which each requires the next one."""
+    for n in range(count):
+        unit = (
+            f"[Unit]\nRequires=r{n + 1}.service\nAfter=r{n + 1}.service\n[Service]\nExecStart=/usr/bin/ros2 run a n\n"
+        )
+        (folder / f"r{n}.service").write_text(unit)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("shape", "count"), [(rules, 100), (chain, 30)])
+def test_every_layer_grows_as_one_kind_of_file_does(
+    shape: Callable[[Path, int], None], count: int, tmp_path: Path
+) -> None:
+    tops = [tmp_path / str(size) for size in SIZES]
+    for size, top in zip(SIZES, tops, strict=True):
+        top.mkdir()
+        shape(top, count * size)
+    lint(".", cwd=tops[0])
+    small, middle, large = (counted(lambda top=top: lint(".", cwd=top)) for top in tops)
+    growth = {layer: excess(small[layer], middle[layer], large[layer]) for layer in large if layer}
+    assert {layer: round(value, 2) for layer, value in growth.items() if value > LOGARITHM} == {}
+
+
 def test_quadratic_work_is_noticed() -> None:
     small, middle, large = ((100 * size) ** 2 for size in SIZES)
     assert excess(small, middle, large) > LOGARITHM
