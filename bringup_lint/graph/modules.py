@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from itertools import islice
 from typing import TYPE_CHECKING
 
+from bringup_lint.dataclass import replace
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 
@@ -23,11 +24,12 @@ _FOREIGN = regex(r"/(?:site-packages|dist-packages|\.?venv|env|node_modules|buil
 
 
 def modules(files: Files) -> Iterator[Source]:
-    """The judged modules, at most so many; tests, examples and what others wrote are left out."""
+    """The judged modules, at most so many; tests, examples and what others wrote are left out. Python knows other
+    encodings than UTF-8: no module is refused for its own."""
     known = {os.path.abspath(source.name) for source in files.sources}
     paths = (path for path in sorted(files.tree.paths) if path.endswith(".py") and path not in known)
     own = (path for path in paths if not (TEST.search(path) or _LAUNCH.search(path) or _FOREIGN.search(path)))
     for path in islice(own, MODULES):
-        source = files.tree.read(path)
-        if source is not None and source.judged and len(source.text) <= TEXT:
-            yield source
+        source = files.tree.read(path, judged=False) if files.tree.judges(path) else None
+        if source is not None and len(source.text) <= TEXT:
+            yield replace(source, judged=True)
