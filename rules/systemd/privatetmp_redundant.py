@@ -39,7 +39,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api.systemd import Unit
+from bringup_lint.api.systemd import Assignment
 from bringup_lint.api.systemd import paths
 
 
@@ -49,6 +49,7 @@ def privatetmp_redundant(robot: Robot) -> Iterator[Finding]:
         private = unit.flag("PrivateTmp")
         if not private:
             continue
+        lines = {word.span: line for line in unit.assignments("ReadWritePaths") for word in line.value.words()}
         for word, path, _ in paths(unit, "ReadWritePaths"):
             if path in ("/tmp", "/var/tmp"):
                 yield finding(
@@ -56,17 +57,13 @@ def privatetmp_redundant(robot: Robot) -> Iterator[Finding]:
                     f"PrivateTmp= gives {unit.name} its own writable {path}: the entry is redundant",
                     advice="remove the entry",
                     related=[note(private.where, "gives it its own /tmp")],
-                    fix=_without(unit, word) if unit.editable else None,
+                    fix=_without(lines.get(word.span), word) if unit.editable else None,
                 )
 
 
-def _without(unit: Unit, word: Located) -> Fix | None:
-    for line in unit.assignments("ReadWritePaths"):
-        others = [other for other in line.value.words() if other.span != word.span]
-        if len(others) < len(list(line.value.words())):
-            text = " ".join(others)
-            return fix(
-                "remove the entry",
-                (line.value, text) if text else (line.span, "# ReadWritePaths= was redundant"),
-            )
-    return None
+def _without(line: Assignment | None, word: Located) -> Fix | None:
+    """The line without a word of it."""
+    if line is None:
+        return None
+    text = " ".join(other for other in line.value.words() if other.span != word.span)
+    return fix("remove the entry", (line.value, text) if text else (line.span, "# ReadWritePaths= was redundant"))

@@ -54,6 +54,23 @@ def test_a_run_takes_time_as_the_size_of_a_file(number: int) -> None:
     assert is_linear(lambda size: GROWTH.judge(each.name, each.of(size), registry), SMALL), each
 
 
+GREW = [
+    ("cron", "@reboot robot /opt/robot/start\n"),
+    ("python-node", "    rclpy.init()\n"),
+    ("systemd-dropin", "ReadWritePaths=/var/log/heron /var/lib/heron /tmp\n"),
+]
+"""What once took more than its share."""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("kind", "unit"), GREW)
+def test_what_grew_too_much_grows_no_more(kind: str, unit: str) -> None:
+    name, text = GROWTH.samples()[kind]
+    each = GROWTH.Combination(kind, name, text, unit)
+    registry = Registry.of()
+    assert is_linear(lambda size: GROWTH.judge(each.name, each.of(size), registry), SMALL)
+
+
 @pytest.mark.slow
 def test_every_kind_is_tried() -> None:
     """Every kind has a short file among the fixtures."""
