@@ -58,6 +58,7 @@ GREW = [
     ("cron", "@reboot robot /opt/robot/start\n"),
     ("python-node", "    rclpy.init()\n"),
     ("systemd-dropin", "ReadWritePaths=/var/log/heron /var/lib/heron /tmp\n"),
+    ("launch-xml", '    <arg name="robot" value="$(var robot)"/>\n'),
 ]
 """What once took more than its share."""
 

@@ -255,7 +255,10 @@ class Launch:
         if found is None:
             from bringup_lint.graph.launch.grammar import refusals
 
-            found = [each for each in refusals(file, self._tree_files.target.ros) if not _is_ros1(each, file)]
+            of_ros1 = {name.span.start for name in file.ros1}
+            renamed = any(name in ("type", "value") for name in file.ros1)
+            every = refusals(file, self._tree_files.target.ros)
+            found = [each for each in every if not _is_ros1(each, of_ros1, renamed)]
             if any(each.extension for each in found) and self._extends_launch:
                 found = [each for each in found if not each.extension]
             self._refusals[id(file)] = found
@@ -490,12 +493,11 @@ class Launch:
                     yield file, action
 
 
-def _is_ros1(refusal: Refusal, file: LaunchFile) -> bool:
-    """Whether a construct of ROS 1 is the cause, which is found as such."""
+def _is_ros1(refusal: Refusal, starts: set[int], renamed: bool) -> bool:
+    """Whether a construct of ROS 1 is the cause, which is found as such: one that starts there, or an attribute that
+    has another name now."""
     where = refusal.where.span if isinstance(refusal.where, Located) else refusal.where
-    if any(name.span.start == where.start for name in file.ros1):
-        return True
-    return refusal.code == "missing" and any(name in ("type", "value") for name in file.ros1)
+    return where.start in starts or (refusal.code == "missing" and renamed)
 
 
 def _substitutes(file: LaunchFile) -> bool:
