@@ -38,6 +38,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.undefined_names import dict_ranges
     from bringup_lint.graph.nodes.questions.undefined_names import range_text
     from bringup_lint.graph.nodes.questions.undefined_names import undefined
+    from bringup_lint.graph.nodes.questions.unread_parameters import unread_parameters
     from bringup_lint.graph.nodes.questions.unsafe_ends import unsafe_ends
     from bringup_lint.graph.topics.questions.undeclared import asked_in_vain
     from bringup_lint.graph.topics.questions.undeclared import is_called_nowhere
@@ -84,6 +85,7 @@ __all__ = [
     "tried_shutdown",
     "undefined",
     "unhandled_shutdown",
+    "unread_parameters",
     "unsafe_ends",
     "unset",
     "valid_node_name",

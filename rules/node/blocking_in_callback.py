@@ -10,8 +10,9 @@ Calls in a callback, or in the methods that it calls, that keep the executor bus
 - Calls that wait for the executor itself: `client.call()`, `Rate.sleep()`, `rclpy.spin_until_future_complete(self,
   ...)`.
 
-In C++ the same for `sleep_for`, `sleep`, `system`, `wait_for_service()` without a timeout, `while (rclcpp::ok())` and
-`rclcpp::spin_until_future_complete`, in files that make no executor with several threads and no callback groups.
+In C++ the same for `sleep_for`, `sleep`, `system`, `wait_for_service()` without a timeout, `wait` of a condition
+variable, `while (rclcpp::ok())` and `rclcpp::spin_until_future_complete`, in files that make no executor with several
+threads and no callback groups.
 
 ## Why it matters on a robot
 A single-threaded executor runs one callback after the other. While one blocks, no timer fires and no message is

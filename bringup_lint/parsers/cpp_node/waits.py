@@ -26,6 +26,7 @@ DEPTH = 3
 _AT_START = regex(r"(?i)_?(?:on_?)?(?:init|setup|start_?up)")
 """Names of callbacks of a timer that runs once, before the node has anything else to do."""
 _LEAVES = frozenset({"break_statement", "return_statement", "throw_statement", "co_return_statement", "goto_statement"})
+_LOCK = regex(r"\bunique_lock\b\s{0,4}(?:<[^<>;]{0,60}>)?\s{0,4}(?P<name>\w{1,60})\s{0,4}[({]")
 _ENDLESS = ("true", "1", "rclcpp::ok()")
 
 
@@ -97,6 +98,7 @@ def _runs(body: Node, node: Node) -> bool:
 def waits(code: Code, callbacks: list[Callback]) -> Iterator[Waiting]:
     """The calls that block in the callbacks of a file, each place once."""
     bodies = Bodies(code)
+    locks = frozenset(match["name"] for match in _LOCK.finditer(code.source.text))
     seen: set[int] = set()
     reached: set[int] = set()
     for callback in callbacks:
@@ -106,13 +108,14 @@ def waits(code: Code, callbacks: list[Callback]) -> Iterator[Waiting]:
         reached.add(body.id)
         for each in bodies.reached(body):
             node = each.node if isinstance(each, Call) else each
-            found = _call(code, each) if isinstance(each, Call) else _loop(code, each)
+            found = _call(code, each, locks) if isinstance(each, Call) else _loop(code, each)
             if found is not None and node.id not in seen:
                 seen.add(node.id)
                 yield Waiting(code.span(node), *found, callback)
 
 
-def _call(code: Code, call: Call) -> tuple[str, str] | None:
+def _call(code: Code, call: Call, locks: frozenset[str]) -> tuple[str, str] | None:
+    """``locks``: the variables on which only condition variables wait."""
     if call.name == "sleep_for" and call.arguments:
         return _sleep(call.name, seconds(code.text(call.arguments[-1])))
     if call.qualified in ("sleep", "::sleep", "usleep", "::usleep") and call.arguments:
@@ -125,6 +128,8 @@ def _call(code: Code, call: Call) -> tuple[str, str] | None:
     if call.qualified == "rclcpp::spin_until_future_complete" and len(call.arguments) < 3:
         own = call.arguments and ("this" in code.text(call.arguments[0]))
         return (call.qualified, "") if own else None
+    if call.name == "wait" and 0 < len(call.arguments) < 3 and code.text(call.arguments[0]) in locks:
+        return f"{call.name}({code.text(call.arguments[0])})", "until another thread notifies it"
     if call.name in ("wait_for_service", "wait_for_action_server") and not call.arguments and "." not in call.qualified:
         return f"{call.name}()", UNTIL_OTHER_NODE
     return None

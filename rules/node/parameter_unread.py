@@ -1,0 +1,49 @@
+"""A parameter is set, declared and never read.
+
+## What it finds
+`declare_parameter('x', ...)` in a Python node whose result nobody uses, when `x` appears nowhere else in the program,
+and a parameter file that a launch file gives to the node sets it. Programs that read parameters by computed names, or
+hear of changes, are left out.
+
+## Why it matters on a robot
+`ros2 param get` shows the value of the file, and the node works with a number of its own. Whoever lowers a speed or a
+timeout there changes nothing.
+
+## Bad
+```python
+self.declare_parameter('max_speed', 1.0)
+self.limit = 1.0
+```
+
+## Good
+```python
+self.limit = self.declare_parameter('max_speed', 1.0).value
+```
+
+## When to ignore it
+When another program reads the parameter of this node, through its parameter services.
+
+## References
+- https://docs.ros.org/en/jazzy/Concepts/Basic/About-Parameters.html
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import nodes
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("warning", confidence="medium")
+def parameter_unread(robot: Robot) -> Iterator[Finding]:
+    for found in nodes.unread_parameters(robot.nodes, robot.params):
+        yield finding(
+            found.name,
+            f"The node never reads '{found.name}': what the parameter file sets has no effect",
+            advice=f"use get_parameter('{found.name}').value, or remove the parameter",
+            related=[note(each.span, "set here") for each in found.given[:5]],
+            severity=nodes.lowered(robot.nodes.purpose(found.file.source), "warning"),
+        )
