@@ -2,7 +2,7 @@
 
 ## What it finds
 `spawner` of controller_manager with the name of a controller, when none of the parameter files and dictionaries of the
-only `ros2_control_node` of the launch holds `<name>.type`, and the spawner brings no `--param-file` itself. Also a
+only `ros2_control_node` of the launch holds `<name>.type`, and the spawner brings no parameters itself. Also a
 `ros2_control_node` without any parameter file, whose controllers all lack their types; where the launch spawns none,
 it is a warning. Managers whose parameters are
 not all known are left out.

@@ -97,4 +97,7 @@ def _names(launch: Launch, params: Params, value: Value) -> list[str] | None:
         return None if value.open or None in names else [str(name) for name in names]
     path = path_of(launch, value.file if isinstance(value, LaunchedFile) else value)
     file = params.at_path(path) if path is not None else None
-    return [each.name for each in file.parameters] if file is not None and file.accepted else None
+    if file is None or not file.accepted:
+        return None
+    blocks = [f"{each.block.key}.type" for each in file.parameters if each.name == "type"]
+    return blocks + [each.name for each in file.parameters]
