@@ -60,7 +60,10 @@ def command_no_timeout(robot: Robot) -> Iterator[Finding]:
                 f"{found.timer} sends {found.kept} however old it is: without new commands the robot drives on",
                 advice=ADVICE,
                 severity=nodes.lowered(robot.nodes.purpose(found.source), "warning"),
-                related=[note(found.subscription.span, f"fills {found.kept}")],
+                related=[
+                    note(found.subscription.span, f"fills {found.kept}"),
+                    *([note(found.sender, "sends it")] if found.sender is not None else []),
+                ],
             )
     for held in nodes.held(robot.nodes):
         yield finding(

@@ -65,6 +65,8 @@ class Repeated(NamedTuple):
     timer: str
     """The callback of the timer."""
     where: Span
+    sender: Span | None = None
+    """The method that sends it, where it is known."""
 
 
 def repeated(nodes: Nodes) -> Iterator[Repeated]:
@@ -103,7 +105,14 @@ def _in_class(nodes: Nodes, file: NodeSource, node: NodeClass) -> Iterator[Repea
                 continue
             found = sorted(held_over(syntax, node, endpoint.callback, loop))
             for name in found[:1]:
-                yield Repeated(file.source, endpoint, f"self.{name}", f"{loop.name}()", loop.span)
+                yield Repeated(
+                    file.source,
+                    endpoint,
+                    f"self.{name}",
+                    f"{loop.name}()",
+                    loop.span,
+                    node.methods[loop.name].name.span,
+                )
 
 
 def _sends(call: ast.Call, node: NodeClass) -> bool:
