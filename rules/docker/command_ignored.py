@@ -29,6 +29,7 @@ When the words are only there for people who read the file.
 """
 
 from collections.abc import Iterator
+from typing import NamedTuple
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
@@ -40,7 +41,6 @@ from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.docker import Runner
 from bringup_lint.api.shell import unwrapped
-from bringup_lint.named_tuple import NamedTuple
 
 READS_ARGUMENTS = regex(r"\$(?:[@*#0-9]|\{[@*#0-9!]|\{?BASH_ARG)|\bshift\b|\bgetopts?\b|\bfor\s+\w+\s*(?:;|\n|\bdo\b)")
 

@@ -27,6 +27,7 @@ matters.
 """
 
 from collections.abc import Iterator
+from typing import NamedTuple
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
@@ -37,7 +38,6 @@ from bringup_lint.api import fix
 from bringup_lint.api import launch
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.named_tuple import NamedTuple
 
 
 @rule("warning", fix="unsafe")

@@ -30,6 +30,7 @@ When the delay spreads load or inrush current and no start depends on it.
 """
 
 from collections.abc import Iterator
+from typing import NamedTuple
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
@@ -38,7 +39,6 @@ from bringup_lint.api import finding
 from bringup_lint.api import launch
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.named_tuple import NamedTuple
 
 CONSUMERS = ("localization", "mapping", "planning", "control", "costmap")
 PROVIDERS = ("driver", "hardware", "localization", "mapping", "map", "perception")

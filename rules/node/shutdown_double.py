@@ -41,6 +41,7 @@ When the program is only ever started by hand and a traceback at its end does no
 
 import ast
 from collections.abc import Iterator
+from typing import NamedTuple
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
@@ -50,7 +51,6 @@ from bringup_lint.api import fix
 from bringup_lint.api import nodes
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.named_tuple import NamedTuple
 
 
 @rule("warning", fix="safe", symptoms=["failed to shutdown: rcl_shutdown already called on the given context"])

@@ -38,6 +38,7 @@ outside this tree.
 
 import ast
 from collections.abc import Iterator
+from typing import NamedTuple
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
@@ -47,7 +48,6 @@ from bringup_lint.api import fix
 from bringup_lint.api import nodes
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.named_tuple import NamedTuple
 
 
 @rule(

@@ -37,6 +37,7 @@ Never: rcl rejects such a name in every distribution.
 
 import re
 from collections.abc import Iterator
+from typing import NamedTuple
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
@@ -48,7 +49,6 @@ from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api import topics
 from bringup_lint.api.nodes import Endpoint
-from bringup_lint.named_tuple import NamedTuple
 
 TESTED = regex(r"\.empty\(\)|[=!]=\s*(?:\"\"|'')|\bif not \w+:")
 """Code that asks whether a text is empty."""

@@ -35,6 +35,7 @@ import os
 import posixpath
 import re
 from collections.abc import Iterator
+from typing import NamedTuple
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
@@ -45,7 +46,6 @@ from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.shell import Run
-from bringup_lint.named_tuple import NamedTuple
 
 COPIES = ("cp", "install")
 READS = ("source", ".", "bash", "sh", "python3", "python")

@@ -38,6 +38,7 @@ robot.
 
 from collections.abc import Iterable
 from collections.abc import Iterator
+from typing import NamedTuple
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
@@ -48,7 +49,6 @@ from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.sros2 import Grant
 from bringup_lint.api.sros2 import PolicyEnclave
-from bringup_lint.named_tuple import NamedTuple
 
 TOPICS = "publish '{}', which is every topic of the robot, including /cmd_vel"
 CALLS = "call '{}', which is every service of the robot, including set_parameters of every node"

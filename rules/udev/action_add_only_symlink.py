@@ -38,6 +38,7 @@ later.
 """
 
 from collections.abc import Iterator
+from typing import NamedTuple
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
@@ -50,7 +51,6 @@ from bringup_lint.api import rule
 from bringup_lint.api.udev import Condition
 from bringup_lint.api.udev import Token
 from bringup_lint.api.udev import UdevRule
-from bringup_lint.named_tuple import NamedTuple
 
 _MOST_SHOWN = 20
 _READ_AT_EVERY_EVENT = ("ID_MM_DEVICE_IGNORE", "ID_MM_PORT_IGNORE", "NM_UNMANAGED")

@@ -28,6 +28,7 @@ If the line is meant to make both links.
 
 from collections.abc import Iterator
 from itertools import pairwise
+from typing import NamedTuple
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
@@ -36,7 +37,6 @@ from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.named_tuple import NamedTuple
 
 
 class Torn(NamedTuple):
