@@ -43,7 +43,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.shell import Run
 
 INSTALLERS = ("apt", "apt-get", "aptitude")
-SETS_UP = regex(r"/etc/hostapd/\S*\.conf|systemctl[^\n]{0,60}\b(?:enable|start|restart)\b[^\n]{0,60}\bhostapd\b")
+SETS_UP = regex(r"/etc/hostapd/\S{0,80}\.conf|systemctl[^\n]{0,60}\b(?:enable|start|restart)\b[^\n]{0,60}\bhostapd\b")
 UNMASKS = regex(r"^[^#\n]*\bunmask\b[^\n]*\bhostapd\b|\bcreate_ap\b|\bmasked:[ \t]*(?:no|false)\b", re.M)
 
 
