@@ -3,8 +3,9 @@
 ## What it finds
 A service that names a `canN` on its command line or in its environment without waiting for it. It needs `After=` or
 `BindsTo=` on the device unit `sys-subsystem-net-devices-canN.device`, on the networkd-wait-online instance of that
-interface, or on a unit of the tree that sets the interface up. A unit that sets up the interface itself is not
-reported.
+interface, or on a unit of the tree that sets the interface up. A unit that sets up the interface itself
+is reported when a target starts it at boot and it waits for no device, no other service and in no loop, and is not
+started again.
 
 ## Why it matters on a robot
 USB adapters and MCP2515 boards appear seconds after the boot begins to start services. The driver fails with `No
@@ -50,4 +51,12 @@ def unit_order(robot: Robot) -> Iterator[Finding]:
             place,
             f"{unit.name} may start before {name} exists",
             advice=f"add BindsTo={device} and After={device}",
+        )
+    for unit, name, place in robot.can.early_setups:
+        device = f"sys-subsystem-net-devices-{name}.device"
+        yield finding(
+            place,
+            f"{unit.name} sets up {name} at boot: if it does not exist yet, it stays down",
+            advice=f"add BindsTo={device} and After={device}, or let systemd-networkd configure {name}",
+            confidence="medium",
         )

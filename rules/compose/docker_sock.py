@@ -1,8 +1,9 @@
 """A container controls the Docker daemon.
 
 ## What it finds
-A volume of `docker.sock`. A read-only mount makes no difference: requests are written to the socket, not to the
-file. It is info for images whose only work is to manage containers, such as Watchtower or Portainer.
+A volume of `docker.sock`, also when a variable names the socket of the host. A read-only mount makes no difference:
+requests are written to the socket, not to the file. It is info for images whose only work is to manage containers, such
+as Watchtower or Portainer.
 
 ## Why it matters on a robot
 Anybody in the container can start another container that mounts the host's root file system, and so is root on the
@@ -34,6 +35,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.compose import Volume
 
 MANAGES = regex(
     r"(?:^|/)(?:watchtower|portainer(?:-[a-z]+)?|dozzle|diun|autoheal|docker-autoheal|lazydocker)(?=[:@]|$)"
@@ -46,10 +48,18 @@ def docker_sock(robot: Robot) -> Iterator[Finding]:
     for service in robot.compose.services:
         for volume in service.volumes:
             own = volume.where.span.start >= service.body.span.start
-            if own and volume.source is not None and volume.source.endswith("/docker.sock"):
+            if own and _is_socket(volume):
                 yield finding(
                     volume.where,
                     f"Service '{service.name}' controls the Docker daemon, and with it the host",
                     advice="remove the volume; update containers from outside",
                     severity="info" if service.image is not None and MANAGES.search(service.image) else None,
                 )
+
+
+def _is_socket(volume: Volume) -> bool:
+    """Whether the socket is mounted by its path, or a variable is mounted where the clients of Docker look for it."""
+    if volume.source is None:
+        return False
+    by_variable = volume.source.startswith("$") and volume.target is not None
+    return volume.source.endswith("/docker.sock") or (by_variable and str(volume.target).endswith("/run/docker.sock"))

@@ -2,7 +2,9 @@
 
 ## What it finds
 COPY or ADD of a private SSH key (`id_rsa`, `id_ed25519`, ...) or of a whole `.ssh` folder into the final image, and a
-RUN that copies a file from `/run/secrets` to another place and does not remove it in the same step.
+RUN that copies a file from `/run/secrets` to another place and does not remove it in the same step. A copy that only a
+condition of the step makes is a warning. A key that `ssh-keygen` makes in a RUN is a warning, too: the host keys of
+`ssh-keygen -A` and a key that signs in elsewhere are then the same on every robot.
 
 ## Why it matters on a robot
 Everybody who can pull the image, or has a robot with it, can read the key: `docker save` shows every layer, also when a
@@ -32,15 +34,22 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.docker import Stage
 from bringup_lint.api.docker import commands_of_run
 from bringup_lint.api.shell import Command
+from bringup_lint.api.shell import program_name
+from bringup_lint.api.shell import unwrapped
 
 KEY = regex(r"(?:^|/)(?:id_(?:rsa|dsa|ecdsa|ed25519)\w*|\.ssh/?)$")
 SECRET = regex(r"/run/secrets/\S+")
+PUBLIC = regex(r"pub(?:lic)?(?:_key|_keys|\.key)?$|allowed_signers$|known_hosts$")
 GONE = regex(r"/(?:tmp|run|dev/shm|var/tmp)/")
+CACHE = regex(r"/var/(?:lib/apt|cache)/|/tmp/")
+OTHER_WORK = regex(r"-[a-zA-Z]{0,8}[FRHlyeispcBDkQrYLMUO]")
+"""Options with which ssh-keygen makes no key."""
 
 
 @rule("error", tags=["CWE-522", "CWE-538"])
@@ -50,12 +59,8 @@ def secret_in_layer(robot: Robot) -> Iterator[Finding]:
             continue
         for stage in file.final.chain:
             if stage.start.keyword.span.source is file.source:
-                for word in (*_copied(stage), *_kept(stage)):
-                    yield finding(
-                        word,
-                        f"'{word}' stays in a layer of the image: everybody who can pull it can read the secret",
-                        advice="use RUN --mount=type=ssh, or --mount=type=secret without a copy, and change the secret",
-                    )
+                yield from (_stays(word) for word in _copied(stage))
+                yield from _kept(stage)
 
 
 def _copied(stage: Stage) -> Iterator[Located]:
@@ -65,19 +70,67 @@ def _copied(stage: Stage) -> Iterator[Located]:
             yield from (word for word in list(instruction.value.words())[:-1] if KEY.search(word))
 
 
-def _kept(stage: Stage) -> Iterator[Located]:
-    """The build secrets that a step writes to a place that stays."""
+def _kept(stage: Stage) -> Iterator[Finding]:
+    """What each step writes to a place that stays: build secrets, and keys that it makes."""
     for instruction in stage.all("RUN"):
         commands = list(commands_of_run(instruction))
-        if not any(command.name in ("rm", "shred") for command in commands):
-            yield from (word for command in commands for word in _written(command))
+        if any(map(_removes, commands)):
+            continue
+        written = [(word, command) for command in commands for word in _written(command)]
+        if written:
+            certain = any(command.depth == 0 for _, command in written)
+            yield _stays(*(word for word, _ in written), severity=None if certain else "warning")
+        yield from (_made(command) for command in commands if _makes(command))
+
+
+def _removes(command: Command) -> bool:
+    """Whether it removes files, other than what package managers leave behind."""
+    if command.name not in ("rm", "shred"):
+        return False
+    return not all(word.startswith("-") or CACHE.match(word) for word in command.words[1:])
+
+
+def _stays(word: Located, *others: Located, severity: str | None = None) -> Finding:
+    return finding(
+        word,
+        f"'{word}' stays in a layer of the image: everybody who can pull it can read the secret",
+        advice="use RUN --mount=type=ssh, or --mount=type=secret without a copy, and change the secret",
+        related=[note(other, "stays, too") for other in others],
+        severity=severity,
+    )
 
 
 def _written(command: Command) -> Iterator[Located]:
-    secrets = [word for word in command.words[1:] if SECRET.fullmatch(word)]
-    if command.name in ("cp", "install", "mv") and secrets and not GONE.match(command.words[-1]):
+    words = unwrapped(command.words)
+    name = program_name(words[0]) if words else ""
+    secrets = [word for word in words[1:] if SECRET.fullmatch(word) and not PUBLIC.search(word)]
+    if name in ("cp", "install", "mv") and secrets and not GONE.match(words[-1]):
         yield from secrets[:1]
-    elif command.name in ("cat", "base64") and command.ends != "|" and secrets:
+    elif name in ("cat", "base64") and command.ends != "|" and secrets:
         targets = [redirect.target for redirect in command.redirects if redirect.writes and redirect.target]
         if any(target.startswith(("/", "~", "$")) and not GONE.match(target) for target in targets):
             yield from secrets[:1]
+
+
+def _makes(command: Command) -> bool:
+    """Whether ssh-keygen makes a key at a place that stays."""
+    words = unwrapped(command.words)
+    if not words or program_name(words[0]) != "ssh-keygen":
+        return False
+    if "-A" in words:
+        return True
+    at = words.index("-f") + 1 if "-f" in words else len(words)
+    options = [word for word in words[1:] if word.startswith("-")]
+    return at < len(words) and not GONE.match(words[at]) and not any(map(OTHER_WORK.fullmatch, options))
+
+
+def _made(command: Command) -> Finding:
+    host = "-A" in command.words
+    return finding(
+        command.words[0],
+        "The host keys of SSH are made in the image: every robot has the same, and who can pull it can pose as any"
+        if host
+        else "A private key is made in the image: every robot has the same, and who can pull it can read it",
+        advice="make the key when the robot starts for the first time" + (": ssh-keygen -A" if host else ""),
+        severity="warning",
+    )

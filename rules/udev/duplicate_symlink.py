@@ -2,8 +2,8 @@
 
 ## What it finds
 One link name in two rules whose matches do not exclude each other. Rules for different vendors, products,
-serial numbers, ports or indexes are alternatives and are not reported. Nor are rules that a `GOTO` separates,
-or rules with `link_priority`.
+serial numbers or ports are alternatives and are not reported; rules for two indexes of the same camera are a warning.
+Rules that a `GOTO` separates, or with `link_priority`, are not reported.
 
 ## Why it matters on a robot
 Which device gets the link depends on the order in which they are found: after a reboot the driver talks to
@@ -50,4 +50,15 @@ def duplicate_symlink(robot: Robot) -> Iterator[Finding]:
                     f"Two rules make {second.path} and can match two devices: the order of discovery decides which one",
                     advice='tell the devices apart, or give one rule OPTIONS+="link_priority="',
                     related=[note(first.name, "the other rule")],
+                )
+        for first, second in rules.same_camera_links:
+            if second.rule.judged and second not in seen:
+                seen.add(second)
+                yield finding(
+                    second.name,
+                    f"Two nodes of one camera take {second.path}: the order of discovery decides which one has it",
+                    advice="leave out the rule for the node without images",
+                    related=[note(first.name, "the other node")],
+                    severity="warning",
+                    confidence="medium",
                 )

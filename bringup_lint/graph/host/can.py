@@ -28,6 +28,14 @@ _USE = regex(
     re.I,
 )
 _SETS = regex(r"\bip\s+link\s+(?:set|add)\b[^\n]*\bcan\d*\b|\bbitrate\b|\bcan[-_]?(?:up|setup|config)\b", re.I)
+_UP = regex(r"\bip\s+link\s+set\s+(?:dev\s+)?(?P<name>can\d+)\s+(?:up|type\s+can)\b")
+_WAITS = regex(
+    r"\b(?:until|while|for|sleep|slcand|slcan_attach|settle|wait-online)\b|\bip\s+link\s+add\b|\|\|"
+    r"|\bmodprobe\s+(?!(?:kvaser_usb|gs_usb|peak_usb|pcan|usb_8dev|ems_usb|esd_usb|mcba_usb|can|can[-_]raw|can[-_]dev)\b)"
+)
+"""What waits for an interface, makes it, or loads a driver of a controller on the board."""
+_NO_DEVICES = frozenset({"systemd-modules-load.service", "systemd-networkd.service"})
+"""Services after which a CAN interface need not exist."""
 _READERS = ("env-file", "launch-python", "launch-xml", "launch-yaml", "params", "compose", "shell-script")
 
 
@@ -85,6 +93,27 @@ class Can:
         """Whether a unit that this one waits for sets up the interface."""
         units = (other for word in after for other in self.units.candidates(str(word), unit.manager))
         return any(name in line and _SETS.search(line) for other in units for line in _text(other))
+
+    @property
+    def early_setups(self) -> Iterator[tuple[Unit, str, Located]]:
+        """The services that set up an interface once at boot, whether it exists yet or not, with the command."""
+        for unit in self.units.services:
+            text = "\n".join(_text(unit))
+            if not unit.judged or _WAITS.search(text) or not self._starts_once_at_boot(unit):
+                continue
+            for value in unit.values("ExecStart", unit.section):
+                match = _UP.search(value)
+                if match is not None:
+                    yield unit, match["name"], value.part(*match.span())
+                    break
+
+    def _starts_once_at_boot(self, unit: Unit) -> bool:
+        """Whether a target starts a unit that waits for no device and no other unit, and is not started again."""
+        wanted = [*unit.words("WantedBy", "Install"), *unit.words("RequiredBy", "Install")]
+        after = [*unit.words("After"), *unit.words("BindsTo"), *unit.words("Requires"), *unit.words("Wants")]
+        waits = any(word.endswith((".device", ".service")) and word not in _NO_DEVICES for word in after)
+        restarts = unit.get("Restart", unit.section) not in (None, "no")
+        return not waits and not restarts and bool(wanted) and all(word.endswith(".target") for word in wanted)
 
     @property
     def unconfigured(self) -> Iterator[tuple[str, Located]]:

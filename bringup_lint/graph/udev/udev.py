@@ -18,6 +18,7 @@ from bringup_lint.graph.udev.order import TooEarly
 from bringup_lint.graph.udev.order import assignments_overruled
 from bringup_lint.graph.udev.order import packaged_files
 from bringup_lint.graph.udev.order import properties_not_set_yet
+from bringup_lint.graph.udev.overlap import are_nodes_of_one_camera
 from bringup_lint.graph.udev.overlap import fires_whenever
 from bringup_lint.graph.udev.overlap import may_both_fire
 from bringup_lint.graph.udev.patterns import matches
@@ -69,6 +70,15 @@ class RuleSet:
     @cached_property
     def same_links(self) -> list[tuple[Link, Link]]:
         """Pairs of one link from two rules that can take it from one another, in effective order."""
+        return [(one, other) for one, other in self._of_one_name if self._compete(one.rule, other.rule)]
+
+    @cached_property
+    def same_camera_links(self) -> list[tuple[Link, Link]]:
+        """Pairs of one link from two rules for two nodes of the same camera, in effective order."""
+        return [(one, other) for one, other in self._of_one_name if are_nodes_of_one_camera(one.rule, other.rule)]
+
+    @cached_property
+    def _of_one_name(self) -> list[tuple[Link, Link]]:
         by_path: dict[str, list[Link]] = defaultdict(list)
         for link in self.links:
             if link.is_fixed and not link.rule.is_unreachable:
@@ -78,7 +88,6 @@ class RuleSet:
             for links in by_path.values()
             for index, other in enumerate(links[:_MOST_RIVALS])
             for one in links[:index]
-            if self._compete(one.rule, other.rule)
         ]
 
     def _compete(self, one: UdevRule, other: UdevRule) -> bool:
