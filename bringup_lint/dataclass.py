@@ -156,6 +156,8 @@ else:
             if each.default_factory is not _NOTHING:
                 value = f"_make_{name}() if {name} is _NOTHING else {name}" if each.init else f"_make_{name}()"
             body.append(f"_set(self, {name!r}, {value})" if frozen else f"self.{name} = {value}")
+        if hasattr(cls, "__post_init__"):
+            body.append("self.__post_init__()")
         lines = "\n ".join(body or ["pass"])
         exec(f"def __init__({', '.join(_parameters(cls.__fields__))}):\n {lines}", known)  # names of the class alone
         known["__init__"].__qualname__ = f"{cls.__qualname__}.__init__"

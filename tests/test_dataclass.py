@@ -96,3 +96,15 @@ def test_the_package_has_no_other_dataclasses() -> None:
         text = path.read_text("utf-8")
         if path.name != "dataclass.py":
             assert not re.search(r"from dataclasses import (?:dataclass|field|replace)\n", text), path
+
+
+def test_post_init_follows_the_values() -> None:
+    @dataclass(frozen=True)
+    class Topic:
+        name: str
+
+        def __post_init__(self) -> None:
+            object.__setattr__(self, "name", self.name.lstrip("/"))
+
+    assert Topic("/scan").name == "scan"
+    assert replace(Topic("scan"), name="//odom").name == "odom"
