@@ -101,6 +101,7 @@ FIRST = {
     "error: stat of /home/rover/.ros/log/** failed: No such file or directory": "logrotate/globstar",
     '70-rover.rules:2 style: LABEL="rover_end" is unused.': "udev/label-unused",
     "2025-03-13 20:43:40,201 WARNING Found /var/run/reboot-required, rebooting": "host/apt-auto-reboot",
+    "[controller_manager]: The 'type' param was not defined for 'arm'.": "launch/controller-untyped",
     " ! nav Published ports are discarded when using host network mode": "compose/bridge-network-ros",
     "[controller_manager]: No clock received, using time argument instead! Check your node's clock": ("*/use-sim-*"),
     "failed to increase socket receive buffer size to at least 10485760 bytes, current is 425984 bytes": (
@@ -115,7 +116,6 @@ OTHER = {
     "[INFO] [drive-1]: process started with pid [812]": "started a process",
     "rover.service: Failed with result 'timeout'.": "took longer than",
     "RTNETLINK answers: Device or resource busy": "while it is down",
-    "[controller_manager]: The 'type' param was not defined for 'arm'.": "NAME.type",
     "rover.service: Main process exited, code=exited, status=1/FAILURE": "message is some lines above",
 }
 """A line that no rule explains -> words of the reason."""

@@ -73,7 +73,7 @@ class Named(NamedTuple):
     """Below the folder of the script, as the script says."""
 
 
-@rule("warning", symptoms=["No such file or directory", "cannot stat"])
+@rule("warning", symptoms=["cannot stat"])
 def file_missing(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("shell-script"):
         if source.judged and not source.template and source.origin is None:
