@@ -37,6 +37,7 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
@@ -59,4 +60,5 @@ def unit_order(robot: Robot) -> Iterator[Finding]:
             f"{unit.name} sets up {name} at boot: if it does not exist yet, it stays down",
             advice=f"add BindsTo={device} and After={device}, or let systemd-networkd configure {name}",
             confidence="medium",
+            related=[note(word, f"does not wait for {name}") for word in unit.words("After")[:1]],
         )
