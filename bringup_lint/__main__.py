@@ -51,7 +51,8 @@ def main() -> None:
 def _is_done() -> bool:
     """Whether nothing is left to do: all is written, no thread runs, and no library wants to say goodbye."""
     threading = sys.modules.get("threading")
-    if atexit._ncallbacks() or (threading and threading.active_count() > 1):
+    callbacks = getattr(atexit, "_ncallbacks", None)
+    if callbacks is None or callbacks() or (threading and threading.active_count() > 1):
         return False
     try:
         sys.stdout.flush()

@@ -4,8 +4,7 @@
 `spawner` of controller_manager with the name of a controller, when none of the parameter files and dictionaries of the
 only `ros2_control_node` of the launch holds `<name>.type`, and the spawner brings no parameters itself. Also a
 `ros2_control_node` without any parameter file, whose controllers all lack their types; where the launch spawns none,
-it is a warning. Managers whose parameters are
-not all known are left out.
+it is a warning. Managers whose parameters are not all known are left out.
 
 ## Why it matters on a robot
 The spawner ends with "The 'type' param was not defined". The hardware is up, no controller moves it, and commands to

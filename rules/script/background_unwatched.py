@@ -2,7 +2,7 @@
 
 ## What it finds
 A script that starts several ROS programs with `&` and ends, or sleeps, without `wait`, `trap` or a last program in the
-foreground. Scripts that a unit or a container starts belong to systemd/shell-background-job and docker/background_job.
+foreground. Scripts that a unit or a container starts belong to systemd/shell-background-job and docker/background-job.
 
 ## Why it matters on a robot
 When the driver of the lidar dies, nobody notices and nothing starts it again: the robot drives on without it. Ctrl-C
