@@ -39,6 +39,8 @@ _MOST_TEXT = 32 << 20
 _SUBMODULE = regex(r"^[^\S\n]*path[^\S\n]*=[^\S\n]*(\S+)", re.M)
 _ANY_ENCODING = frozenset({"cpp-node"})
 """Kinds that compilers read in whatever encoding their comments have."""
+_PROGRAMS = frozenset({"", "shell-script"})
+"""What commands name: a compiled program is as good as a script."""
 
 
 @dataclass(eq=False)
@@ -136,7 +138,8 @@ class Tree:
             source.template = template_language(source.name, source.text)
         if self.held is not None:
             source = self.held.shared(source)
-        is_expected = complaint == PROGRAM if source.kind == "shell-script" else source.kind in _ANY_ENCODING
+        is_program = complaint == PROGRAM and source.kind in _PROGRAMS
+        is_expected = is_program or source.kind in _ANY_ENCODING
         if complaint and source.judged and not is_expected:
             self.problems.append(Problem("encoding", source.whole, complaint))
         if self.held is None:

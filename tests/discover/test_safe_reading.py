@@ -96,12 +96,13 @@ def test_nul_bytes_and_utf_16(tree: Path) -> None:
 
 
 def test_a_compiled_program_is_no_damaged_script(tree: Path) -> None:
-    (tree / "rover").write_bytes(b"\x7fELF\2\1\1\0" + bytes(100))
-    (tree / "rover.service").write_text("[Service]\nExecStart=/opt/rover/rover\n")
+    (tree / "drive").mkdir()
+    (tree / "drive/rover").write_bytes(b"\x7fELF\2\1\1\0" + bytes(100))
+    (tree / "drive/rover.service").write_text("[Service]\nExecStart=/opt/rover/drive/rover\n")
     (tree / "etc/systemd/system").mkdir(parents=True)
     (tree / "etc/systemd/system/other.service").write_bytes(b"\x7fELF\2\1\1\0")
-    run = concise(cwd=tree)
-    assert "rover:1" not in run.stdout
+    run = concise("--select", "host", cwd=tree)
+    assert "drive/rover:1" not in run.stdout
     assert "etc/systemd/system/other.service:1:1: error[lint/encoding] The file is a compiled program" in run.stdout
 
 
