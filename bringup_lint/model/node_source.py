@@ -109,6 +109,11 @@ class Callback:
     function: ast.Lambda | None = None
     """The lambda itself."""
 
+    @property
+    def kind(self) -> str:
+        """The role in a sentence: ``an action``."""
+        return f"{'an' if self.role[0] == 'a' else 'a'} {self.role}"
+
 
 @dataclass(frozen=True, slots=True)
 class Endpoint:

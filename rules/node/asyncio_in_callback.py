@@ -47,10 +47,6 @@ def asyncio_in_callback(robot: Robot) -> Iterator[Finding]:
                 f"'RuntimeError: no running event loop': rclpy's executor runs {name}() without asyncio, and "
                 f"{function} raises",
                 advice="await an rclpy Future that a timer completes, or use a Rate in another callback group",
-                related=[note(callback.span, f"{name} is the callback of {_article(callback.role)}")],
+                related=[note(callback.span, f"{name} is the callback of {callback.kind}")],
                 severity=nodes.lowered(robot.nodes.purpose(file.source), "error"),
             )
-
-
-def _article(role: str) -> str:
-    return f"{'an' if role[0] == 'a' else 'a'} {role}"

@@ -10,6 +10,9 @@ Calls in a callback, or in the methods that it calls, that keep the executor bus
 - Calls that wait for the executor itself: `client.call()`, `Rate.sleep()`, `rclpy.spin_until_future_complete(self,
   ...)`.
 
+Several threads (`MultiThreadedExecutor`) run the callbacks of other groups in the meantime, and all others while an
+action server executes a goal: rclpy does that outside all callback groups.
+
 In C++ the same for `sleep_for`, `sleep`, `system`, `wait_for_service()` without a timeout, `wait` of a condition
 variable, `while (rclcpp::ok())` and `rclcpp::spin_until_future_complete`, in files that make no executor with several
 threads and no callback groups.
@@ -73,7 +76,7 @@ def _in_python(robot: Robot) -> Iterator[Finding]:
             file.span_of(wait.call.test if isinstance(wait.call, ast.While) else wait.call),
             message,
             advice="use a timer, call_async with add_done_callback, or a separate thread",
-            related=_related(wait.callback.span, f"{wait.name} is the callback of a {wait.callback.role}", stopped),
+            related=_related(wait.callback.span, f"{wait.name} is the callback of {wait.callback.kind}", stopped),
             severity=_severity(robot, file.source, wait.how_long),
             confidence="high" if certain else "medium",
         )

@@ -76,6 +76,8 @@ class Expander:
         """The timers and handlers around."""
         self.count = 0
         self.containers: dict[int, Started] = {}
+        self.not_by_default: dict[str, list[tuple[Condition, ...]]] = {}
+        """The conditions of what declares or sets a configuration and does not happen by default."""
 
     def run(self, arguments: dict[str, Value]) -> Expansion:
         for name, value in arguments.items():
@@ -120,6 +122,8 @@ class Expander:
             env = dict(self.scope.env) if own is None else None
             handler(self, action, resolver, symbolic)
             if own is False:
+                for name in self.scope.arguments.keys() - scope.arguments.keys():
+                    self.not_by_default.setdefault(name, []).append(self.conditions)
                 self.scope = scope
             elif env is not None:
                 self.scope.env = perhaps(env, self.scope.env)
@@ -131,12 +135,23 @@ class Expander:
         while todo:
             value = todo.pop()
             if isinstance(value, Argument):
-                if value.default is None and str(value.name) not in self.scope.arguments:
+                if value.default is None and not self.exists(str(value.name)):
                     self.result.unbound.append(
                         Used(value, self.file, self.chain, self.conditions, not self.result.open)
                     )
                 continue
             todo.extend(children(value))
+
+    def exists(self, name: str) -> bool:
+        """Whether a configuration is there, here and whenever what comes here happens."""
+        if name in self.scope.arguments:
+            return True
+        return any(all(map(self.under, needed)) for needed in self.not_by_default.get(name, ()))
+
+    def under(self, condition: Condition) -> bool:
+        """Whether a condition holds here."""
+        alike = (each for each in self.conditions if each.wanted == condition.wanted)
+        return any(same(each.predicate, condition.predicate) for each in alike)
 
     def bind(self, name: str, value: Value, symbol: Value, origin: Span, declared: bool = False) -> None:
         """Set a launch configuration; under an open condition it may keep what it was."""

@@ -63,11 +63,16 @@ def stopped_callbacks(nodes: Nodes) -> Iterator[Stopped]:
 
 
 def _stopped(nodes: Nodes, file: NodeSource, node: NodeClass, wait: Blocking, threads: str) -> list[Callback] | None:
-    """The callbacks that a wait stops; None when that does no harm, or is not sure."""
+    """The callbacks that a wait stops; None when that does no harm, or is not sure.
+
+    rclpy runs the execute callback of an action server as a task of the executor, which is in no callback group
+    (``ActionServer.notify_execute``): several threads run the others meanwhile."""
     callback = wait.callback
     found = [each for each in node.callbacks if each.role in _WORK and each.name != callback.name]
     if threads == "several":
-        found = [each for each in found if each.group == callback.group]
+        if callback.role == "action":
+            return None
+        found = [each for each in found if each.group == callback.group and each.role != "action"]
         if wait.how_long and callback.group is not None and callback.group.reentrant is not False:
             return None
     if not wait.how_long or wait.nested:
