@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.graph.compose_projects import project_of
 from bringup_lint.model.compose import ComposeFile
 from bringup_lint.model.compose import Service
 from bringup_lint.model.compose import is_variable
@@ -154,20 +155,20 @@ def _is_made(files: Files, path: str) -> bool:
 def undefined_names(compose: Compose) -> Iterator[UndefinedName]:
     """Volumes, networks and services that a project names and does not define."""
     for file in _projects(compose):
-        root = file.yaml.root
-        if not isinstance(root, Mapping) or root.get("include") is not None or _has_parts(compose, file):
+        project = project_of(compose, file)
+        if project is None or _has_parts(compose, project):
             continue
-        defined = {kind: _defined(root, kind) for kind in ("volume", "network", "service")}
+        defined = {kind: _defined(project, kind) for kind in ("volume", "network", "service")}
         for service in file.services:
             for found in _named(service):
                 if _is_own(service, found.name) and str(found.name) not in defined[found.kind]:
                     yield found
 
 
-def _has_parts(compose: Compose, file: ComposeFile) -> bool:
-    """Whether other compose files are in the folder, which may define the rest."""
-    folder = os.path.dirname(file.source.name)
-    return any(os.path.dirname(other.source.name) == folder and other is not file for other in compose.files)
+def _has_parts(compose: Compose, project: list[ComposeFile]) -> bool:
+    """Whether other compose files are beside those of a project, which may define the rest."""
+    folders = {os.path.dirname(file.source.name) for file in project}
+    return any(os.path.dirname(other.source.name) in folders and other not in project for other in compose.files)
 
 
 def _named(service: Service) -> Iterator[UndefinedName]:
@@ -198,7 +199,8 @@ def _is_optional(body: object) -> bool:
     return required is not None and required.boolean is False
 
 
-def _defined(root: Mapping, kind: str) -> set[str]:
-    section = root.mapping(f"{kind}s")
-    names = {str(key.value) for key, _ in section.merged} if section is not None else set()
+def _defined(project: list[ComposeFile], kind: str) -> set[str]:
+    roots = (file.yaml.root for file in project)
+    sections = [root.mapping(f"{kind}s") for root in roots if isinstance(root, Mapping)]
+    names = {str(key.value) for section in sections if section is not None for key, _ in section.merged}
     return names | {"default"} if kind == "network" else names

@@ -1,8 +1,9 @@
 """A service names a volume, network or service that its compose file does not define.
 
 ## What it finds
-Named volumes, networks and entries of `depends_on` in compose.yaml or docker-compose.yml without a definition. Files
-that include others, or that have other compose files in their folder, are not judged: those may define the rest.
+Named volumes, networks and entries of `depends_on` in compose.yaml or docker-compose.yml without a definition, be it
+in the file, in one that it includes, or in one that includes it or extends its services. Not judged are files that
+include what is not in the tree, and files that have other compose files in their folder: those may define the rest.
 
 ## Why it matters on a robot
 docker compose refuses the whole project ("refers to undefined volume", "depends on undefined service") and starts
