@@ -238,6 +238,18 @@ class Service:
         return sum(float(number) * _SECONDS[unit] for number, unit in _DURATION.findall(text))
 
     @property
+    def profiles(self) -> set[str]:
+        """Those that start it, any one of them; without profiles it always runs."""
+        node = self.body.get("profiles")
+        is_replaced = isinstance(node, Sequence) and node.tag in ("!override", "!reset")
+        inherited = self.base.profiles if self.base is not None and not is_replaced else set()
+        return inherited | {str(scalar.value) for scalar in _scalars(node)}
+
+    def runs_with(self, other: Service) -> bool:
+        """Whether one choice of a profile starts both."""
+        return not self.profiles or not other.profiles or bool(self.profiles & other.profiles)
+
+    @property
     def scripts(self) -> Iterator[Located]:
         """Everything that is run as text: the words of entrypoint and command."""
         yield from self.entrypoint

@@ -67,7 +67,7 @@ def _is_changed(port: str) -> bool:
 def _apart(robot: Robot, services: list[Service]) -> Iterator[Finding]:
     host = [service for service in services if service.is_on_host_network]
     for service in services:
-        beside = [other for other in host if _run_together(service, other)]
+        beside = [other for other in host if service.runs_with(other)]
         if not beside or service.network_mode is not None or _finds_others(robot, service):
             continue
         yield finding(
@@ -76,12 +76,6 @@ def _apart(robot: Robot, services: list[Service]) -> Iterator[Finding]:
             advice="use network_mode: host in both, or a discovery server",
             related=[note(beside[0].place_of("network_mode"), f"'{beside[0].name}' is on the host network")],
         )
-
-
-def _run_together(one: Service, other: Service) -> bool:
-    """Whether some choice of profiles starts both; a service without profiles always runs."""
-    ours, theirs = (set(map(str, service.items("profiles"))) for service in (one, other))
-    return not ours or not theirs or bool(ours & theirs)
 
 
 def _finds_others(robot: Robot, service: Service) -> bool:

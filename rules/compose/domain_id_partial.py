@@ -3,7 +3,7 @@
 ## What it finds
 `ROS_DOMAIN_ID` or `RMW_IMPLEMENTATION` in some ROS services of a file, while another ROS service sets neither the
 variable nor an env file. Only services whose images are the same, have the same namespace, or are official
-ROS images are compared.
+ROS images are compared, and only those that one choice of `profiles` starts together.
 
 ## Why it matters on a robot
 Nodes in different domains never see each other, and nodes with different middlewares do so only by luck. The
@@ -67,7 +67,7 @@ def _comparable(one: Service, other: Service) -> bool:
     """The image of the second adds no setting of its own: it is the image of the first, an official one, or of the same
     makers."""
     image, first = other.image or "", one.image or ""
-    if one is other:
+    if one is other or not one.runs_with(other):
         return False
     folder = image.rpartition("/")[0]
     together = folder != "" and folder == first.rpartition("/")[0]

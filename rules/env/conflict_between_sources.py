@@ -5,7 +5,8 @@ ROS_DOMAIN_ID or RMW_IMPLEMENTATION with different values in units that start to
 file, or in nodes of their launch files. Units and the services of a compose file belong together if there is one such
 group and one file, and docker starts the services at boot on the network of the host. Also a launch file that overrides
 the value that the unit or service gets from another file. Not reported: unknown values, a launch file that gives its
-own nodes several values, and processes that bridge domains.
+own nodes several values, services that no choice of one compose profile starts together, and processes that bridge
+domains.
 
 ## Why it matters on a robot
 The processes do not see each other. Each part works on its own, and the topics of the other part are silently

@@ -62,10 +62,23 @@ def conflicts(ros: RosEnvironment, name: str) -> Iterator[Different | Overridden
 def _different(values: list[list[Valued]]) -> Iterator[Different]:
     usual = max(values, key=len)
     for users in values:
-        one, other = users[0], usual[0]
-        same_file = one.variable.value.span.source is other.variable.value.span.source
-        if users is not usual and not (one.process.launched and same_file):
-            yield Different(one, other)
+        pair = _pair(users, usual) if users is not usual else None
+        if pair is None:
+            continue
+        same_file = pair.one.variable.value.span.source is pair.usual.variable.value.span.source
+        if not (pair.one.process.launched and same_file):
+            yield pair
+
+
+def _pair(users: list[Valued], usual: list[Valued]) -> Different | None:
+    """The first two that run together; services of different profiles of compose never do."""
+    pairs = (Different(one, other) for one in users for other in usual)
+    return next((pair for pair in pairs if _run_together(pair.one.process, pair.usual.process)), None)
+
+
+def _run_together(one: RosProcess, other: RosProcess) -> bool:
+    ours, theirs = one.service, other.service
+    return ours is None or theirs is None or ours.runs_with(theirs)
 
 
 def _overridden_by_launch(name: str, found: Iterable[Valued]) -> Iterator[Overridden]:
