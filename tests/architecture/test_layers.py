@@ -46,6 +46,7 @@ LAYERS = (
         "graph.devcontainers",
         "graph.image_use",
     },
+    {"graph.compose_projects"},
     {
         "graph.workspace",
         "graph.compose",
