@@ -64,7 +64,9 @@ def _at(compose: Compose, file: ComposeFile, path: Located) -> ComposeFile | Non
 def _included_paths(file: ComposeFile) -> Iterator[Located]:
     root = file.yaml.root
     node = root.get("include") if isinstance(root, Mapping) else None
-    for item in node.items if isinstance(node, Sequence) else ():
+    if not isinstance(node, Sequence):
+        return
+    for item in node.items:
         yield from _paths(item.get("path") if isinstance(item, Mapping) else item)
 
 
