@@ -4,7 +4,8 @@
 A service that runs `ros2 launch` and is stopped by SIGTERM: it has no `stop_signal`, and its image has no
 `STOPSIGNAL`. The image is known if it is an official one, or if a Dockerfile of the tree builds it, be it for another
 service, in a bake file or in a script. Images from elsewhere are not reported; neither are those whose own CMD runs
-`ros2 launch`: `docker/stopsignal` reports them.
+`ros2 launch`: `docker/stopsignal` reports them. A launch that is typed into tmux or screen gets no signal of the
+container, so that `stop_signal` does not help: it is not reported.
 
 ## Why it matters on a robot
 On SIGTERM `ros2 launch` exits without stopping its nodes. Ten seconds later Docker kills everything that is left.
@@ -53,7 +54,7 @@ def stop_signal(robot: Robot) -> Iterator[Finding]:
             continue
         if service.scalar("stop_signal") is not None or runner.stop.signal not in ("SIGTERM", "TERM", "15"):
             continue
-        if _said_in_dockerfile(runner.stage):
+        if _said_in_dockerfile(runner.stage) or any(line.launches_in_terminal for line in runner.main):
             continue
         yield finding(
             launch,

@@ -2,7 +2,8 @@
 
 ## What it finds
 A CMD after an ENTRYPOINT, or a `command:` of a compose service, that the entrypoint drops: the entrypoint is in shell
-form, or it is a script of the tree that reads none of its arguments (`$@`, `$*`, `$1`...).
+form, or it is a script of the tree that reads none of its arguments (`$@`, `$*`, `$1`...). An info where the entrypoint
+runs the same command itself.
 
 ## Why it matters on a robot
 Docker hands the command to the entrypoint as arguments. A script that does not look at them does what it always does,
@@ -45,6 +46,9 @@ from bringup_lint.api.shell import unwrapped
 READS_ARGUMENTS = regex(r"\$(?:[@*#0-9]|\{[@*#0-9!]|\{?BASH_ARG)|\bshift\b|\bgetopts?\b|\bfor\s+\w+\s*(?:;|\n|\bdo\b)")
 
 
+WORD = regex(r"[^\s\",\[\]]+")
+
+
 class Dropped(NamedTuple):
     command: Located | Span
     entrypoint: Located | Span
@@ -64,7 +68,19 @@ def command_ignored(robot: Robot) -> Iterator[Finding]:
             f"{dropped.why}: this command never runs in {runner.name}",
             advice='end the entrypoint with exec "$@"',
             related=[note(dropped.entrypoint, "the entrypoint")],
+            severity="info" if _runs_the_same(runner, dropped) else None,
         )
+
+
+def _runs_the_same(runner: Runner, dropped: Dropped) -> bool:
+    """Whether the entrypoint runs the very command that it drops, so that nothing is lost."""
+    service = runner.service
+    if service is not None and service.command:
+        words = [str(word) for word in service.command]
+    else:
+        words = WORD.findall(str(dropped.command))
+    steps = (step for line in runner.main for step in line.steps)
+    return any(words == [str(word) for word in unwrapped(step.command.words)] for step in steps)
 
 
 def _dropped(runner: Runner) -> Dropped | None:

@@ -20,6 +20,8 @@ from bringup_lint.source import Span
 
 _ROS1_TEXT = regex(r"/opt/ros/(?:noetic|melodic|kinetic|lunar|jade|indigo)\b|\b(?:roslaunch|rosrun|roscore)\b")
 _ROS_TEXT = regex(r"\bros2 |/opt/ros/|install/(?:local_)?setup\.(?:bash|sh)|component_container")
+_LAUNCH_TEXT = regex(r"\bros2\s+launch\b")
+_TERMINALS = ("tmux", "screen", "byobu")
 _ON_FILES = ("security", "pkg", "interface", "extensions", "extension_points")
 """Verbs of ros2 that start no node."""
 
@@ -76,6 +78,13 @@ class CommandLine:
     @cached_property
     def launches(self) -> list[tuple[Step, Ros]]:
         return [(step, found) for step, found in self.ros if found.kind == "launch"]
+
+    @cached_property
+    def launches_in_terminal(self) -> bool:
+        """Whether ``ros2 launch`` only runs in a terminal of tmux or screen: no signal to the line reaches it."""
+        commands = (step.command for step in self.steps)
+        in_terminal = (word for command in commands if command.name in _TERMINALS for word in command.words)
+        return not self.launches and any(_LAUNCH_TEXT.search(word) for word in in_terminal)
 
     @cached_property
     def setup_files(self) -> list[tuple[Step, Located]]:
