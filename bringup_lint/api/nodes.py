@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.python_releases import not_there
     from bringup_lint.graph.nodes.questions.python_releases import python_of
     from bringup_lint.graph.nodes.questions.rates import endless_rates
+    from bringup_lint.graph.nodes.questions.repeating import guards_commands
     from bringup_lint.graph.nodes.questions.repeating import held
     from bringup_lint.graph.nodes.questions.repeating import repeated
     from bringup_lint.graph.nodes.questions.safe_state import fed_without_condition
@@ -64,6 +65,7 @@ __all__ = [
     "early_results",
     "endless_rates",
     "fed_without_condition",
+    "guards_commands",
     "handler_never_runs",
     "held",
     "import_edits",

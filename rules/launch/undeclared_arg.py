@@ -2,7 +2,8 @@
 
 ## What it finds
 `LaunchConfiguration('x')` or `$(var x)` without a default, where neither the file nor a file that includes it
-declares or sets `x`. The declaration in a file that it includes comes too late. A certain read in a Python file is an
+declares or sets `x`. The declaration in a file that it includes comes too late; an argument that the included file
+requires and that is only handed on to it is left alone. A certain read in a Python file is an
 error, other reads are warnings. If the file reads more than two such names, or another launch file mentions it, it is
 probably part of a larger launch file, and the finding is info.
 
@@ -62,8 +63,17 @@ def undeclared_arg(robot: Robot) -> Iterator[Finding]:
         missing = {str(used.argument.name) for used in unbound}
         for name in sorted(missing - set(OWN)):
             uses = [used for used in unbound if used.certain and used.argument.name == name]
-            if uses:
+            if uses and not required(expansion, name, uses):
                 yield undeclared(robot, expansion, uses, missing)
+
+
+def required(expansion: Expansion, name: str, uses: list[Used]) -> bool:
+    """Whether a configuration is only handed on to included files that declare it without a default: an argument that
+    must be passed, like any other of this kind."""
+    declared = [each for each in expansion.declared if each.name == name]
+    if not declared or any(each.action.default is not None for each in declared):
+        return False
+    return all(handed_on(expansion, used) for used in uses)
 
 
 def undeclared(robot: Robot, expansion: Expansion, uses: list[Used], missing: set[str]) -> Finding:

@@ -6,7 +6,7 @@ Three mistakes in Python nodes:
 - An emergency stop topic is published or subscribed with best effort.
 - A velocity command is published or subscribed with best effort by a node without a timer. A timer could repeat the
   command, or notice that none arrives.
-- A subscription of either kind queues more than ten messages.
+- A subscription of either kind queues more than ten messages. Info where the file has a time-out for velocities.
 
 ## Why it matters on a robot
 Best effort sends a message once. On a busy network the one stop command is the one that is lost. A node that falls
@@ -67,12 +67,14 @@ def qos_command_best_effort(robot: Robot) -> Iterator[Finding]:
             elif (relay and timers) or endpoint.role != "subscription":
                 continue
             elif (stop or drive) and (endpoint.qos.depth or 0) > QUEUE:
+                watched = drive and not stop and nodes.guards_commands(endpoint.qos.span.source.text)
                 yield finding(
                     endpoint.qos.span,
                     f"{endpoint.name} queues {endpoint.qos.depth} commands: a node that falls behind does what "
                     f"was requested {endpoint.qos.depth} messages ago",
                     advice="use depth 1, so that only the newest command applies",
                     related=related,
+                    severity="info" if watched else None,
                 )
 
 

@@ -4,7 +4,8 @@
 A program whose node publishes velocities or efforts (`cmd_vel`, `*_command`, ...) and does nothing when it exits:
 no `finally` or `except` that publishes, no signal handler, no `on_deactivate` or `on_shutdown` that publishes. A
 program that leaves SIGTERM to the operating system (`SignalHandlerOptions.NO` without a handler) is also reported.
-The finding is info when the tree has a mux, smoother or controller with its own timeout, when the node only relays
+The finding is info when the tree has a mux, smoother or controller with its own timeout, when MoveIt Servo receives
+the topic and has an `incoming_command_timeout`, when the node only relays
 commands, when a relay with a timer in the tree receives the topic, and when it is a lifecycle node.
 
 ## Why it matters on a robot
@@ -50,10 +51,7 @@ from bringup_lint.api import nodes
 from bringup_lint.api import note
 from bringup_lint.api import rule
 
-ADVICE = (
-    "init with SignalHandlerOptions.NO, turn SIGTERM into KeyboardInterrupt, publish zero in a finally around "
-    "the spin, and let the motor controller time out"
-)
+ADVICE = "turn SIGTERM into KeyboardInterrupt (SignalHandlerOptions.NO), and publish zero in a finally around the spin"
 
 
 @rule("warning", confidence="medium", tags=["CWE-404"])

@@ -3,8 +3,9 @@
 ## What it finds
 Parameters in a parameter file or launch file for a node whose source is in the workspace and which declares none of
 that name: no text of the source, or of the files that it includes or imports, is the name or a part of it. Nodes that
-take undeclared parameters, or that build on classes which are not in the workspace, are left alone. Of `joy_node`,
-`joy_linux_node` and `robot_state_publisher`, all parameters are known.
+take undeclared parameters, or that build on classes which are not in the workspace, are left alone, and so are programs
+of which a source is missing, and parameters that a launch file gives to several programs under one node name. Of
+`joy_node`, `joy_linux_node` and `robot_state_publisher`, all parameters are known.
 
 ## Why it matters on a robot
 A node takes what it is given only for parameters that it declares; the rest is dropped without a word. A watchdog, a
@@ -40,7 +41,9 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.launch import literal_text
 from bringup_lint.api.params import undeclared
+from bringup_lint.api.topics import LaunchedNode
 
 
 @rule("warning", symptoms=["ParameterNotDeclaredException", "Parameter not set"])
@@ -50,7 +53,7 @@ def not_declared(robot: Robot) -> Iterator[Finding]:
         more = f" and {len(others)} other{'s' if len(others) > 1 else ''}" if others else ""
         yield finding(
             first.place,
-            f"{found.node.label()} declares no parameter '{first.name}'{more}: the value has no effect",
+            f"{_node(found.node)} declares no parameter '{first.name}'{more}: the value has no effect",
             advice="write the name that the source declares, or remove the value",
             related=[
                 note(found.node.started.span, "the node is started here"),
@@ -59,3 +62,10 @@ def not_declared(robot: Robot) -> Iterator[Finding]:
             chain=robot.provenance.chain_to_node(found.node.started),
             confidence="medium",
         )
+
+
+def _node(node: LaunchedNode) -> str:
+    """The name of a node, and the program that it is."""
+    program = literal_text(node.started.plugin) or literal_text(node.started.executable)
+    package = literal_text(node.started.package)
+    return f"{node.label()} ({program} of {package})" if program and package else node.label()

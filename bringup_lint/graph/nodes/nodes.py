@@ -46,6 +46,11 @@ _GATES = regex(
     r"|tricycle_controller|twist_mux|velocity_smoother|collision_monitor|create3)\b"
 )
 """Parameters, controllers and filters that end a motion when no command comes."""
+_SERVO = regex(r"(?m)^[ \t]*incoming_command_timeout[ \t]*:[ \t]*(?!0+(?:\.0*)?[ \t]*(?:#|$))[\d.]")
+_SERVO_TOPIC = regex(
+    r"(?m)^[ \t]*(?:cartesian|joint)_command_in_topic[ \t]*:[ \t]*[\"']?(?:[^\s\"'#]*/)?(?P<name>[^\s\"'#/]+)"
+)
+"""MoveIt Servo halts when the newest command on these topics is older than the time-out."""
 _STARTERS = (
     *("systemd-unit", "systemd-dropin", "compose", "dockerfile", "shell-script"),
     *("launch-python", "launch-xml", "launch-yaml", "env-file", "cmake", "setup-py"),
@@ -295,6 +300,21 @@ class Nodes:
         kinds = ("params", "launch-python", "launch-xml", "launch-yaml")
         found = (_GATES.search(source.text) for source in self.files.of_kind(*kinds))
         return next((match[0] for match in found if match is not None), None)
+
+    @cached_property
+    def timed_topics(self) -> set[str]:
+        """The last parts of the topics whose receiver MoveIt Servo halts when no command comes."""
+        texts = [source.text for source in (*self.files.of_kind("params"), *self._servo_settings())]
+        timed = (text for text in texts if _SERVO.search(text))
+        return {match["name"] for text in timed for match in _SERVO_TOPIC.finditer(text)}
+
+    def _servo_settings(self) -> Iterator[Source]:
+        """MoveIt's own setting files hold no ``ros__parameters``: its launch files hand them over as dictionaries."""
+        for path in self.files.tree.paths:
+            if "servo" in path.rpartition("/")[2] and path.endswith((".yaml", ".yml")):
+                source = self.files.tree.read(path, "params", judged=False)
+                if source is not None:
+                    yield source
 
     def without_timer(self, file: NodeSource) -> list[NodeClass]:
         """The nodes that a program makes, when surely none of them has a timer; else empty."""

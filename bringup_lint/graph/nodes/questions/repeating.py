@@ -52,7 +52,17 @@ _PYTHON_BUS = regex(
     re.M,
 )
 _CPP_BUS = regex(r"(?P<bus>/dev/i2c-\d+|linux/i2c-dev\.h|wiringPi\.h|pigpio\w*\.h|lgpio\.h|wiringPiI2C\.h)")
+_I2C = regex(r"/dev/i2c-\d+")
 """Pins, and buses whose chips keep what was written last."""
+
+
+_GUARD = regex(
+    r"(?:cmd|command|vel(?:ocity)?|twist|msg|message)_?\w{0,20}time_?out|time_?out_?(?:cmd|command|vel|twist)|watch_?dog"
+    r"|last_?(?:cmd|command|vel(?:ocity)?|twist|msg|message)\w{0,20}(?:time|stamp)"
+    r"|(?:time|stamp|since)\w{0,10}last_?(?:cmd|command|vel|twist|msg|message)",
+    re.I,
+)
+"""The names of what ends a motion when commands fail to come."""
 
 
 class Repeated(NamedTuple):
@@ -166,13 +176,18 @@ def _with_header(nodes: Nodes, source: Source) -> str:
     return "\n".join(texts)
 
 
+def guards_commands(text: str) -> bool:
+    """Whether a source looks after the age of the commands that it gets, by the names in its code."""
+    return _GUARD.search(_COMMENT.sub("", text)) is not None
+
+
 class Held(NamedTuple):
     """A subscription that drives motors over a bus which keeps the last value."""
 
     source: Source
     subscription: Endpoint
     bus: str
-    """What shows the bus: ``smbus``, ``/dev/i2c-1``."""
+    """The bus or the library that writes to it: ``/dev/i2c-1``, ``the I2C bus``, ``smbus``."""
 
 
 def held(nodes: Nodes) -> Iterator[Held]:
@@ -210,4 +225,9 @@ def _is_held(endpoint: Endpoint) -> bool:
 
 def _bus(text: str, pattern: re.Pattern[str]) -> str | None:
     found = pattern.search(_COMMENT.sub("", text) if pattern is _PYTHON_BUS else text)
-    return found["bus"] if found is not None else None
+    if found is None or not found["bus"].endswith(".h"):
+        return found["bus"] if found is not None else None
+    device = _I2C.search(_COMMENT.sub("", text))
+    if device is not None:
+        return device[0]
+    return "the I2C bus" if "i2c" in found["bus"].lower() else found["bus"].removesuffix(".h")

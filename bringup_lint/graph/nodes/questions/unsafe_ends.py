@@ -50,8 +50,12 @@ def unsafe_ends(nodes: Nodes) -> Iterator[UnsafeEnd]:
 
 
 def _is_caught(nodes: Nodes, ending: Ending, made: list[NodeClass], command: Endpoint) -> bool:
-    if nodes.gate is not None or made[0].is_lifecycle:
+    if nodes.gate is not None or made[0].is_lifecycle or _name(str(command.name)) in nodes.timed_topics:
         return True
     if all(relays(node) or stops_itself(ending.syntax, node) for node in made):
         return True
     return any(is_watched_relay(node, command) for node in nodes.classes if node not in made)
+
+
+def _name(topic: str) -> str:
+    return topic.rpartition("/")[2]

@@ -20,6 +20,7 @@ from bringup_lint.model.params import matches
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
+from bringup_lint.source import Source
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:
@@ -50,8 +51,10 @@ class Undeclared(NamedTuple):
 
 
 def undeclared(topics: Topics) -> Iterator[Undeclared]:
-    """What is given together, each once; silent where a node that may get it is not known."""
+    """What is given together, each once; silent where a node that may get it is not known, and where the file gives the
+    same to another program that has the name of the node, as a simulation of the real one has."""
     verdicts: dict[Span, bool] = {}
+    namesakes: dict[tuple[Source, str, str], bool] = {}
     found: dict[Span, tuple[LaunchedNode, GivenName]] = {}
     for node in _launched(topics):
         words = topics.parameter_words(node.started)
@@ -59,12 +62,15 @@ def undeclared(topics: Topics) -> Iterator[Undeclared]:
             span = given.place.span
             lacks = words is not None and not words.name(given.name) and not is_of_library(given.name)
             verdicts[span] = verdicts.get(span, True) and lacks
+            key = (span.source, node.label(), given.name)
+            namesakes[key] = namesakes.get(key, True) and lacks
             if given.certain:
                 found.setdefault(span, (node, given))
     grouped: dict[Span, list[tuple[LaunchedNode, GivenName]]] = {}
-    for span, pair in found.items():
-        if verdicts[span] and span.source.judged:
-            grouped.setdefault(pair[1].group, []).append(pair)
+    for span, (node, given) in found.items():
+        lacks = verdicts[span] and namesakes[span.source, node.label(), given.name]
+        if lacks and span.source.judged:
+            grouped.setdefault(given.group, []).append((node, given))
     for pairs in grouped.values():
         yield Undeclared(pairs[0][0], tuple(given for _, given in pairs))
 

@@ -106,6 +106,8 @@ class ParameterNames:
         from bringup_lint.parsers.cpp_node.parameter_words import parse
 
         made = _made(package, program)
+        if any(self._source(path) is None for path in made or ()):
+            return None
         sources = self._with_included(package, self._own(package, made)) if made is not None else None
         if made is None or sources is None or not _is_plain_node(sources):
             return None
