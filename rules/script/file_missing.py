@@ -136,7 +136,7 @@ def _base(robot: Robot, source: Source, named: list[Named]) -> str | None:
     if any("dirname" not in to for to in moves):
         return None
     folders = [here]
-    while not moves and folders[-1]:
+    while not moves and folders[-1] not in ("", "/"):
         folders.append(posixpath.dirname(folders[-1]))
     counts = {each: sum(robot.tree.is_file(posixpath.join(each, one.path)) for one in named) for each in folders}
     best = max(folders, key=lambda each: counts[each])
