@@ -13,6 +13,7 @@ from bringup_lint.graph.files import Files
 from bringup_lint.graph.installed.paths import destination
 from bringup_lint.graph.installed.paths import in_tree
 from bringup_lint.graph.installed.paths import robot_path
+from bringup_lint.graph.installed.paths import role_of
 from bringup_lint.graph.installed.provisioning import KINDS as PROVISIONING
 from bringup_lint.graph.installed.provisioning import copies as copies_of
 from bringup_lint.graph.installed.provisioning import written
@@ -175,18 +176,29 @@ def _source(script: Source, path: str, written: list[Written]) -> Source | None:
 
 def _place(files: Files, placed: dict[str, str]) -> None:
     """Note where files of the tree are on the robot; not where two files would be at one place."""
-    taken: dict[str, int] = {}
-    for place in placed.values():
-        taken[place] = taken.get(place, 0) + 1
+    rivals: dict[str, list[str]] = {}
+    for path, place in placed.items():
+        rivals.setdefault(place, []).append(path)
     by_name = {source.name: source for source in files.sources}
     for path, place in placed.items():
         source = by_name.get(display_name(path))
-        if taken[place] > 1:
+        if len(rivals[place]) > 1 and not (_is_unit(place) and _each_of_its_role(rivals[place])):
             continue
         if source is None:
             _claim(files, path, place)
         elif source.robot_path is None:
             files.tree.place(source, place)
+
+
+def _is_unit(place: str) -> bool:
+    """Whether a file is of a kind that the folder it comes from keeps apart, not its place alone."""
+    return kind_of(place.lstrip("/"), str) == "systemd-unit"
+
+
+def _each_of_its_role(paths: list[str]) -> bool:
+    """Whether every file belongs to another Ansible role: a robot gets one of them."""
+    roles = {role_of(path) for path in paths} - {""}
+    return len(roles) == len(paths)
 
 
 def _claim(files: Files, path: str, place: str) -> None:

@@ -14,6 +14,7 @@ from bringup_lint.source import Source
 
 _TOPS = r"(?:etc|usr|lib|opt|var|boot|home|root|run|srv)"
 _MOUNTED = regex(rf"(?:\{{\{{ \w+ \}}\}}|/mnt|/target|/rootfs|\.?\.?/?[\w.-]*root(?:fs)?)(?P<path>/{_TOPS}/.*)", re.S)
+_ROLE = regex(r"(?:.*/)?roles/[^/]+/")
 _PLACEHOLDER = regex(r"\{\{ [^{}]* \}\}")
 _HOME = regex(r"(?:~|\{\{ HOME \}\})(?=/)")
 _FOLDER_NAMES = frozenset({"system", "user", "bin", "sbin", "netplan", "systemd", "default", "share", "lib"})
@@ -57,6 +58,14 @@ def in_tree(tree: Tree, path: str, script: Source) -> Iterator[str]:
         yield known[0]
     elif len(beside) == 1:
         yield beside[0]
+    elif len(own := [each for each in known if role_of(script.name) == role_of(display_name(each)) != ""]) == 1:
+        yield own[0]
+
+
+def role_of(path: str) -> str:
+    """The folder of the Ansible role that a file belongs to; empty when it belongs to none."""
+    match = _ROLE.match(path)
+    return match[0] if match else ""
 
 
 def _matching(tree: Tree, tail: str) -> list[str]:
