@@ -126,14 +126,14 @@ def _undeclared(robot: Robot, owner: launch.Package, package: Located, own: bool
 def _lacking(owner: launch.Package, packages: list[Located]) -> Finding:
     first, *others = packages
     more = "1 other package" if len(others) == 1 else f"{len(others)} other packages"
-    names = f"{first} and {more} are" if others else f"{first} is"
+    names = f"{first} and {more}" if others else first
     tag = owner.manifest.tag_at_runtime
     return finding(
         first,
-        f"{names} declared and installed by nothing of this tree: after its rosdep install, the launch aborts",
+        f"Nothing of this tree declares or installs {names}: after its rosdep install, the launch aborts",
         advice=f"add <{tag}>{first}</{tag}> to the package.xml of {owner.name}",
         related=[*(note(other, f"{other} too") for other in others), note(owner.place, "the package that starts it")],
-        fix=dependency(owner, first),
+        fix=dependency(owner, *packages),
         severity="warning",
     )
 
@@ -153,8 +153,8 @@ def _is_installed(robot: Robot, source: Source) -> bool:
     return owner is not None and owner.takes(os.path.abspath(source.name))
 
 
-def dependency(owner: launch.Package, package: Located) -> Fix | None:
-    """One more dependency below the last of its kind, past a comment in its line."""
+def dependency(owner: launch.Package, *packages: Located) -> Fix | None:
+    """More dependencies below the last of their kind, past a comment in its line."""
     manifest = owner.manifest
     last = next((manifest.places[tag] for tag in (*BESIDE, *manifest.places) if tag in manifest.places), None)
     if last is None:
@@ -164,9 +164,10 @@ def dependency(owner: launch.Package, package: Located) -> Fix | None:
     end = rest.end() if rest else last.end
     above = source.line_text(last.line)
     indent = above[: len(above) - len(above.lstrip())]
-    gap = f"\n\n{indent}" if _has_heading(last) else f"\n{indent}"
+    gap = "\n" if _has_heading(last) else ""
     tag = manifest.tag_at_runtime
-    return fix(f"add the {tag}", (source.span(end, end), f"{gap}<{tag}>{package}</{tag}>"))
+    added = "".join(f"\n{indent}<{tag}>{package}</{tag}>" for package in dict.fromkeys(map(str, packages)))
+    return fix(f"add the {tag}", (source.span(end, end), f"{gap}{added}"))
 
 
 def _has_heading(last: Span) -> bool:

@@ -233,7 +233,7 @@ def run(program: str, arguments: list[str], folder: Path) -> str:
 
 
 DELIVERY = """
-    import sys, time, rclpy
+    import os, sys, time, rclpy
     from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
     from rcl_interfaces.msg import Log
     offered, asked = (word.split(",") for word in sys.argv[1:3])
@@ -241,9 +241,9 @@ DELIVERY = """
         return QoSProfile(depth=5, reliability=ReliabilityPolicy[reliability], durability=DurabilityPolicy[durability])
     rclpy.init()
     talker, listener = rclpy.create_node("talker"), rclpy.create_node("listener")
-    heard = []
-    publisher = talker.create_publisher(Log, "alarm", profile(*offered))
-    listener.create_subscription(Log, "alarm", heard.append, profile(*asked))
+    heard, topic = [], f"alarm_{os.getpid()}"  # others are tried at the same time
+    publisher = talker.create_publisher(Log, topic, profile(*offered))
+    listener.create_subscription(Log, topic, heard.append, profile(*asked))
     end = time.monotonic() + 3
     while not heard and time.monotonic() < end:
         publisher.publish(Log(msg="battery low"))
