@@ -7,13 +7,15 @@ from __future__ import annotations
 import base64
 import hashlib
 import json
-import resource
+import os
+import re
 import subprocess
 import sys
 import tempfile
 import time
 from collections.abc import Iterator
 from pathlib import Path
+from typing import NamedTuple
 
 import robot
 
@@ -101,20 +103,73 @@ def answers(report: dict) -> list[Answer]:
     return sorted((found["rule"], tuple(found["robots"])) for found in report["findings"])
 
 
+class Sample(NamedTuple):
+    """What a process needed until now."""
+
+    peak: int
+    """MiB."""
+    busy: float
+    """Seconds of CPU."""
+
+
+def sample(process: int) -> Sample | None:
+    """None when the process is gone."""
+    try:
+        status = Path(f"/proc/{process}/status").read_text()
+        times = Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()
+    except OSError:
+        return None
+    peak = re.search(r"VmHWM:\s+(\d+)", status)
+    return Sample(int(peak[1]) // 1024, sum(map(int, times[11:13])) / os.sysconf("SC_CLK_TCK")) if peak else None
+
+
+def watched(run: subprocess.Popen[bytes]) -> tuple[list[Sample], dict[int, Sample]]:
+    """The gathering process over time, and at last each worker."""
+    gathering: list[Sample] = []
+    workers: dict[int, Sample] = {}
+    while run.poll() is None:
+        now = sample(run.pid)
+        if now is not None:
+            gathering.append(now)
+        for child in _children(run.pid):
+            found = sample(child)
+            if found is not None:
+                workers[child] = found
+        time.sleep(0.2)
+    return gathering, workers
+
+
+def _children(process: int) -> list[int]:
+    try:
+        return [int(word) for word in Path(f"/proc/{process}/task/{process}/children").read_text().split()]
+    except OSError:
+        return []
+
+
 def measure(robots: int, size: int, workers: int) -> None:
     with tempfile.TemporaryDirectory() as name:
         expected = plant(Path(name), robots, size)
         command = [sys.executable, "-m", "bringup_lint", "fleet", "--output-format", "json", "--workers", str(workers)]
+        result = Path(name, "report.json")
         started = time.perf_counter()
-        run = subprocess.run([*command, name], capture_output=True, text=True, check=False)
+        run = subprocess.Popen([*command, "--output-file", result, name])
+        gathering, others = watched(run)
         seconds = time.perf_counter() - started
-        report = json.loads(run.stdout)
+        report = json.loads(result.read_text("utf-8"))
     found = answers(report)
     extra = [answer for answer in found if answer not in expected]
     missing = [answer for answer in expected if answer not in found]
-    memory = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss // 1024
     print(f"{robots} robots, {workers} workers: {len(expected) - len(missing)} of {len(expected)}, {len(extra)} extra")
-    print(f"  {seconds:.1f} s, {robots / seconds:.1f} robots a second, {memory} MiB in the largest process")
+    print(f"  {seconds:.1f} s, {robots / seconds:.1f} robots a second")
+    half, last = gathering[len(gathering) // 2], gathering[-1]
+    print(
+        f"  gathering process: {half.peak} MiB after half of the time, {last.peak} at the end, {last.busy:.1f} s of CPU"
+    )
+    for worker in others.values():
+        if worker.busy > 1:
+            print(
+                f"  worker: {worker.peak} MiB, {worker.busy:.1f} s of CPU, busy {worker.busy / seconds:.0%} of the time"
+            )
     for answer in (*missing, *extra):
         print("  ", "missing" if answer in missing else "extra", *answer)
 

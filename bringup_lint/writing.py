@@ -11,6 +11,7 @@ from __future__ import annotations
 import contextlib
 import os
 import stat
+from collections.abc import Iterable
 from collections.abc import Iterator
 from pathlib import Path
 from typing import BinaryIO
@@ -60,8 +61,8 @@ def create(path: Path, content: bytes) -> None:
         _keep(place.folder)
 
 
-def replace(path: Path, content: bytes) -> None:
-    """Write a report: a new file, or one in the place of an old one. Raises NotWritten."""
+def replace(path: Path, content: bytes | Iterable[bytes]) -> None:
+    """Write a report, whole or in pieces: a new file, or one in the place of an old one. Raises NotWritten."""
     _refuse_linked_folder(path)
     with _reported(path), _place(path) as place:
         old = _status(place)
@@ -170,9 +171,9 @@ def _new(place: _Place, mode: int) -> Iterator[BinaryIO]:
         raise
 
 
-def _fill(file: BinaryIO, content: bytes) -> None:
+def _fill(file: BinaryIO, content: bytes | Iterable[bytes]) -> None:
     """Write everything to the disk, and close."""
-    file.write(content)
+    file.writelines([content] if isinstance(content, bytes) else content)
     file.flush()
     os.fsync(file.fileno())
     file.close()

@@ -14,18 +14,26 @@ from bringup_lint.fleet.fleet import Majority
 from bringup_lint.fleet.fleet import Marked
 from bringup_lint.fleet.fleet import Stated
 from bringup_lint.fleet.fleet import listed
+from bringup_lint.fleet.store import BY_BOTH
+from bringup_lint.fleet.store import BY_KEY
+from bringup_lint.fleet.store import BY_NAME
+from bringup_lint.fleet.store import BY_VALUE
+from bringup_lint.fleet.store import FleetRobot
 from bringup_lint.fleet.summary import Fact
-from bringup_lint.fleet.summary import Summary
 
 __all__ = [
+    "BY_BOTH",
+    "BY_KEY",
+    "BY_NAME",
+    "BY_VALUE",
     "Difference",
     "Fact",
     "Fleet",
     "FleetFinding",
+    "FleetRobot",
     "Majority",
     "Marked",
     "Stated",
-    "Summary",
     "difference",
     "fleet_finding",
     "listed",
@@ -73,6 +81,6 @@ def difference(key: str, usual: list[Stated], odd: list[Stated]) -> Difference:
     )
 
 
-def missing(robots: Iterable[Summary]) -> list[Stated]:
+def missing(robots: Iterable[FleetRobot]) -> list[Stated]:
     """The places of what robots do not have: what was read of them."""
     return [Stated(robot, Fact("missing", "", "", robot.path, 1)) for robot in robots]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from pathlib import Path
 
 from bringup_lint.named_tuple import NamedTuple
@@ -23,3 +24,14 @@ def write(text: str, file: Path | None) -> None:
         put(text)
         return
     replace(file, text.encode("utf-8", "replace"))
+
+
+def write_pieces(pieces: Iterable[str], file: Path | None) -> None:
+    """Write a report that need not fit into memory. Raises NotWritten."""
+    from bringup_lint.cli.streams import put_all
+    from bringup_lint.writing import replace
+
+    if file is None:
+        put_all(pieces)
+        return
+    replace(file, (piece.encode("utf-8", "replace") for piece in pieces))

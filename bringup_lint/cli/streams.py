@@ -7,6 +7,7 @@ import contextlib
 import errno
 import os
 import sys
+from collections.abc import Iterable
 
 _PLAIN = str.maketrans(
     {
@@ -68,10 +69,15 @@ def repeat(lines: str) -> None:
 def put(text: str) -> None:
     """Write a report to standard output. Raises NotWritten."""
     written.append(text)
+    put_all([text])
+
+
+def put_all(pieces: Iterable[str]) -> None:
+    """Write the pieces of a report to standard output. Raises NotWritten."""
     if sys.stdout is None:
         raise _not_written("it is closed")
     try:
-        sys.stdout.write(text)
+        sys.stdout.writelines(pieces)
         sys.stdout.flush()
     except BrokenPipeError:
         _let_go()

@@ -39,6 +39,8 @@ class Job:
     today: date
     rule_folders: tuple[Path, ...] = ()
     ignores: bool = True
+    folder: str = "/"
+    """The working folder of the run, which relative paths are of."""
 
 
 def summary_of(member: Member, job: Job) -> Summary:

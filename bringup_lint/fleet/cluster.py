@@ -24,12 +24,12 @@ AHEAD = 1000
 """Robots that are handed out at a time."""
 
 
-def on_cluster(members: Iterable[Member], job: Job, address: str) -> Iterator[Summary]:
-    """The summary of each robot, as they are finished; ``local`` starts workers on this machine. Raises ConfigError
-    when there is no scheduler, or no dask.distributed."""
+def on_cluster(robots: Iterable[Member | Summary], job: Job, address: str) -> Iterator[Summary]:
+    """The summary of each robot, as they are finished; those that are known already as they come. ``local`` starts
+    workers on this machine. Raises ConfigError when there is no scheduler, or no dask.distributed."""
     client = _client(address)
     try:
-        yield from _finished(client, list(members), job)
+        yield from _finished(client, iter(robots), job)
     finally:
         client.close()
 
@@ -48,23 +48,26 @@ def _client(address: str) -> Any:
         raise ConfigError(f"--scheduler {address}: no scheduler answers there") from error
 
 
-def _finished(client: Any, members: list[Member], job: Job) -> Iterator[Summary]:
+def _finished(client: Any, waiting: Iterator[Member | Summary], job: Job) -> Iterator[Summary]:
     from distributed import as_completed
 
-    waiting = iter(members)
     running: dict[Any, Member] = {}
     queue = as_completed(with_results=False)
 
-    def hand_out() -> None:
-        member = next(waiting, None)
-        if member is not None:
-            future = client.submit(work, member, job, retries=TRIES, pure=False)
-            running[future] = member
+    def hand_out() -> Iterator[Summary]:
+        """One robot more; those that are known already come back at once."""
+        for robot in waiting:
+            if isinstance(robot, Summary):
+                yield robot
+                continue
+            future = client.submit(work, robot, job, retries=TRIES, pure=False)
+            running[future] = robot
             queue.add(future)
+            return
 
-    for _ in range(min(AHEAD, len(members))):
-        hand_out()
+    for _ in range(AHEAD):
+        yield from hand_out()
     for future in queue:
         member = running.pop(future)
         yield future.result() if future.status == "finished" else died(member)
-        hand_out()
+        yield from hand_out()

@@ -7,15 +7,22 @@ from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
 from functools import cached_property
+from itertools import groupby
+from typing import TypeVar
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.finding import Confidence
 from bringup_lint.finding import Severity
+from bringup_lint.fleet.store import BY_BOTH
+from bringup_lint.fleet.store import BY_KEY
+from bringup_lint.fleet.store import By
+from bringup_lint.fleet.store import FleetRobot
+from bringup_lint.fleet.store import Store
 from bringup_lint.fleet.summary import Fact
 from bringup_lint.fleet.summary import Mark
-from bringup_lint.fleet.summary import Summary
 from bringup_lint.named_tuple import NamedTuple
 
+T = TypeVar("T")
 FEWEST = 3
 """Robots of which a majority says anything."""
 SHORTEST_NAME = 3
@@ -69,7 +76,7 @@ class FleetFinding:
 class Stated(NamedTuple):
     """A fact with the robot that states it."""
 
-    robot: Summary
+    robot: FleetRobot
     fact: Fact
 
 
@@ -84,87 +91,125 @@ class Majority(NamedTuple):
 class Marked(NamedTuple):
     """A mark with the robot that has it."""
 
-    robot: Summary
+    robot: FleetRobot
     mark: Mark
 
 
-@dataclass(frozen=True)
+_OfRobot = TypeVar("_OfRobot", Stated, Marked)
+
+
+@dataclass(frozen=True, eq=False)
 class Fleet:
-    robots: tuple[Summary, ...]
-    """In the order of their names."""
+    store: Store
+
+    @property
+    def robots(self) -> list[FleetRobot]:
+        """In the order of their names."""
+        return self.store.robots
 
     @cached_property
-    def sites(self) -> dict[str, list[Summary]]:
+    def sites(self) -> dict[str, list[FleetRobot]]:
         return _grouped(self.robots, lambda robot: robot.site)
 
     @cached_property
-    def roles(self) -> dict[str, list[Summary]]:
+    def roles(self) -> dict[str, list[FleetRobot]]:
         return _grouped(self.robots, lambda robot: robot.role)
 
     def shared(self, *kinds: str) -> Iterator[list[Marked]]:
         """The key material of these kinds that several robots have, one entry a robot."""
-        found: dict[tuple[str, str], dict[str, Marked]] = defaultdict(dict)
-        for robot in self.robots:
-            for mark in robot.marks:
-                if mark.kind in kinds:
-                    found[mark.kind, mark.digest].setdefault(robot.name, Marked(robot, mark))
-        return (list(group.values()) for group in found.values() if len(group) > 1)
+        rows = groupby(self.store.shared(*kinds), key=lambda row: (row[1].kind, row[1].digest))
+        return (list(_first_of_each(Marked(self.robots[at], mark) for at, mark in group)) for _, group in rows)
 
-    def stated(self, subject: str, robots: Iterable[Summary] | None = None) -> list[Stated]:
+    def stated(self, subject: str) -> Iterator[Stated]:
         """What robots say of a subject."""
-        asked = self.robots if robots is None else robots
-        return [Stated(robot, fact) for robot in asked for fact in robot.of(subject)]
+        return (Stated(self.robots[at], fact) for at, fact in self.store.facts(subject))
+
+    def alike(self, subject: str, by: By = BY_BOTH) -> Iterator[list[Stated]]:
+        """What several robots say alike, by key and value or by one of them, one entry a robot."""
+        for _, group in self._together(subject, by):
+            found = list(_first_of_each(group))
+            if len(found) > 1:
+                yield found
 
     def same(self, subject: str) -> Iterator[list[Stated]]:
         """What several robots of one site say alike, one entry a robot."""
-        for robots in self.sites.values():
-            found: dict[tuple[str, str], dict[str, Stated]] = defaultdict(dict)
-            for stated in self.stated(subject, robots):
-                found[stated.fact.key, stated.fact.value].setdefault(stated.robot.name, stated)
-            yield from (list(group.values()) for group in found.values() if len(group) > 1)
+        for group in self.alike(subject):
+            by_site = _grouped(group, lambda stated: stated.robot.site)
+            yield from (found for found in by_site.values() if len(found) > 1)
 
-    def talking(self) -> Iterator[list[Summary]]:
+    def talking(self) -> Iterator[list[FleetRobot]]:
         """The robots of each site that the inventory wants to hear each other."""
         for robots in self.sites.values():
             if len(robots) > 1 and all(robot.talks == "shared" for robot in robots):
                 yield robots
 
-    def majorities(self, subject: str, robots: Iterable[Summary]) -> Iterator[tuple[str, Majority]]:
-        """Each key of a subject of which most of these robots, at least two thirds, say the same, and some do not."""
-        by_key: dict[str, dict[str, list[Stated]]] = defaultdict(lambda: defaultdict(list))
-        for stated in self.stated(subject, robots):
-            by_key[stated.fact.key][stated.robot.name].append(stated)
-        for key, by_robot in sorted(by_key.items()):
-            found = _majority([said[0] for said in by_robot.values() if len({_plain(each) for each in said}) == 1])
+    def by_key(
+        self, subject: str, teams: Iterable[Iterable[FleetRobot]], by: By = BY_KEY
+    ) -> Iterator[dict[str, list[Stated]]]:
+        """For each key of a subject and each team that says something of it: what its robots say, by their names. No
+        robot is in two teams."""
+        team_of = {robot.number: at for at, team in enumerate(teams) for robot in team}
+        for _, group in self._together(subject, by):
+            found: dict[int, dict[str, list[Stated]]] = defaultdict(lambda: defaultdict(list))
+            for stated in group:
+                team = team_of.get(stated.robot.number)
+                if team is not None:
+                    found[team][stated.robot.name].append(stated)
+            yield from (found[team] for team in sorted(found))
+
+    def majorities(self, subject: str, teams: Iterable[Iterable[FleetRobot]]) -> Iterator[tuple[str, Majority]]:
+        """Each key of a subject of which most robots of a team, at least two thirds, say the same, and some do not."""
+        for by_robot in self.by_key(subject, teams):
+            said = [each[0] for each in by_robot.values() if len({self._plain(one) for one in each}) == 1]
+            found = self._majority(said)
             if found is not None:
-                yield key, found
+                yield found.usual[0].fact.key, found
+
+    def _together(self, subject: str, by: By) -> Iterator[tuple[object, Iterator[Stated]]]:
+        """What robots say, those together that are alike in ``by``."""
+        stated = (Stated(self.robots[at], fact) for at, fact in self.store.facts(subject, by))
+        return groupby(stated, key=lambda each: by.of(each.fact))
+
+    def _majority(self, said: list[Stated]) -> Majority | None:
+        values: dict[str, list[Stated]] = defaultdict(list)
+        for each in said:
+            values[self._plain(each)].append(each)
+        usual = max(values.values(), key=len, default=[])
+        if len(values) < 2 or len(said) < FEWEST or 3 * len(usual) < 2 * len(said):
+            return None
+        others = (group for group in values.values() if group is not usual)
+        return Majority(usual, {group[0].fact.value: group for group in others})
+
+    def _plain(self, stated: Stated) -> str:
+        """A value in which the robot does not name itself, so that it can be the same on all of them."""
+        value = stated.fact.value
+        for name in (stated.robot.name, self._host_names.get(stated.robot.number, "")):
+            if len(name) >= SHORTEST_NAME:
+                value = value.replace(name, "\0")
+        return value
+
+    @cached_property
+    def _host_names(self) -> dict[int, str]:
+        """By number, of the robots that have one."""
+        found: dict[int, set[str]] = defaultdict(set)
+        for at, fact in self.store.facts("host-name"):
+            found[at].add(fact.value)
+        return {at: min(names) for at, names in found.items() if len(names) == 1}
 
 
-def _majority(said: list[Stated]) -> Majority | None:
-    values: dict[str, list[Stated]] = defaultdict(list)
-    for each in said:
-        values[_plain(each)].append(each)
-    usual = max(values.values(), key=len, default=[])
-    if len(values) < 2 or len(said) < FEWEST or 3 * len(usual) < 2 * len(said):
-        return None
-    others = (group for group in values.values() if group is not usual)
-    return Majority(usual, {group[0].fact.value: group for group in others})
+def _first_of_each(found: Iterable[_OfRobot]) -> Iterator[_OfRobot]:
+    """One entry a robot. What a robot says lies together."""
+    last = -1
+    for each in found:
+        if each.robot.number != last:
+            last = each.robot.number
+            yield each
 
 
-def _plain(stated: Stated) -> str:
-    """A value in which the robot does not name itself, so that it can be the same on all of them."""
-    value = stated.fact.value
-    own = stated.robot.one("host-name")
-    for name in (stated.robot.name, own.value if own else ""):
-        if len(name) >= SHORTEST_NAME:
-            value = value.replace(name, "\0")
-    return value
-
-
-def _grouped(robots: Iterable[Summary], key: Callable[[Summary], str]) -> dict[str, list[Summary]]:
-    groups: dict[str, list[Summary]] = defaultdict(list)
-    for robot in robots:
-        groups[key(robot)].append(robot)
+def _grouped(items: Iterable[T], key: Callable[[T], str]) -> dict[str, list[T]]:
+    groups: dict[str, list[T]] = defaultdict(list)
+    for item in items:
+        groups[key(item)].append(item)
     return dict(sorted(groups.items()))
 
 

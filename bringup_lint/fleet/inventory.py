@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections import Counter
 from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
@@ -39,9 +40,9 @@ def read_inventory(paths: Iterable[str]) -> Inventory:
         found = _of_path(path)
         members += found.members
         accepted += found.accepted
-    names = [member.name for member in members]
-    for name in names:
-        if names.count(name) > 1:
+    counts = Counter(member.name for member in members)
+    for name, count in counts.items():
+        if count > 1:
             raise ConfigError(f"two robots are called '{name}': name them in a {FILE_NAME}")
     if not members:
         raise ConfigError("there is no robot: give a folder or an archive for each, or an inventory")

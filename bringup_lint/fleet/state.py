@@ -10,10 +10,12 @@ import hashlib
 import json
 import os
 import secrets
+from collections.abc import Callable
+from collections.abc import Iterable
 from collections.abc import Iterator
 from pathlib import Path
 
-from bringup_lint import __version__
+from bringup_lint.cache.program import program
 from bringup_lint.config import ConfigError
 from bringup_lint.dataclass import replace
 from bringup_lint.discover.reading import Unreadable
@@ -35,6 +37,9 @@ class State:
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
+        self.trouble = ""
+        """Why something could not be kept; empty while all is."""
+        self._checked_by = ""
         try:
             folder.mkdir(mode=0o700, parents=True, exist_ok=True)
             status = folder.stat()
@@ -53,15 +58,52 @@ class State:
             raise ConfigError(f"{path}: not a key of a fleet; remove the folder")
         return key
 
+    def resumed(
+        self,
+        members: Iterable[Member],
+        job: Job,
+        make: Callable[[Iterable[Member | Summary]], Iterator[Summary]],
+    ) -> Iterator[Summary]:
+        """The summaries that are kept, and those that ``make`` makes, which are kept from now on."""
+        names: dict[str, str] = {}
+
+        def known() -> Iterator[Member | Summary]:
+            for member in members:
+                name = self.name(member, job)
+                kept = self.load(name)
+                if kept is None:
+                    names[member.name] = name
+                yield kept or member
+
+        for summary in make(known()):
+            name = names.pop(summary.name, "")
+            if name:
+                self.save(name, summary)
+            yield summary
+
     def name(self, member: Member, job: Job) -> str:
-        """The name of a summary: a hash of all that it is made from."""
+        """The name of a summary: a hash of all that it is made from. What cannot be read is found out when it is
+        checked."""
         digest = hashlib.sha256()
-        context = (__version__, VERSION, member, replace(job, key=b""), sorted(job.config.severity.items()))
-        digest.update(repr(context).encode())
+        context = (VERSION, member, replace(job, key=b""), sorted(job.config.severity.items()), self._program(job))
+        digest.update(repr(context).encode("utf-8", "surrogateescape"))
         for layer in member.layers:
-            for part in _content(layer):
-                digest.update(hashlib.sha256(part).digest())
+            try:
+                for part in _content(layer):
+                    digest.update(hashlib.sha256(part).digest())
+            except OSError as error:
+                digest.update(str(error).encode("utf-8", "surrogateescape"))
         return digest.hexdigest()
+
+    def _program(self, job: Job) -> str:
+        """What checks the robots: the same version with other rules finds something else."""
+        if not self._checked_by:
+            digest = hashlib.sha256(program(by_content=True).encode())
+            for folder in job.rule_folders:
+                for part in _content(str(folder)):
+                    digest.update(hashlib.sha256(part).digest())
+            self._checked_by = digest.hexdigest()
+        return self._checked_by
 
     def load(self, name: str) -> Summary | None:
         try:
@@ -71,16 +113,24 @@ class State:
 
     def save(self, name: str, summary: Summary) -> None:
         """Nothing of a robot on which something failed is kept."""
-        if not summary.failures:
+        if summary.failures or self.trouble:
+            return
+        try:
             _write(self.folder / f"{name}.json", json.dumps(to_data(summary)).encode())
+        except OSError as error:
+            self.trouble = f"{self.folder}: nothing more is kept for another run: {error.strerror}"
 
 
 def _write(path: Path, data: bytes) -> None:
     """Whole or not at all, and for the owner only."""
     new = path.with_name(f".{path.name}.{os.getpid()}")
-    with open(os.open(new, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600), "wb") as file:
-        file.write(data)
-    new.replace(path)
+    try:
+        with open(os.open(new, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600), "wb") as file:
+            file.write(data)
+        new.replace(path)
+    except OSError:
+        new.unlink(missing_ok=True)
+        raise
 
 
 def _content(layer: str) -> Iterator[bytes]:

@@ -4,7 +4,6 @@ through JSON unchanged.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from collections.abc import Mapping
 from dataclasses import asdict
 from typing import Any
@@ -74,14 +73,6 @@ class Summary:
     failures: tuple[str, ...] = ()
     """What failed inside, or why the robot could not be read."""
     version: int = VERSION
-
-    def of(self, subject: str) -> Iterator[Fact]:
-        return (fact for fact in self.facts if fact.subject == subject)
-
-    def one(self, subject: str) -> Fact | None:
-        """The only fact of a subject; None when the files disagree or say nothing."""
-        found = list(self.of(subject))
-        return found[0] if len({fact.value for fact in found}) == 1 else None
 
 
 def to_data(summary: Summary) -> dict[str, Any]:

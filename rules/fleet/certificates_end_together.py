@@ -32,9 +32,9 @@ When certificates renew themselves long before their last day.
 from collections.abc import Iterator
 
 from bringup_lint.api import rule
+from bringup_lint.api.fleet import BY_VALUE
 from bringup_lint.api.fleet import Fleet
 from bringup_lint.api.fleet import FleetFinding
-from bringup_lint.api.fleet import Stated
 from bringup_lint.api.fleet import fleet_finding
 from bringup_lint.api.fleet import names
 
@@ -43,12 +43,9 @@ _FEWEST = 3
 
 @rule("warning")
 def certificates_end_together(fleet: Fleet) -> Iterator[FleetFinding]:
-    found: dict[str, dict[str, Stated]] = {}
-    for each in fleet.stated("certificate"):
-        found.setdefault(each.fact.value, {}).setdefault(each.robot.name, each)
-    holders = {name for by_robot in found.values() for name in by_robot}
-    for day, by_robot in sorted(found.items()):
-        group = list(by_robot.values())
+    holders = {each.robot.name for each in fleet.stated("certificate")}
+    for group in fleet.alike("certificate", BY_VALUE):
+        day = group[0].fact.value
         if len(group) >= _FEWEST and 2 * len(group) >= len(holders):
             yield fleet_finding(
                 group,

@@ -55,14 +55,14 @@ def different_domain(fleet: Fleet) -> Iterator[FleetFinding]:
                 " meant for it reaches it",
                 advice=f"set ROS_DOMAIN_ID={robot.domain}, or change the inventory",
             )
-    for robots in fleet.talking():
-        for _, found in fleet.majorities("domain", [robot for robot in robots if robot.domain is None]):
-            for value, odd in found.others.items():
-                usual = found.usual[0].fact.value
-                yield fleet_finding(
-                    [*odd, found.usual[0]],
-                    f"{names(odd)} {'has' if len(odd) == 1 else 'have'} the domain {value}, and the other robots of the"
-                    f" site {usual}: they never find each other",
-                    advice=f"set ROS_DOMAIN_ID={usual}",
-                    difference=difference("ROS_DOMAIN_ID", found.usual, odd),
-                )
+    undeclared = [[robot for robot in robots if robot.domain is None] for robots in fleet.talking()]
+    for _, found in fleet.majorities("domain", undeclared):
+        for value, odd in found.others.items():
+            usual = found.usual[0].fact.value
+            yield fleet_finding(
+                [*odd, found.usual[0]],
+                f"{names(odd)} {'has' if len(odd) == 1 else 'have'} the domain {value}, and the other robots of the"
+                f" site {usual}: they never find each other",
+                advice=f"set ROS_DOMAIN_ID={usual}",
+                difference=difference("ROS_DOMAIN_ID", found.usual, odd),
+            )

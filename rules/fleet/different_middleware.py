@@ -42,14 +42,13 @@ from bringup_lint.api.fleet import names
 
 @rule("error")
 def different_middleware(fleet: Fleet) -> Iterator[FleetFinding]:
-    for robots in fleet.talking():
-        for subject in ("middleware", "security", "discovery"):
-            for key, found in fleet.majorities(subject, robots):
-                for value, odd in found.others.items():
-                    yield fleet_finding(
-                        [*odd, found.usual[0]],
-                        f"{names(odd)} {'has' if len(odd) == 1 else 'have'} {key}={value}, and the other robots of the"
-                        f" site {found.usual[0].fact.value}: they do not hear each other, or only in part",
-                        advice="set one value in one file that all robots get",
-                        difference=difference(key, found.usual, odd),
-                    )
+    for subject in ("middleware", "security", "discovery"):
+        for key, found in fleet.majorities(subject, fleet.talking()):
+            for value, odd in found.others.items():
+                yield fleet_finding(
+                    [*odd, found.usual[0]],
+                    f"{names(odd)} {'has' if len(odd) == 1 else 'have'} {key}={value}, and the other robots of the"
+                    f" site {found.usual[0].fact.value}: they do not hear each other, or only in part",
+                    advice="set one value in one file that all robots get",
+                    difference=difference(key, found.usual, odd),
+                )

@@ -39,13 +39,12 @@ from bringup_lint.api.fleet import names
 
 @rule("warning")
 def different_time_source(fleet: Fleet) -> Iterator[FleetFinding]:
-    for robots in fleet.talking():
-        for _, found in fleet.majorities("time-source", robots):
-            for value, odd in found.others.items():
-                yield fleet_finding(
-                    [*odd, found.usual[0]],
-                    f"{names(odd)} {'takes' if len(odd) == 1 else 'take'} the time from {value}, and the other robots"
-                    f" of the site from {found.usual[0].fact.value}: their clocks drift apart",
-                    advice="let all robots of a site follow one source",
-                    difference=difference("time servers", found.usual, odd),
-                )
+    for _, found in fleet.majorities("time-source", fleet.talking()):
+        for value, odd in found.others.items():
+            yield fleet_finding(
+                [*odd, found.usual[0]],
+                f"{names(odd)} {'takes' if len(odd) == 1 else 'take'} the time from {value}, and the other robots"
+                f" of the site from {found.usual[0].fact.value}: their clocks drift apart",
+                advice="let all robots of a site follow one source",
+                difference=difference("time servers", found.usual, odd),
+            )

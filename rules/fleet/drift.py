@@ -57,16 +57,16 @@ _BY_SITE = {"middleware", "security", "discovery", "time-source"}
 
 @rule("warning")
 def drift(fleet: Fleet) -> Iterator[FleetFinding]:
-    for role, members in fleet.roles.items():
-        for subject, what in _WHAT.items():
-            robots = [robot for robot in members if subject not in _BY_SITE or robot.talks != "shared"]
-            for key, found in fleet.majorities(subject, robots):
-                for odd in found.others.values():
-                    total = len(found.usual) + sum(map(len, found.others.values()))
-                    yield fleet_finding(
-                        [*odd, found.usual[0]],
-                        f"{names(odd)} {'differs' if len(odd) == 1 else 'differ'} from {len(found.usual)} of {total}"
-                        f" robots of the role {role} in the {what} {key}".rstrip(),
-                        advice="bring it in line, or declare it in fleet.toml: [[accept]]",
-                        difference=difference(key or what, found.usual, odd),
-                    )
+    apart = [[robot for robot in robots if robot.talks != "shared"] for robots in fleet.roles.values()]
+    for subject, what in _WHAT.items():
+        for key, found in fleet.majorities(subject, apart if subject in _BY_SITE else fleet.roles.values()):
+            role = found.usual[0].robot.role
+            for odd in found.others.values():
+                total = len(found.usual) + sum(map(len, found.others.values()))
+                yield fleet_finding(
+                    [*odd, found.usual[0]],
+                    f"{names(odd)} {'differs' if len(odd) == 1 else 'differ'} from {len(found.usual)} of {total}"
+                    f" robots of the role {role} in the {what} {key}".rstrip(),
+                    advice="bring it in line, or declare it in fleet.toml: [[accept]]",
+                    difference=difference(key or what, found.usual, odd),
+                )

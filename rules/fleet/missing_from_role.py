@@ -27,13 +27,15 @@ When the robot is meant to be different: give it a role of its own, or declare i
 """
 
 from collections.abc import Iterator
+from typing import NamedTuple
 
 from bringup_lint.api import rule
+from bringup_lint.api.fleet import BY_NAME
 from bringup_lint.api.fleet import Difference
 from bringup_lint.api.fleet import Fleet
 from bringup_lint.api.fleet import FleetFinding
+from bringup_lint.api.fleet import FleetRobot
 from bringup_lint.api.fleet import Stated
-from bringup_lint.api.fleet import Summary
 from bringup_lint.api.fleet import fleet_finding
 from bringup_lint.api.fleet import listed
 from bringup_lint.api.fleet import missing
@@ -42,34 +44,44 @@ _FEWEST = 3
 _WHAT = {"unit": "unit", "kernel-parameter": "kernel parameter", "node": "node"}
 
 
+class Lack(NamedTuple):
+    """What the same robots of a role lack."""
+
+    what: list[str]
+    holder: Stated
+    """One of those who have the first of them."""
+    holders: tuple[str, ...]
+
+
 @rule("warning")
 def missing_from_role(fleet: Fleet) -> Iterator[FleetFinding]:
-    for role, members in fleet.roles.items():
-        for subject in _WHAT:
-            robots = [robot for robot in members if any(True for _ in robot.of(subject))]
-            for lacking, holders in _missing(subject, fleet, robots):
-                names = [each[0].fact.key or each[0].fact.value for each in holders]
-                what = f"the {_WHAT[subject]}{'s' * (len(names) > 1)} {listed(names)}"
-                verb = "misses" if len(lacking) == 1 else "miss"
-                who = listed(robot.name for robot in lacking)
-                usual = tuple(each.robot.name for each in holders[0])
-                yield fleet_finding(
-                    [*missing(lacking), holders[0][0]],
-                    f"{who} {verb} {what}, which {len(usual)} of {len(robots)} robots of the role {role} have",
-                    advice="install it, or declare the difference in fleet.toml: [[accept]]",
-                    difference=Difference(names[0], "there", usual, "missing", tuple(robot.name for robot in lacking)),
-                )
+    for subject, kind in _WHAT.items():
+        saying = {each.robot.number for each in fleet.stated(subject)}
+        known = [robot for robot in fleet.robots if robot.number in saying]
+        for lacking, lack in _lacks(fleet, subject, known).items():
+            what = f"the {kind}{'s' * (len(lack.what) > 1)} {listed(lack.what)}"
+            verb = "misses" if len(lacking) == 1 else "miss"
+            names = tuple(robot.name for robot in lacking)
+            yield fleet_finding(
+                [*missing(lacking), lack.holder],
+                f"{listed(names)} {verb} {what}, which {len(lack.holders)} of {len(lack.holders) + len(lacking)} robots"
+                f" of the role {lacking[0].role} have",
+                advice="install it, or declare the difference in fleet.toml: [[accept]]",
+                difference=Difference(lack.what[0], "there", lack.holders, "missing", names),
+            )
 
 
-def _missing(subject: str, fleet: Fleet, robots: list[Summary]) -> Iterator[tuple[list[Summary], list[list[Stated]]]]:
-    """The robots that lack something, with all that just these lack, and who has it."""
-    found: dict[str, dict[str, Stated]] = {}
-    for each in fleet.stated(subject, robots):
-        found.setdefault(each.fact.key or each.fact.value, {}).setdefault(each.robot.name, each)
-    together: dict[tuple[str, ...], list[list[Stated]]] = {}
-    for _, by_robot in sorted(found.items()):
-        lacking = tuple(robot.name for robot in robots if robot.name not in by_robot)
-        if lacking and len(robots) >= _FEWEST and len(lacking) <= max(1, len(robots) // 20):
-            together.setdefault(lacking, []).append(list(by_robot.values()))
-    for names, holders in together.items():
-        yield [robot for robot in robots if robot.name in names], holders
+def _lacks(fleet: Fleet, subject: str, known: list[FleetRobot]) -> dict[tuple[FleetRobot, ...], Lack]:
+    """What few robots of a role lack, by those who lack it."""
+    roles: dict[str, list[FleetRobot]] = {}
+    for robot in known:
+        roles.setdefault(robot.role, []).append(robot)
+    found: dict[tuple[FleetRobot, ...], Lack] = {}
+    for by_robot in fleet.by_key(subject, roles.values(), BY_NAME):
+        first = next(iter(by_robot.values()))[0]
+        robots = roles[first.robot.role]
+        lacking = tuple(robot for robot in robots if robot.name not in by_robot)
+        if not lacking or len(robots) < _FEWEST or len(lacking) > max(1, len(robots) // 20):
+            continue
+        found.setdefault(lacking, Lack([], first, tuple(by_robot))).what.append(first.fact.key or first.fact.value)
+    return found

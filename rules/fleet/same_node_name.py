@@ -43,22 +43,34 @@ _ALONE = {"1", "LOCALHOST", "OFF"}
 
 @rule("error", confidence="medium", symptoms=["nodes in the graph that share an exact name"])
 def same_node_name(fleet: Fleet) -> Iterator[FleetFinding]:
-    found: dict[tuple[str, str, str], list[Stated]] = {}
+    together: dict[tuple[str, ...], tuple[list[Stated], list[str]]] = {}
+    for group in _meeting(fleet):
+        robots = tuple(each.robot.name for each in group)
+        together.setdefault(robots, (group, []))[1].append(group[0].fact.value)
+    for group, nodes in together.values():
+        yield fleet_finding(
+            group,
+            f"{len(group)} robots of one domain start {listed(nodes)}: {names(group)}; services and parameters are"
+            " answered by either",
+            advice="start the nodes of each robot in a namespace of its own, or give it its own domain",
+        )
+
+
+def _meeting(fleet: Fleet) -> Iterator[list[Stated]]:
+    """The nodes of one name that find each other."""
+    domains = dict(_domains(fleet))
+    for group in fleet.alike("node"):
+        by_place: dict[tuple[str, str], list[Stated]] = {}
+        for each in group:
+            if each.robot.number in domains:
+                by_place.setdefault((each.robot.site, domains[each.robot.number]), []).append(each)
+        yield from (found for found in by_place.values() if len(found) > 1)
+
+
+def _domains(fleet: Fleet) -> Iterator[tuple[int, str]]:
+    """The domain of each robot that others of its site hear, by its number."""
     for robot in fleet.robots:
         domain = robot.one("domain")
         confined = any(fact.value in _ALONE for fact in robot.of("discovery"))
-        if domain is None or confined or robot.talks == "separate":
-            continue
-        for node in {fact.value: fact for fact in robot.of("node")}.values():
-            found.setdefault((robot.site, domain.value, node.value), []).append(Stated(robot, node))
-    together: dict[tuple[str, ...], list[list[Stated]]] = {}
-    for group in found.values():
-        if len(group) > 1:
-            together.setdefault(tuple(each.robot.name for each in group), []).append(group)
-    for groups in together.values():
-        yield fleet_finding(
-            groups[0],
-            f"{len(groups[0])} robots of one domain start {listed(group[0].fact.value for group in groups)}:"
-            f" {names(groups[0])}; services and parameters are answered by either",
-            advice="start the nodes of each robot in a namespace of its own, or give it its own domain",
-        )
+        if domain is not None and not confined and robot.talks != "separate":
+            yield robot.number, domain.value

@@ -32,21 +32,16 @@ from collections.abc import Iterator
 from bringup_lint.api import rule
 from bringup_lint.api.fleet import Fleet
 from bringup_lint.api.fleet import FleetFinding
-from bringup_lint.api.fleet import Stated
 from bringup_lint.api.fleet import fleet_finding
 from bringup_lint.api.fleet import names
 
 
 @rule("error", symptoms=["remote port forwarding failed for listen port"])
 def same_tunnel_port(fleet: Fleet) -> Iterator[FleetFinding]:
-    found: dict[tuple[str, str], dict[str, Stated]] = {}
-    for each in fleet.stated("tunnel"):
-        found.setdefault((each.fact.key, each.fact.value), {}).setdefault(each.robot.name, each)
-    for (server, port), by_robot in found.items():
-        group = list(by_robot.values())
-        if len(group) > 1:
-            yield fleet_finding(
-                group,
-                f"{len(group)} robots open port {port} on {server}: {names(group)}; only the first one gets it",
-                advice="give each robot a port of its own, and set ExitOnForwardFailure=yes so that the loss is seen",
-            )
+    for group in fleet.alike("tunnel"):
+        server, port = group[0].fact.key, group[0].fact.value
+        yield fleet_finding(
+            group,
+            f"{len(group)} robots open port {port} on {server}: {names(group)}; only the first one gets it",
+            advice="give each robot a port of its own, and set ExitOnForwardFailure=yes so that the loss is seen",
+        )

@@ -69,7 +69,7 @@ LAYERS = (
     },
     {"discover"},
     {"parsers", "codemods"},
-    {"schema"},
+    {"schema", "fleet.store"},
     {"model", "finding", "facts", "fleet.summary"},
     {"addresses"},
     {"budget", "digest", "garbage", "plural", "source", "spelling", "templates", "toml"},

@@ -47,7 +47,7 @@ def page() -> str:
         ),
         FleetFinding("net.core.rmem_max differs", (place,), difference=drift, rule="fleet/drift"),
     )
-    return render("html", FleetReport(robots, findings))
+    return "".join(render("html", FleetReport(robots, findings)))
 
 
 def shown(tab, selector: str) -> int:

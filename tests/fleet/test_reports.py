@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import json
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -42,7 +43,7 @@ def test_sarif_has_a_run_for_each_robot() -> None:
 
 
 def test_sarif_keeps_within_the_limits_of_its_readers() -> None:
-    data = json.loads(render("sarif", report(30, own=3000)))
+    data = json.loads("".join(render("sarif", report(30, own=3000))))
     assert len(data["runs"]) == sarif.MOST_RUNS
     last = data["runs"][-1]
     assert len(last["results"]) == sarif.MOST_RESULTS
@@ -50,13 +51,13 @@ def test_sarif_keeps_within_the_limits_of_its_readers() -> None:
 
 
 def test_sarif_locations_are_uris() -> None:
-    data = json.loads(render("sarif", report(2)))
+    data = json.loads("".join(render("sarif", report(2))))
     place = data["runs"][1]["results"][0]["locations"][0]["physicalLocation"]["artifactLocation"]
     assert place == {"uri": "b/60%20dds.conf"}
 
 
 def test_the_page_shows_every_robot_and_both_sides() -> None:
-    page = render("html", report(1000))
+    page = "".join(render("html", report(1000)))
     assert page.count("<th scope=row>") == 1000 + len(["rover"])
     assert "<pre>&lt;usual&gt;</pre>" in page
     assert "<pre>&lt;odd&gt;</pre>" in page
@@ -75,9 +76,10 @@ def test_what_cannot_be_rendered_costs_nothing_else() -> None:
     sound = report(2, own=1)
     broken = Own("systemd/root-user", "none of them", "Runs as root", "a/rover.service", 3, 1, "0" * 32)
     unlucky = dataclasses.replace(sound.robots[1], own=(broken,))
-    text, failures = rendered("sarif", dataclasses.replace(sound, robots=(sound.robots[0], unlucky)))
+    found = rendered("sarif", dataclasses.replace(sound, robots=(sound.robots[0], unlucky)))
+    failures = found.failures
     assert failures == ("rendering as sarif a finding of systemd/root-user failed: KeyError",)
-    runs = json.loads(text)["runs"]
+    runs = json.loads("".join(found.pieces))["runs"]
     assert [[each["ruleId"] for each in run["results"]] for run in runs] == [["systemd/root-user"], ["fleet/drift"]]
     assert runs[0]["invocations"][0] == {
         "executionSuccessful": False,
@@ -88,15 +90,15 @@ def test_what_cannot_be_rendered_costs_nothing_else() -> None:
 def test_a_format_that_fails_as_a_whole_costs_no_other(monkeypatch: pytest.MonkeyPatch) -> None:
     own = concise.render
 
-    def failing(report: FleetReport) -> str:
+    def failing(report: FleetReport) -> Iterator[str]:
+        yield from own(report)
         if report.findings and any(robot.own for robot in report.robots):
             raise KeyError("both")
-        return own(report)
 
     monkeypatch.setattr(concise, "render", failing)
-    text, failures = rendered("concise", report(2, own=1))
-    assert "fleet/drift" in text
-    assert failures == ("rendering as concise failed: KeyError",)
+    found = rendered("concise", report(2, own=1))
+    assert "fleet/drift" in "".join(found.pieces)
+    assert found.failures == ("rendering as concise failed: KeyError",)
     run = lint("fleet", "--workers", "1", "--output-format", "concise", ".", cwd=DRIFT)
     assert run.code == 3
     assert run.stderr == "bringup-lint: rendering as concise failed: KeyError\n"

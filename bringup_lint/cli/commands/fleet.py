@@ -25,7 +25,7 @@ from bringup_lint.cli.options import verdict_options
 from bringup_lint.cli.outputs import PairedOptions
 from bringup_lint.cli.outputs import file_option
 from bringup_lint.cli.reports import Output
-from bringup_lint.cli.reports import write
+from bringup_lint.cli.reports import write_pieces
 from bringup_lint.cli.streams import complain
 from bringup_lint.cli.terminal import terminal_width
 from bringup_lint.cli.terminal import wants_colour
@@ -39,6 +39,7 @@ if TYPE_CHECKING:
     from bringup_lint.fleet.members import Inventory
     from bringup_lint.fleet.members import Member
     from bringup_lint.fleet.state import State
+    from bringup_lint.fleet.store import Store
     from bringup_lint.fleet.summary import Summary
 
 NO_ROBOT = (
@@ -82,6 +83,7 @@ def command(ctx: click.Context, paths: tuple[str, ...], **options) -> None:
 
 def _judge(outputs: list[Output], paths: tuple[str, ...], options: dict[str, Any]) -> int:
     from bringup_lint.fleet.check import Job
+    from bringup_lint.fleet.gather import stored
     from bringup_lint.fleet.inventory import read_inventory
     from bringup_lint.fleet.render import rendered
 
@@ -94,30 +96,28 @@ def _judge(outputs: list[Output], paths: tuple[str, ...], options: dict[str, Any
 
         state = State(options["state"])
     key = secrets.token_bytes(32) if state is None else state.key
-    job = Job(config, key, today, tuple(rule_folders), not options["no_ignores"])
-    report = fleet_report(_gathered(inventory, job, state, options), inventory, job)
-    report = replace(report, width=terminal_width())
-    if _is_empty(inventory, report):
+    job = Job(config, key, today, tuple(rule_folders), not options["no_ignores"], os.getcwd())
+    store = stored(inventory.members, _shown(_summaries(inventory, job, state, options), len(inventory.members)))
+    if state is not None and state.trouble:
+        complain(state.trouble)
+    report = replace(fleet_report(store, inventory, job), width=terminal_width())
+    if not store.says_anything() and all(os.path.isdir(path) for each in inventory.members for path in each.layers):
         raise ConfigError(NO_ROBOT)
     code = report.exit_code
     for output in outputs:
         colour = output.file is None and wants_colour(options["colour"])
-        text, failures = rendered(output.format, replace(report, colour=colour))
-        code = 3 if failures else code
-        for failure in failures:
+        try:
+            text = rendered(output.format, replace(report, colour=colour))
+        except OSError as error:
+            raise ConfigError(f"the report does not fit into the folder for temporary files: {error}") from error
+        code = 3 if text.failures else code
+        for failure in text.failures:
             complain(failure)
-        write(text, output.file)
+        write_pieces(text.pieces, output.file)
     return 0 if options["exit_zero"] and code == 1 else code
 
 
-def _is_empty(inventory: Inventory, report: FleetReport) -> bool:
-    """Whether all that was given are folders in which no file says anything."""
-    if any(robot.files or robot.marks or robot.facts or robot.failures for robot in report.robots):
-        return False
-    return all(os.path.isdir(path) for member in inventory.members for path in member.layers)
-
-
-def fleet_report(summaries: Iterable[Summary], inventory: Inventory, job: Job) -> FleetReport:
+def fleet_report(store: Store, inventory: Inventory, job: Job) -> FleetReport:
     """Everything that a format may say about a fleet. Raises ConfigError."""
     from bringup_lint.finding import Severity
     from bringup_lint.fleet.fleet import Fleet
@@ -125,13 +125,12 @@ def fleet_report(summaries: Iterable[Summary], inventory: Inventory, job: Job) -
     from bringup_lint.registry import Registry
     from bringup_lint.registry import doc_of
 
-    robots = tuple(sorted(summaries, key=lambda summary: summary.name))
     registry = Registry.of(job.rule_folders)
-    verdict = judge(Fleet(robots), registry, job.config, inventory.accepted, ignores=job.ignores)
-    own = {finding.rule for robot in robots for finding in robot.own}
+    verdict = judge(Fleet(store), registry, job.config, inventory.accepted, ignores=job.ignores)
+    own = {finding.rule for robot in store for finding in robot.own}
     known = [rule for rule in map(registry.get, sorted(own)) if rule is not None]
     report = FleetReport(
-        robots,
+        store,
         verdict.findings,
         {rule.id: doc_of(rule) for rule in (*verdict.rules.values(), *known)},
         verdict.failures,
@@ -145,19 +144,19 @@ def _exit_code(report: FleetReport, fail_on: int) -> int:
     """3 when something failed inside, 1 for findings as severe as ``fail_on``, else 0."""
     from bringup_lint.finding import Severity
 
-    if report.failures or any(robot.failures for robot in report.robots):
-        return 3
-    severities = [found.severity for found in report.shown]
-    severities += [Severity[own.severity.upper()] for robot in report.robots for own in robot.own]
-    return int(any(severity >= fail_on for severity in severities))
+    highest = max((found.severity for found in report.shown), default=-1)
+    failed = bool(report.failures)
+    for robot in report.robots:
+        failed |= bool(robot.failures)
+        highest = max([highest, *(Severity[own.severity.upper()] for own in robot.own)])
+    return 3 if failed else int(highest >= fail_on)
 
 
-def _gathered(inventory: Inventory, job: Job, state: State | None, options: dict[str, Any]) -> Iterator[Summary]:
+def _shown(summaries: Iterable[Summary], total: int) -> Iterator[Summary]:
     """The summaries, with the progress on the terminal."""
     started = time.monotonic()
-    total = len(inventory.members)
     shown = sys.stderr.isatty()
-    for number, summary in enumerate(_summaries(inventory, job, state, options), 1):
+    for number, summary in enumerate(summaries, 1):
         if shown:
             rate = number / max(time.monotonic() - started, 0.001)
             click.echo(f"\r{number} of {total} robots, {rate:.1f} a second ", err=True, nl=number == total)
@@ -165,28 +164,17 @@ def _gathered(inventory: Inventory, job: Job, state: State | None, options: dict
 
 
 def _summaries(inventory: Inventory, job: Job, state: State | None, options: dict[str, Any]) -> Iterator[Summary]:
-    """Those that are kept from an earlier run, then those that are made now."""
+    """Those that are kept from an earlier run, and those that are made now."""
     if state is None:
-        yield from _made(inventory.members, job, options)
-        return
-    names = {member.name: state.name(member, job) for member in inventory.members}
-    left = []
-    for member in inventory.members:
-        kept = state.load(names[member.name])
-        if kept is None:
-            left.append(member)
-        else:
-            yield kept
-    for summary in _made(left, job, options):
-        state.save(names[summary.name], summary)
-        yield summary
+        return _made(inventory.members, job, options)
+    return state.resumed(inventory.members, job, lambda robots: _made(robots, job, options))
 
 
-def _made(members: Iterable[Member], job: Job, options: dict[str, Any]) -> Iterator[Summary]:
+def _made(robots: Iterable[Member | Summary], job: Job, options: dict[str, Any]) -> Iterator[Summary]:
     if options["scheduler"]:
         from bringup_lint.fleet.cluster import on_cluster
 
-        return on_cluster(members, job, options["scheduler"])
+        return on_cluster(robots, job, options["scheduler"])
     from bringup_lint.fleet.work import summaries
 
-    return summaries(members, job, options["workers"] or os.cpu_count() or 1)
+    return summaries(robots, job, options["workers"] or os.cpu_count() or 1)

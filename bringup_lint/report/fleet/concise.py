@@ -8,8 +8,8 @@ from bringup_lint.report.columns import printable
 from bringup_lint.report.fleet.model import FleetReport
 
 
-def render(report: FleetReport) -> str:
-    return "".join(printable(" ".join(line.split())) + "\n" for line in _lines(report))
+def render(report: FleetReport) -> Iterator[str]:
+    return (printable(" ".join(line.split())) + "\n" for line in _lines(report))
 
 
 def _lines(report: FleetReport) -> Iterator[str]:

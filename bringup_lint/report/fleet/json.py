@@ -2,25 +2,26 @@
 
 from __future__ import annotations
 
-import json
 from collections import Counter
+from collections.abc import Iterator
 from typing import Any
 
 from bringup_lint.fleet.fleet import Difference
 from bringup_lint.fleet.fleet import FleetFinding
 from bringup_lint.fleet.summary import Summary
 from bringup_lint.report.fleet.model import FleetReport
-from bringup_lint.report.unicode import sound
+from bringup_lint.report.fleet.rows import rows
+from bringup_lint.report.fleet.rows import written
 
 VERSION = 1
 
 
-def render(report: FleetReport) -> str:
-    data = {
+def render(report: FleetReport) -> Iterator[str]:
+    head = {
         "version": VERSION,
         "tool": {"name": "bringup-lint", "version": report.version},
-        "findings": [_finding(found) for found in report.findings],
-        "robots": [_robot(robot) for robot in report.robots],
+    }
+    tail = {
         "failures": list(report.failures),
         "summary": {
             **{name: report.counts[name] for name in ("error", "warning", "info")},
@@ -30,7 +31,11 @@ def render(report: FleetReport) -> str:
             "exit_code": report.exit_code,
         },
     }
-    return json.dumps(sound(data), indent=2) + "\n"
+    yield written(head).removesuffix("\n}") + ",\n"
+    yield from rows('  "findings": ', map(_finding, report.findings), "  ")
+    yield ",\n"
+    yield from rows('  "robots": ', map(_robot, report.robots), "  ")
+    yield ",\n" + written(tail).removeprefix("{\n") + "\n"
 
 
 def _finding(found: FleetFinding) -> dict[str, Any]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 from collections.abc import Mapping
+from typing import Protocol
 
 from bringup_lint import __version__
 from bringup_lint.dataclass import dataclass
@@ -14,9 +15,18 @@ from bringup_lint.fleet.summary import Summary
 from bringup_lint.report.model import RuleDoc
 
 
+class Robots(Protocol):
+    """The robots in the order of their names, to be gone through again and again."""
+
+    def __len__(self) -> int: ...
+
+    def __iter__(self) -> Iterator[Summary]: ...
+
+
 @dataclass(frozen=True)
 class FleetReport:
-    robots: tuple[Summary, ...] = ()
+    robots: Robots = ()
+    """Each with what was found on it by itself."""
     findings: tuple[FleetFinding, ...] = ()
     """In the order of output; those that the inventory accepts are among them."""
     rules: Mapping[str, RuleDoc] = field(default_factory=dict)

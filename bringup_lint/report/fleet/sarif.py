@@ -5,15 +5,21 @@ share the last run, and what is beyond in a run is left out, least severe first,
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable
+from collections.abc import Iterator
+from functools import cached_property
+from itertools import islice
 from typing import Any
 
+from bringup_lint.dataclass import dataclass
 from bringup_lint.fleet.fleet import FleetFinding
 from bringup_lint.fleet.summary import Own
 from bringup_lint.fleet.summary import Summary
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.report.fleet.model import FleetReport
+from bringup_lint.report.fleet.rows import indented
+from bringup_lint.report.fleet.rows import rows
+from bringup_lint.report.fleet.rows import written
 from bringup_lint.report.model import RuleDoc
-from bringup_lint.report.unicode import sound
 
 MOST_RUNS = 20
 MOST_RESULTS = 25_000
@@ -21,29 +27,71 @@ SCHEMA = "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sar
 _LEVELS = {"error": "error", "warning": "warning", "info": "note"}
 
 
-def render(report: FleetReport) -> str:
-    robots = list(report.robots)
-    groups = [[robot] for robot in robots]
-    if len(robots) > MOST_RUNS:
-        groups = [*groups[: MOST_RUNS - 1], robots[MOST_RUNS - 1 :]]
-    runs = [_run(report, group) for group in groups]
-    return json.dumps(sound({"$schema": SCHEMA, "version": "2.1.0", "runs": runs}), indent=2) + "\n"
+@dataclass(frozen=True)
+class Part:
+    """The robots of one run of the file."""
+
+    report: FleetReport
+    first: int
+    last: int | None
+    """None: all that are left."""
+
+    @property
+    def robots(self) -> Iterator[Summary]:
+        return islice(self.report.robots, self.first, self.last)
+
+    @cached_property
+    def names(self) -> frozenset[str]:
+        return frozenset(robot.name for robot in self.robots)
+
+    @property
+    def everything(self) -> Iterator[_Found]:
+        """The findings with their severity and rule, the most severe first."""
+        for level in _LEVELS.values():
+            for found in self.report.shown:
+                if _LEVELS[str(found.severity)] == level and not self.names.isdisjoint(found.robots):
+                    yield _Found(found.rule, found)
+            for robot in self.robots:
+                yield from (_Found(own.rule, own) for own in robot.own if _LEVELS[own.severity] == level)
+
+    @property
+    def kept(self) -> Iterator[_Found]:
+        return islice(self.everything, MOST_RESULTS)
 
 
-def _run(report: FleetReport, robots: list[Summary]) -> dict[str, Any]:
-    names = {robot.name for robot in robots}
-    results = [_of_fleet(found, names) for found in report.shown if names & set(found.robots)]
-    results += [_of_robot(own) for robot in robots for own in robot.own]
-    results.sort(key=lambda result: tuple(_LEVELS.values()).index(result["level"]))
-    left_out = len(results) - MOST_RESULTS
-    failures = [*report.failures, *(failure for robot in robots for failure in robot.failures)]
+class _Found(NamedTuple):
+    rule: str
+    found: FleetFinding | Own
+
+
+def render(report: FleetReport) -> Iterator[str]:
+    head = json.dumps({"$schema": SCHEMA, "version": "2.1.0"}, indent=2)
+    yield head.removesuffix("\n}") + ',\n  "runs": ['
+    for number, part in enumerate(_parts(report)):
+        yield ",\n" if number else "\n"
+        yield from _run(part)
+    yield "\n  ]\n}\n"
+
+
+def _parts(report: FleetReport) -> Iterator[Part]:
+    count = len(report.robots)
+    if count <= MOST_RUNS:
+        yield from (Part(report, number, number + 1) for number in range(count))
+        return
+    yield from (Part(report, number, number + 1) for number in range(MOST_RUNS - 1))
+    yield Part(report, MOST_RUNS - 1, None)
+
+
+def _run(part: Part) -> Iterator[str]:
+    report, names = part.report, part.names
+    left_out = sum(1 for _ in part.everything) - MOST_RESULTS
+    failures = [*report.failures, *(failure for robot in part.robots for failure in robot.failures)]
     told = list(failures)
     told += [f"{left_out} results are left out: a run holds at most {MOST_RESULTS}"] * (left_out > 0)
-    results = results[:MOST_RESULTS]
-    rules = [_rule(report.rules[name]) for name in sorted({result["ruleId"] for result in results} & set(report.rules))]
-    return {
+    rules = [_rule(report.rules[name]) for name in sorted({each.rule for each in part.kept} & set(report.rules))]
+    head = {
         "tool": {"driver": {"name": "bringup-lint", "semanticVersion": report.version, "rules": rules}},
-        "automationDetails": {"id": f"bringup-lint/fleet/{robots[0].name if len(robots) == 1 else 'others'}/"},
+        "automationDetails": {"id": f"bringup-lint/fleet/{min(names) if len(names) == 1 else 'others'}/"},
         "invocations": [
             {
                 "executionSuccessful": not failures,
@@ -51,8 +99,14 @@ def _run(report: FleetReport, robots: list[Summary]) -> dict[str, Any]:
             }
         ],
         "columnKind": "unicodeCodePoints",
-        "results": results,
     }
+    yield indented(written(head).removesuffix("\n}"), "    ") + ",\n"
+    yield from rows('      "results": ', (_result(each.found, names) for each in part.kept), "      ")
+    yield "\n    }"
+
+
+def _result(found: FleetFinding | Own, names: frozenset[str]) -> dict[str, Any]:
+    return _of_robot(found) if isinstance(found, Own) else _of_fleet(found, names)
 
 
 def _rule(doc: RuleDoc) -> dict[str, Any]:
@@ -60,9 +114,8 @@ def _rule(doc: RuleDoc) -> dict[str, Any]:
     return {**rule, "helpUri": doc.uri} if doc.uri else rule
 
 
-def _of_fleet(found: FleetFinding, names: Iterable[str]) -> dict[str, Any]:
+def _of_fleet(found: FleetFinding, names: frozenset[str]) -> dict[str, Any]:
     """A finding of the fleet, at the first of its places that lies in these robots."""
-    names = set(names)
     own = next((place for place in found.places if place.robot in names), found.places[0])
     others = [place for place in found.places if place is not own][:100]
     return {

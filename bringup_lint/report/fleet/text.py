@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Iterable
 from collections.abc import Iterator
+from heapq import nsmallest
 
 from bringup_lint.fleet.fleet import Difference
 from bringup_lint.fleet.fleet import FleetFinding
 from bringup_lint.fleet.fleet import listed
+from bringup_lint.fleet.summary import Summary
 from bringup_lint.plural import counted
 from bringup_lint.report.columns import printable
 from bringup_lint.report.fleet.model import FleetReport
@@ -20,12 +23,16 @@ MOST_NAMES = 8
 MOST_ROBOTS = 40
 """Robots that get a line of their own; of a bigger fleet those with the most findings."""
 
+_Row = tuple[Summary, Counter[str]]
 
-def render(report: FleetReport) -> str:
+
+def render(report: FleetReport) -> Iterator[str]:
     paint = painter(report.colour)
     width = min(max(report.width, 40), 120)
-    blocks = ["\n".join(_block(found, width, paint)) for found in report.shown]
-    return "\n\n".join([*blocks, "\n".join(_robots(report, paint)), "\n".join(_summary(report))]) + "\n"
+    for found in report.shown:
+        yield "\n".join(_block(found, width, paint)) + "\n\n"
+    yield "\n".join(_robots(report, paint)) + "\n\n"
+    yield "\n".join(_summary(report)) + "\n"
 
 
 def _block(found: FleetFinding, width: int, paint: Paint) -> Iterator[str]:
@@ -58,18 +65,22 @@ def _difference(difference: Difference, paint: Paint) -> Iterator[str]:
 def _robots(report: FleetReport, paint: Paint) -> Iterator[str]:
     """Each robot with its own findings and those of the fleet that name it."""
     concerned = Counter(robot for found in report.shown for robot in found.robots)
-    rows = [(robot, Counter(own.severity for own in robot.own)) for robot in report.robots]
-    if len(rows) > MOST_ROBOTS:
-        rows.sort(key=lambda row: (-concerned[row[0].name], -row[1]["error"], row[0].name))
-    shown = rows[:MOST_ROBOTS]
+    rows: Iterable[_Row] = ((robot, Counter(own.severity for own in robot.own)) for robot in report.robots)
+
+    def order(row: _Row) -> tuple[int, int, str]:
+        return (-concerned[row[0].name], -row[1]["error"], row[0].name)
+
+    if len(report.robots) > MOST_ROBOTS:
+        rows = nsmallest(MOST_ROBOTS, rows, key=order)
+    shown = list(rows)
     size = max((len(robot.name) for robot, _ in shown), default=5)
     yield paint("strong", f"{'robot':{size}}  fleet  errors  warnings  role")
     for robot, own in shown:
         counts = f"{concerned[robot.name]:5}  {own['error']:6}  {own['warning']:8}"
         yield printable(f"{robot.name:{size}}  {counts}  {robot.role}{' at ' + robot.site if robot.site else ''}")
         yield from (f"  {paint('error', 'failed:')} {printable(failure)}" for failure in robot.failures)
-    if len(rows) > MOST_ROBOTS:
-        yield f"and {len(rows) - MOST_ROBOTS} more"
+    if len(report.robots) > MOST_ROBOTS:
+        yield f"and {len(report.robots) - MOST_ROBOTS} more"
 
 
 def _summary(report: FleetReport) -> Iterator[str]:

@@ -6,6 +6,8 @@ without scripts, which only search.
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Callable
+from collections.abc import Iterator
 from importlib.resources import files
 
 from bringup_lint.plural import counted
@@ -16,21 +18,23 @@ from bringup_lint.report.fleet.html.roles import roles
 from bringup_lint.report.fleet.model import FleetReport
 
 
-def render(report: FleetReport) -> str:
+def render(report: FleetReport) -> Iterator[str]:
     page = files(__package__).joinpath("page.html").read_text("utf-8")
-    parts = {
-        "summary": _summary(report),
-        "roles": "".join(roles(report)),
-        "matrix": "".join(matrix(report)),
-        "findings": "".join(findings(report)) or "<p>Nothing that only many robots together show.</p>",
-        "robots": "".join(robots(report)),
+    parts: dict[str, Callable[[FleetReport], Iterator[str]]] = {
+        "summary": _summary,
+        "roles": roles,
+        "matrix": matrix,
+        "findings": findings,
+        "robots": robots,
     }
-    for name, text in parts.items():
-        page = page.replace(f"<!-- {name} -->", text, 1)
-    return page
+    for name, part in parts.items():
+        before, page = page.split(f"<!-- {name} -->", 1)
+        yield before
+        yield from part(report)
+    yield page
 
 
-def _summary(report: FleetReport) -> str:
+def _summary(report: FleetReport) -> Iterator[str]:
     counts = report.counts + Counter(robot=len(report.robots))
     said = (counted(counts[name], name) for name in ("robot", "error", "warning"))
-    return f"{', '.join(said)} of the fleet"
+    yield f"{', '.join(said)} of the fleet"

@@ -16,7 +16,11 @@ MOST_NAMES = 20
 
 
 def findings(report: FleetReport) -> Iterator[str]:
-    return (_finding(number, found) for number, found in enumerate(report.shown))
+    number = -1
+    for number, found in enumerate(report.shown):
+        yield _finding(number, found)
+    if number < 0:
+        yield "<p>Nothing that only many robots together show.</p>"
 
 
 def _finding(number: int, found: FleetFinding) -> str:

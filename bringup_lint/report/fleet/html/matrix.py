@@ -18,10 +18,12 @@ from bringup_lint.report.fleet.html.entries import words_of
 from bringup_lint.report.fleet.model import FleetReport
 
 _SIGNS = {"error": "E", "warning": "W", "info": "I"}
+_Cells = dict[str, tuple[int, FleetFinding]]
+"""The first finding of each rule, with its number."""
 
 
 def matrix(report: FleetReport) -> Iterator[str]:
-    cells: dict[str, dict[str, tuple[int, FleetFinding]]] = defaultdict(dict)
+    cells: dict[str, _Cells] = defaultdict(dict)
     for number, found in enumerate(report.shown):
         for name in found.robots:
             cells[name].setdefault(found.rule, (number, found))
@@ -29,11 +31,18 @@ def matrix(report: FleetReport) -> Iterator[str]:
     heads = "".join(f"<th scope=col><span>{escape(rule.partition('/')[2])}</span></th>" for rule in rules)
     yield "<thead><tr><th scope=col>robot</th><th scope=col>role</th><th scope=col>by itself</th>"
     yield heads + "</tr></thead>"
-    numbered = enumerate(report.robots)
-    for number, robot in sorted(numbered, key=lambda each: each[1].name not in cells):
-        row = "".join(_cell(cells[robot.name].get(rule)) for rule in rules)
-        yield f"<tr {found_by(words_of(robot), *cells[robot.name])}><th scope=row>{escape(robot.name)}</th>"
-        yield f"<td>{escape(role_of(robot))}</td><td>{_by_itself(number, robot)}</td>{row}</tr>"
+    for named in (True, False):
+        for number, robot in enumerate(report.robots):
+            if (robot.name in cells) is named:
+                yield _row(number, robot, cells.get(robot.name, {}), rules)
+
+
+def _row(number: int, robot: Summary, cells: _Cells, rules: list[str]) -> str:
+    row = "".join(_cell(cells.get(rule)) for rule in rules)
+    return (
+        f"<tr {found_by(words_of(robot), *cells)}><th scope=row>{escape(robot.name)}</th>"
+        f"<td>{escape(role_of(robot))}</td><td>{_by_itself(number, robot)}</td>{row}</tr>"
+    )
 
 
 def _cell(entry: tuple[int, FleetFinding] | None) -> str:

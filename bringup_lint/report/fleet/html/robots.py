@@ -19,11 +19,14 @@ _SEVERITIES = ("error", "warning", "info")
 
 
 def robots(report: FleetReport) -> Iterator[str]:
-    numbered = [(number, robot) for number, robot in enumerate(report.robots) if robot.own or robot.failures]
-    yield from (_robot(number, robot) for number, robot in numbered)
-    silent = len(report.robots) - len(numbered)
+    silent = 0
+    for number, robot in enumerate(report.robots):
+        if robot.own or robot.failures:
+            yield _robot(number, robot)
+        else:
+            silent += 1
     if silent:
-        yield f"<p>Nothing was found on {silent} {'of them' if numbered else 'robots'}.</p>"
+        yield f"<p>Nothing was found on {silent} {'of them' if silent < len(report.robots) else 'robots'}.</p>"
 
 
 def _robot(number: int, robot: Summary) -> str:

@@ -6,7 +6,6 @@ from collections import defaultdict
 from collections.abc import Iterator
 from html import escape
 
-from bringup_lint.fleet.summary import Summary
 from bringup_lint.report.fleet.html.entries import found_by
 from bringup_lint.report.fleet.html.entries import role_of
 from bringup_lint.report.fleet.model import FleetReport
@@ -14,15 +13,14 @@ from bringup_lint.report.fleet.model import FleetReport
 
 def roles(report: FleetReport) -> Iterator[str]:
     """A row for each role of each site."""
-    members: dict[str, list[Summary]] = defaultdict(list)
-    for robot in report.robots:
-        members[role_of(robot)].append(robot)
     named = {name for found in report.shown for name in found.robots}
     odd = {name for found in report.shown if found.difference is not None for name in found.robots}
+    counts: dict[str, list[int]] = defaultdict(lambda: [0, 0, 0, 0])
+    for robot in report.robots:
+        values = (1, robot.name in named, robot.name in odd, len(robot.own))
+        counts[role_of(robot)] = [count + value for count, value in zip(counts[role_of(robot)], values)]
     heads = ("role", "robots", "in a finding", "differ", "own findings")
     yield f"<thead><tr>{''.join(f'<th scope=col>{head}</th>' for head in heads)}</tr></thead>"
-    for role, robots in sorted(members.items()):
-        names = {robot.name for robot in robots}
-        counts = (len(robots), len(names & named), len(names & odd), sum(len(robot.own) for robot in robots))
-        cells = "".join(f"<td>{count}</td>" for count in counts)
+    for role, row in sorted(counts.items()):
+        cells = "".join(f"<td>{count}</td>" for count in row)
         yield f"<tr {found_by(role)}><th scope=row>{escape(role)}</th>{cells}</tr>"
