@@ -124,13 +124,13 @@ class Store:
     def __iter__(self) -> Iterator[Summary]:
         """The robots with what was found on each by itself, and without what they say of themselves."""
         for number, path, files, own, failures in self._rows("SELECT * FROM robots ORDER BY id"):
-            robot = self.robots[number]
+            known = self.robots[number]
             yield Summary(
-                robot.name,
-                robot.role,
-                robot.site,
-                robot.domain,
-                robot.talks,
+                known.name,
+                known.role,
+                known.site,
+                known.domain,
+                known.talks,
                 _unpacked(path),
                 files,
                 own=tuple(Own(*each) for each in json.loads(own)),

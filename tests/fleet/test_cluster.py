@@ -44,9 +44,8 @@ def test_a_worker_that_dies_costs_no_result(scheduler: str, tmp_path: Path, monk
     names = [f"rover-{number:02}" for number in range(12)]
     for name in names:
         write(tmp_path, {f"{name}/etc/machine-id": "0" * 32, f"{name}/etc/systemd/system/rover.service": UNIT})
-    monkeypatch.chdir(tmp_path)
-    arguments = ["fleet", "--output-format", "json", *map(str, map(tmp_path.joinpath, names))]
-    alone = lint(*arguments, "--workers", "1", cwd=Path("/"))
+    arguments = ["fleet", "--output-format", "json", *names]
+    alone = lint(*arguments, "--workers", "1", cwd=tmp_path)
     options = ("--nthreads", "1", "--no-nanny", "--death-timeout", "60")
     workers = [start("dask_worker", scheduler, *options) for _ in range(2)]
     finished = cluster._finished
@@ -59,7 +58,7 @@ def test_a_worker_that_dies_costs_no_result(scheduler: str, tmp_path: Path, monk
 
     monkeypatch.setattr(cluster, "_finished", killing)
     try:
-        together = lint(*arguments, "--scheduler", scheduler, cwd=Path("/"))
+        together = lint(*arguments, "--scheduler", scheduler, cwd=tmp_path)
     finally:
         for worker in workers:
             worker.kill()

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import errno
 import io
 import json
 import tarfile
 from pathlib import Path
 
+import pytest
+
 from bringup_lint.discover.layered import archive_entries
+from bringup_lint.fleet import state
 from tests.conftest import PROJECT
 from tests.fleet.test_fleet import judged
 from tests.fleet.test_fleet import write
@@ -101,3 +105,75 @@ def test_a_run_goes_on_where_the_last_one_stopped(tmp_path: Path) -> None:
     assert (tmp_path / "state").stat().st_mode & 0o077 == 0
     write(tmp_path, {"beta/etc/machine-id": "1" * 32})
     assert judged("--state", "state", "alpha", "beta", cwd=tmp_path)["findings"] == []
+
+
+def test_a_run_in_another_folder_names_files_from_there(tmp_path: Path) -> None:
+    write(tmp_path, {"fleet/alpha/etc/machine-id": "0" * 32, "fleet/beta/etc/machine-id": "0" * 32})
+    judged("--state", "state", "fleet/alpha", "fleet/beta", cwd=tmp_path)
+    found = judged("--state", "../state", "alpha", "beta", cwd=tmp_path / "fleet")["findings"]
+    assert [place["path"] for place in found[0]["places"]] == ["alpha/etc/machine-id", "beta/etc/machine-id"]
+
+
+RULE = '''"""Every unit.
+
+## What it finds
+{what}
+
+## Why it matters on a robot
+It does.
+
+## Bad
+```ini
+[Unit]
+```
+
+## Good
+```ini
+[Service]
+```
+
+## When to ignore it
+Never.
+
+## References
+- systemd.unit(5)
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+
+@rule("warning")
+def every(robot: Robot) -> Iterator[Finding]:
+    for unit in robot.units.judged:
+        yield finding(unit.where, "{what}")
+'''
+
+
+def test_a_rule_that_changed_is_asked_again(tmp_path: Path) -> None:
+    write(tmp_path, {"alpha/etc/systemd/system/rover.service": UNIT})
+    for what in ("First", "Second"):
+        write(tmp_path, {"mine/site/every.py": RULE.format(what=what)})
+        robot = judged("--state", "state", "--rules", "mine", "--select", "site", "alpha", cwd=tmp_path)["robots"][0]
+        assert [found["message"] for found in robot["findings"]] == [what]
+
+
+def test_a_state_that_takes_nothing_more_costs_no_result(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    write(tmp_path, {"alpha/etc/machine-id": "0" * 32, "beta/etc/machine-id": "0" * 32})
+    written = state._write
+
+    def full(path: Path, data: bytes) -> None:
+        if path.suffix == ".json":
+            raise OSError(errno.ENOSPC, "No space left on device")
+        written(path, data)
+
+    monkeypatch.setattr(state, "_write", full)
+    options = ("--workers", "1", "--state", "state", "--output-format", "concise")
+    run = lint("fleet", *options, "alpha", "beta", cwd=tmp_path)
+    assert run.code == 1
+    assert "error[fleet/same-machine-id]" in run.stdout
+    assert run.stderr == "bringup-lint: state: nothing more is kept for another run: No space left on device\n"
