@@ -36,9 +36,11 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.compose import Service
 
+BRIDGE = regex(r"domain_bridge|dds-?router|zenoh-bridge")
 DEFAULTS = {"ROS_DOMAIN_ID": "0", "RMW_IMPLEMENTATION": "rmw_fastrtps_cpp"}
 
 
@@ -50,7 +52,7 @@ def domain_id_partial(robot: Robot) -> Iterator[Finding]:
             setting = [service for service in services if name in service.environment]
             for service in services:
                 first = next((s for s in setting if _comparable(s, service)), None)
-                if first is None or service.env_files or name in service.environment:
+                if first is None or service.env_files or name in service.environment or _joins_domains(service):
                     continue
                 value = first.environment[name].value
                 if value is None or value in (default, f"${{{name}:-{default}}}"):
@@ -61,6 +63,11 @@ def domain_id_partial(robot: Robot) -> Iterator[Finding]:
                     advice="give all of them the same env_file or a common anchor",
                     related=[note(value, f"set for '{first.name}'")],
                 )
+
+
+def _joins_domains(service: Service) -> bool:
+    """A bridge is in the domains that its own configuration names."""
+    return any(BRIDGE.search(text) for text in (service.name, service.image or "", *service.scripts))
 
 
 def _comparable(one: Service, other: Service) -> bool:

@@ -58,6 +58,8 @@ def no_multicast_no_peers(robot: Robot) -> Iterator[Finding]:
         setting = multicast_off(domain)
         if setting is None or has_peers(domain) or finds_itself(domain, configuration.version):
             continue
+        if robot.dds.is_part(configuration):
+            continue
         message = "Without multicast and without peers nothing is discovered, not even on this robot"
         yield finding(
             setting.value,

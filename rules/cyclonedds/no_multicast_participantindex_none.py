@@ -48,10 +48,12 @@ from bringup_lint.api.dds import multicast_off
 
 @rule("error", fix="unsafe")
 def no_multicast_participantindex_none(robot: Robot) -> Iterator[Finding]:
-    for _, domain in robot.dds.domains:
+    for configuration, domain in robot.dds.domains:
         off = multicast_off(domain)
         index = domain.get("Discovery/ParticipantIndex")
         if off is None or (index is None and not robot.dds.old_discovery):
+            continue
+        if index is None and robot.dds.is_part(configuration):
             continue
         if index is not None and (index.effective or "").lower() != "none":
             continue

@@ -52,6 +52,8 @@ def peer_self_missing(robot: Robot) -> Iterator[Finding]:
         peers = domain.all("Discovery/Peers/Peer@Address")
         if off is None or not peers or domain.all("Discovery/Peers@AddLocalhost") or contacts_itself(domain):
             continue
+        if robot.dds.is_part(configuration):
+            continue
         own = robot.dds.own_addresses(configuration)
         if own & {str(address) for address in peer_addresses(domain)}:
             continue

@@ -56,6 +56,11 @@ from bringup_lint.api.docker import last_user
 DROPS = regex(r"\b(?:gosu|su-exec|setpriv|runuser|fixuid)\b")
 LOGINS = regex(r"\b(?:openssh-server|sshd|sysvinit|s6-overlay)\b")
 """What needs root to serve logins, or to start services as an init system."""
+BUILD = regex(
+    r"""\[?\s*["']?(?:/usr/bin/)?(?:make|cmake|ninja|colcon|catkin|bloom-generate|dpkg-buildpackage|debuild|bitbake|west"""
+    r"""|idf\.py|pio|platformio|arduino-cli|cargo|pytest|ctest|mkdocs|sphinx-build)(?:["']|\s|$)"""
+)
+"""A command line, or the start of its list, that builds or tests something."""
 SYSTEMD = regex(r"/(?:s?bin/init|lib/systemd/systemd)\b")
 
 
@@ -64,6 +69,8 @@ def root_user(robot: Robot) -> Iterator[Finding]:
     for file in robot.dockerfiles:
         stage = file.final
         if stage is None or DROPS.search(file.source.said) or _starts_systemd(stage) or _is_base(robot, stage):
+            continue
+        if _builds(stage):
             continue
         users = [service for each in file.stages for service in robot.compose.users(each)]
         if users and all(service.user is not None for service in users):
@@ -96,6 +103,12 @@ def _of(stage: Stage, services: list[Service], lowered: bool) -> Iterator[Findin
 def _runs(stage: Stage) -> bool:
     """Whether the image says what it runs; else it is a base, or a place to work in."""
     return stage.last("CMD") is not None or stage.last("ENTRYPOINT") is not None
+
+
+def _builds(stage: Stage) -> bool:
+    """Whether what the image runs is a build: its container ends with the result and never is on the robot."""
+    starts = [each.value for each in (stage.last("ENTRYPOINT"), stage.last("CMD")) if each is not None]
+    return bool(starts) and BUILD.match(starts[-1]) is not None
 
 
 def _starts_systemd(stage: Stage) -> bool:

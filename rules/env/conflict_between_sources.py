@@ -59,10 +59,12 @@ def conflict_between_sources(robot: Robot) -> Iterator[Finding]:
 
 def _different(name: str, conflict: Different) -> Finding:
     (process, variable), (other, usual) = conflict
+    effect = "they do not see each other"
+    if name == "RMW_IMPLEMENTATION" and "rmw_zenoh_cpp" not in (variable.text, usual.text):
+        effect = "ROS does not support two middlewares in one system, and services between them fail"
     return finding(
         variable.value,
-        f"{process.name} has {name}={variable.text}, but {other.name} has {name}={usual.text}: "
-        "they do not see each other",
+        f"{process.name} has {name}={variable.text}, but {other.name} has {name}={usual.text}: {effect}",
         advice="keep the variable in one environment file that all of them read",
         related=[note(usual.value, f"{other.name} gets its value here")],
     )

@@ -57,14 +57,16 @@ def critical_no_required(robot: Robot) -> Iterator[Finding]:
         starters = robot.runners.launching(entry)
         units = [each for each in starters if each.runner.unit is not None]
         supervised = any(robot.runners.is_supervised(each.runner) for each in starters)
+        seen = set()
         for node in expansion.nodes:
             role = robot.launch.role(node).role
             if role not in WATCHED_ROLES or not isinstance(node.action, launch.Node) or node.by_default is False:
                 continue
             if launch.literal_text(node.package) in BY_HAND or launch.literal_text(node.executable) == "spawner":
                 continue
-            if "respawn" in node.options or launch.watched(node, expansion) or not (others or units):
+            if node.span in seen or "respawn" in node.options or launch.watched(node, expansion) or not (others or units):
                 continue
+            seen.add(node.span)
             shutdown = with_keyword(node.span, "on_exit", "Shutdown()", Import("launch.actions", "Shutdown"))
             yield finding(
                 node.span,

@@ -54,7 +54,9 @@ def include_not_found(robot: Robot) -> Iterator[Finding]:
 def commands(robot: Robot) -> Iterator[Finding]:
     for command in robot.runners.launches:
         package = robot.launch.workspace.packages.get(command.package or "")
-        if package is None or command.file is not None or not package.installs_known or "$" in command.target:
+        if package is None or command.file is not None or not package.installs_known:
+            continue
+        if any(sign in command.target for sign in "$%"):
             continue
         if not command.runner.certain or robot.purpose(command.target).value == "archive":
             continue

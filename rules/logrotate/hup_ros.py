@@ -61,9 +61,8 @@ def hup_ros(robot: Robot) -> Iterator[Finding]:
                 if command.name not in KILLERS or not HUP.search(text):
                     continue
                 unit = next((u for u in robot.units.ros if u.name in named(command)), None)
-                if unit is None and not (
-                    ROS.search(text) or (robot.logs.is_of_ros(stanza) and unknown(robot, command))
-                ):
+                certain = unit is not None or ROS.search(text) is not None
+                if not certain and not (robot.logs.is_of_ros(stanza) and unknown(robot, command)):
                     continue
                 back = unit is not None and robot.units.restart(unit).restart in ("always", "on-success")
                 what = f"{unit.name} runs ROS" if unit else "This signals ROS"
@@ -73,6 +72,7 @@ def hup_ros(robot: Robot) -> Iterator[Finding]:
                     + ("" if back else ", and systemd counts that as a clean exit"),
                     advice="use copytruncate and delete the script",
                     related=[note(unit.where, f"{unit.name} is defined here")] if unit else (),
+                    severity=None if certain else "warning",
                     fix=change(stanza, script) if len(robot.logs.commands(script)) == 1 else None,
                 )
 
@@ -83,9 +83,10 @@ def named(command: Command) -> Set[str]:
 
 
 def unknown(robot: Robot, command: Command) -> bool:
-    """Whether systemctl signals a unit that is not in the tree."""
+    """Whether systemctl signals a unit that is neither in the tree nor one of the distribution, such as rsyslog."""
     units = [word for word in named(command) if word.endswith(".service")]
-    return bool(units) and command.name == "systemctl" and not any(robot.units.candidates(name) for name in units)
+    known = any(robot.units.candidates(name) or robot.units.is_distribution_unit(name) for name in units)
+    return bool(units) and command.name == "systemctl" and not known
 
 
 def change(stanza: Stanza, script: Script) -> Fix:

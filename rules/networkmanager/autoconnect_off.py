@@ -1,8 +1,8 @@
 """The only Wi-Fi profile of the robot does not connect by itself.
 
 ## What it finds
-`autoconnect=false` in the only Wi-Fi profile of a folder of profiles. Without the key, NetworkManager connects by
-itself: the default is true.
+`autoconnect=false` in the only Wi-Fi profile of a folder of profiles, where no other profile connects by itself.
+Without the key, NetworkManager connects by itself: the default is true. Profiles of access points are left out.
 
 ## Why it matters on a robot
 After a restart, or when the robot leaves the range of the access point and comes back, nobody runs `nmcli connection
@@ -35,15 +35,18 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.networkmanager import alone_off
+
+BROUGHT_UP = regex(r"\bnmcli\b[^\n]*\bup\b")
 
 
 @rule("warning")
 def autoconnect_off(robot: Robot) -> Iterator[Finding]:
     for folder in robot.networkmanager.folders:
         where = alone_off(folder)
-        if where is not None and where.span.source.judged:
+        if where is not None and where.span.source.judged and not robot.mentions(BROUGHT_UP):
             yield finding(
                 where,
                 "The robot's only Wi-Fi profile does not connect by itself: after a restart there is no network",

@@ -152,6 +152,12 @@ class Dds:
         """The processes that read a configuration file."""
         return self._readers.get(configuration.source, [])
 
+    def is_part(self, configuration: Configuration) -> bool:
+        """Whether a process reads the file or text together with others, which may say what is missing here."""
+        lists = [each for each in self.selections if len(each.files) + len(each.inline) > 1 or not each.complete]
+        parts = {part for each in lists for part in (*each.files, *(text.span.source for text in each.inline))}
+        return configuration.source in parts
+
     @cached_property
     def _readers(self) -> dict[Source, list[Selection]]:
         found: dict[Source, list[Selection]] = {}

@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 _OF_SHELL = ("export", "shell", "declare", "typeset", "readonly")
 _BRIDGE = regex(r"(?<!ros)(?<!ros[-_])bridge|domain", re.I)
 """Names of what may join two domains; rosbridge only talks to browsers."""
+_DOMAIN_BRIDGE = regex(r"\b(?:domain_bridge|ddsrouter|dds-router|zenoh-bridge-(?:dds|ros2dds))\b")
+"""Programs that pass topics from one domain to another."""
 
 
 class Valued(NamedTuple):
@@ -55,7 +57,7 @@ def conflicts(ros: RosEnvironment, name: str) -> Iterator[Different | Overridden
             values.setdefault(each.variable.text, []).append(each)
         if len(values) < 2:
             yield from _overridden_by_launch(name, found)
-        else:
+        elif name != "ROS_DOMAIN_ID" or not any(_DOMAIN_BRIDGE.search(each.source.said) for each in processes):
             yield from _different(list(values.values()))
 
 

@@ -92,11 +92,17 @@ def colliding_netplan(
 
 
 def alone_off(folder: list[Profile]) -> Located | None:
-    """``autoconnect=false`` of the only Wi-Fi profile in a folder."""
-    wireless = [profile for profile in folder if profile.type == "wifi"]
+    """``autoconnect=false`` of the only Wi-Fi profile in a folder, when it joins a network and no other one comes up."""
+    if any(profile.type != "wifi" and profile.flag("connection", "autoconnect", True) for profile in folder):
+        return None
+    wireless = [profile for profile in folder if profile.type == "wifi" and not _is_access_point(profile)]
     if len(wireless) != 1 or wireless[0].flag("connection", "autoconnect", True):
         return None
     return wireless[0].get("connection", "autoconnect")
+
+
+def _is_access_point(profile: Profile) -> bool:
+    return any(profile.get(section, "mode") in ("ap", "adhoc", "mesh") for section in ("wifi", "802-11-wireless"))
 
 
 def load_networkmanager(files: Files) -> NetworkManager:

@@ -6,6 +6,8 @@ import ast
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.graph.nodes.questions.motion import is_velocity
+from bringup_lint.graph.nodes.questions.motion import moves
 from bringup_lint.graph.nodes.questions.safe_state import commands
 from bringup_lint.graph.nodes.questions.safe_state import has_safe_state
 from bringup_lint.graph.nodes.questions.safe_state import is_watched_relay
@@ -13,6 +15,9 @@ from bringup_lint.graph.nodes.questions.safe_state import relays
 from bringup_lint.graph.nodes.questions.safe_state import stops_itself
 from bringup_lint.graph.nodes.questions.safe_state import uncovered_sigterm
 from bringup_lint.graph.nodes.sources.ending import Ending
+from bringup_lint.graph.nodes.sources.syntax import Syntax
+from bringup_lint.graph.nodes.sources.syntax import body_of
+from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
@@ -54,7 +59,23 @@ def _is_caught(nodes: Nodes, ending: Ending, made: list[NodeClass], command: End
         return True
     if all(relays(node) or stops_itself(ending.syntax, node) for node in made):
         return True
-    return any(is_watched_relay(node, command) for node in nodes.classes if node not in made)
+    others = [node for node in nodes.classes if node not in made]
+    return any(is_watched_relay(node, command) or _times_commands(nodes, node) for node in others)
+
+
+def _times_commands(nodes: Nodes, node: NodeClass) -> bool:
+    """Whether a node receives velocities, keeps the time of the last one and has a timer that can compare it."""
+    syntax = nodes.syntax(nodes.file_of(node))
+    heard = [each for each in node.all_endpoints if each.role == "subscription" and (moves(each) or is_velocity(each))]
+    methods = [method for each in heard if (method := node.method(each.callback or "")) is not None]
+    calls = [call for method in methods for call in own_calls(body_of(method.node))]
+    return bool(node.all_timers) and any(_is_clock(syntax, call) for call in calls)
+
+
+def _is_clock(syntax: Syntax, call: ast.Call) -> bool:
+    if syntax.qualified(call) in ("time.time", "time.monotonic"):
+        return True
+    return isinstance(call.func, ast.Attribute) and call.func.attr == "now"
 
 
 def _name(topic: str) -> str:
