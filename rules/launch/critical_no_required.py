@@ -64,7 +64,9 @@ def critical_no_required(robot: Robot) -> Iterator[Finding]:
                 continue
             if launch.literal_text(node.package) in BY_HAND or launch.literal_text(node.executable) == "spawner":
                 continue
-            if node.span in seen or "respawn" in node.options or launch.watched(node, expansion) or not (others or units):
+            if "respawn" in node.options or launch.watched(node, expansion) or not (others or units):
+                continue
+            if node.span in seen:
                 continue
             seen.add(node.span)
             shutdown = with_keyword(node.span, "on_exit", "Shutdown()", Import("launch.actions", "Shutdown"))

@@ -92,7 +92,7 @@ def colliding_netplan(
 
 
 def alone_off(folder: list[Profile]) -> Located | None:
-    """``autoconnect=false`` of the only Wi-Fi profile in a folder, when it joins a network and no other one comes up."""
+    """``autoconnect=false`` of the only Wi-Fi profile in a folder, where it joins a network and no other comes up."""
     if any(profile.type != "wifi" and profile.flag("connection", "autoconnect", True) for profile in folder):
         return None
     wireless = [profile for profile in folder if profile.type == "wifi" and not _is_access_point(profile)]
