@@ -54,7 +54,7 @@ PATHS: tuple[tuple[Purpose, re.Pattern[str]], ...] = (
     (Purpose.CI, _folder(r"(?:self[_-]?hosted|actions|github|gitlab|ci)[_-]runners?")),
     (Purpose.ARCHIVE, _folder(r"(?:[^/]+[_-])?(?:old|archived?|deprecated|obsolete|unused|attic|backups?)|legacy")),
     (Purpose.ARCHIVE, regex(r"[_-](?:old|deprecated|archived)(?=(?:\.[a-z]+){0,3}$)|\.(?:old|bak|orig)$", re.I)),
-    (Purpose.TEST, _folder(r"tests?|testing|test_[^/]*|[^/]*[_-]tests?|attack[^/]*")),
+    (Purpose.TEST, _folder(r"tests?|testing|test_?data|test[_-][^/]*|[^/]*[_-]tests?|fixtures?|attack[^/]*")),
     (Purpose.TEST, regex(r"(?:^|/)(?:test_[^/]*|attack[^/]*|[^/]*[_.-](?:tests?|testing))\.[a-z.]+$", re.I)),
     (Purpose.TEST, _word("mitm|attacker|adversary")),
     (Purpose.DEVELOPMENT, _folder(r"\.?devcontainer|\.vscode")),

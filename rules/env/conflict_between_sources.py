@@ -61,7 +61,7 @@ def _different(name: str, conflict: Different) -> Finding:
     (process, variable), (other, usual) = conflict
     effect = "they do not see each other"
     if name == "RMW_IMPLEMENTATION" and "rmw_zenoh_cpp" not in (variable.text, usual.text):
-        effect = "ROS does not support two middlewares in one system, and services between them fail"
+        effect = "ROS does not support two middlewares in one system, and messages between them can be lost"
     return finding(
         variable.value,
         f"{process.name} has {name}={variable.text}, but {other.name} has {name}={usual.text}: {effect}",

@@ -2,7 +2,8 @@
 
 ## What it finds
 `GROUP` or `OWNER` with a name that Debian and Ubuntu systems do not have by default, and that no sysusers.d
-file, script or document of the tree creates. In a root file system, /etc/group and /etc/passwd decide.
+file, script or document of the tree creates. In a root file system, /etc/group and /etc/passwd decide. In a tree that
+creates no users or groups at all, it is an info: the accounts come from elsewhere.
 
 ## Why it matters on a robot
 udev logs 'Unknown group, ignoring', and the device node stays with root: the driver gets 'permission denied'.
@@ -37,22 +38,24 @@ from bringup_lint.api.udev import Token
 
 @rule("warning", symptoms=["Unknown group", "Unknown user", "Failed to resolve group"])
 def group_unknown(robot: Robot) -> Iterator[Finding]:
+    elsewhere = not robot.tree.complete and not robot.accounts.creates_any
     for line in robot.udev.judged:
         for token in line.line.assignments("GROUP"):
             if _is_name(token) and not robot.accounts.has_group(token.value):
-                yield _finding(token, "group", "dialout, or create the group with a sysusers.d file")
+                yield _finding(token, "group", "dialout, or create the group with a sysusers.d file", elsewhere)
         for token in line.line.assignments("OWNER"):
             if _is_name(token) and not robot.accounts.has_user(token.value):
-                yield _finding(token, "user", "root, or create the user with a sysusers.d file")
+                yield _finding(token, "user", "root, or create the user with a sysusers.d file", elsewhere)
 
 
 def _is_name(token: Token) -> bool:
     return bool(token.value) and not token.value.isdecimal() and not token.has_substitution
 
 
-def _finding(token: Token, what: str, instead: str) -> Finding:
+def _finding(token: Token, what: str, instead: str, elsewhere: bool) -> Finding:
     return finding(
         token.value,
         f"Nothing creates the {what} '{token.value}': udev ignores it, and the device node stays with root",
         advice=f"use {instead}",
+        severity="info" if elsewhere else None,
     )

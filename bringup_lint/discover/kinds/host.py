@@ -18,7 +18,7 @@ _APT = regex(r"(?:^|/)apt(?:\.conf\.d/[^/]+|/apt\.conf)$")
 _FAIL2BAN = regex(r"(?:^|/)fail2ban/(?:jail\.(?:conf|local)|jail\.d/[^/]+\.(?:conf|local))$")
 _LIMITS = regex(r"(?:^|/)(?:security/)?limits(?:\.conf|\.d/[^/]+\.conf)$")
 _LIMIT_LINE = regex(r"^[^\S\n]*[@*%\w][\w@:.*%-]*\s+(?:soft|hard|-)\s+\w+\s+\S+", re.M)
-_TMPFILES = regex(r"(?:^|/)(?:user-)?tmpfiles\.d/[^/]+\.conf$")
+_TMPFILES = regex(r"(?:^|/)(?:user-)?tmpfiles\.d/[^/]+\.conf$|(?:^|[/._-])tmpfiles(?:\.conf)?$")
 _WATCHDOG = regex(r"(?:^|/)watchdog\.conf$(?<!\.conf\.d/watchdog\.conf)")
 _OVERLAYROOT = regex(r"(?:^|/)overlayroot(?:\.local)?\.conf$")
 

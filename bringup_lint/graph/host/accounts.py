@@ -50,6 +50,11 @@ class Accounts:
         listed = self._database.accounts if self._database else {}
         return self._has(name, listed, self._declared("u"))
 
+    @property
+    def creates_any(self) -> bool:
+        """Whether the tree creates users or groups at all, so that one that it does not create is missing."""
+        return bool(self._created or self._declared("gu"))
+
     def home_of(self, user: str) -> str | None:
         """The home folder that the tree's /etc/passwd gives to a user."""
         account = self._database.account(user) if self._database else None
