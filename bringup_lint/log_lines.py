@@ -30,6 +30,10 @@ _LATER = 0.97
 """What a symptom counts, compared with the one before it: the first is the one by which most people meet the defect."""
 _OWN, _OTHER = 1.4, 0.4
 """What a symptom counts if its family knows the program that writes the line, or only another program."""
+_MOST_NAMED = 0.02
+"""What the words that a line and a rule's name share add to the score, at most: less than a symptom's place."""
+_COLOUR = regex(r"(?:\x1b|#033|\^\[)\[[0-9;]*[A-Za-z]")
+"""How a terminal, syslog and ``cat -v`` write a colour."""
 _WORD = regex(r"[a-z0-9_./=-]{2,}")
 _FREQUENT = frozenset(
     "no such the and for with was not has been from this that are error failed failure warning info to of in on at "
@@ -75,8 +79,10 @@ def explained(line: str, rules: Iterable[Rule]) -> Answer:
     known = list(rules)
     weights = Weights.of(symptom for rule in known for symptom in rule.meta.symptoms)
     read = _plain(line[:LONGEST])
-    matches = _matches(read, known, weights, speaker_of(line))
-    other = max(_other_causes(read, weights), key=lambda cause: cause.score, default=None)
+    speaker = speaker_of(line)
+    matches = _matches(_bare(read), known, weights, speaker) or _matches(read, known, weights, speaker)
+    causes = list(_other_causes(_bare(read), weights)) or ([] if matches else list(_other_causes(read, weights)))
+    other = max(causes, key=lambda cause: cause.score, default=None)
     if other is not None and (not matches or other.score > matches[0].score):
         return Answer(other=other)
     return Answer(tuple(matches))
@@ -110,9 +116,22 @@ class Weights:
 
 def _matches(line: str, rules: Iterable[Rule], weights: Weights, speaker: Speaker | None) -> list[Match]:
     weakest = min(_WEAK, weights.weight(_words(line)) / 2)
-    found = [match for rule in rules if (match := _best(rule, line, weights, speaker)).score > weakest]
+    best = (_best(rule, line, weights, speaker) for rule in rules)
+    found = [_named(match, line, weights) for match in best if match.score > weakest]
     found.sort(key=lambda match: (-match.score, -match.rule.severity, match.rule.id))
     return [match for match in found if match.score >= found[0].score * _NEAR][:MOST]
+
+
+def _named(match: Match, line: str, weights: Weights) -> Match:
+    """Of rules that know the same line, the one whose name repeats more of it counts more."""
+    shared = _words(line) & frozenset(match.rule.id.partition("/")[2].split("-")) - _FREQUENT
+    return match._replace(score=match.score * (1 + min(weights.weight(shared) / 1_000, _MOST_NAMED)))
+
+
+@cache
+def _bare(text: str) -> str:
+    """What a program says without the words with which another one passes it on."""
+    return next((rest for words in _introductions() if (rest := text.partition(words)[2].strip())), text)
 
 
 def _other_causes(line: str, weights: Weights) -> Iterator[OtherCause]:
@@ -125,7 +144,7 @@ def _other_causes(line: str, weights: Weights) -> Iterator[OtherCause]:
 def _best(rule: Rule, line: str, weights: Weights, speaker: Speaker | None) -> Match:
     heard = _heard(rule.family, speaker)
     matches = (
-        Match(rule, symptom, _score(line, _plain(symptom), weights) * heard * _LATER**place)
+        Match(rule, symptom, _score(line, _bare(_plain(symptom)), weights) * heard * _LATER**place)
         for place, symptom in enumerate(rule.meta.symptoms)
     )
     return max(matches, key=lambda match: match.score, default=Match(rule, "", 0.0))
@@ -154,20 +173,20 @@ def _score(line: str, symptom: str, weights: Weights) -> float:
 
 
 def _holds(line: str, pattern: str) -> bool:
-    """Whether a line holds the parts of a pattern between its ``*``, in their order."""
+    """Whether a line holds the parts of a pattern between its ``*``, in their order; a number at its end is whole."""
     at = 0
     for part in pattern.split("*"):
         at = line.find(part, at)
         if at < 0:
             return False
         at += len(part)
-    return True
+    return not (pattern[-1:].isdigit() and line[at : at + 1].isdigit())
 
 
 @cache
 def _plain(text: str) -> str:
-    """Without the case and the quotes, which differ between versions, and with single blanks."""
-    return " ".join(re.sub("[\"'`‘’“”]", "", text).lower().split())
+    """Without colours, the case and the quotes, which differ between versions, and with single blanks."""
+    return " ".join(re.sub("[\"'`‘’“”]", "", _COLOUR.sub("", text)).lower().split())
 
 
 @cache
@@ -181,6 +200,11 @@ def _speakers() -> Sequence[tuple[re.Pattern[str], Speaker]]:
         (re.compile(row["pattern"], re.I), Speaker(row["program"], frozenset(row["families"].split())))
         for row in table("logs/speakers")
     ]
+
+
+@cache
+def _introductions() -> Sequence[str]:
+    return [_plain(row["text"]) for row in table("logs/introductions")]
 
 
 @cache

@@ -17,6 +17,7 @@ from bringup_lint.log_lines import explained
 from bringup_lint.log_lines import speaker_of
 from bringup_lint.registry import Registry
 from bringup_lint.registry import Rule
+from tests.conftest import PROJECT
 
 FIRST = {
     "rover.service: Start request repeated too quickly.": "systemd/restart-unlimited",
@@ -197,6 +198,41 @@ def test_other_causes_name_rules_that_exist() -> None:
     reasons = " ".join(row["reason"] for row in table("logs/other_causes"))
     named = {word for word in re.findall(r"\b[a-z0-9-]+/[a-z0-9-]+", reasons) if word.partition("/")[0] in families}
     assert named and named <= ids
+
+
+def pasted() -> Iterator[tuple[str, str]]:
+    for line in (PROJECT / "tests/log_lines.tsv").read_text("utf-8").splitlines():
+        if not line.startswith("#"):
+            text, _, rules = line.partition("\t")
+            yield text, rules
+
+
+def is_one_of(found: Answer, wanted: str) -> bool:
+    given = found.matches[0].rule.id if found.matches else "?" if found.other else ""
+    return any(fnmatch(given, each) if each != "?" else given == "?" for each in wanted.split("|"))
+
+
+def test_pasted_lines() -> None:
+    wrong = [(line, wanted, first(line)) for line, wanted in pasted() if not is_one_of(answer(line), wanted)]
+    assert wrong == []
+
+
+@pytest.mark.parametrize("colour", ["\x1b[1;31m{}\x1b[0m", "#033[31m{}#033[0m", "^[[31m{}^[[0m"])
+def test_colours_of_a_terminal_do_not_matter(colour: str) -> None:
+    assert first(colour.format("rover.service: ") + colour.format("Start request repeated too quickly.")) == (
+        "systemd/restart-unlimited"
+    )
+
+
+def test_words_that_pass_a_message_on_do_not_count() -> None:
+    passed = "[ERROR] [launch]: Caught exception in launch (see debug for traceback): "
+    assert first(passed + "launch configuration 'side' does not exist") == "launch/arg-used-before-declare"
+    assert first(passed).startswith("launch/")
+
+
+def test_a_number_at_the_end_of_a_known_line_is_whole() -> None:
+    assert first("nav-1 exited with code 1") == "compose/restart-missing"
+    assert answer("nav-1 exited with code 139").other
 
 
 SHORT = {"iface": "interface", "perms": "mode|permission", "ws": "workspace", "tf": "transform"}

@@ -42,6 +42,7 @@ from bringup_lint.api import rule
 @rule(
     "error",
     symptoms=[
+        "bit-timing not yet defined",
         "RTNETLINK answers: Invalid argument",
         "No valid settings found in the [Match] section",
         "RTNETLINK answers: Operation not supported",

@@ -37,7 +37,7 @@ from bringup_lint.api import rule
 ADVICE = 'add device_cgroup_rules for the devices that it needs: "c 188:* rmw" for ttyUSB'
 
 
-@rule("warning", tags=["CWE-250"], symptoms=["Operation not permitted: '/dev/ttyUSB0'"])
+@rule("warning", tags=["CWE-250"], symptoms=["Operation not permitted: '/dev/"])
 def dev_mount_all(robot: Robot) -> Iterator[Finding]:
     for service in robot.compose.whole_services:
         if service.is_privileged or service.items("device_cgroup_rules"):

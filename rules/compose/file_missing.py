@@ -43,7 +43,15 @@ from bringup_lint.api.compose import MissingFile
 from bringup_lint.api.compose import missing_files
 
 
-@rule("error", symptoms=["env file", "unable to prepare context: path", "failed to read dockerfile"])
+@rule(
+    "error",
+    symptoms=[
+        "env file",
+        "unable to prepare context: path",
+        "failed to read dockerfile",
+        'invalid mount config for type "bind": bind source path does not exist:',
+    ],
+)
 def file_missing(robot: Robot) -> Iterator[Finding]:
     for missing in missing_files(robot.files, robot.compose):
         effect = "docker compose ends" if missing.fatal else "the image cannot be built here"

@@ -43,7 +43,7 @@ BRINGUP = regex(r"bring_?up|robot\.launch", re.I)
 SIMULATION = regex(r"gazebo|\bsim|gz|rviz|webots", re.I)
 
 
-@rule("info")
+@rule("info", symptoms=["exited with code 1"])
 def restart_missing(robot: Robot) -> Iterator[Finding]:
     for service in robot.compose.whole_services:
         if service.is_ros and not service.restarts and service.restart is None and service.get("profiles") is None:

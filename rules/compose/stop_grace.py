@@ -37,7 +37,11 @@ from bringup_lint.api import rule
 from bringup_lint.api.yaml import first_key
 
 
-@rule("info", fix="unsafe", symptoms=["exited with code 137"])
+@rule(
+    "info",
+    fix="unsafe",
+    symptoms=["exited with code 137", "failed to terminate * seconds after receiving *, escalating to SIGTERM"],
+)
 def stop_grace(robot: Robot) -> Iterator[Finding]:
     for service in robot.compose.whole_services:
         text, seconds = service.scalar("stop_grace_period"), service.stop_grace

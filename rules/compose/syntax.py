@@ -46,9 +46,10 @@ CONSEQUENCE = "docker compose starts nothing"
 @rule(
     "error",
     symptoms=[
-        "yaml: line 3: did not find expected",
+        "yaml: line *: did not find expected",
         "mapping values are not allowed in this context",
         "mapping key already defined",
+        "yaml: unmarshal errors",
     ],
 )
 def syntax(robot: Robot) -> Iterator[Finding]:

@@ -46,7 +46,11 @@ from bringup_lint.api import rule
 from bringup_lint.api.dds import multicast_off
 
 
-@rule("error", fix="unsafe")
+@rule(
+    "error",
+    fix="unsafe",
+    symptoms=['ManySocketsMode "none" requires SPDP multicast; it is incompatible with multicast discovery disabled'],
+)
 def no_multicast_participantindex_none(robot: Robot) -> Iterator[Finding]:
     for configuration, domain in robot.dds.domains:
         off = multicast_off(domain)

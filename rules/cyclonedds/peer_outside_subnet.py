@@ -38,7 +38,7 @@ from bringup_lint.api.dds import networks
 from bringup_lint.api.dds import peers
 
 
-@rule("warning")
+@rule("warning", symptoms=["ddsi_udp_conn_write to * failed with retcode"])
 def peer_outside_subnet(robot: Robot) -> Iterator[Finding]:
     for configuration, domain in robot.dds.domains:
         plan = robot.dds.plan_of(configuration)

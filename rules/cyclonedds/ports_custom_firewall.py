@@ -46,7 +46,7 @@ DEFAULTS = {
 }
 
 
-@rule("warning")
+@rule("warning", symptoms=["[UFW BLOCK] * PROTO=UDP"])
 def ports_custom_firewall(robot: Robot) -> Iterator[Finding]:
     for configuration, domain in robot.dds.domains:
         settings = [(name, domain.get(f"Discovery/Ports/{name}")) for name in DEFAULTS]

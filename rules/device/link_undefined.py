@@ -41,7 +41,14 @@ from bringup_lint.api.host import DeviceUse
 from bringup_lint.api.udev import Link
 
 
-@rule("error", symptoms=["Timed out waiting for device", "No such file or directory: '/dev/"])
+@rule(
+    "error",
+    symptoms=[
+        "Timed out waiting for device",
+        "could not open port /dev/*: [Errno 2] No such file or directory",
+        "No such file or directory: '/dev/",
+    ],
+)
 def link_undefined(robot: Robot) -> Iterator[Finding]:
     for use, near in robot.devices.undefined:
         yield finding(

@@ -53,9 +53,9 @@ _RANK = ("literal", "unit", "host", "default", "script", "argument")
 @rule(
     "warning",
     symptoms=[
-        "could not open port '/dev/tty*': [Errno 2] No such file or directory",
-        "could not open port /dev/ttyUSB0",
-        "Could not open device /dev/ttyUSB0",
+        "could not open port /dev/tty*: [Errno 2] No such file or directory",
+        "could not open port /dev/tty",
+        "Could not open device /dev/tty",
     ],
 )
 def unstable_path(robot: Robot) -> Iterator[Finding]:

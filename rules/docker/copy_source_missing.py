@@ -45,6 +45,7 @@ from bringup_lint.api.docker import lacking_sources
         "failed to calculate checksum of ref",
         "COPY failed: file not found in build context",
         "failed to compute cache key: * not found",
+        "CopyIgnoredFile: Attempting to COPY file * that is excluded by .dockerignore",
     ],
 )
 def copy_source_missing(robot: Robot) -> Iterator[Finding]:

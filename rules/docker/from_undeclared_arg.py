@@ -40,7 +40,16 @@ VARIABLE = regex(r"\$(?:\{(\w+)\}|(\w+))")
 PLATFORM = regex(r"(?:BUILD|TARGET)(?:PLATFORM|OS|ARCH|VARIANT)")
 
 
-@rule("error", symptoms=["invalid reference format", "base name", "should not be blank"])
+@rule(
+    "error",
+    symptoms=[
+        "invalid reference format",
+        "base name",
+        "should not be blank",
+        "UndefinedArgInFrom: FROM argument * is not declared",
+        "InvalidDefaultArgInFrom: Default value for ARG * results in empty or invalid base image name",
+    ],
+)
 def from_undeclared_arg(robot: Robot) -> Iterator[Finding]:
     for file in robot.dockerfiles:
         if not file.stages:

@@ -47,7 +47,7 @@ ADVICE = {
 }
 
 
-@rule("warning", symptoms=["/bin/sh: 1: ros2: not found"])
+@rule("warning", symptoms=["/bin/sh: *: ros2: not found"])
 def run_without_effect(robot: Robot) -> Iterator[Finding]:
     for file in robot.dockerfiles:
         for stage in file.stages:

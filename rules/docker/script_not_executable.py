@@ -44,7 +44,7 @@ from bringup_lint.api.docker import Runner
 CHMOD = regex(r"\b(?:chmod|--chmod)\b")
 
 
-@rule("warning", confidence="medium", symptoms=["permission denied", "exited with code 126"])
+@rule("warning", confidence="medium", symptoms=["exec *: permission denied", "exited with code 126"])
 def script_not_executable(robot: Robot) -> Iterator[Finding]:
     tree = robot.files.tree
     found: dict[Source, tuple[Located, list[Runner]]] = {}

@@ -52,7 +52,11 @@ OTHER_WORK = regex(r"-[a-zA-Z]{0,8}[FRHlyeispcBDkQrYLMUO]")
 """Options with which ssh-keygen makes no key."""
 
 
-@rule("error", tags=["CWE-522", "CWE-538"])
+@rule(
+    "error",
+    tags=["CWE-522", "CWE-538"],
+    symptoms=["SecretsUsedInArgOrEnv: Do not use ARG or ENV instructions for sensitive data"],
+)
 def secret_in_layer(robot: Robot) -> Iterator[Finding]:
     for file in robot.dockerfiles:
         if file.final is None:

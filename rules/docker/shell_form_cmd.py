@@ -41,7 +41,14 @@ from bringup_lint.api.docker import stays_in_shell
 ROS = regex(r"\bros2\s|/ros_entrypoint\.sh|\.launch\.(?:py|xml)")
 
 
-@rule("warning", fix="unsafe", symptoms=["exited with code 137"])
+@rule(
+    "warning",
+    fix="unsafe",
+    symptoms=[
+        "exited with code 137",
+        "JSONArgsRecommended: JSON arguments recommended for * to prevent unintended behavior related to OS signals",
+    ],
+)
 def shell_form_cmd(robot: Robot) -> Iterator[Finding]:
     for file in robot.dockerfiles:
         stage = file.final

@@ -50,7 +50,7 @@ OPTIONS = {
 }
 
 
-@rule("warning", symptoms=["UID 1000 is not unique", "GID '1000' already exists"])
+@rule("warning", symptoms=["UID * is not unique", "GID '*' already exists"])
 def uid_1000_conflict(robot: Robot) -> Iterator[Finding]:
     for file in robot.dockerfiles:
         for stage in file.stages:

@@ -35,7 +35,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("error")
+@rule("error", symptoms=["unexpected character * in variable name"])
 def missing_equals(robot: Robot) -> Iterator[Finding]:
     for file in robot.env_files:
         for problem in file.model.problems:

@@ -44,7 +44,10 @@ from bringup_lint.api.systemd import Unit
 SETS = ("ROS_LOG_DIR", "ROS_HOME", "HOME")
 
 
-@rule("info", symptoms=["Failed to create log directory", "Failed to get logging directory"])
+@rule(
+    "info",
+    symptoms=["Failed to create log directory", "Failed to get logging directory", "Permission denied: '/home/*/.ros"],
+)
 def ros_log_dir_unset_service(robot: Robot) -> Iterator[Finding]:
     for process in robot.ros.processes:
         unit = process.unit

@@ -34,7 +34,11 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("warning", fix="safe", symptoms=["command not found"])
+@rule(
+    "warning",
+    fix="safe",
+    symptoms=["command not found", "poorly formatted environment: variable * contains whitespaces"],
+)
 def spaces_around_eq(robot: Robot) -> Iterator[Finding]:
     for file in robot.env_files:
         for entry in file.model.entries:

@@ -33,7 +33,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
-@rule("error", confidence="medium")
+@rule("error", confidence="medium", symptoms=["Discovery Server requires to specify a listening address."])
 def discovery_server_incomplete(robot: Robot) -> Iterator[Finding]:
     for profiles in robot.dds.profile_files:
         for participant in profiles.default_participants:

@@ -44,7 +44,11 @@ from bringup_lint.api.dds import user_of
 from bringup_lint.api.systemd import Unit
 
 
-@rule("error", confidence="medium", symptoms=["Failed init_port fastrtps_port", "open_and_lock_file failed"])
+@rule(
+    "error",
+    confidence="medium",
+    symptoms=["Failed init_port fastrtps_port", "open_and_lock_file failed", "RTPS_TRANSPORT_SHM * Permission denied"],
+)
 def shm_across_users(robot: Robot) -> Iterator[Finding]:
     for units in robot.units.running_together:
         domains: dict[str | None, dict[str, tuple[Unit, Located | Span]]] = {}

@@ -37,7 +37,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("warning", symptoms=["[UFW BLOCK] * PROTO=UDP * DPT=74"])
+@rule("warning", symptoms=["[UFW BLOCK] * PROTO=UDP * DPT=74*"])
 def dds_ports(robot: Robot) -> Iterator[Finding]:
     domain = robot.dds_domain
     if domain is None:

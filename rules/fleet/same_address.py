@@ -45,7 +45,9 @@ from bringup_lint.api.fleet import fleet_finding
 from bringup_lint.api.fleet import names
 
 
-@rule("error")
+@rule(
+    "error", symptoms=["Dropping address *, as an address conflict was detected.", "IPv6 duplicate address * detected!"]
+)
 def same_address(fleet: Fleet) -> Iterator[FleetFinding]:
     for subject, what in (("address", "address"), ("mac", "MAC address")):
         for group in fleet.same(subject):

@@ -49,6 +49,8 @@ STATE = ("/data", "/persist", "/persistent", "/userdata", "/state")
         "You are in emergency mode",
         "Timed out waiting for device",
         "Dependency failed for Local File Systems",
+        "Timed out waiting for device *.device - /dev/disk/by-",
+        "Timed out waiting for device dev-disk-by",
     ],
 )
 def no_nofail(robot: Robot) -> Iterator[Finding]:

@@ -70,7 +70,11 @@ TEXTS = {
 }
 
 
-@rule("error", tags=["CWE-306"])
+@rule(
+    "error",
+    tags=["CWE-306"],
+    symptoms=["All authentication is disabled. Anyone who can connect to this server will be able to run code."],
+)
 def unauthenticated_service(robot: Robot) -> Iterator[Finding]:
     services: dict[tuple[str, str], list[Span]] = {}
     for each in robot.open_services:

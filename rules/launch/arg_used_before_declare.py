@@ -43,7 +43,7 @@ from bringup_lint.api.launch import LaunchFile
 from bringup_lint.api.python import move_before
 
 
-@rule("error", fix="safe", symptoms=["launch configuration 'robot_name' does not exist"])
+@rule("error", fix="safe", symptoms=["launch configuration '*' does not exist"])
 def arg_used_before_declare(robot: Robot) -> Iterator[Finding]:
     for expansion in robot.launch.entries:
         passed = _always_passed(robot, expansion.entry)

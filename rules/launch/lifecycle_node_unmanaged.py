@@ -37,7 +37,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("error")
+@rule("error", symptoms=["Trying to publish message on the topic *, but the publisher is not activated"])
 def lifecycle_node_unmanaged(robot: Robot) -> Iterator[Finding]:
     elsewhere = robot.launch.managed_names
     if elsewhere is None:

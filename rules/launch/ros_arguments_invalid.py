@@ -59,7 +59,16 @@ UNKNOWN = regex(r"[$`%*]")
 """What a shell, systemd or a template fills in."""
 
 
-@rule("error", fix="unsafe", symptoms=["RCLInvalidROSArgsError", "UnknownROSArgsError", "Couldn't parse remap rule"])
+@rule(
+    "error",
+    fix="unsafe",
+    symptoms=[
+        "RCLInvalidROSArgsError",
+        "UnknownROSArgsError",
+        "Couldn't parse remap rule",
+        "Failed to parse global arguments",
+    ],
+)
 def ros_arguments_invalid(robot: Robot) -> Iterator[Finding]:
     judged = {id(file) for file in robot.launch.judged}
     for node in robot.launch.nodes:

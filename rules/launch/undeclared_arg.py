@@ -55,7 +55,7 @@ OWN = ("ros_namespace", "ros_remaps", "global_params")
 LEVELS: dict[str | None, int] = {None: 0, "warning": 1, "info": 2}
 
 
-@rule("error", symptoms=["launch configuration 'robot_name' does not exist"])
+@rule("error", symptoms=["launch configuration '*' does not exist"])
 def undeclared_arg(robot: Robot) -> Iterator[Finding]:
     for expansion in robot.launch.entries:
         later = {(id(each.file), each.name) for each in expansion.declared}

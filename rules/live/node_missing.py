@@ -45,7 +45,7 @@ from bringup_lint.api import rule
 CRASHED = "look at its log: it crashed or was never started"
 
 
-@rule("error")
+@rule("error", symptoms=["Node not found", "Unable to find node"])
 def node_missing(robot: Robot) -> Iterator[Finding]:
     observed = robot.observed
     domain = observed.graph.domain

@@ -41,7 +41,7 @@ from bringup_lint.api.live import RunningUnit
 BROKEN = ("bad-setting", "error")
 
 
-@rule("error")
+@rule("error", symptoms=["Unit entered failed state."])
 def unit_failed(robot: Robot) -> Iterator[Finding]:
     for unit, running in robot.observed.loaded_units:
         told = state(running)

@@ -37,7 +37,10 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("warning")
+@rule(
+    "warning",
+    symptoms=["The unit file, source configuration file or drop-ins of * changed on disk."],
+)
 def unit_outdated(robot: Robot) -> Iterator[Finding]:
     for unit, running in robot.observed.loaded_units:
         own = unit.fragment.source.robot_path if unit.fragment else None

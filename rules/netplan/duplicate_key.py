@@ -44,7 +44,7 @@ _REFUSED = ("primary", "path-cost", "port-priority")
 """Keys whose second setting netplan does not take."""
 
 
-@rule("error")
+@rule("error", symptoms=["duplicate map entry", "Duplicate access point SSID"])
 def duplicate_key(robot: Robot) -> Iterator[Finding]:
     for file in robot.netplan.files:
         if file.embedded:

@@ -40,7 +40,7 @@ from bringup_lint.api import rule
 BOARD = regex(r"net\.ifnames=0|raspberry|raspi|rpi|\bjetson\b|tegra|nvidia-l4t", re.IGNORECASE)
 
 
-@rule("info", confidence="medium", symptoms=['Cannot find device "eth0"', 'Device "eth0" does not exist'])
+@rule("info", confidence="medium", symptoms=["Cannot find device eth", 'Device "eth0" does not exist'])
 def eth0_name(robot: Robot) -> Iterator[Finding]:
     named = [each for each in robot.netplan.interfaces if each.is_physical and each.name in ("eth0", "wlan0")]
     if not named or any(BOARD.search(source.said) or BOARD.search(source.name) for source in robot.sources):

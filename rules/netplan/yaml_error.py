@@ -46,7 +46,11 @@ from bringup_lint.api.yaml import YamlCode
 
 @rule(
     "error",
-    symptoms=["Invalid YAML: tabs are not allowed for indent", "Invalid YAML: inconsistent indentation"],
+    symptoms=[
+        "Invalid YAML: tabs are not allowed for indent",
+        "Invalid YAML: inconsistent indentation",
+        "Invalid YAML:",
+    ],
 )
 def yaml_error(robot: Robot) -> Iterator[Finding]:
     for file in robot.netplan.files:

@@ -41,7 +41,9 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("warning", fix="unsafe")
+@rule(
+    "warning", fix="unsafe", symptoms=["Trying to publish message on the topic *, but the publisher is not activated"]
+)
 def lifecycle_publish_after_deactivate(robot: Robot) -> Iterator[Finding]:
     for file, node in robot.nodes.with_callbacks:
         if not node.is_lifecycle:

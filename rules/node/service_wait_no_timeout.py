@@ -40,7 +40,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.python import wait_in_loop
 
 
-@rule("warning", fix="unsafe")
+@rule("warning", fix="unsafe", symptoms=["service not available, waiting again..."])
 def service_wait_no_timeout(robot: Robot) -> Iterator[Finding]:
     for file, node in robot.nodes.with_callbacks:
         for call, service, where, logged in nodes.waits(robot.nodes.ending(file), node):

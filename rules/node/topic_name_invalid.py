@@ -58,10 +58,7 @@ ROLES = {"publisher": "topic", "subscription": "topic", "service": "service", "c
 @rule(
     "error",
     fix="unsafe",
-    symptoms=[
-        "Invalid topic name: topic name must not contain characters other than alphanumerics",
-        "InvalidTopicNameException",
-    ],
+    symptoms=["Invalid topic name: topic name", "InvalidTopicNameException", "InvalidServiceNameException"],
 )
 def topic_name_invalid(robot: Robot) -> Iterator[Finding]:
     for endpoint in robot.topics.endpoints:

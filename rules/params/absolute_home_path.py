@@ -46,7 +46,7 @@ _TILDE = regex(r"~/\S+\.[A-Za-z0-9]{1,8}\Z")
 _PATH_KEY = regex(r"(?:path|file|filename|dir|directory|folder)\Z")
 
 
-@rule("warning")
+@rule("warning", symptoms=["Failed processing YAML file /home/", "No such file or directory: '/home/"])
 def absolute_home_path(robot: Robot) -> Iterator[Finding]:
     kept = (
         [str(value).rstrip("/") for unit in robot.units.judged if (value := unit.get("WorkingDirectory"))]

@@ -55,7 +55,7 @@ ARRAY = regex(r"\$\{(\w+)\[@\]\}")
 DESCRIBING = ("echo", "printf", "exit", "true", "sleep", "")
 
 
-@rule("warning", symptoms=['Cannot find device "can0"'])
+@rule("warning", symptoms=["Cannot find device can"])
 def can_setup_unchecked(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("shell-script"):
         if not source.judged or LOOKS.search(source.said):

@@ -42,7 +42,7 @@ QUIET = ("echo", "printf", "exit", "true", "set", "")
 PSEUDO = ("/dev/shm", "/dev/null", "/dev/std", "/dev/pts", "/dev/mqueue", "/dev/dri")
 
 
-@rule("warning", symptoms=["Permission denied: '/dev/", "could not open port /dev/"])
+@rule("warning", symptoms=["Permission denied: '/dev/"])
 def device_mode_lost(robot: Robot) -> Iterator[Finding]:
     changed: dict[Source, list[Located]] = {}
     for source, run in robot.scripts.run("chmod"):

@@ -35,7 +35,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("warning", symptoms=["Permission denied"])
+@rule("warning", symptoms=["/etc/*: Permission denied"])
 def sudo_redirect(robot: Robot) -> Iterator[Finding]:
     for _, (first, *others) in robot.scripts.refused():
         more = f" (and {len(others)} more)" if others else ""

@@ -47,7 +47,7 @@ TRUSTED = regex(
 NO_MATTER = regex(r"/(?:logs?|tmp|cache|run|data)(?:/|$)|\.log$|\.Xauth|\.docker\.xauth")
 
 
-@rule("warning", tags=["CWE-732"])
+@rule("warning", tags=["CWE-732"], symptoms=["is marked world-writable"])
 def world_writable(robot: Robot) -> Iterator[Finding]:
     for _, run in robot.scripts.run("chmod"):
         mode, paths = _opened(run)

@@ -35,7 +35,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
-@rule("error", tags=["CWE-732"], symptoms=["Permissions 0644 for", "UNPROTECTED PRIVATE KEY FILE"])
+@rule("error", tags=["CWE-732"], symptoms=["Permissions * for * are too open.", "UNPROTECTED PRIVATE KEY FILE"])
 def file_mode(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("ssh-private-key", "sros2-key"):
         if source.mode is not None and source.judged and source.mode & 0o077 and not is_told(robot, source):

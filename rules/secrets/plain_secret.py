@@ -75,7 +75,11 @@ INSTEAD = {
 }
 
 
-@rule("error", tags=["CWE-798", "CWE-312"])
+@rule(
+    "error",
+    tags=["CWE-798", "CWE-312"],
+    symptoms=["SecretsUsedInArgOrEnv: Do not use ARG or ENV instructions for sensitive data"],
+)
 def plain_secret(robot: Robot) -> Iterator[Finding]:
     found: dict[tuple[Source, str], list[Secret]] = {}
     for secret in robot.secrets:

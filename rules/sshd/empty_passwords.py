@@ -32,7 +32,7 @@ from bringup_lint.api import fix
 from bringup_lint.api import rule
 
 
-@rule("error", fix="unsafe", tags=["CWE-258"])
+@rule("error", fix="unsafe", tags=["CWE-258"], symptoms=["Accepted none for"])
 def empty_passwords(robot: Robot) -> Iterator[Finding]:
     for sshd in robot.sshd:
         first = sshd.get("PermitEmptyPasswords")

@@ -40,7 +40,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.sshd import Option
 
 
-@rule("error", fix="unsafe", tags=["CWE-287"])
+@rule("error", fix="unsafe", tags=["CWE-287"], symptoms=["Accepted keyboard-interactive/pam for"])
 def kbdint_auth(robot: Robot) -> Iterator[Finding]:
     for sshd in robot.sshd:
         password = sshd.get("PasswordAuthentication")

@@ -39,7 +39,7 @@ from bringup_lint.api import rule
     "error",
     fix="unsafe",
     tags=["CWE-287", "CWE-307"],
-    symptoms=["Failed password for invalid user", "Failed password for"],
+    symptoms=["Accepted password for", "Failed password for invalid user", "Failed password for"],
 )
 def password_auth(robot: Robot) -> Iterator[Finding]:
     for sshd in robot.sshd:

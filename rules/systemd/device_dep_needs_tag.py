@@ -53,6 +53,7 @@ _KEYS = ("BindsTo", "Requires", "Requisite", "Wants", "After")
         "Dependency failed for",
         "A dependency job for * failed",
         "failed with result 'dependency'",
+        "Job dev-*.device/start timed out.",
     ],
 )
 def device_dep_needs_tag(robot: Robot) -> Iterator[Finding]:

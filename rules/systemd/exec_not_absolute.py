@@ -38,7 +38,14 @@ from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
-@rule("error", symptoms=["Neither a valid executable name nor an absolute path", "has a bad unit file setting"])
+@rule(
+    "error",
+    symptoms=[
+        "Neither a valid executable name nor an absolute path",
+        "has a bad unit file setting",
+        "Executable path is not absolute, ignoring:",
+    ],
+)
 def exec_not_absolute(robot: Robot) -> Iterator[Finding]:
     for line in robot.units.lines:
         if line.directive.type != "command" or line.value == ".":

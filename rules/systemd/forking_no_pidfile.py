@@ -37,7 +37,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
-@rule("info")
+@rule("info", symptoms=["Supervising process * which is not our child. We'll most likely not notice when it exits."])
 def forking_no_pidfile(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         kind = unit.get("Type")

@@ -40,7 +40,14 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("error", fix="unsafe", symptoms=["start operation timed out. Terminating"])
+@rule(
+    "error",
+    fix="unsafe",
+    symptoms=[
+        "start operation timed out. Terminating",
+        "Can't open PID file * (yet?) after start: No such file or directory",
+    ],
+)
 def forking_with_ros(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         kind = unit.get("Type")

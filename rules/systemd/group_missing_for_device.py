@@ -50,11 +50,10 @@ from bringup_lint.api import rule
     "error",
     fix="unsafe",
     symptoms=[
-        "Permission denied: '/dev/tty",
-        "/dev/tty*: Permission denied",
-        "Permission denied: '/dev/",
-        "could not open port /dev/",
+        "[Errno 13] Permission denied: '/dev/",
         "could not open port /dev/*: [Errno 13] Permission denied",
+        "/dev/*: Permission denied",
+        "Permission denied: '/dev/",
     ],
 )
 def group_missing_for_device(robot: Robot) -> Iterator[Finding]:

@@ -58,6 +58,7 @@ from bringup_lint.api.systemd import ValueProblem
         "is not absolute",
         "ignoring:",
         "Failed to parse service type, ignoring:",
+        "Unit configuration has fatal error, unit will not be started.",
     ],
 )
 def invalid_value(robot: Robot) -> Iterator[Finding]:

@@ -36,7 +36,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
-@rule("info", symptoms=["Suppressed", "messages from"])
+@rule("info", symptoms=["Suppressed * messages from"])
 def log_flood(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.ros:
         if unit.get("LogRateLimitIntervalSec") or unit.get("LogRateLimitBurst"):

@@ -52,7 +52,14 @@ def renamed(unit: Unit, name: str, meant: str) -> Iterator[tuple[Located, str]]:
                 yield from ((word, meant) for word in line.value.words() if word == name)
 
 
-@rule("warning", fix="unsafe")
+@rule(
+    "warning",
+    fix="unsafe",
+    symptoms=[
+        "Cannot add dependency job, ignoring: Unit * not found.",
+        "Cannot add dependency job for unit *, ignoring: Unit * not found.",
+    ],
+)
 def missing_wanted_unit(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     for unit in units.judged:

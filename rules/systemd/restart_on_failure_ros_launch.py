@@ -47,7 +47,7 @@ from bringup_lint.api.supervision import expansion_of
 FAILURES = ("on-failure", "on-abnormal", "on-abort")
 
 
-@rule("warning", fix="unsafe", symptoms=["process has finished cleanly", "process has died"])
+@rule("warning", fix="unsafe", symptoms=["process has died"])
 def restart_on_failure_ros_launch(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.ros:
         service, policy = robot.units.supervision(unit), robot.units.restart(unit)

@@ -60,7 +60,11 @@ CONTROL = regex(r"ros2_control_node|controller_manager|ros2_control")
 @rule(
     "warning",
     fix="unsafe",
-    symptoms=["Could not enable FIFO RT scheduling policy", "Operation not permitted"],
+    symptoms=[
+        "Could not enable FIFO RT scheduling policy",
+        "Could not enable FIFO RT scheduling policy: with error number <*>(Operation not permitted)",
+        "Operation not permitted",
+    ],
 )
 def rt_limits_only_in_pam(robot: Robot) -> Iterator[Finding]:
     users = {unit.identity.name for unit in robot.units.ros if sets_priority(unit) or _controls(robot, unit)}

@@ -44,7 +44,7 @@ from bringup_lint.api import rule
 
 @rule(
     "error",
-    symptoms=["Could not enable FIFO RT scheduling policy", "sched_setscheduler: Operation not permitted"],
+    symptoms=["sched_setscheduler: Operation not permitted", "Could not enable FIFO RT scheduling policy"],
 )
 def rt_restrict_conflict(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:

@@ -36,7 +36,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("warning", symptoms=["Permission denied: '/dev/ttyUSB0'"])
+@rule("warning", symptoms=["Permission denied: '/dev/tty"])
 def setpriv_without_groups(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         for process in robot.units.processes(unit):

@@ -44,7 +44,7 @@ from bringup_lint.api import rule
 ALONE = ("mixed", "process")
 
 
-@rule("warning", fix="unsafe", symptoms=["with signal SIGKILL", "State 'stop-sigterm' timed out. Killing."])
+@rule("warning", fix="unsafe", symptoms=["State 'stop-sigterm' timed out. Killing.", "with signal SIGKILL"])
 def shell_wrapper_no_exec(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.ros:
         service = robot.units.supervision(unit)

@@ -53,7 +53,16 @@ USUAL = 10.0
 MARGIN, LONG = 5.0, 90.0
 
 
-@rule("warning", fix="unsafe", symptoms=["State 'stop-sigterm' timed out. Killing."])
+@rule(
+    "warning",
+    fix="unsafe",
+    symptoms=[
+        "State 'stop-sigterm' timed out. Killing.",
+        "failed to terminate * seconds after receiving *, escalating to SIGTERM",
+        "failed to terminate * seconds after receiving *, escalating to SIGKILL",
+        "Killing process * with signal SIGKILL.",
+    ],
+)
 def timeout_stop_vs_launch(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.ros:
         service = robot.units.supervision(unit)

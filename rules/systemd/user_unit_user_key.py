@@ -38,7 +38,15 @@ from bringup_lint.api import rule
 from bringup_lint.api.systemd import delete_lines
 
 
-@rule("error", fix="unsafe", symptoms=["status=216/GROUP", "status=217/USER"])
+@rule(
+    "error",
+    fix="unsafe",
+    symptoms=[
+        "Failed to determine supplementary groups: Operation not permitted",
+        "status=216/GROUP",
+        "status=217/USER",
+    ],
+)
 def user_unit_user_key(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         if unit.manager != "user":

@@ -47,7 +47,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("error", symptoms=["deleted to break ordering cycle starting with", "Found ordering cycle on"])
+@rule("error", symptoms=["Found ordering cycle on", "deleted to break ordering cycle starting with"])
 def wantedby_and_after_later_target(robot: Robot) -> Iterator[Finding]:
     for cycle in robot.units.cycles:
         lines = {edge: edge.where for edge in cycle.waits if edge.where and edge.where.source.judged}

@@ -46,7 +46,7 @@ _IDENTITY = {
 }
 
 
-@rule("error", fix="unsafe", symptoms=["Failed to write"])
+@rule("error", fix="unsafe", symptoms=["Failed to write", "Failed to write ATTR{*}=*, ignoring:"])
 def attr_write_suspect(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.judged:
         for token in line.line.assignments("ATTR"):
