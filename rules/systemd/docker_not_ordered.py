@@ -79,7 +79,7 @@ def _waits_for(unit: Unit, units: Units) -> bool:
     is ordered after the daemon."""
     direct = (units.waits_for(unit, daemon) for daemon in _DAEMON)
     through = (units.waits_for(unit, target) for target in _TARGETS)
-    return any(chain and chain[-1].where is not None for chain in (*direct, *through))
+    return any(edge is not None and edge.where is not None for edge in (*direct, *through))
 
 
 def _fix(unit: Unit) -> Fix | None:

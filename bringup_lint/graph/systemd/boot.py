@@ -10,16 +10,20 @@ from collections import deque
 from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
+from functools import cached_property
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 from bringup_lint.graph.graph import Edge
 from bringup_lint.graph.graph import Graph
 from bringup_lint.graph.graph import Node
 from bringup_lint.graph.systemd.named_units import NamedUnits
+from bringup_lint.graph.systemd.reachability import Reachability
 from bringup_lint.graph.systemd.references import expand_name
 from bringup_lint.graph.systemd.references import resolve
 from bringup_lint.graph.systemd.relations import PULLING
 from bringup_lint.graph.systemd.unit import Unit
+from bringup_lint.named_tuple import NamedTuple
 
 ROOTS = ("default.target", "graphical.target", "multi-user.target")
 
@@ -33,38 +37,69 @@ class Boot:
 
     units: NamedUnits
     graph: Graph
+    _last: dict[Node, dict[Node, _Last]] = field(default_factory=dict)
+    _at_boot: dict[str, set[Node]] = field(default_factory=dict)
 
-    def waits_for(self, unit: Unit, name: str) -> list[Edge] | None:
-        """The chain of ordering edges from the unit back to the one of that name: the unit starts after it."""
-        return _search(self._nodes(unit), self._named(unit, name), self._earlier)
+    def waits_for(self, unit: Unit, name: str) -> Edge | None:
+        """The edge at the end of the shortest chain of ordering from the unit back to the one of that name: the unit
+        starts after it."""
+        starts, goal = self._nodes(unit), self._named(unit, name)
+        if goal is None or goal in starts:
+            return None
+        if goal not in self._last:
+            self._last[goal] = _last_edges(goal, self._later, self._earlier)
+        last = self._last[goal]
+        near = min((node for node in sorted(starts) if node in last), key=lambda node: last[node].steps, default=None)
+        return None if near is None else last[near].edge
 
     def ordered(self, unit: Unit, name: str) -> bool:
         """Whether one of the two starts after the other, over any edge: both are taken to be there."""
+        starts, goal = self._nodes(unit), self._named(unit, name)
+        if goal is None or goal in starts:
+            return False
+        return self._order.leads(starts, goal) or any(self._order.leads({goal}, start) for start in starts)
+
+    def brings_in(self, unit: Unit, name: str) -> bool:
+        """Whether starting the unit starts the one of that name too."""
         goal = self._named(unit, name)
-        return goal is not None and _meet(self._nodes(unit), goal, self._orders, self._ordered_by)
+        return goal is not None and self._requirements.leads(self._nodes(unit), goal)
 
-    def brings_in(self, unit: Unit, name: str) -> list[Edge] | None:
-        """The chain of requirement edges from the unit to the one of that name: starting the unit starts it
-        too."""
-        return _search(self._nodes(unit), self._named(unit, name), self._pulled)
-
-    def brought_in(self, near: Unit, name: str) -> list[Edge] | None:
-        """The chain from a boot target, over lines of the tree, that starts the unit of that name at boot
-        anyway."""
+    def brought_in(self, near: Unit, name: str) -> bool:
+        """Whether a boot target, over lines of the tree, starts the unit of that name at boot anyway."""
         kind = "unit" if near.manager == "system" else "user-unit"
-        roots = {Node(kind, self.units.real_name(root, near.manager)) for root in ROOTS}
-        return _search(roots, self._named(near, name), self._pulled)
+        return self._named(near, name) in self._started(kind, near.manager)
 
-    def _orders(self, node: Node) -> Iterator[Node]:
-        return (edge.target for edge in self.graph.out.get(node, ()) if edge.kind == "orders")
+    @cached_property
+    def _order(self) -> Reachability:
+        return Reachability(
+            self._known,
+            lambda node: (edge.target for edge in self.graph.out.get(node, ()) if edge.kind == "orders"),
+        )
 
-    def _ordered_by(self, node: Node) -> Iterator[Node]:
-        return (edge.source for edge in self.graph.into.get(node, ()) if edge.kind == "orders")
+    @cached_property
+    def _requirements(self) -> Reachability:
+        return Reachability(self._known, lambda node: (other for _, other in self._pulled(node)))
+
+    @cached_property
+    def _known(self) -> list[Node]:
+        return list(dict.fromkeys((*self.graph.out, *self.graph.into)))
+
+    def _started(self, kind: str, manager: str) -> set[Node]:
+        """What the boot targets of a manager start, without themselves."""
+        if kind not in self._at_boot:
+            roots = {Node(kind, self.units.real_name(root, manager)) for root in ROOTS}
+            self._at_boot[kind] = set(_reached(roots, self._pulled))
+        return self._at_boot[kind]
 
     def _earlier(self, node: Node) -> Steps:
         for edge in self.graph.into.get(node, ()):
             if edge.kind == "orders" and self._counts(edge):
                 yield edge, edge.source
+
+    def _later(self, node: Node) -> Steps:
+        for edge in self.graph.out.get(node, ()):
+            if edge.kind == "orders" and self._counts(edge):
+                yield edge, edge.target
 
     def _pulled(self, node: Node) -> Steps:
         for edge in self.graph.out.get(node, ()):
@@ -80,54 +115,55 @@ class Boot:
         if not unit.is_template:
             return {self.units.node(unit)}
         place = self.units.node(unit).place
-        prefix, suffix = unit.stem, "." + unit.type
-        known = (*self.graph.out, *self.graph.into)
-        return {
-            node
-            for node in known
-            if node.place == place and node.name.startswith(prefix) and node.name.endswith(suffix)
-        }
+        return self._instances.get((place, unit.name.partition("@")[0], unit.type), set())
+
+    @cached_property
+    def _instances(self) -> dict[tuple[str, str, str], set[Node]]:
+        """Place, template and type -> the nodes of the graph that are instances of it, or the template itself."""
+        found: dict[tuple[str, str, str], set[Node]] = {}
+        for node in self._known:
+            prefix, at, _ = node.name.partition("@")
+            if at:
+                found.setdefault((node.place, prefix, node.name.rpartition(".")[2]), set()).add(node)
+        return found
 
     def _named(self, near: Unit, name: str) -> Node | None:
         return resolve(expand_name(name, near.name) or name, near, self.units)
 
 
-def _search(starts: set[Node], goal: Node | None, following: Callable[[Node], Steps]) -> list[Edge] | None:
-    """The shortest way from one of the starts to the goal; None when there is none."""
-    if goal is None:
-        return None
-    arrived: dict[Node, tuple[Edge, Node]] = {}
+class _Last(NamedTuple):
+    """The end of the shortest way from a node to a goal."""
+
+    steps: int
+    edge: Edge
+
+
+def _last_edges(goal: Node, backward: Callable[[Node], Steps], forward: Callable[[Node], Steps]) -> dict[Node, _Last]:
+    """The last edge of the shortest way to the goal, for each node that has one; of several the way whose first edges
+    come first."""
+    steps = {goal: 0}
+    for _, node, other in _reached_over({goal}, backward):
+        steps[other] = steps[node] + 1
+    found: dict[Node, _Last] = {}
+    for node in steps:
+        if node != goal:
+            edge, nearer = next((edge, other) for edge, other in forward(node) if steps.get(other) == steps[node] - 1)
+            found[node] = _Last(steps[node], edge if nearer == goal else found[nearer].edge)
+    return found
+
+
+def _reached(starts: set[Node], following: Callable[[Node], Steps]) -> Iterator[Node]:
+    return (other for _, _, other in _reached_over(starts, following))
+
+
+def _reached_over(starts: set[Node], following: Callable[[Node], Steps]) -> Iterator[tuple[Edge, Node, Node]]:
+    """Each node that the starts lead to, the nearest first, with the edge and the node that it was reached over."""
+    seen = set(starts)
     pending = deque(sorted(starts))
     while pending:
         node = pending.popleft()
         for edge, other in following(node):
-            if other in arrived or other in starts:
-                continue
-            arrived[other] = (edge, node)
-            if other == goal:
-                return _way(arrived, goal, starts)
-            pending.append(other)
-    return None
-
-
-def _way(arrived: dict[Node, tuple[Edge, Node]], goal: Node, starts: set[Node]) -> list[Edge]:
-    way = []
-    node = goal
-    while node not in starts:
-        edge, node = arrived[node]
-        way.append(edge)
-    return way[::-1]
-
-
-def _meet(starts: set[Node], goal: Node, *directions: Callable[[Node], Iterable[Node]]) -> bool:
-    """Whether the goal can be reached in one of the directions. They take turns, so that a goal that is near in one
-    is found before the other is searched to its end."""
-    searches = [(following, deque(sorted(starts)), set(starts)) for following in directions]
-    while any(pending for _, pending, _ in searches):
-        for following, pending, seen in searches:
-            fresh = set(following(pending.popleft())) - seen if pending else set()
-            if goal in fresh:
-                return True
-            seen |= fresh
-            pending.extend(fresh)
-    return False
+            if other not in seen:
+                seen.add(other)
+                pending.append(other)
+                yield edge, node, other

@@ -320,20 +320,20 @@ class Units(NamedUnits):
     def boot(self) -> Boot:
         return Boot(self, self.graph)
 
-    def waits_for(self, unit: Unit, name: str) -> list[Edge] | None:
-        """The chain of ordering by which the unit starts after the named one; None when there is none."""
+    def waits_for(self, unit: Unit, name: str) -> Edge | None:
+        """The edge at the named unit by which the other, in the end, starts after it; None when it does not."""
         return self.boot.waits_for(unit, name)
 
     def ordered(self, unit: Unit, name: str) -> bool:
         """Whether the two units have an order at all, whichever is first."""
         return self.boot.ordered(unit, name)
 
-    def brings_in(self, unit: Unit, name: str) -> list[Edge] | None:
-        """The chain by which starting the unit starts the named one too; None when there is none."""
+    def brings_in(self, unit: Unit, name: str) -> bool:
+        """Whether starting the unit starts the named one too."""
         return self.boot.brings_in(unit, name)
 
-    def brought_in(self, near: Unit, name: str) -> list[Edge] | None:
-        """The chain by which the named unit starts at boot, whatever ``near`` says."""
+    def brought_in(self, near: Unit, name: str) -> bool:
+        """Whether the named unit starts at boot, whatever ``near`` says."""
         return self.boot.brought_in(near, name)
 
 
