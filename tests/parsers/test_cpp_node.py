@@ -7,6 +7,10 @@ from hypothesis import strategies as st
 
 from bringup_lint.parsers.cpp_node import parse
 from bringup_lint.source import Source
+from tests.scenarios.test_growth import LOGARITHM
+from tests.scenarios.test_growth import SIZES
+from tests.scenarios.test_growth import counted
+from tests.scenarios.test_growth import excess
 
 NODE = """
 #include "rclcpp/rclcpp.hpp"
@@ -100,3 +104,26 @@ def test_deep_nesting_is_left_out() -> None:
 def test_nodes_that_are_variables() -> None:
     text = '#include "rclcpp/rclcpp.hpp"\nint main() { rclcpp::Node arm("arm"); rclcpp::Node leg{"leg"}; }\n'
     assert parse(Source("main.cpp", text)).names == ["arm", "leg"]
+
+
+def subscriptions(count: int) -> str:
+    """A class that keeps what it hears in one member for each topic, and sends all of them from many timers."""
+    made = "".join(
+        f'  s_ = create_subscription<geometry_msgs::msg::Twist>("t{n}", 10, std::bind(&A::on_{n}, this, _1));\n'
+        f"  w_ = create_wall_timer(1s, std::bind(&A::at_{n}, this));\n"
+        for n in range(count)
+    )
+    callbacks = "".join(
+        f"void A::on_{n}(const Twist & msg) {{ last_{n}_ = msg.linear; }}\n"
+        f"void A::at_{n}() {{ send(); pub_->publish(last_{n}_); }}\n"
+        for n in range(count)
+    )
+    writes = "".join(f" write(last_{n}_);" for n in range(count))
+    return f'A::A() : Node("a") {{\n{made}}}\n{callbacks}void A::send() {{{writes} }}\n'
+
+
+def test_what_callbacks_keep_is_known_in_time_that_grows_as_the_file_does() -> None:
+    sources = [Source("a.cpp", subscriptions(20 * size)) for size in SIZES]
+    assert len(parse(sources[0]).kept) == 20
+    calls = [counted(lambda source=source: parse(source))["parsers/cpp_node"] for source in sources]  # type: ignore[misc]
+    assert excess(*calls) <= LOGARITHM

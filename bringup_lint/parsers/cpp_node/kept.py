@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import re
+from bisect import bisect_left
+from collections import Counter
 from typing import TYPE_CHECKING
 
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.cpp_node.syntax import Call
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.parsers.cpp_node.waits import Bodies
@@ -22,19 +25,27 @@ _WORD = regex(r"[A-Za-z_]\w*")
 def kept(code: Code, callbacks: list[Callback]) -> dict[str, frozenset[str]]:
     """Callback of a subscription -> the members that it fills from its message, and that nothing else fills."""
     bodies = Bodies(code)
+    assignments = _Assignments(code)
     found: dict[str, frozenset[str]] = {}
     for callback in callbacks:
         if callback.name in found:
             continue
         body = bodies.of(callback) if callback.role == "subscription" and callback.name else None
         if callback.name is not None and body is not None:
-            found[callback.name] = frozenset(_filled(code, body))
+            found[callback.name] = assignments.filled(body)
     return found
 
 
 def sent(code: Code, callbacks: list[Callback]) -> dict[str, frozenset[str]]:
     """Callback of a timer that sends something -> the words of what it runs."""
     bodies = Bodies(code)
+    words_of: dict[int, frozenset[str]] = {}
+
+    def words(node: Node) -> frozenset[str]:
+        if node.id not in words_of:
+            words_of[node.id] = frozenset(_WORD.findall(code.text(node)))
+        return words_of[node.id]
+
     found: dict[str, frozenset[str]] = {}
     for callback in callbacks:
         if callback.name in found:
@@ -44,31 +55,61 @@ def sent(code: Code, callbacks: list[Callback]) -> dict[str, frozenset[str]]:
             continue
         calls = [each for each in bodies.reached(body) if isinstance(each, Call)]
         if any(_SENDS.match(call.name) for call in calls):
-            inner = [function for call in calls for function in bodies.functions.get(call.name, [])]
-            words = frozenset(word for node in (body, *inner) for word in _WORD.findall(code.text(node)))
-            found[callback.name or "a lambda"] = words
+            inner = (bodies.functions.get(name, []) for name in dict.fromkeys(call.name for call in calls))
+            nodes = (body, *(function for functions in inner for function in functions))
+            found[callback.name or "a lambda"] = frozenset().union(*map(words, nodes))
     return found
 
 
-def _filled(code: Code, body: Node) -> set[str]:
-    header, _, _ = code.text(body).partition("{")
-    names = _WORD.findall(header.rpartition(")")[0])
-    if not names:
-        return set()
-    message = re.compile(rf"\b{names[-1]}\b")
-    inside, outside = set(), set()
-    for node in code.written.get("assignment", ()):
-        left = code.text(node.child_by_field_name("left")).removeprefix("this->")
-        target = _WORD.match(left)
-        if target is None:
-            continue
-        own = body.start_byte <= node.start_byte and node.end_byte <= body.end_byte
-        if own and message.search(code.text(node.child_by_field_name("right"))):
-            inside.add(target[0])
-        elif not own and not _is_constructor(code, node):
-            outside.add(target[0])
-    local = {code.text(node.child_by_field_name("declarator")).lstrip("*& ") for node in code.written.get("made", ())}
-    return inside - outside - local
+class _Assigned(NamedTuple):
+    """An assignment of the file."""
+
+    node: Node
+    target: str
+    """The variable or member whose value, or a part of it, is assigned."""
+    elsewhere: bool
+    """Whether it counts against a callback that it is not in: those of constructors do not."""
+
+
+class _Assignments:
+    """The assignments of a file, in its order."""
+
+    def __init__(self, code: Code) -> None:
+        self._code = code
+        nodes = sorted(code.written.get("assignment", ()), key=lambda node: node.start_byte)
+        targets = [_WORD.match(_left(code, node)) for node in nodes]
+        self._all = [
+            _Assigned(node, target[0], not _is_constructor(code, node))
+            for node, target in zip(nodes, targets, strict=True)
+            if target is not None
+        ]
+        self._starts = [each.node.start_byte for each in self._all]
+        self._elsewhere = Counter(each.target for each in self._all if each.elsewhere)
+        self._local = frozenset(
+            code.text(node.child_by_field_name("declarator")).lstrip("*& ") for node in code.written.get("made", ())
+        )
+
+    def filled(self, body: Node) -> frozenset[str]:
+        """What a callback assigns from its message, and that nothing else assigns."""
+        header, _, _ = self._code.text(body).partition("{")
+        names = _WORD.findall(header.rpartition(")")[0])
+        if not names:
+            return frozenset()
+        message = re.compile(rf"\b{names[-1]}\b")
+        own = [each for each in self._within(body) if each.node.end_byte <= body.end_byte]
+        inside = {each.target for each in own if message.search(self._right(each.node))}
+        counts = Counter(each.target for each in own if each.elsewhere)
+        return frozenset(name for name in inside - self._local if self._elsewhere[name] == counts[name])
+
+    def _within(self, body: Node) -> list[_Assigned]:
+        return self._all[bisect_left(self._starts, body.start_byte) : bisect_left(self._starts, body.end_byte)]
+
+    def _right(self, node: Node) -> str:
+        return self._code.text(node.child_by_field_name("right"))
+
+
+def _left(code: Code, node: Node) -> str:
+    return code.text(node.child_by_field_name("left")).removeprefix("this->")
 
 
 def _is_constructor(code: Code, node: Node) -> bool:
