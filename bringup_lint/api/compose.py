@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.compose_names import missing_files
     from bringup_lint.graph.compose_names import undefined_names
     from bringup_lint.graph.image_use import is_workplace
+    from bringup_lint.model.compose import Beside
     from bringup_lint.model.compose import Device
     from bringup_lint.model.compose import Service
     from bringup_lint.model.compose import Volume
@@ -20,6 +21,7 @@ else:
     __getattr__ = on_demand(globals())
 
 __all__ = [
+    "Beside",
     "Device",
     "MissingFile",
     "Service",

@@ -68,6 +68,8 @@ class Tree:
     held: Held | None = None
     """Unsaved texts and sources of an earlier run, in an editor."""
     _paths: dict[str, list[str]] = field(default_factory=dict)
+    _in_order: list[str] = field(default_factory=list)
+    _by_folder: dict[str, list[str]] = field(default_factory=dict)
     _on_demand: dict[str, Source | None] = field(default_factory=dict)
     _by_reference: dict[str, Source | None] = field(default_factory=dict)
     _held: dict[str, bool] = field(default_factory=dict)
@@ -85,6 +87,8 @@ class Tree:
     def remember(self, path: str) -> None:
         """Keep the name of a file that was walked past, so that a reference to it can be resolved."""
         self._paths.setdefault(os.path.basename(path), []).append(path)
+        self._in_order.clear()
+        self._by_folder.clear()
 
     def without(self, names: Collection[str]) -> Tree:
         """The same tree, whose sources of these names are empty and of no kind; they are still there. What one file
@@ -253,8 +257,10 @@ class Tree:
 
     def neighbours(self, source: Source) -> list[str]:
         """The walked files in the folder of a source."""
-        folder = os.path.dirname(os.path.abspath(source.name))
-        return [path for path in self.paths if os.path.dirname(path) == folder]
+        if not self._by_folder:
+            for path in self.paths:
+                self._by_folder.setdefault(os.path.dirname(path), []).append(path)
+        return self._by_folder.get(os.path.dirname(os.path.abspath(source.name)), [])
 
     def real_path(self, path: str) -> str:
         """The absolute path without links; links that lead nowhere, or out of the tree, stay as they are."""
@@ -377,7 +383,9 @@ class Tree:
     @property
     def paths(self) -> list[str]:
         """All walked paths, as the file system names them, also of files that no kind claims."""
-        return sorted(path for known in self._paths.values() for path in known)
+        if not self._in_order:
+            self._in_order += sorted(path for known in self._paths.values() for path in known)
+        return self._in_order
 
     def under(self, folder: str) -> list[str]:
         """The paths on the robot of all walked files in a folder such as ``/etc/default``."""

@@ -30,13 +30,14 @@ def merged(findings: Iterable[Finding]) -> Iterator[Finding]:
     for group in groups.values():
         if len({found.source for found in group}) == 1:
             continue
-        kept: dict[Hashable, dict[Source, tuple[int, Finding]]] = {}
+        kept: dict[Hashable, dict[str, tuple[int, Finding]]] = {}
+        """Of what files of one name have in common with their copies, the first that has it."""
         for number, found in enumerate(sorted(group, key=_rank)):
-            alike = dict(pair for key in _alike(found.source) for pair in kept.get(key, {}).values())
+            alike = dict(pair for key in _copied(found.source) for pair in kept.get(key, {}).values())
             first = min((at for at, one in alike.items() if _is_copy(found.source, one.source)), default=None)
             if first is None:
-                for key in _alike(found.source):
-                    kept.setdefault(key, {}).setdefault(found.source, (number, found))
+                for key in _copying(found.source):
+                    kept.setdefault(key, {}).setdefault(found.source.basename, (number, found))
             else:
                 copies.setdefault(id(alike[first]), []).append(found)
                 gone.add(id(found))
@@ -62,9 +63,23 @@ def _rank(found: Finding) -> tuple[int, bool, bool]:
     return -found.severity, not found.source.template, bool(_MADE.search(found.source.name))
 
 
-def _alike(source: Source) -> tuple[Hashable, Hashable]:
-    """What a file and a copy of it have in common: the name, or the text."""
-    return final_name(source.basename), (source.kind, source.text)
+def _copying(source: Source) -> Iterator[Hashable]:
+    """What copies of a file have in common with it: the text, the name of udev rules, or that of what a template
+    makes."""
+    yield source.kind, source.text
+    if source.kind == "udev-rules":
+        yield "rules", source.basename
+    if source.template:
+        yield "made", final_name(source.basename)
+
+
+def _copied(source: Source) -> Iterator[Hashable]:
+    """The same of what a file may be a copy of."""
+    yield source.kind, source.text
+    if source.kind == "udev-rules":
+        yield "rules", source.basename
+    if not source.template:
+        yield "made", final_name(source.basename)
 
 
 def _is_copy(source: Source, kept: Source) -> bool:

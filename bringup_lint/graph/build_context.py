@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 from bringup_lint.model.compose import is_variable
@@ -34,13 +35,14 @@ class Lacking(NamedTuple):
 def lacking_sources(files: Files, compose: Compose) -> Iterator[Lacking]:
     """The files and folders that COPY and ADD name and that are certainly not in the build context."""
     known = _builders(compose)
+    makers = _Makers(files)
     for file in compose.images.dockerfiles:
         if not file.source.judged:
             continue
         builders = known.get(file.source.absolute, [])
         for word in _sources(file):
             lacking = _judged(files, file, word, builders)
-            if lacking is not None and not _is_made(files, word):
+            if lacking is not None and not makers.name(word):
                 yield lacking
 
 
@@ -111,13 +113,23 @@ def _is_in(files: Files, folder: str, word: str) -> bool:
     return files.tree.matches(path) if re.search(r"[*?]", word) else files.tree.exists(path)
 
 
-def _is_made(files: Files, word: str) -> bool:
-    """Whether something of the tree may put it there: a submodule, or a script or build file that names it."""
-    path = f"/{_at('', word)}"
-    for each in files.tree.submodules:
-        if f"{path}/" in f"{each}/" or os.path.basename(each) in path.split("/"):
-            return True
-    name = os.path.basename(path).partition("*")[0]
-    makers = [each for each in files.tree.paths if _MAKERS.search(each)][:_MOST_MAKERS]
-    read = (files.tree.read(each, judged=False) for each in makers)
-    return any(name in source.text for source in read if source is not None)
+class _Makers:
+    """What of the tree may put a file there: submodules, and scripts and build files that name it."""
+
+    def __init__(self, files: Files) -> None:
+        self._tree = files.tree
+
+    @cached_property
+    def _texts(self) -> list[str]:
+        makers = [path for path in self._tree.paths if _MAKERS.search(path)][:_MOST_MAKERS]
+        read = (self._tree.read(path, judged=False) for path in makers)
+        return [source.text for source in read if source is not None]
+
+    def name(self, word: str) -> bool:
+        """Whether one of them may put something at a path of a build context."""
+        path = f"/{_at('', word)}"
+        for each in self._tree.submodules:
+            if f"{path}/" in f"{each}/" or os.path.basename(each) in path.split("/"):
+                return True
+        name = os.path.basename(path).partition("*")[0]
+        return any(name in text for text in self._texts)

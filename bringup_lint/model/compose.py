@@ -237,7 +237,7 @@ class Service:
             return None
         return sum(float(number) * _SECONDS[unit] for number, unit in _DURATION.findall(text))
 
-    @property
+    @cached_property
     def profiles(self) -> set[str]:
         """Those that start it, any one of them; without profiles it always runs."""
         node = self.body.get("profiles")
@@ -274,6 +274,28 @@ class Service:
         if self.image is not None and ROS_IMAGE.search(self.image):
             return True
         return any(re.search(r"(?:^|[\s/])ros2(?:\s|$)", word) for word in self.scripts)
+
+
+class Beside:
+    """Which of some services is the first that one choice of profiles starts together with another one. What no
+    service of compose starts, None, runs with all."""
+
+    def __init__(self, services: Iterable[Service | None]) -> None:
+        self._first: dict[str | None, int] = {}
+        """Profile, or None for what always runs -> the first that it starts."""
+        for number, service in enumerate(services):
+            for profile in _profiles(service) or (None,):
+                self._first.setdefault(profile, number)
+
+    def first(self, service: Service | None) -> int | None:
+        """The place of that service among those that were given."""
+        profiles = _profiles(service)
+        known = (self._first.get(profile) for profile in (*profiles, None)) if profiles else self._first.values()
+        return min((number for number in known if number is not None), default=None)
+
+
+def _profiles(service: Service | None) -> set[str]:
+    return set() if service is None else service.profiles
 
 
 _GRAPHICS = regex(r"/dev/(?:dri|nvidia|nvhost|nvmap|kfd|fb\d|mali)")

@@ -36,6 +36,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.compose import Beside
 from bringup_lint.api.compose import Service
 
 OTHER_WAYS = ("ROS_DISCOVERY_SERVER", "ROS_STATIC_PEERS", "CYCLONEDDS_URI", "ZENOH_ROUTER_CONFIG_URI")
@@ -66,15 +67,17 @@ def _is_changed(port: str) -> bool:
 
 def _apart(robot: Robot, services: list[Service]) -> Iterator[Finding]:
     host = [service for service in services if service.is_on_host_network]
+    known = Beside(host)
     for service in services:
-        beside = [other for other in host if service.runs_with(other)]
-        if not beside or service.network_mode is not None or _finds_others(robot, service):
+        first = known.first(service)
+        if first is None or service.network_mode is not None or _finds_others(robot, service):
             continue
+        beside = host[first]
         yield finding(
             service.name,
-            f"'{service.name}' is on a bridge network, '{beside[0].name}' on the host's: they never find each other",
+            f"'{service.name}' is on a bridge network, '{beside.name}' on the host's: they never find each other",
             advice="use network_mode: host in both, or a discovery server",
-            related=[note(beside[0].place_of("network_mode"), f"'{beside[0].name}' is on the host network")],
+            related=[note(beside.place_of("network_mode"), f"'{beside.name}' is on the host network")],
         )
 
 

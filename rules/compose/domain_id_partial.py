@@ -38,8 +38,10 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.compose import Beside
 from bringup_lint.api.compose import Service
 
+_ALL = ("", "")
 BRIDGE = regex(r"domain_bridge|dds-?router|zenoh-bridge")
 DEFAULTS = {"ROS_DOMAIN_ID": "0", "RMW_IMPLEMENTATION": "rmw_fastrtps_cpp"}
 
@@ -49,10 +51,12 @@ def domain_id_partial(robot: Robot) -> Iterator[Finding]:
     for file in robot.compose.files:
         services = [] if file.source.template else [s for s in file.services if s.is_ros and s.is_whole]
         for name, default in DEFAULTS.items():
-            setting = [service for service in services if name in service.environment]
+            setting = Comparable([service for service in services if name in service.environment])
             for service in services:
-                first = next((s for s in setting if _comparable(s, service)), None)
-                if first is None or service.env_files or name in service.environment or _joins_domains(service):
+                if service.env_files or name in service.environment or _joins_domains(service):
+                    continue
+                first = setting.first(service)
+                if first is None:
                     continue
                 value = first.environment[name].value
                 if value is None or value in (default, f"${{{name}:-{default}}}"):
@@ -70,12 +74,27 @@ def _joins_domains(service: Service) -> bool:
     return any(BRIDGE.search(text) for text in (service.name, service.image or "", *service.scripts))
 
 
-def _comparable(one: Service, other: Service) -> bool:
-    """The image of the second adds no setting of its own: it is the image of the first, an official one, or of the same
-    makers."""
-    image, first = other.image or "", one.image or ""
-    if one is other or not one.runs_with(other):
-        return False
-    folder = image.rpartition("/")[0]
-    together = folder != "" and folder == first.rpartition("/")[0]
-    return image == first or together or image.partition(":")[0] in ("ros", "osrf/ros")
+class Comparable:
+    """Some services, and which of them can be compared with others: those whose image adds no setting of its own, as it
+    is the same, an official one, or of the same makers."""
+
+    def __init__(self, services: list[Service]) -> None:
+        groups: dict[tuple[str, str], list[int]] = {}
+        for number, service in enumerate(services):
+            image = service.image or ""
+            for key in (_ALL, ("image", image), ("makers", image.rpartition("/")[0])):
+                groups.setdefault(key, []).append(number)
+        self._services = services
+        self._groups = groups
+        self._beside = {key: Beside(services[number] for number in group) for key, group in groups.items()}
+
+    def first(self, service: Service) -> Service | None:
+        """The first that runs together with another service, and whose image can be compared."""
+        image = service.image or ""
+        makers = image.rpartition("/")[0]
+        keys = [("image", image), *([("makers", makers)] if makers else [])]
+        if image.partition(":")[0] in ("ros", "osrf/ros"):
+            keys = [_ALL]
+        places = ((key, self._beside[key].first(service)) for key in keys if key in self._beside)
+        found = min((self._groups[key][place] for key, place in places if place is not None), default=None)
+        return None if found is None else self._services[found]

@@ -78,7 +78,7 @@ def _is_fast_dds(robot: Robot, service: Service) -> bool:
     rmw = robot.compose.variables(service, "RMW_IMPLEMENTATION")
     if rmw:
         return all("fastrtps" in value for _, value in rmw)
-    runner = next((each for each in robot.runners.all if each.service is service), None)
+    runner = robot.runners.of_service(service)
     return runner is not None and runner.environment.defines("RMW_IMPLEMENTATION") is False
 
 

@@ -66,9 +66,10 @@ SYSTEMD = regex(r"/(?:s?bin/init|lib/systemd/systemd)\b")
 
 @rule("warning", tags=["CWE-250"])
 def root_user(robot: Robot) -> Iterator[Finding]:
+    bases = {id(stage.base) for file in robot.dockerfiles for stage in file.stages}
     for file in robot.dockerfiles:
         stage = file.final
-        if stage is None or DROPS.search(file.source.said) or _starts_systemd(stage) or _is_base(robot, stage):
+        if stage is None or DROPS.search(file.source.said) or _starts_systemd(stage) or id(stage) in bases:
             continue
         if _builds(stage):
             continue
@@ -125,10 +126,6 @@ def _serves_logins(stage: Stage) -> bool:
     return any(LOGINS.search(each.value) for each in stage.instructions)
 
 
-def _is_base(robot: Robot, stage: Stage) -> bool:
-    return any(other.base is stage for file in robot.dockerfiles for other in file.stages)
-
-
 def _entrypoint_is_unknown(robot: Robot, stage: Stage) -> bool:
     """Whether the image below, which is another one of the project's own, may start with a script that drops root."""
     if stage.last("ENTRYPOINT") is not None:
@@ -137,5 +134,5 @@ def _entrypoint_is_unknown(robot: Robot, stage: Stage) -> bool:
 
 
 def _drops_in_script(robot: Robot, stage: Stage) -> bool:
-    runners = (runner for runner in robot.runners.all if runner.stage is stage)
+    runners = robot.runners.of_stage(stage)
     return any(DROPS.search(text) for runner in runners for line in runner.lines for text in line.texts)

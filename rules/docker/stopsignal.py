@@ -51,7 +51,7 @@ def stopsignal(robot: Robot) -> Iterator[Finding]:
         runs = next((i for i in (stage.last("CMD"), stage.last("ENTRYPOINT")) if i and LAUNCH.search(i.value)), None)
         if runs is None or stays_in_shell(stage, runs):
             continue
-        runners = [runner for runner in robot.runners.all if runner.stage is stage]
+        runners = robot.runners.of_stage(stage)
         if runners and not any(map(_gets_sigterm, runners)):
             continue
         signal = stage.last("STOPSIGNAL")

@@ -59,6 +59,7 @@ GREW = [
     ("python-node", "    rclpy.init()\n"),
     ("systemd-dropin", "ReadWritePaths=/var/log/heron /var/lib/heron /tmp\n"),
     ("launch-xml", '    <arg name="robot" value="$(var robot)"/>\n'),
+    ("params", "      scan: anything\n"),
 ]
 """What once took more than its share."""
 

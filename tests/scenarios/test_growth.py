@@ -99,8 +99,22 @@ def chain(folder: Path, count: int) -> None:
         (folder / f"r{n}.service").write_text(unit)
 
 
+def images(folder: Path, count: int) -> None:
+    """Services of compose with an image and a profile each, on two kinds of network."""
+    services = []
+    for n in range(count):
+        image = folder / f"d{n}/Dockerfile"
+        image.parent.mkdir()
+        image.write_text(
+            f"FROM ros:humble\nRUN apt-get install -y ros-humble-nav2\nCOPY a{n} /opt/a\nCMD ros2 run a n{n}\n"
+        )
+        network = "    network_mode: host\n" if n % 2 else "    environment:\n      - ROS_DOMAIN_ID=3\n"
+        services.append(f"  s{n}:\n    build: d{n}\n    profiles: [p{n % 7}]\n    command: ros2 run a n{n}\n{network}")
+    (folder / "compose.yaml").write_text("services:\n" + "".join(services))
+
+
 @pytest.mark.slow
-@pytest.mark.parametrize(("shape", "count"), [(rules, 100), (chain, 30)])
+@pytest.mark.parametrize(("shape", "count"), [(rules, 100), (chain, 30), (images, 30)])
 def test_every_layer_grows_as_one_kind_of_file_does(
     shape: Callable[[Path, int], None], count: int, tmp_path: Path
 ) -> None:

@@ -34,11 +34,12 @@ def service_node(service: Service) -> Node:
 
 def compose_edges(tree: Tree, compose: Compose, runners: Runners) -> Iterator[Edge]:
     """``runs``, ``loads-env``, ``requires`` and ``orders`` of the services."""
+    named: dict[Source, dict[str, Service]] = {}
+    for service in (each for file in compose.files for each in file.services):
+        named.setdefault(service.source, {})[service.name] = service
     for service in _services(compose):
         here = service_node(service)
-        names = {
-            other.name: other for file in compose.files for other in file.services if other.source is service.source
-        }
+        names = named.get(service.source, {})
         for needed in _needed(service):
             if needed in names:
                 yield Edge("requires", here, service_node(names[needed]), needed.span, "depends_on:")

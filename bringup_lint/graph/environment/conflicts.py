@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from bringup_lint.graph.commands.environment import Variable
 from bringup_lint.graph.environment.ros import RosEnvironment
 from bringup_lint.graph.environment.ros import RosProcess
+from bringup_lint.model.compose import Beside
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
@@ -74,13 +75,12 @@ def _different(values: list[list[Valued]]) -> Iterator[Different]:
 
 def _pair(users: list[Valued], usual: list[Valued]) -> Different | None:
     """The first two that run together; services of different profiles of compose never do."""
-    pairs = (Different(one, other) for one in users for other in usual)
-    return next((pair for pair in pairs if _run_together(pair.one.process, pair.usual.process)), None)
-
-
-def _run_together(one: RosProcess, other: RosProcess) -> bool:
-    ours, theirs = one.service, other.service
-    return ours is None or theirs is None or ours.runs_with(theirs)
+    beside = Beside(other.process.service for other in usual)
+    for one in users:
+        first = beside.first(one.process.service)
+        if first is not None:
+            return Different(one, usual[first])
+    return None
 
 
 def _overridden_by_launch(name: str, found: Iterable[Valued]) -> Iterator[Overridden]:

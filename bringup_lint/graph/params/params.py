@@ -141,7 +141,15 @@ class Params:
                 yield file, first, second
 
     def winner(self, file: ParameterFile, parameter: Parameter) -> Value | None:
-        return param_values.winner(file, parameter)
+        """What rcl's table holds in the end for the name of a parameter in its block."""
+        if id(file) not in self._winners:
+            self._winners[id(file)] = param_values.winners(file)
+        return self._winners[id(file)].get((parameter.block.name, parameter.name))
+
+    @cached_property
+    def _winners(self) -> dict[int, dict[tuple[str, str], Value | None]]:
+        """What tables hold, by the file that makes them."""
+        return {}
 
     def taken_back(self, file: ParameterFile) -> Iterator[tuple[Parameter, Parameter]]:
         return param_values.taken_back(file)

@@ -73,10 +73,9 @@ def duplicates(file: ParameterFile) -> Iterator[tuple[Parameter, Parameter]]:
             seen[parameter.name] = parameter
 
 
-def winner(file: ParameterFile, parameter: Parameter) -> Value | None:
-    """What rcl's table holds in the end for the name of a parameter in its block."""
-    entries = [entry for entry in file.nodes.get(parameter.block.name, ()) if entry.name == parameter.name]
-    return entries[-1].value if entries else None
+def winners(file: ParameterFile) -> dict[tuple[str, str], Value | None]:
+    """Node key and parameter -> what rcl's table holds for it in the end."""
+    return {(name, entry.name): entry.value for name, entries in file.nodes.items() for entry in entries}
 
 
 def taken_back(file: ParameterFile) -> Iterator[tuple[Parameter, Parameter]]:

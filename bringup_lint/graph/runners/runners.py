@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch.launch import Launch
     from bringup_lint.graph.runners.layers import Layers
     from bringup_lint.model.compose import Service
+    from bringup_lint.model.dockerfile import Stage
     from bringup_lint.model.launch import LaunchFile
     from bringup_lint.source import Source
     from bringup_lint.source import Span
@@ -75,6 +76,18 @@ class Runners:
     @cached_property
     def _by_service(self) -> dict[Service, Runner]:
         return {runner.service: runner for runner in self.all if runner.service is not None}
+
+    def of_stage(self, stage: Stage) -> list[Runner]:
+        """The runners of the containers that a stage of a Dockerfile makes."""
+        return self._by_stage.get(id(stage), [])
+
+    @cached_property
+    def _by_stage(self) -> dict[int, list[Runner]]:
+        found: dict[int, list[Runner]] = {}
+        for runner in self.all:
+            if runner.stage is not None:
+                found.setdefault(id(runner.stage), []).append(runner)
+        return found
 
     def launching(self, file: LaunchFile) -> list[Launching]:
         """Those that start a launch file."""
