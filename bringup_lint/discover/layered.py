@@ -11,6 +11,7 @@ import tarfile
 from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
+from collections.abc import Mapping
 from functools import cached_property
 
 from bringup_lint.dataclass import dataclass
@@ -256,6 +257,16 @@ def layered(layers: Iterable[str], tops: Iterable[str], excluded: Callable[[str]
         if not SKIPPED_FOLDERS.intersection(entry.path.split("/")) and not excluded(entry.path):
             _take_in(tree, entry)
     tree.sources.sort(key=lambda source: source.name)
+    return tree
+
+
+def copied(files: Mapping[str, str]) -> LayeredTree:
+    """The tree of single files that are copied to a robot: their absolute paths, and their places there. It has no
+    sources; what is asked for is read."""
+    places = {place.lstrip("/"): Entry(path, on_disk=True) for path, place in files.items()}
+    tree = LayeredTree(asked=tuple(files), tops=tuple(files), deploy=dict(files), places=places)
+    for path in files:
+        tree.remember(path)
     return tree
 
 

@@ -16,6 +16,8 @@ from functools import cache
 from bringup_lint.config import ConfigError
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
+from bringup_lint.fleet.delivered import Files
+from bringup_lint.fleet.delivered import delivered
 from bringup_lint.fleet.members import ROLE
 from bringup_lint.fleet.members import Inventory
 from bringup_lint.fleet.members import Member
@@ -66,6 +68,14 @@ class Hosts:
             return 0
         return 1 + max((self.depth(parent, left - 1) for parent in self.groups[name].parents), default=0)
 
+    def groups_of_hosts(self) -> dict[str, frozenset[str]]:
+        """The hosts of each group and of those in it."""
+        found: dict[str, set[str]] = {_ALL: set()}
+        for host in self.members:
+            for name in self.around(host):
+                found.setdefault(name, set()).add(host)
+        return {name: frozenset(members) for name, members in found.items()}
+
     def around(self, host: str) -> list[str]:
         """The groups of a host, those that count most last."""
         found: set[str] = {_ALL}
@@ -88,7 +98,12 @@ def read_ansible(path: str) -> Inventory:
         _gather(hosts, str(name.value), group, None, 0)
     if not hosts.members:
         raise ConfigError(f"{path}: an inventory without hosts")
-    return Inventory(tuple(_member(path, host, _merged(path, hosts, host)) for host in hosts.members))
+    files = delivered(path, hosts.groups_of_hosts())
+    merged = {host: _merged(path, hosts, host) for host in hosts.members}
+    lost = [host for host in merged if not _layers(merged[host], host) and host not in files]
+    if lost and (not files or any(_layers(given, host) for host, given in merged.items())):
+        raise ConfigError(f"{path}: nothing says where the files of '{lost[0]}' lie: set {_PREFIX}root")
+    return Inventory(tuple(_member(path, host, merged[host], files.get(host, ())) for host in merged))
 
 
 def _gather(hosts: Hosts, name: str, value: Node, parent: str | None, depth: int) -> None:
@@ -180,10 +195,12 @@ def _variables(mapping: Mapping | None) -> Variables:
     return {name: value for name, value in found if name in _NAMES and mapping.entry(_PREFIX + name) is not None}
 
 
-def _member(path: str, host: str, variables: Variables) -> Member:
-    layers = [*_texts(variables.get("root"), host), *_texts(variables.get("overlays"), host)]
-    if not layers:
-        raise ConfigError(f"{path}: nothing says where the files of '{host}' lie: set {_PREFIX}root")
+def _layers(variables: Variables, host: str) -> list[str]:
+    return [*_texts(variables.get("root"), host), *_texts(variables.get("overlays"), host)]
+
+
+def _member(path: str, host: str, variables: Variables, files: Files) -> Member:
+    layers = _layers(variables, host)
     folder = os.path.dirname(os.path.abspath(path))
     places = tuple(os.path.normpath(os.path.join(folder, layer)) for layer in layers)
     missing = next((place for place in places if not os.path.exists(place)), None)
@@ -192,7 +209,7 @@ def _member(path: str, host: str, variables: Variables) -> Member:
     domain = variables.get("domain")
     number = domain.integer if isinstance(domain, Scalar) else None
     role, site = (next(iter(_texts(variables.get(name), host)), "") for name in ("role", "site"))
-    return Member(host, places, role or ROLE, site, number)
+    return Member(host, places, role or ROLE, site, number, delivered=files)
 
 
 def _texts(node: Node | None, host: str) -> list[str]:

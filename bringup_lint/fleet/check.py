@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import time
+from collections.abc import Container
 from datetime import date
 from pathlib import Path
 
@@ -20,6 +21,7 @@ from bringup_lint.finding.place import place_of
 from bringup_lint.finish import Invocation
 from bringup_lint.finish import finish
 from bringup_lint.fleet.members import Member
+from bringup_lint.fleet.reduce.reduce import identified
 from bringup_lint.fleet.reduce.reduce import reduced
 from bringup_lint.fleet.summary import Own
 from bringup_lint.fleet.summary import Summary
@@ -53,6 +55,8 @@ def summary_of(member: Member, job: Job) -> Summary:
         member.talks,
         " + ".join(display_name(os.path.abspath(layer)) for layer in member.layers),
     )
+    if not member.layers:
+        return _with_delivered(empty, member, job)
     try:
         tree = tree_of(member, job.config)
     except (OSError, ValueError) as error:
@@ -61,13 +65,32 @@ def summary_of(member: Member, job: Job) -> Summary:
     outcome = run(robot, Registry.of(job.rule_folders), job.config, ignores=job.ignores)
     report = finish(outcome, robot, Invocation((), os.getcwd(), time.time()))
     said, failures = reduced(robot, job.key)
-    return replace(
+    summary = replace(
         empty,
         files=report.files,
         marks=tuple(said.marks),
         facts=tuple(said.facts),
         own=tuple(_own(found) for found in report.shown),
         failures=(*outcome.failures, *failures),
+    )
+    return _with_delivered(summary, member, job, frozenset(said.places))
+
+
+def _with_delivered(summary: Summary, member: Member, job: Job, present: Container[str] = ()) -> Summary:
+    """The summary with what identifies the robot in the files that playbooks copy to it. What lies on it counts in
+    place of them."""
+    files = {path: place for place, path in member.delivered if place not in present}
+    if not files:
+        return summary
+    from bringup_lint.discover.layered import copied
+
+    robot = Robot(copied(files), job.config.target_ros, job.config.target_systemd, job.today)
+    said, failures = identified(robot, job.key)
+    return replace(
+        summary,
+        marks=(*summary.marks, *said.marks),
+        facts=(*summary.facts, *said.facts),
+        failures=(*summary.failures, *failures),
     )
 
 

@@ -22,6 +22,8 @@ class Member:
     site: str = ""
     domain: int | None = None
     talks: str = ""
+    delivered: tuple[tuple[str, str], ...] = ()
+    """What playbooks copy to it: the place on the robot, and the file that comes there."""
 
 
 @dataclass(frozen=True)

@@ -85,7 +85,8 @@ def _whole(output_format: str, report: FleetReport) -> IO[str]:
 
     file = SpooledTemporaryFile(MOST_IN_MEMORY, "w+", encoding="utf-8", errors="surrogatepass", newline="")  # noqa: SIM115
     try:
-        file.writelines(render(output_format, report))
+        for piece in render(output_format, report):
+            file.write(piece)
     except BaseException:
         file.close()
         raise

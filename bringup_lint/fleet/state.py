@@ -87,7 +87,7 @@ class State:
         digest = hashlib.sha256()
         context = (VERSION, member, replace(job, key=b""), sorted(job.config.severity.items()), self._program(job))
         digest.update(repr(context).encode("utf-8", "surrogateescape"))
-        for layer in member.layers:
+        for layer in (*member.layers, *(path for _, path in member.delivered)):
             try:
                 for part in _content(layer):
                     digest.update(hashlib.sha256(part).digest())

@@ -3,6 +3,7 @@ blockinfile and lineinfile; ``write_files``)."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from collections.abc import Iterator
 
 from bringup_lint.dataclass import replace
@@ -38,18 +39,23 @@ class Put(NamedTuple):
 def puts(source: Source) -> Iterator[Put]:
     """The files that the tasks or the user data put on the machine."""
     nodes = [node for node in parse(source).nodes if isinstance(node, Mapping)]
-    variables = _variables(nodes)
+    variables = variables_of(nodes)
     for node in nodes:
-        for key, value in node.entries:
-            if isinstance(value, Mapping) and key.value.rpartition(".")[2] in _MODULES:
-                items = _items(node)
-                certain = node.get("when") is None and (node.get("loop") is None or items != [{}])
-                for item in items:
-                    yield from _put(_filled(value, item), certain, variables)
+        yield from puts_of(node, variables)
         files = node.sequence("write_files")
         for each in files or ():
             if isinstance(each, Mapping) and each.get("encoding") is None:
                 yield from _put(each, True, variables)
+
+
+def puts_of(task: Mapping, variables: dict[str, str]) -> Iterator[Put]:
+    """The files that one task puts on the machine."""
+    for key, value in task.entries:
+        if isinstance(value, Mapping) and key.value.rpartition(".")[2] in _MODULES:
+            items = _items(task)
+            certain = task.get("when") is None and (task.get("loop") is None or items != [{}])
+            for item in items:
+                yield from _put(_filled(value, item), certain, variables)
 
 
 def _items(task: Mapping) -> list[dict[str, Scalar]]:
@@ -82,7 +88,7 @@ def _with_item(value: Scalar, item: dict[str, Scalar]) -> Scalar:
     return value if text == value.value else replace(value, value=Located(text, value.value.span))
 
 
-def _variables(nodes: list[Mapping]) -> dict[str, str]:
+def variables_of(nodes: Iterable[Mapping]) -> dict[str, str]:
     """The texts of ``vars:`` that the file gives one value only and that need no others."""
     found: dict[str, set[str]] = {}
     for given in filter(None, (node.mapping("vars") for node in nodes)):

@@ -101,7 +101,7 @@ def _judge(outputs: list[Output], paths: tuple[str, ...], options: dict[str, Any
     if state is not None and state.trouble:
         complain(state.trouble)
     report = replace(fleet_report(store, inventory, job), width=terminal_width())
-    if not store.says_anything() and all(os.path.isdir(path) for each in inventory.members for path in each.layers):
+    if not store.says_anything() and not any(map(_is_given, inventory.members)):
         raise ConfigError(NO_ROBOT)
     code = report.exit_code
     for output in outputs:
@@ -115,6 +115,11 @@ def _judge(outputs: list[Output], paths: tuple[str, ...], options: dict[str, Any
             complain(failure)
         write_pieces(text.pieces, output.file)
     return 0 if options["exit_zero"] and code == 1 else code
+
+
+def _is_given(member: Member) -> bool:
+    """Whether more than folders says that there is a robot."""
+    return bool(member.delivered) or not all(map(os.path.isdir, member.layers))
 
 
 def fleet_report(store: Store, inventory: Inventory, job: Job) -> FleetReport:

@@ -12,6 +12,7 @@ from bringup_lint.source import Located
 from bringup_lint.source import Source
 
 _PEM = regex(r"-----BEGIN (?P<what>(?:[A-Z]+ )*PRIVATE KEY)-----(?P<body>[^-]+)-----END")
+_VAULT = "$ANSIBLE_VAULT;"
 _OPENSSH = b"openssh-key-v1\0"
 _MACHINE_ID = regex(r"[0-9a-f]{32}")
 _HOST_NAME = regex(r"[A-Za-z0-9][A-Za-z0-9.-]{0,252}")
@@ -35,7 +36,7 @@ def ssh(said: Statements) -> None:
     """Host keys, by their public half, which both files hold."""
     for place, source in said.files(".pub", "_key", below="/etc/ssh/ssh_host_"):
         kind = place.removeprefix("/etc/ssh/ssh_host_").removesuffix(".pub").removesuffix("_key")
-        material = _public_line(source) if place.endswith(".pub") else _public_half(source)
+        material = _vaulted(source) or (_public_line(source) if place.endswith(".pub") else _public_half(source))
         if material:
             said.mark("ssh-host-key", kind, material, source.span(0, 1))
 
@@ -68,10 +69,19 @@ def _decoded(text: str) -> bytes:
 def private_keys(said: Statements) -> None:
     """Keys in PEM: those of SROS 2 enclaves and authorities, and of anything that speaks TLS."""
     for place, source in said.files(".pem", ".key"):
+        if place.startswith("/etc/ssh/"):
+            continue
+        if encrypted := _vaulted(source):
+            said.mark(_kind(place), place, encrypted, source.span(0, 1))
         match = _PEM.search(source.text)
-        if match is None or place.startswith("/etc/ssh/"):
+        if match is None:
             continue
         said.mark(_kind(place), place, _decoded(match["body"]), source.located(*match.span("what")))
+
+
+def _vaulted(source: Source) -> bytes:
+    """A file that ansible-vault has encrypted, which is the same on all robots that get it; else nothing."""
+    return source.text.encode() if source.text.startswith(_VAULT) else b""
 
 
 def _kind(place: str) -> str:
@@ -93,7 +103,9 @@ def networks(said: Statements) -> None:
     """Keys of VPN, passphrases of the robot's own access point, and passwords of 802.1X; not the passphrase of a Wi-Fi
     that all clients share."""
     for place, source in said.files(".conf", ".nmconnection", ".netdev"):
-        if "/wireguard/" in place or "[WireGuard]" in source.text:
+        if "/wireguard/" in place and (encrypted := _vaulted(source)):
+            said.mark("vpn-key", place, encrypted, source.span(0, 1))
+        elif "/wireguard/" in place or "[WireGuard]" in source.text:
             _marked(said, "vpn-key", place, source, _WIREGUARD)
         elif "/hostapd" in place:
             _marked(said, "access-point", place, source, _ACCESS_POINT)

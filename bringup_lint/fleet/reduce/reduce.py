@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import traceback
 from collections.abc import Callable
+from collections.abc import Iterable
 from collections.abc import Iterator
 
 from bringup_lint.fleet.reduce import host
@@ -12,12 +13,15 @@ from bringup_lint.fleet.reduce import ros
 from bringup_lint.fleet.reduce.statements import Statements
 from bringup_lint.robot import Robot
 
-READERS: tuple[Callable[[Statements], None], ...] = (
+IDENTITY: tuple[Callable[[Statements], None], ...] = (
     identity.host,
     identity.ssh,
     identity.private_keys,
     identity.passwords,
     identity.networks,
+)
+READERS = (
+    *IDENTITY,
     host.units,
     host.kernel,
     host.versions,
@@ -34,8 +38,16 @@ READERS: tuple[Callable[[Statements], None], ...] = (
 
 def reduced(robot: Robot, key: bytes) -> tuple[Statements, list[str]]:
     """What a robot says, and what failed inside on the way. ``key`` is that of the run, for the keyed hashes."""
-    said = Statements(robot, key)
-    return said, [failure for reader in READERS for failure in _failures(reader, said)]
+    return _read_by(READERS, Statements(robot, key))
+
+
+def identified(robot: Robot, key: bytes) -> tuple[Statements, list[str]]:
+    """The same, of what makes a robot itself alone, in what Ansible copies to it."""
+    return _read_by(IDENTITY, Statements(robot, key, filled_in=True))
+
+
+def _read_by(readers: Iterable[Callable[[Statements], None]], said: Statements) -> tuple[Statements, list[str]]:
+    return said, [failure for reader in readers for failure in _failures(reader, said)]
 
 
 def _failures(reader: Callable[[Statements], None], said: Statements) -> Iterator[str]:

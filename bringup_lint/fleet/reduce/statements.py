@@ -32,6 +32,8 @@ class Statements:
     robot: Robot
     key: bytes
     """Made for this run; without it nobody can try out guesses on the digests."""
+    filled_in: bool = False
+    """The files are templates of Ansible: what a variable or a condition decides is another one on each robot."""
     facts: dict[Fact, None] = field(default_factory=dict)
     marks: dict[Mark, None] = field(default_factory=dict)
     _masks: dict[Source, Mask | None] = field(default_factory=dict)
@@ -39,6 +41,8 @@ class Statements:
     def state(self, subject: str, key: str, value: object, where: Located | Span) -> None:
         """Add a fact, unless its value is a secret."""
         span = where.span if isinstance(where, Located) else where
+        if self.filled_in and _is_filled_in(span):
+            return
         text = " ".join(str(value).split())
         if not span.source.judged or len(self.facts) >= MOST or self._is_secret(text, span):
             return
@@ -48,6 +52,8 @@ class Statements:
         """Add a keyed hash of key material."""
         data = material.encode("utf-8", "surrogatepass") if isinstance(material, str) else material
         span = where.span if isinstance(where, Located) else where
+        if self.filled_in and _is_filled_in(span):
+            return
         if data.strip() and len(self.marks) < MOST:
             digest = hmac.new(self.key, kind.encode() + b"\0" + data, sha256).hexdigest()[:32]
             self.marks[Mark(kind, name, digest, span.path, span.line)] = None
@@ -88,3 +94,7 @@ class Statements:
     def _read(self, path: str) -> Source | None:
         tree = self.robot.tree
         return None if tree.is_link(path) or not tree.judges(path) else tree.read(path, judged=True)
+
+
+def _is_filled_in(span: Span) -> bool:
+    return "{{" in span.source.line_text(span.line) or "{%" in span.source.text
