@@ -1,4 +1,4 @@
-"""Shell scripts and their commands."""
+"""Shell scripts and their commands, and the tasks of Ansible."""
 
 from __future__ import annotations
 
@@ -15,6 +15,9 @@ if TYPE_CHECKING:
     from bringup_lint.graph.installed.script import Written
     from bringup_lint.model.shell import Block
     from bringup_lint.model.shell import Command
+    from bringup_lint.parsers.ansible_tasks import Task
+    from bringup_lint.parsers.ansible_tasks import plays
+    from bringup_lint.parsers.ansible_tasks import tasks
     from bringup_lint.parsers.shell import shell_blocks
     from bringup_lint.parsers.shell import shell_commands
 else:
@@ -25,10 +28,13 @@ __all__ = [
     "Command",
     "Job",
     "Run",
+    "Task",
     "Written",
     "background_jobs",
+    "plays",
     "program_name",
     "shell_blocks",
     "shell_commands",
+    "tasks",
     "unwrapped",
 ]

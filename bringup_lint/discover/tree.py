@@ -343,12 +343,14 @@ class Tree:
                 return
 
     def tracked(self, path: str) -> bool | None:
-        """Whether git knows a file, so that it goes with the repository; None outside of a repository. What an index
-        in an unknown format holds is not known to git here."""
+        """Whether git knows a file, so that it goes with the repository; None outside of a repository, and in one to
+        which nothing was added yet. What an index in an unknown format holds is not known to git here."""
         file = Path(os.path.abspath(path))
         for folder in file.parents:
             index = index_of(str(folder))
             if index is not None:
+                if not disk.lexists(index):
+                    return None
                 return os.fsencode(file.relative_to(folder)) in self._tracked_by(index)
         return None
 

@@ -37,6 +37,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.compose import Service
+from bringup_lint.api.compose import Volume
 
 LINKS = {
     regex(r"/dev/serial(?:/by-(?:id|path))?/?"): regex(r"/dev/?$|/dev/(?:tty|serial)|.*\$"),
@@ -60,9 +61,16 @@ def serial_links_only(robot: Robot) -> Iterator[Finding]:
 def _without_devices(service: Service) -> Iterator[Located]:
     """The mounted folders of links for which the service has no device."""
     volumes = [volume.source for volume in service.volumes if volume.source is not None]
-    given = [*map(str, volumes), *(str(device.host) for device in service.devices)]
+    given = [str(volume.source) for volume in service.volumes if _may_be_device(volume)]
+    given += [str(device.host) for device in service.devices]
     for pattern, brings in LINKS.items():
         mounted = [source for source in volumes if pattern.fullmatch(source)]
         others = [path for path in given if not pattern.fullmatch(path)]
         if mounted and not any(brings.match(path) for path in others):
             yield mounted[0]
+
+
+def _may_be_device(volume: Volume) -> bool:
+    """Whether a volume may bring devices: what is mounted elsewhere than in /dev is a folder of other files."""
+    target = str(volume.target or "")
+    return volume.source is not None and target.startswith(("/dev", "$"))

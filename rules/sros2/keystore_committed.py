@@ -3,7 +3,7 @@
 ## What it finds
 `enclaves/.../key.pem`, or a key below `private` of a keystore, that is part of the repository. If the
 repository has a git index, only files that git tracks are reported. Folders of tests and examples are
-skipped.
+skipped. All keys of a keystore are one finding, at the key of its authority if that is there.
 
 ## Why it matters on a robot
 Everyone who can read the repository, or its history, can join the robot's network as the motor controller,
@@ -33,20 +33,40 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
+from bringup_lint.api import note
 from bringup_lint.api import rule
+
+MOST_NAMED = 10
 
 
 @rule("error", tags=["CWE-321"])
 def keystore_committed(robot: Robot) -> Iterator[Finding]:
+    keystores: dict[str, list[Source]] = {}
     for source in robot.of_kind("sros2-key"):
         sample = re.search(r"(?:^|/)(?:tests?|fixtures?|examples?|samples?)/", source.name)
-        if not source.judged or sample or not robot.sros2.ships(source):
-            continue
-        authority = "/private/" in f"/{source.name}"
-        power = "create identities for the whole fleet" if authority else "use this identity on the robot's network"
+        if source.judged and not sample and robot.sros2.ships(source):
+            keystores.setdefault(_keystore(source), []).append(source)
+    for keys in keystores.values():
+        first, *others = sorted(keys, key=lambda key: not _is_of_authority(key))
         yield finding(
-            source,
-            f"A private key is in the repository: whoever reads it can {power}",
+            first,
+            f"A private key is in the repository: whoever reads it can {_power(first)}",
             advice="remove it from the history, ignore it, and create new keys",
+            related=[note(other, f"with this one, too: {_power(other)}") for other in others[:MOST_NAMED]],
         )
+
+
+def _keystore(key: Source) -> str:
+    return re.split(r"(?:^|/)(?:private|enclaves)/", key.name)[0]
+
+
+def _is_of_authority(key: Source) -> bool:
+    return "/private/" in f"/{key.name}"
+
+
+def _power(key: Source) -> str:
+    if _is_of_authority(key):
+        return "create identities for the whole fleet"
+    return "use this identity on the robot's network"

@@ -34,6 +34,7 @@ When the shell waits for every job and exits when one of them does, for example 
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Related
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -41,6 +42,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.shell import Job
 from bringup_lint.api.shell import background_jobs
 from bringup_lint.api.systemd import Process
+from bringup_lint.api.systemd import Step
 from bringup_lint.api.systemd import Unit
 
 
@@ -92,6 +94,15 @@ def _finding(unit: Unit, process: Process, jobs: list[Job]) -> Finding:
         related=[
             note(process.program, "the main process"),
             *(note(other.command.words[0], "this job too") for other, _ in others),
+            *_waits(process, first),
         ],
         severity="error" if ends else "warning",
     )
+
+
+def _waits(process: Process, job: Step) -> Iterator[Related]:
+    """The ``wait`` that ends only after all jobs."""
+    for step in process.steps[process.steps.index(job) + 1 :]:
+        if step.command.name == "wait" and len(step.command.words) == 1:
+            yield note(step.command.words[0], "returns when all jobs have ended, not when the first one does")
+            return

@@ -92,6 +92,11 @@ def test_without_git_nobody_tells(tmp_path: Path) -> None:
     assert Tree().tracked(str(tmp_path / "ca.key.pem")) is None
 
 
+def test_a_repository_to_which_nothing_was_added_does_not_tell(tmp_path: Path) -> None:
+    git(tmp_path, "init", "--quiet")
+    assert Tree().tracked(str(tmp_path / "ca.key.pem")) is None
+
+
 @pytest.mark.parametrize("version", ["2", "4"])
 def test_a_key_is_committed_by_its_whole_path(tmp_path: Path, version: str) -> None:
     """``keystore/private/ca.key.pem`` is the end of the path that is committed, and is not committed itself."""

@@ -60,6 +60,12 @@ _PROGRAMS = (
     ),
 )
 """Commands that are given a password."""
+_BY_VARIABLE = regex(
+    r"\b(?P<program>nmcli|sshpass)[ \t][^\n|;&]{0,300}?"
+    r"(?:-p|[ \t]password|[ \t](?:wifi|802-11-wireless)-sec(?:urity)?\.psk)[ \t]*"
+    r"[\"']?\$\{?(?P<variable>\w{1,60})\}?[\"']?(?=\s|$)"
+)
+"""Commands that are given a password by a variable."""
 _REMOTE_LOGIN = regex(r"\b(?:sshd|openssh-server|xrdp|x11vnc|tigervnc|vncserver)\b")
 
 
@@ -112,6 +118,23 @@ def _is_of_local_hosts(source: Source) -> bool:
 def given_to_programs(files: Files) -> Iterator[Password]:
     """The passwords on command lines of scripts; those that a script sets for a user are not among them."""
     yield from _matches(files.of_kind("shell-script"), _PROGRAMS)
+    for source in files.of_kind("shell-script"):
+        if source.judged and not source.template:
+            yield from _by_variables(source)
+
+
+def _by_variables(source: Source) -> Iterator[Password]:
+    """The passwords that a script holds in variables of one literal value each."""
+    for use in _BY_VARIABLE.finditer(source.text):
+        name = re.escape(use["variable"])
+        assigned = list(
+            re.finditer(rf"(?<![\w$]){name}=(?P<quote>[\"']?){_SECRET}?(?P=quote)(?=[ \t;]|$)", source.text, re.M)
+        )
+        elsewhere = re.search(rf"\bread\b[^\n]{{0,100}}\b{name}\b", source.text)
+        sets = re.findall(rf"(?<![\w$]){name}\+?=", source.text)
+        if len(assigned) == len(sets) == 1 and assigned[0]["value"] and not elsewhere:
+            value = source.located(*assigned[0].span("value"))
+            yield Password(f"The password given to {use['program']}", value)
 
 
 def in_images(files: Files) -> Iterator[Password]:

@@ -1,0 +1,82 @@
+"""The tasks of Ansible's plays and roles, with the rights that they run with (playbooks_privilege_escalation)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from bringup_lint.model.yaml_node import Mapping
+from bringup_lint.model.yaml_node import Node
+from bringup_lint.model.yaml_node import Scalar
+from bringup_lint.model.yaml_node import Sequence
+from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.parsers.yaml_nodes import parse
+from bringup_lint.source import Located
+from bringup_lint.source import Source
+
+_LISTS = ("pre_tasks", "tasks", "post_tasks", "handlers")
+_BLOCKS = ("block", "rescue", "always")
+_INCLUDES = ("include_tasks", "import_tasks", "include_role", "import_role", "include", "import_playbook", "roles")
+_DEEPEST = 20
+
+
+class Task(NamedTuple):
+    """One task, and whether it runs as root."""
+
+    keys: Mapping
+    """All that the task says."""
+    become: bool | None
+    """Of the task, or of the blocks and the play around it; None: none of them says it, or the value is not known."""
+
+    @property
+    def own_become(self) -> bool | None:
+        return _become(self.keys)
+
+    @property
+    def modules(self) -> Iterator[tuple[Located, Node]]:
+        """The keys that may name its module, with their settings."""
+        return ((key.value, value) for key, value in self.keys.entries if key.value != "name")
+
+    @property
+    def includes(self) -> bool:
+        """Whether it takes in other tasks."""
+        return any(key.value.rpartition(".")[2] in _INCLUDES for key, _ in self.keys.entries)
+
+
+def tasks(source: Source) -> Iterator[Task]:
+    """The tasks of a playbook or of a role's file, those in blocks included."""
+    for document in parse(source).documents:
+        if isinstance(document.root, Sequence):
+            for item in document.root:
+                if isinstance(item, Mapping):
+                    yield from _of_play(item) if item.get("hosts") is not None else _of_task(item, None, 0)
+
+
+def plays(source: Source) -> Iterator[Mapping]:
+    """The plays of a file."""
+    for document in parse(source).documents:
+        if isinstance(document.root, Sequence):
+            yield from (item for item in document.root if isinstance(item, Mapping) and item.get("hosts") is not None)
+
+
+def _of_play(play: Mapping) -> Iterator[Task]:
+    for name in _LISTS:
+        for item in play.sequence(name) or ():
+            if isinstance(item, Mapping):
+                yield from _of_task(item, _become(play), 0)
+
+
+def _of_task(keys: Mapping, around: bool | None, depth: int) -> Iterator[Task]:
+    own = _become(keys)
+    become = around if own is None else own
+    inner = [each for name in _BLOCKS for each in keys.sequence(name) or ()]
+    if not inner:
+        yield Task(keys, become)
+    elif depth < _DEEPEST:
+        for each in inner:
+            if isinstance(each, Mapping):
+                yield from _of_task(each, become, depth + 1)
+
+
+def _become(keys: Mapping) -> bool | None:
+    value = keys.get("become")
+    return value.boolean if isinstance(value, Scalar) else None

@@ -1,0 +1,171 @@
+"""apt asks for a confirmation where nobody answers.
+
+## What it finds
+`apt install`, `upgrade` and `build-dep` (of `apt` and `apt-get`) without `-y`:
+- in a `RUN` of a Dockerfile, which has no terminal; information unless it installs packages of ROS, because an image
+  may have all that other packages need;
+- in a script whose other calls of apt pass `-y`, so that it is meant to run by itself; information where the script
+  ends at the first failure (`set -e`), and where it only upgrades.
+
+Silent for packages that are files, for those that need nothing else (`nano`, `unzip` and the like), for those that an
+earlier step installs and what belongs to them, for packages of ROS on top of a desktop variant, in branches of a
+`RUN`, for answers through a pipe, and where `APT::Get::Assume-Yes` is set. `-qq` is an answer, too.
+
+## Why it matters on a robot
+apt asks as soon as it has to install more than the packages that are named. In the build of an image it ends with
+"Abort.", and the robot keeps the old image. In a script over SSH or in the first boot it ends in the same way, and
+without `set -e` the next steps run on a robot that lacks the packages.
+
+## Bad
+```dockerfile
+RUN apt-get update && apt-get install ros-jazzy-nav2-bringup
+```
+
+## Good
+```dockerfile
+RUN apt-get update && apt-get install -y ros-jazzy-nav2-bringup
+```
+
+## When to ignore it
+When the packages are known to need no others, or somebody is to read what apt is about to do.
+
+## References
+- apt-get(8), --yes and --quiet
+"""
+
+import re
+from collections.abc import Iterator
+from collections.abc import Sequence
+from itertools import pairwise
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Located
+from bringup_lint.api import Robot
+from bringup_lint.api import Source
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import regex
+from bringup_lint.api import rule
+from bringup_lint.api.docker import Stage
+from bringup_lint.api.docker import commands_of
+from bringup_lint.api.shell import unwrapped
+
+PROGRAMS = ("apt", "apt-get")
+ASKING = ("install", "upgrade", "dist-upgrade", "full-upgrade", "build-dep")
+VALUED = ("-t", "-o", "-c", "-a", "--target-release", "--option", "--config-file")
+ANSWERED = regex(
+    r"-[a-zA-Z]*y[a-zA-Z]*|-[a-zA-Z]*qq[a-zA-Z]*|--(?:assume-)?yes|--force-yes|--assume-no|--quiet=[2-9]|-q=[2-9]"
+    r"|-s|--simulate|--dry-run|--just-print|--no-act|--recon|--print-uris|-h|--help"
+)
+CONFIGURED = regex(r"APT::Get::Assume-Yes", re.I)
+PIPED = regex(r"\|[ \t]*(?:sudo[ \t]+(?:-\w+[ \t]+)*)?(?:\w+=\S*[ \t]+)*$")
+STOPS = regex(r"^[ \t]*set -(?:\w{0,8}e|o errexit)|^#![^\n]{0,80} -\w{0,8}e", re.M)
+ALONE = frozenset("bash-completion gosu less locales make nano sudo time tree unzip zip".split())
+"""Packages that need only what every image of Debian and Ubuntu has."""
+
+
+@rule("warning", confidence="medium", symptoms=["Do you want to continue? [Y/n] Abort.", "[Y/n] Abort."])
+def apt_asks(robot: Robot) -> Iterator[Finding]:
+    for file in robot.dockerfiles:
+        if "apt" in file.source.text and not CONFIGURED.search(file.source.text):
+            for stage in file.stages:
+                yield from _of_image(stage)
+    yield from _of_scripts(robot)
+
+
+def _of_image(stage: Stage) -> Iterator[Finding]:
+    """One finding for all calls of a stage."""
+    installed = {str(word) for base in list(stage.chain)[1:] for each in commands_of(base) for word in each.words}
+    installed.add(stage.origin)
+    asking = []
+    brings_ros = False
+    for command in commands_of(stage):
+        words = unwrapped(command.words)
+        if not command.depth and _asks(words, installed):
+            asking.append(words[0])
+            brings_ros |= any(word.startswith("ros-") for word in words)
+        installed.update(map(str, words))
+    if asking:
+        yield finding(
+            asking[0],
+            "apt asks before it installs more packages than are named: nobody answers in a build, and it stops",
+            advice="write -y after the command of apt",
+            related=[note(each, "and here") for each in asking[1:]],
+            severity=None if brings_ros else "info",
+        )
+
+
+def _of_scripts(robot: Robot) -> Iterator[Finding]:
+    calls: dict[Source, list[tuple[Sequence[Located], bool]]] = {}
+    installed: dict[Source, set[str]] = {}
+    for source, run in robot.scripts.run(*PROGRAMS):
+        if CONFIGURED.search(source.text):
+            continue
+        words = run.words
+        known = installed.setdefault(source, set())
+        calls.setdefault(source, []).append((words, _asks(words, known)))
+        known.update(map(str, words))
+    for each in calls.values():
+        asking = sorted((words for words, asks in each if asks), key=lambda words: not _installs(words))
+        answered = [words[0] for words, _ in each if _is_answered(words)]
+        if asking and answered:
+            yield _of_script(asking, answered[0])
+
+
+def _of_script(asking: list[Sequence[Located]], answered: Located) -> Finding:
+    first, *others = asking
+    stops = STOPS.search(first[0].span.source.text) is not None
+    return finding(
+        first[0],
+        "apt asks before it installs more packages than are named: the script waits for an answer, and "
+        + ("ends where there is no terminal" if stops else "without a terminal goes on without the packages"),
+        advice="write -y, as the other calls of this script do",
+        related=[note(answered, "this call does not ask"), *(note(other[0], "and here") for other in others)],
+        severity="info" if stops or not _installs(first) else None,
+    )
+
+
+def _installs(words: Sequence[Located]) -> bool:
+    """Whether packages are named; a person may want to read what an upgrade changes."""
+    return _parts(words)[0] == "install"
+
+
+def _asks(words: Sequence[Located], installed: set[str]) -> bool:
+    """Whether a call of apt may ask for a confirmation."""
+    if not words or words[0].rpartition("/")[2] not in PROGRAMS or PIPED.search(_before(words[0])):
+        return False
+    if any("$" in word and "ROS_DISTRO" not in word and word.startswith(("$", "-")) for word in words):
+        return False
+    command, packages = _parts(words)
+    if command not in ASKING or _is_answered(words):
+        return False
+    if command != "install":
+        return True
+    return any(_needs_others(each, installed) for each in packages)
+
+
+def _is_answered(words: Sequence[Located]) -> bool:
+    return _parts(words)[0] in ASKING and any(ANSWERED.fullmatch(word) for word in words[1:])
+
+
+def _parts(words: Sequence[Located]) -> tuple[str, list[str]]:
+    """The command of apt and its arguments."""
+    plain = [str(word) for before, word in pairwise(words) if not word.startswith("-") and str(before) not in VALUED]
+    return (plain[0], plain[1:]) if plain else ("", [])
+
+
+def _needs_others(package: str, installed: set[str]) -> bool:
+    """Whether a package may need others: what belongs to an installed one, such as git-lfs to git, does not."""
+    name = package.partition("=")[0]
+    if "/" in package or name.endswith(".deb") or name in ALONE or name in installed:
+        return False
+    if name.startswith("ros-"):
+        return not any("-desktop" in each for each in installed)
+    parts = name.split("-")
+    return not any("-".join(parts[:count]) in installed for count in range(1, len(parts)))
+
+
+def _before(word: Located) -> str:
+    """The text of the line before a word."""
+    span = word.span
+    return span.source.text[: span.start].rpartition("\n")[2]

@@ -1,0 +1,165 @@
+"""A task of Ansible needs root and does not ask for it.
+
+## What it finds
+Tasks that install packages, manage services or accounts, or write below `/etc`, `/usr` and `/lib`, without `become`, in
+a file in which most of such tasks have `become: true` of their own. All of a file are one finding. The tree has to hold
+the plays.
+
+Silent if the tree gives the right in another way: `become` in a play, a role's entry or an include, `ansible_become` or
+`ansible_user=root` in the inventory, `become` in `ansible.cfg`, and `ansible-playbook --become` in a script or in the
+README. Silent, too, for tasks in check mode, with expected failures, on other hosts, and of the user's own services.
+
+## Why it matters on a robot
+The play ends here with "Permission denied", in the middle of the set-up: the services of the robot that come after it
+are never installed.
+
+## Bad
+```yaml
+- name: Install chrony
+  ansible.builtin.apt: {name: chrony}
+  become: true
+- name: Configure chrony
+  ansible.builtin.template: {src: chrony.conf.j2, dest: /etc/chrony/chrony.conf}
+```
+
+## Good
+```yaml
+- name: Install chrony
+  ansible.builtin.apt: {name: chrony}
+  become: true
+- name: Configure chrony
+  ansible.builtin.template: {src: chrony.conf.j2, dest: /etc/chrony/chrony.conf}
+  become: true
+```
+
+## When to ignore it
+When the role is only run as root, for example in the build of an image.
+
+## References
+- Ansible, "Understanding privilege escalation: become"
+"""
+
+import itertools
+import re
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Located
+from bringup_lint.api import Robot
+from bringup_lint.api import Source
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import regex
+from bringup_lint.api import rule
+from bringup_lint.api.shell import Task
+from bringup_lint.api.shell import plays
+from bringup_lint.api.shell import tasks
+from bringup_lint.api.yaml import Mapping
+from bringup_lint.api.yaml import Node
+from bringup_lint.api.yaml import Scalar
+
+ALWAYS = frozenset(
+    "apt apt_key apt_repository package dnf user group hostname timezone modprobe sysctl mount ufw".split()
+)
+SERVICES = frozenset({"systemd", "systemd_service", "service"})
+FILES = frozenset({"copy", "template", "file", "lineinfile", "blockinfile", "get_url", "unarchive", "replace"})
+OF_ROOT = regex(r"/(?:etc|usr|lib)/")
+LEAST = 2
+"""Tasks of the file that ask for root."""
+EXCUSES = ("ignore_errors", "failed_when", "delegate_to", "check_mode", "connection", "remote_user")
+MOST_FILES = 2000
+HOSTS = regex(r"^-?[ \t]*hosts[ \t]*:", re.M)
+GIVEN = regex(
+    r"\bansible_become\b|\bansible_(?:ssh_)?user[\"']?[ \t]*[=:][ \t]*[\"']?root\b"
+    r"|^[ \t]*(?:become[ \t]*=[ \t]*(?:true|yes|1)|remote_user[ \t]*=[ \t]*root)\b",
+    re.M | re.I,
+)
+CALLED = regex(
+    r"\bsudo[ \t]+(?:-\S+[ \t]+)*ansible-playbook\b"
+    r"|\bansible-playbook\b(?:\\\r?\n|[^\n|;&])*?[ \t]"
+    r"(?:-\w*b\w*|--become|-u[ \t]*root|--user[= ]root)(?=[ \t\r\n`\"']|$)"
+)
+
+
+@rule("warning", confidence="medium", symptoms=["Could not open lock file /var/lib/dpkg/lock-frontend", "not writable"])
+def become_missing(robot: Robot) -> Iterator[Finding]:
+    sources = [source for source in robot.of_kind("ansible") if source.judged and "become" in source.text]
+    if not sources or _is_given_elsewhere(robot):
+        return
+    for source in sources:
+        needing = [(each, module) for each in tasks(source) if (module := _module_of_root(each)) is not None]
+        asking = [module for each, module in needing if each.own_become]
+        lacking = [module for each, module in needing if each.become is None and not _is_excused(each)]
+        if len(asking) >= LEAST and len(asking) > len(lacking) > 0:
+            first, *others = lacking
+            yield finding(
+                first,
+                f"This {first.rpartition('.')[2]} task runs without root: the play stops here with a denied permission",
+                advice="write become: true, as the other tasks of this file do",
+                related=[
+                    note(asking[0], "this task asks for root"),
+                    *(note(other, "and this one") for other in others),
+                ],
+            )
+
+
+def _is_given_elsewhere(robot: Robot) -> bool:
+    """Whether something around the tasks may make them root."""
+    found = [play for source in _playbooks(robot) for play in plays(source)]
+    if not found or any(play.get("become") is not None or play.get("remote_user") is not None for play in found):
+        return True
+    if any(_entry_asks(each) for play in found for each in play.sequence("roles") or ()):
+        return True
+    if any(each.includes and each.become for source in robot.files.of_kind("ansible") for each in tasks(source)):
+        return True
+    texts = [source.text for source in robot.files.of_kind("ansible-vars")]
+    texts += [source.text for name in ("ansible.cfg", ".ansible.cfg") for source in _named(robot, name)]
+    if any(GIVEN.search(text) for text in texts):
+        return True
+    callers = [source for source in robot.of_kind("shell-script") if source.judged]
+    return any(CALLED.search(source.text) for source in [*callers, *_named(robot, "README.md")])
+
+
+def _playbooks(robot: Robot) -> Iterator[Source]:
+    """The files that hold plays, wherever they are."""
+    paths = (path for path in robot.tree.paths if path.endswith((".yml", ".yaml")))
+    for path in itertools.islice(paths, MOST_FILES):
+        source = robot.tree.read(path, judged=False)
+        if source is not None and HOSTS.search(source.text):
+            yield source
+
+
+def _entry_asks(entry: Node) -> bool:
+    return isinstance(entry, Mapping) and entry.get("become") is not None
+
+
+def _named(robot: Robot, name: str) -> Iterator[Source]:
+    for path in robot.tree.named(name):
+        source = robot.tree.read(path)
+        if source is not None:
+            yield source
+
+
+def _module_of_root(task: Task) -> Located | None:
+    """The module of a task that only root may do."""
+    for key, settings in task.modules:
+        name = key.rpartition(".")[2]
+        if not isinstance(settings, Mapping) or (settings.get("name") is None and name in ("user", "group")):
+            continue
+        if name in ALWAYS or (name in SERVICES and _scope(settings) in ("", "system")):
+            return key
+        path = settings.scalar("dest") or settings.scalar("path")
+        if name in FILES and path is not None and OF_ROOT.match(path.value):
+            return key
+    return None
+
+
+def _scope(settings: Mapping) -> str:
+    scope = settings.scalar("scope")
+    return "" if scope is None else str(scope.value)
+
+
+def _is_excused(task: Task) -> bool:
+    when = task.keys.get("when")
+    of_root = isinstance(when, Scalar) and "root" in when.value
+    return of_root or any(task.keys.get(key) is not None for key in EXCUSES)
