@@ -75,8 +75,8 @@ GIVEN = regex(
     re.M | re.I,
 )
 CALLED = regex(
-    r"\bsudo[ \t]+(?:-\S+[ \t]+)*ansible-playbook\b"
-    r"|\bansible-playbook\b(?:\\\r?\n|[^\n|;&])*?[ \t]"
+    r"\bsudo[ \t]{1,9}(?:-\S{1,40}[ \t]{1,9}){0,9}ansible-playbook\b"
+    r"|\bansible-playbook\b(?:\\\r?\n|[^\n|;&\\]){0,400}?[ \t]"
     r"(?:-\w*b\w*|--become|-u[ \t]*root|--user[= ]root)(?=[ \t\r\n`\"']|$)"
 )
 

@@ -51,8 +51,8 @@ OPTION = regex(
     r"(?:--subsystem-match|-s)[= \t]*(?P<subsystem>[\w*?-]+)|(?:--action|-c)[= \t]*(?P<action>\w+)"
     r"|--type=devices|--settle|-w\b|--verbose|-v\b|--quiet|-q\b|-{0,1}\d?>\S*|[ \t]+"
 )
-RESTARTS = regex(r"\breboot\b|shutdown[ \t]+-r|systemctl[ \t]+(?:--\S+[ \t]+)*(?:reboot|soft-reboot)")
-SHOWN = regex(r"\b(?:echo|printf)\b|^[ \t]*-?[ \t]*(?:name|msg):")
+RESTARTS = regex(r"\b(?:soft-)?reboot\b|shutdown[ \t]+-r")
+SHOWN = regex(r"\b(?:echo|printf)\b|^[ \t]*(?:-[ \t]+)?(?:name|msg):")
 ROLE = regex(r"(?P<role>.*/)?(?:tasks|handlers)/[^/]+")
 LINKS = ("SYMLINK", "TAG")
 SETS = ("MODE", "GROUP", "OWNER", "RUN", *LINKS)
