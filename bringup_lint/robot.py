@@ -37,6 +37,7 @@ if TYPE_CHECKING:
     from bringup_lint.discover.tree import Tree
     from bringup_lint.graph.compose import Compose
     from bringup_lint.graph.dds.dds import Dds
+    from bringup_lint.graph.dependencies.dependencies import Dependencies
     from bringup_lint.graph.environment.env_files import UsedEnvFile
     from bringup_lint.graph.environment.ros import RosEnvironment
     from bringup_lint.graph.graph import Graph
@@ -332,6 +333,12 @@ class Robot:
         from bringup_lint.graph.launch.launch import Launch
 
         return Launch(self.files)
+
+    @cached_property
+    def dependencies(self) -> Dependencies:
+        from bringup_lint.graph.dependencies.dependencies import Dependencies
+
+        return Dependencies(self.files, self.launch, lambda: self.dockerfiles)
 
     @cached_property
     def nodes(self) -> Nodes:

@@ -11,6 +11,7 @@ from bringup_lint.on_demand import on_demand
 
 if TYPE_CHECKING:
     from bringup_lint.finding import Finding
+    from bringup_lint.graph.dependencies.needs import Need
     from bringup_lint.graph.launch.delays import delayed
     from bringup_lint.graph.launch.delays import undelayed
     from bringup_lint.graph.launch.delays import waiting_comment
@@ -107,6 +108,7 @@ __all__ = [
     "LoadComponents",
     "Log",
     "MissingEntry",
+    "Need",
     "Node",
     "Opaque",
     "Operation",

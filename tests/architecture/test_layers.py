@@ -32,7 +32,7 @@ LAYERS = (
     {"graph.edges", "graph.observed", "graph.secrets"},
     {"graph.sros2"},
     {"graph.topics", "graph.supervision"},
-    {"graph.nodes", "graph.host", "graph.plugins"},
+    {"graph.dependencies", "graph.nodes", "graph.host", "graph.plugins"},
     {"graph.provenance"},
     {"graph.dds", "graph.params"},
     {"graph.environment"},

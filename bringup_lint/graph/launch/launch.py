@@ -24,9 +24,6 @@ from bringup_lint.graph.launch.expansion import Expansion
 from bringup_lint.graph.launch.expansion import Included
 from bringup_lint.graph.launch.lifecycle import full_name
 from bringup_lint.graph.launch.lifecycle import managers
-from bringup_lint.graph.launch.provided import BASE
-from bringup_lint.graph.launch.provided import DESKTOP
-from bringup_lint.graph.launch.provided import words
 from bringup_lint.graph.launch.references import Reference
 from bringup_lint.graph.launch.references import references
 from bringup_lint.graph.launch.resolve import Resolver
@@ -410,23 +407,6 @@ class Launch:
             depend == name or (depend.partition("_")[0] == family and depend not in self.workspace.packages)
             for depend in self.workspace.required(owner)
         )
-
-    def is_brought(self, name: str) -> bool:
-        """Whether anything of the tree may bring a public package: a package.xml, a script, an image, a list of
-        repositories, the documentation; or the variant of ROS that most robots install."""
-        depends = (depend for package in self.workspace.packages.values() for _, depend in package.manifest.depends)
-        family = name.partition("_")[0] + "_"
-        if name in BASE or any(depend == name or depend.startswith(family) for depend in depends):
-            return True
-        parts = name.split("_")
-        if any("_".join(parts[:end]) in self._words for end in range(max(2, len(parts) - 2), len(parts) + 1)):
-            return True
-        wholes = {"nav2": "navigation2", "opennav": "navigation2"}
-        return wholes.get(parts[0]) in self._words or (name in DESKTOP and any("desktop" in w for w in self._words))
-
-    @cached_property
-    def _words(self) -> frozenset[str]:
-        return words(self._tree_files.tree)
 
     def named(self, package: str | None, target: str | None) -> LaunchFile | None:
         """The file that ``ros2 launch package target`` starts; a path when there is no package."""

@@ -1,0 +1,57 @@
+"""Packages, Python modules and libraries that ros-base lacks, and what brings them."""
+
+from __future__ import annotations
+
+from fnmatch import fnmatchcase
+from functools import cache
+
+from bringup_lint.facts import rows
+from bringup_lint.facts import table
+from bringup_lint.named_tuple import NamedTuple
+
+
+class Needed(NamedTuple):
+    is_package: bool
+    name: str
+    key: str
+    """The rosdep key; empty when rosdep knows none."""
+    also: tuple[str, ...]
+    """The other names that bring it; patterns are for names of dependencies."""
+
+    def comes_with(self, dependency: str) -> bool:
+        """Whether a dependency brings it."""
+        found = dependency.replace("-", "_")
+        return found in (self.name, self.key.replace("-", "_")) or any(fnmatchcase(found, each) for each in self.also)
+
+    @property
+    def declared(self) -> str:
+        """What a package.xml declares; empty when rosdep knows no key."""
+        return self.key or (self.name if self.is_package else "")
+
+    @property
+    def words(self) -> frozenset[str]:
+        """The plain names, with underscores."""
+        return frozenset(each for each in (self.key.replace("-", "_"), *self.also) if each and "*" not in each)
+
+
+@cache
+def _by_name() -> dict[tuple[str, str], Needed]:
+    return {
+        (row["use"], row["name"]): Needed(row["use"] == "package", row["name"], row["key"], tuple(row["also"].split()))
+        for row in table("ros/needed")
+    }
+
+
+def needed(use: str, name: str) -> Needed | None:
+    """``use``: ``package``, ``module`` or ``library``; None when nothing is known of the name."""
+    own = _by_name().get((use, name))
+    if own is not None or use != "package":
+        return own
+    family = _by_name().get((use, f"{name.partition('_')[0]}_*"))
+    return family and family._replace(name=name)
+
+
+@cache
+def base() -> frozenset[str]:
+    """The packages of ros-base."""
+    return frozenset(row[0] for row in rows("ros/base")[1])

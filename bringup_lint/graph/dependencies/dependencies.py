@@ -1,0 +1,148 @@
+"""What the packages of a workspace need and no package.xml declares, and whether anything of the tree brings it."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from collections.abc import Iterator
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from bringup_lint.facts.ros.needed import base
+from bringup_lint.graph.dependencies.needs import Need
+from bringup_lint.graph.dependencies.needs import of_builds
+from bringup_lint.graph.dependencies.needs import of_launch
+from bringup_lint.graph.dependencies.needs import of_nodes
+from bringup_lint.graph.dependencies.provided import Provided
+from bringup_lint.graph.purpose import Purpose
+from bringup_lint.pattern import regex
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.files import Files
+    from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.workspace import Package
+    from bringup_lint.model.dockerfile import Dockerfile
+
+_ROSDEP = regex(r"\brosdep\s+install\b")
+_FOREIGN = regex(r"(?:^|_)(?:vendor|stubs?|template)(?:_|$)|[{}$<]")
+"""Names of packages that wrap the build of others, and of templates."""
+
+
+_COMMON = frozenset(
+    ("numpy", "yaml", "pytest", "setuptools", "pkg_resources", "packaging", "psutil", "requests", "em", "lark")
+)
+"""Modules that come with ros-base."""
+
+
+class Dependencies:
+    def __init__(self, files: Files, launch: Launch, dockerfiles: Callable[[], list[Dockerfile]]) -> None:
+        self._files = files
+        self._launch = launch
+        self._dockerfiles = dockerfiles
+
+    def undeclared(self, package: Package) -> list[Need]:
+        """What a package needs and declares neither itself nor through packages of the workspace, once by name."""
+        return self._undeclared.get(package.name, [])
+
+    @cached_property
+    def _undeclared(self) -> dict[str, list[Need]]:
+        found: dict[str, dict[str, Need]] = {}
+        for need in self._needs():
+            own = found.setdefault(need.owner.name, {})
+            known = own.get(need.name)
+            if known is None or (need.always and not known.always):
+                own[str(need.name)] = need
+        return {name: list(needs.values()) for name, needs in found.items()}
+
+    def _needs(self) -> Iterator[Need]:
+        for needs in (of_builds, of_launch, of_nodes):
+            for need in needs(self._files, self._launch):
+                if need.name != need.owner.name and need.name not in self._required(need.owner):
+                    yield need
+
+    def _required(self, package: Package) -> frozenset[str]:
+        if package.name not in self._closures:
+            self._closures[package.name] = frozenset(map(str, self._launch.workspace.required(package)))
+        return self._closures[package.name]
+
+    @cached_property
+    def _closures(self) -> dict[str, frozenset[str]]:
+        return {}
+
+    def judged(self, package: Package) -> bool:
+        """Whether the tree's authors wrote the package, for ROS 2 and for the robot."""
+        manifest = package.manifest
+        if not manifest.source.judged or manifest.is_ros1 or manifest.for_both or _FOREIGN.search(package.name):
+            return False
+        is_robots = self._files.purpose(manifest.source) is Purpose.ROBOT
+        return is_robots and not self._launch.workspace.is_vendored(manifest.source)
+
+    def is_of_workspace(self, need: Need) -> bool:
+        """Whether a package of the tree is needed."""
+        workspace = self._launch.workspace
+        return need.name in workspace.packages or need.name in workspace.ambiguous
+
+    def stops_build(self, need: Need) -> bool:
+        """Whether CMake asks for a package of the same workspace: colcon builds in an environment of those packages
+        that package.xml declares, and of no others."""
+        needed = self._launch.workspace.packages.get(str(need.name))
+        if need.use != "library" or needed is None or self._provided.has_repository(str(need.name)):
+            return False
+        return _source_space(needed.folder) == _source_space(need.owner.folder)
+
+    def is_lacking(self, need: Need) -> bool:
+        """Whether a public package is needed on the robot that ros-base lacks, and nothing of the tree declares,
+        installs or mentions it."""
+        known = need.fact
+        if known is None or not need.always or need.name in base() or self.is_of_workspace(need):
+            return False
+        if any(known.comes_with(name) for name in self._declared) or need.name in need.owner.manifest.source.text:
+            return False
+        if need.use == "module" and self._asks_for_others(need.owner):
+            return False
+        return not self._is_example(need) and not self._provided.brings(known)
+
+    def _asks_for_others(self, package: Package) -> bool:
+        """Whether nodes of a package import what no table knows: it may bring further modules."""
+        modules = (need for need in self.undeclared(package) if need.use == "module")
+        return any(need.fact is None and not self._is_there(str(need.name)) for need in modules)
+
+    def _is_there(self, module: str) -> bool:
+        """Whether a module is one of Python, of ros-base or of the workspace."""
+        return module in sys.stdlib_module_names or module in base() or module in self._own or module in _COMMON
+
+    def _is_example(self, need: Need) -> bool:
+        """Whether a launch file is called like what it starts, and nothing else of the tree names it: it shows how to
+        use another package."""
+        source = need.name.span.source
+        family = str(need.name).split("_")[0]
+        if str(need.name) not in source.basename and (len(family) < 7 or family not in source.basename):
+            return False
+        file = self._launch.of_source(source)
+        return file is not None and not self._launch.is_named_elsewhere(file)
+
+    @cached_property
+    def _declared(self) -> frozenset[str]:
+        packages = self._launch.workspace.packages.values()
+        return frozenset(str(name) for package in packages for _, name in package.manifest.depends) | self._own
+
+    @property
+    def _own(self) -> frozenset[str]:
+        workspace = self._launch.workspace
+        return frozenset(workspace.packages) | frozenset(workspace.ambiguous)
+
+    @cached_property
+    def _provided(self) -> Provided:
+        return Provided(self._files.tree, self._dockerfiles())
+
+    @cached_property
+    def uses_rosdep(self) -> bool:
+        """Whether scripts or images of the tree install with rosdep, or the documentation at its top."""
+        sources = self._files.of_kind("dockerfile", "shell-script", "ansible")
+        return any(_ROSDEP.search(source.text) for source in sources) or self._provided.documents_rosdep
+
+
+def _source_space(folder: str) -> str:
+    """The uppermost folder of packages: those of another one are built before, or after."""
+    above, src, _ = folder.partition("/src/")
+    return above if src else ""

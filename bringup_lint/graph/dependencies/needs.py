@@ -1,0 +1,122 @@
+"""What the files of a package ask of other packages: in launch files, at the top of nodes, and in CMake."""
+
+from __future__ import annotations
+
+import ast
+import os
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.facts.ros.needed import Needed
+from bringup_lint.facts.ros.needed import needed
+from bringup_lint.graph.launch.started import literal_text
+from bringup_lint.graph.purpose import Purpose
+from bringup_lint.model.launch_values import Literal
+from bringup_lint.model.launch_values import PackageShare
+from bringup_lint.model.launch_values import Value
+from bringup_lint.model.launch_values import walk
+from bringup_lint.model.python import syntax_of
+from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.parsers import cmake
+from bringup_lint.source import Located
+from bringup_lint.source import Source
+from bringup_lint.source import Span
+
+if TYPE_CHECKING:
+    from bringup_lint.discover.tree import Tree
+    from bringup_lint.graph.files import Files
+    from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.workspace import Package
+
+
+class Need(NamedTuple):
+    use: str
+    """``node`` and ``include`` in a launch file, ``module`` that Python imports, ``library`` that CMake finds."""
+    name: Located
+    owner: Package
+    """The package whose file asks for it."""
+    always: bool = True
+    """On the robot, without an argument, and with no way round it."""
+
+    @property
+    def fact(self) -> Needed | None:
+        """What is known of it; None of what ros-base has, and of what no table knows."""
+        own = needed(self.use, str(self.name)) if self.use in ("module", "library") else None
+        return own or needed("package", str(self.name))
+
+
+def of_launch(files: Files, launch: Launch) -> Iterator[Need]:
+    """The packages whose nodes and launch files are started."""
+    for node in launch.nodes:
+        name, owner = literal_text(node.package), launch.workspace.owner(node.file.source)
+        if name is not None and owner is not None:
+            always = node.by_default is True and not launch.simulated(node.file)
+            yield Need("node", name, owner, always and _is_installed(owner, node.file.source))
+    for file in launch.judged:
+        owner = launch.workspace.owner(file.source)
+        if owner is None:
+            continue
+        for include in launch.expansion(file).includes:
+            always = not include.conditions and not launch.simulated(file) and _is_installed(owner, file.source)
+            if include.source is file:
+                yield from (Need("include", name, owner, always) for name in _shares(include.file))
+
+
+def _shares(value: Value) -> Iterator[Located]:
+    for each in walk(value):
+        if isinstance(each, PackageShare) and isinstance(each.package, Literal) and isinstance(each.package.value, str):
+            yield Located(each.package.value, each.package.span)
+
+
+def _is_installed(owner: Package, source: Source) -> bool:
+    return owner.takes(os.path.abspath(source.name))
+
+
+def of_nodes(files: Files, launch: Launch) -> Iterator[Need]:
+    """The modules that the nodes of packages import whenever they start, and that are not in the tree."""
+    for source in files.of_kind("python-node"):
+        owner = launch.workspace.owner(source)
+        if owner is None or not source.judged or files.purpose(source) is not Purpose.ROBOT:
+            continue
+        if owner.manifest.build_type != "ament_python" and not _is_installed(owner, source):
+            continue
+        for name in _imported(source):
+            if not _is_own(files.tree, source, name):
+                yield Need("module", name, owner)
+
+
+def _imported(source: Source) -> Iterator[Located]:
+    """The top modules of the imports that no ``try`` and no ``if`` surround."""
+    module = syntax_of(source.text)
+    if module is None:
+        return
+    for statement in module.body:
+        if isinstance(statement, ast.Import):
+            names = [each.name for each in statement.names]
+        elif isinstance(statement, ast.ImportFrom) and not statement.level:
+            names = [statement.module or ""]
+        else:
+            continue
+        yield from (Located(name.partition(".")[0], _line(source, statement.lineno)) for name in names if name)
+
+
+def _line(source: Source, line: int) -> Span:
+    start = source.line_starts[line - 1]
+    return source.span(start, start + len(source.line_text(line)))
+
+
+def _is_own(tree: Tree, source: Source, name: str) -> bool:
+    if any(tree.named(f"{name}.py")):
+        return True
+    return any(os.path.basename(os.path.dirname(path)) == name for path in tree.named("__init__.py"))
+
+
+def of_builds(files: Files, launch: Launch) -> Iterator[Need]:
+    """The packages that CMake must find in any case, or ends."""
+    for package in launch.workspace.packages.values():
+        for build in package.builds:
+            if build.source.kind != "cmake" or os.path.dirname(build.source.absolute) != package.folder:
+                continue
+            for command in cmake.commands(build.source):
+                if command.name == "find_package" and not command.conditional and "REQUIRED" in command.arguments:
+                    yield Need("library", command.arguments[0], package)

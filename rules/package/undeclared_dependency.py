@@ -1,0 +1,214 @@
+"""A package needs another one that its package.xml does not declare.
+
+## What it finds
+What launch files start and include, nodes import at their top and CMake finds with REQUIRED, and what neither the
+package.xml nor that of a package of the workspace on which it depends declares. It is a warning
+
+- when CMake finds a package of the same workspace;
+- when ros-base lacks the package, module or library, and no package.xml, script, image, list of repositories or
+  documentation of the tree names it or something that brings it.
+
+Everything else is info: it is there on most robots.
+
+## Why it matters on a robot
+A dependency that is missing in package.xml works on the developer's machine and fails on a fresh robot: rosdep does not
+install it. A launch file aborts with "package 'slam_toolbox' not found", a node with "No module named 'serial'". colcon
+builds a package in an environment of the packages that its package.xml declares: find_package of another one fails in a
+clean workspace, and works where the workspace was sourced before.
+
+## Bad
+```xml
+<!-- bringup.launch.py starts slam_toolbox -->
+<depend>rclpy</depend>
+```
+
+## Good
+```xml
+<depend>rclpy</depend>
+<exec_depend>slam_toolbox</exec_depend>
+```
+
+## When to ignore it
+When the image installs the package by other means than rosdep, for example as a Debian package of the vendor.
+
+## References
+- REP 149, "depend", "exec_depend"
+- REP 2001, "ros_base"
+- colcon, "Build environment": only the install prefixes of declared dependencies are sourced
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Fix
+from bringup_lint.api import Located
+from bringup_lint.api import Related
+from bringup_lint.api import Robot
+from bringup_lint.api import Source
+from bringup_lint.api import Span
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import launch
+from bringup_lint.api import note
+from bringup_lint.api import regex
+from bringup_lint.api import rule
+from bringup_lint.api.launch import Need
+
+BESIDE = ("exec_depend", "run_depend", "depend")
+"""The dependencies below which another one is written, before those of building and testing."""
+REST = regex(r"[ \t]*(?:<!--[^\n<>]*-->[ \t]*)?(?=\r?\n)")
+"""The end of a line that has nothing or a comment."""
+DEPENDENCY = regex(r"[ \t]*<\w+_?depend\b")
+PLACEHOLDER = regex(r"^(?:your|my)_(?:package|pkg|robot|node)|package_name$")
+SHOWN = 12
+"""Places that a finding shows."""
+ASKED = {
+    "node": "{} is started here",
+    "include": "a launch file of {} is included here",
+    "module": "{} is imported here",
+    "library": "CMake looks for {} here",
+}
+
+
+@rule(
+    "warning",
+    confidence="medium",
+    fix="safe",
+    symptoms=[
+        "PackageNotFoundError",
+        "package '*' not found, searching",
+        "No module named",
+        "Could not find a package configuration file provided by",
+    ],
+)
+def undeclared_dependency(robot: Robot) -> Iterator[Finding]:
+    for package in robot.launch.workspace.packages.values():
+        needs = [need for need in robot.dependencies.undeclared(package) if not PLACEHOLDER.search(need.name)]
+        if not needs or not robot.dependencies.judged(package):
+            continue
+        stopping = [need for need in needs if robot.dependencies.stops_build(need)]
+        lacking = [need for need in needs if robot.dependencies.is_lacking(need)]
+        started = [need for need in needs if _is_started(robot, package, need)]
+        if stopping:
+            yield _found(package, [*stopping, *lacking], started, _of_build(stopping), "high")
+        elif lacking:
+            yield _found(package, lacking, started, _of_robot(robot, lacking), None)
+        elif started:
+            yield _harmless(robot, package, started)
+
+
+def _is_started(robot: Robot, package: launch.Package, need: Need) -> bool:
+    """Whether a launch file needs a package, and nothing that is declared has a name like it."""
+    return need.use in ("node", "include") and not robot.launch.comes_with(package, str(need.name))
+
+
+def _of_build(needs: list[Need]) -> str:
+    return (
+        f"A clean colcon build stops at find_package({needs[0].name}): "
+        "the build environment has only the packages that package.xml declares"
+    )
+
+
+def _of_robot(robot: Robot, needs: list[Need]) -> str:
+    first, *others = needs
+    more = "1 other" if len(others) == 1 else f"{len(others)} others"
+    names = f"{first.name} and {more}" if others else str(first.name)
+    how = "rosdep does not install" if robot.dependencies.uses_rosdep else "Nothing of this tree declares or installs"
+    return f"{how} {names}: on a freshly installed robot {_end(first)}"
+
+
+def _end(need: Need) -> str:
+    file = need.name.span.source.basename
+    if need.use == "module":
+        return f"{file} ends with \"No module named '{need.name}'\""
+    if need.use == "library":
+        return f"the build stops at find_package({need.name})"
+    return f"{file} ends with \"package '{need.name}' not found\""
+
+
+def _harmless(robot: Robot, package: launch.Package, started: list[Need]) -> Finding:
+    """Packages that are there all the same: in the workspace, in ros-base or by another package."""
+    first = started[0]
+    tag = package.manifest.tag_at_runtime
+    starts = robot.launch.workspace.packages.get(str(first.name))
+    if starts is not None and package.name in robot.launch.workspace.required(starts):
+        advice = f"{first.name} depends on {package.name}: start it from a launch file of {first.name}"
+    else:
+        advice = f"add <{tag}>{first.name}</{tag}> to the package.xml"
+    own = robot.dependencies.is_of_workspace(first)
+    built = f"colcon build --packages-up-to {package.name} leaves it out"
+    return finding(
+        _place(package),
+        f"{package.name} starts {first.name} and does not declare it: {built if own else 'rosdep does not install it'}",
+        advice=advice,
+        related=_places(started),
+        fix=None if advice.endswith(f"of {first.name}") else dependency(package, started),
+        severity="info",
+    )
+
+
+def _found(
+    package: launch.Package, needs: list[Need], started: list[Need], message: str, confidence: str | None
+) -> Finding:
+    declared = [(tag_of(package, need), key_of(need)) for need in needs if key_of(need)]
+    tag, key = declared[0] if declared else ("", "")
+    return finding(
+        _place(package),
+        message,
+        advice=f"add <{tag}>{key}</{tag}> to the package.xml of {package.name}"
+        if key
+        else f"install {needs[0].name} with the robot, for example by a requirements.txt",
+        related=_places(needs),
+        fix=dependency(package, [*needs, *started]),
+        confidence=confidence,
+    )
+
+
+def _place(package: launch.Package) -> Span | Located | Source:
+    manifest = package.manifest
+    last = next((manifest.places[tag] for tag in (*BESIDE, *manifest.places) if tag in manifest.places), None)
+    return last or package.place
+
+
+def _places(needs: list[Need]) -> list[Related]:
+    return [note(need.name, ASKED[need.use].format(need.name)) for need in needs[:SHOWN]]
+
+
+def key_of(need: Need) -> str:
+    """What the package.xml declares; empty when rosdep knows no key."""
+    return need.fact.declared if need.fact else str(need.name)
+
+
+def tag_of(package: launch.Package, need: Need) -> str:
+    if need.use != "library":
+        return package.manifest.tag_at_runtime
+    return "depend" if package.manifest.format > 1 else "build_depend"
+
+
+def dependency(owner: launch.Package, needs: list[Need]) -> Fix | None:
+    """More dependencies below the last of their kind, past a comment in its line."""
+    manifest = owner.manifest
+    last = next((manifest.places[tag] for tag in (*BESIDE, *manifest.places) if tag in manifest.places), None)
+    lines = dict.fromkeys(
+        f"<{tag_of(owner, need)}>{key_of(need)}</{tag_of(owner, need)}>" for need in needs if key_of(need)
+    )
+    if last is None or not lines:
+        return None
+    source = last.source
+    rest = REST.match(source.text, last.end)
+    end = rest.end() if rest else last.end
+    above = source.line_text(last.line)
+    indent = above[: len(above) - len(above.lstrip())]
+    gap = "\n" if _has_heading(last) else ""
+    added = "".join(f"\n{indent}{line}" for line in lines)
+    return fix("declare what is missing", (source.span(end, end), f"{gap}{added}"))
+
+
+def _has_heading(last: Span) -> bool:
+    """Whether a comment begins the lines that a dependency is one of: it may not mean another one."""
+    line = last.line - 1
+    while line and DEPENDENCY.match(last.source.line_text(line)):
+        line -= 1
+    return line > 0 and last.source.line_text(line).rstrip().endswith("-->")
