@@ -15,8 +15,16 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.asyncio_waits import awaits_asyncio
     from bringup_lint.graph.nodes.questions.blocking_calls import UNTIL_TIMEOUT
     from bringup_lint.graph.nodes.questions.early_results import early_results
+    from bringup_lint.graph.nodes.questions.message_fields import consequence
+    from bringup_lint.graph.nodes.questions.message_fields import converted
+    from bringup_lint.graph.nodes.questions.message_fields import is_checked
+    from bringup_lint.graph.nodes.questions.message_fields import misfits
+    from bringup_lint.graph.nodes.questions.message_fields import missing_fields
+    from bringup_lint.graph.nodes.questions.missing_attributes import missing_attributes
+    from bringup_lint.graph.nodes.questions.missing_attributes import taken_attributes
     from bringup_lint.graph.nodes.questions.motion import moves
     from bringup_lint.graph.nodes.questions.pin_modes import without_pin_mode
+    from bringup_lint.graph.nodes.questions.pipes import unread_pipes
     from bringup_lint.graph.nodes.questions.python_releases import not_there
     from bringup_lint.graph.nodes.questions.python_releases import python_of
     from bringup_lint.graph.nodes.questions.rates import endless_rates
@@ -36,6 +44,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.stopping import handler_never_runs
     from bringup_lint.graph.nodes.questions.stopping import stop_after_shutdown
     from bringup_lint.graph.nodes.questions.stopping import unhandled_shutdown
+    from bringup_lint.graph.nodes.questions.transforms import unhandled_transforms
     from bringup_lint.graph.nodes.questions.undefined_names import dict_ranges
     from bringup_lint.graph.nodes.questions.undefined_names import range_text
     from bringup_lint.graph.nodes.questions.undefined_names import undefined
@@ -60,6 +69,8 @@ __all__ = [
     "Timer",
     "asked_in_vain",
     "awaits_asyncio",
+    "consequence",
+    "converted",
     "dict_ranges",
     "double_shutdown",
     "early_results",
@@ -70,7 +81,11 @@ __all__ = [
     "held",
     "import_edits",
     "is_called_nowhere",
+    "is_checked",
     "lowered",
+    "misfits",
+    "missing_attributes",
+    "missing_fields",
     "moves",
     "never_run",
     "not_there",
@@ -84,10 +99,13 @@ __all__ = [
     "stopped_callbacks",
     "stopped_in_cpp",
     "swap",
+    "taken_attributes",
     "tried_shutdown",
     "undefined",
     "unhandled_shutdown",
+    "unhandled_transforms",
     "unread_parameters",
+    "unread_pipes",
     "unsafe_ends",
     "unset",
     "valid_node_name",

@@ -1,8 +1,8 @@
-"""A ROS name is used but never imported.
+"""A name is used that nothing imports or defines.
 
 ## What it finds
-Names such as `SetParametersResult`, `QoSProfile`, `ReliabilityPolicy` or `asyncio` that the source of a node uses,
-but that nothing in the file imports or defines.
+Names that the source of a node looks up and that neither the function, the file nor Python defines: a message type or
+`sys` that is never imported, a variable of another function, a method that is called without `self.`, a misspelt name.
 
 ## Why it matters on a robot
 Python looks a name up when the line runs. In a callback for parameters or signals that can be weeks later, on the
@@ -39,13 +39,17 @@ from bringup_lint.api import rule
 @rule("error", fix="unsafe", symptoms=["NameError: name 'SetParametersResult' is not defined"])
 def undefined_name(robot: Robot) -> Iterator[Finding]:
     for file in robot.nodes.programs:
-        for name, module, function, stub in nodes.undefined(robot.nodes.syntax(file)):
-            when = f"when {function}() is called" if function else "when the file is loaded"
-            line = f"from {module} import {name.id}" if module else f"import {name.id}"
+        for found in nodes.undefined(robot.nodes.syntax(file)):
+            name, module = found.name.id, found.module
+            when = f"when {found.function}() is called" if found.function else "when the file is loaded"
+            end = "what follows in its try block never runs" if found.caught else "the node exits"
+            line = f"from {module} import {name}" if module else f"import {name}"
+            where = found.function or "the file"
+            edits = nodes.import_edits(file, module, name) if module is not None else []
             yield finding(
-                file.span_of(name),
-                f"NameError {when}: {name.id} is never imported, and the node exits",
-                advice=f"add '{line}'",
-                fix=fix(f"add '{line}'", *nodes.import_edits(file, module, name.id)),
-                severity="info" if stub else nodes.lowered(robot.nodes.purpose(file.source), "error"),
+                file.span_of(found.name),
+                f"NameError {when}: {name} is never {'defined' if module is None else 'imported'}, and {end}",
+                advice=f"add '{line}'" if module is not None else f"define {name} where {where} sees it",
+                fix=fix(f"add '{line}'", *edits) if edits else None,
+                severity="info" if found.idle else nodes.lowered(robot.nodes.purpose(file.source), "error"),
             )

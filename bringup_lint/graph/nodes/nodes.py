@@ -33,6 +33,7 @@ from bringup_lint.source import Source
 if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
     from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.nodes.questions.message_types import MessageTypes
     from bringup_lint.graph.provenance import Provenance
     from bringup_lint.graph.runners.launching import Launching
     from bringup_lint.graph.runners.runner import Runner
@@ -329,6 +330,18 @@ class Nodes:
     def _is_followed(self, node: NodeClass) -> bool:
         """Whether all that a class builds on is known."""
         return node.name is None or node.base is not None or all(base in ROOTS for base in node.bases)
+
+    @property
+    def message_types(self) -> Iterator[MessageTypes]:
+        """The types of the expressions of each program that imports messages."""
+        from bringup_lint.graph.nodes.questions.message_fields import types_of
+        from bringup_lint.graph.nodes.resolved.interfaces import Interfaces
+
+        interfaces = Interfaces(self.files.tree, self.launch.workspace)
+        for file in self.programs:
+            types = types_of(file, self.syntax(file), interfaces)
+            if types is not None:
+                yield types
 
     def syntax(self, file: NodeSource) -> Syntax:
         return self.ending(file).syntax

@@ -1,61 +1,112 @@
-"""Names of ROS that a node source uses and never imports, and ranges of parameters that are no ranges."""
+"""Names that a node source uses and nothing binds, and ranges of parameters that are no ranges."""
 
 from __future__ import annotations
 
 import ast
+import builtins
 import re
+import sys
 from collections.abc import Iterator
 from collections.abc import Sequence
 
 from bringup_lint.facts import table
 from bringup_lint.graph.nodes.sources.syntax import FUNCTIONS
 from bringup_lint.graph.nodes.sources.syntax import Syntax
+from bringup_lint.graph.nodes.sources.syntax import own
+from bringup_lint.model.python import walk
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
 _DYNAMIC = regex(r"\b(?:exec|eval|globals|locals|__import__|importlib|builtins)\b|\bvars\(")
 _RANGES = {"floating_point_range": "FloatingPointRange", "integer_range": "IntegerRange"}
 _FIELDS = ("from_value", "to_value", "step")
+_OF_MODULES = frozenset({"__file__", "__path__", "__class__", "__module__", "__qualname__", "__annotations__", "_"})
+"""Names that no statement binds; ``_`` is that of gettext.install()."""
+_CAUGHT = frozenset({"NameError", "Exception", "BaseException"})
+_RUN_BY_OTHERS = regex(r"main$|__\w+__$|on_[a-z]+$|destroy_node$|run$|setup$")
+"""Functions that are called by name from elsewhere."""
 
 
 class Undefined(NamedTuple):
     name: ast.Name
-    module: str
-    """What to import it from; empty for a module itself."""
+    module: str | None
+    """What to import it from; empty for a module itself, None when that is not known."""
     function: str | None
     """Where it is used; None: when the file is imported."""
-    stub: bool = False
-    """The function says before it that it is not implemented."""
+    idle: bool = False
+    """The function says before it that it is not implemented, or nothing calls it."""
+    caught: bool = False
+    """An ``except Exception`` around it catches the NameError."""
 
 
 def undefined(syntax: Syntax) -> Iterator[Undefined]:
-    """The first use of each name of the table that nothing in the file binds."""
+    """The first use of each name that nothing binds where it is looked up."""
     file = syntax.file
     if file.stars or _DYNAMIC.search(file.source.text):
         return
-    names = {row["name"]: row["module"] for row in table("ros/names")}
-    wanted = {name for name in names if name in file.source.text} - file.imports.keys()
-    if not wanted:
-        return
-    bound: set[str] = set()
-    used: dict[str, list[ast.Name]] = {}
+    modules = {row["name"]: row["module"] for row in table("ros/names")}
     lazy = any(dotted == "__future__.annotations" for dotted in file.imports.values())
-    for node in file.nodes:
-        bound.update(_bound(node))
-        if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load) and node.id in wanted:
-            if not _is_harmless(syntax, node, lazy):
-                used.setdefault(node.id, []).append(node)
-    for name in sorted(used.keys() - bound):
-        first = min(used[name], key=lambda each: (each.lineno, each.col_offset))
-        yield Undefined(first, names[name], _function(syntax, first), _is_in_stub(syntax, first))
+    bindings = _Bindings(syntax)
+    seen: set[str] = set()
+    names = (node for node in file.nodes if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load))
+    for name in sorted(names, key=lambda each: (each.lineno, each.col_offset)):
+        if name.id in seen or bindings.has(name) or _is_harmless(syntax, name, lazy):
+            continue
+        seen.add(name.id)
+        module = modules.get(name.id, "" if name.id in sys.stdlib_module_names else None)
+        caught = any(_takes(outer, field) for outer, field in syntax.within(name))
+        yield Undefined(name, module, _function(syntax, name), is_idle(syntax, name), caught)
 
 
-def _is_in_stub(syntax: Syntax, name: ast.Name) -> bool:
+class _Bindings:
+    """What the scopes of one file bind; a function counts with all that is in it."""
+
+    def __init__(self, syntax: Syntax) -> None:
+        self.syntax = syntax
+        self._inner: dict[ast.AST, frozenset[str]] = {}
+        body = syntax.file.tree.body if syntax.file.tree is not None else []
+        outside = {name for node in own(body) for name in _bound(node)}
+        declared = {name for node in syntax.file.nodes if isinstance(node, ast.Global) for name in node.names}
+        self._module = outside | declared | _OF_MODULES
+
+    def has(self, name: ast.Name) -> bool:
+        if name.id in self._module or hasattr(builtins, name.id):
+            return True
+        in_function = False
+        for outer, field in self.syntax.above(name):
+            if isinstance(outer, ast.ClassDef):
+                if not in_function and field == "body" and name.id in self._of_class(outer):
+                    return True
+            elif isinstance(outer, _COMPREHENSIONS) or (isinstance(outer, FUNCTIONS) and field == "body"):
+                in_function = in_function or isinstance(outer, FUNCTIONS)
+                if name.id in self._of(outer):
+                    return True
+        return False
+
+    def _of(self, outer: ast.AST) -> frozenset[str]:
+        if outer not in self._inner:
+            self._inner[outer] = frozenset(name for node in walk(outer) for name in _bound(node))
+        return self._inner[outer]
+
+    def _of_class(self, outer: ast.ClassDef) -> frozenset[str]:
+        if outer not in self._inner:
+            self._inner[outer] = frozenset(name for node in own(outer.body) for name in _bound(node))
+        return self._inner[outer]
+
+
+_COMPREHENSIONS = (ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
+
+
+def is_idle(syntax: Syntax, name: ast.Name | ast.Attribute) -> bool:
+    """Whether the function is only a stub, or nothing in its file mentions it."""
     function = syntax.function(name)
-    before = (
-        (each for each in ast.walk(function) if getattr(each, "lineno", name.lineno) < name.lineno) if function else ()
-    )
-    return any(_says_unfinished(each) for each in before)
+    if function is None:
+        return False
+    if any(_says_unfinished(each) for each in walk(function) if getattr(each, "lineno", name.lineno) < name.lineno):
+        return True
+    if _RUN_BY_OTHERS.match(function.name) or function.decorator_list:
+        return False
+    return len(re.findall(rf"\b{re.escape(function.name)}\b", syntax.file.source.text)) == 1
 
 
 def _says_unfinished(node: ast.AST) -> bool:
@@ -72,12 +123,18 @@ def _bound(node: ast.AST) -> Iterator[str]:
         yield node.name
     elif isinstance(node, ast.arg):
         yield node.arg
+    elif isinstance(node, ast.alias):
+        yield node.asname or node.name.partition(".")[0]
     elif isinstance(node, ast.ExceptHandler) and node.name:
         yield node.name
     elif isinstance(node, (ast.MatchAs, ast.MatchStar)) and node.name:
         yield node.name
+    elif isinstance(node, ast.MatchMapping) and node.rest:
+        yield node.rest
     elif isinstance(node, (ast.Global, ast.Nonlocal)):
         yield from node.names
+    else:
+        yield from (str(each.name) for each in getattr(node, "type_params", ()))
 
 
 def _is_harmless(syntax: Syntax, node: ast.Name, lazy: bool) -> bool:
@@ -86,12 +143,23 @@ def _is_harmless(syntax: Syntax, node: ast.Name, lazy: bool) -> bool:
         if lazy and name in ("annotation", "returns"):
             return True
         if isinstance(above, ast.Try) and name == "body":
-            caught = {each.id for each in ast.walk(above) if isinstance(each, ast.Name)}
+            caught = {each.id for handler in above.handlers for each in _types(handler)}
             if "NameError" in caught or any(handler.type is None for handler in above.handlers):
                 return True
         if isinstance(above, ast.AnnAssign) and name == "annotation" and syntax.function(node) is not None:
             return True
     return False
+
+
+def _types(handler: ast.ExceptHandler) -> Iterator[ast.Name]:
+    if handler.type is not None:
+        yield from (each for each in ast.walk(handler.type) if isinstance(each, ast.Name))
+
+
+def _takes(outer: ast.AST, field: str) -> bool:
+    if not isinstance(outer, ast.Try) or field != "body":
+        return False
+    return any(each.id in _CAUGHT for handler in outer.handlers for each in _types(handler))
 
 
 def _function(syntax: Syntax, node: ast.AST) -> str | None:

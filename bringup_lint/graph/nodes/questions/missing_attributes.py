@@ -1,0 +1,190 @@
+"""Attributes of nodes that nothing sets, and those that rclpy keeps for itself."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.facts import table
+from bringup_lint.graph.nodes.questions.undefined_names import is_idle
+from bringup_lint.graph.nodes.sources.syntax import Syntax
+from bringup_lint.model.node_source import NodeClass
+from bringup_lint.model.python import walk
+from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.parsers.python_node.classes import ROOTS
+from bringup_lint.pattern import regex
+from bringup_lint.spelling import nearest
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.nodes.nodes import Nodes
+    from bringup_lint.model.node_source import NodeSource
+
+_DYNAMIC = regex(r"__getattr|\bsetattr\b|__dict__|\bvars\(|\bexec\(|__slots__|\bpatch\.object|__setattr__")
+_PLAIN_BASES = frozenset({"abc.ABC", "ABC", "object"})
+_CAUGHT = frozenset({"AttributeError", "Exception", "BaseException"})
+_POOLS = ("concurrent.futures.ThreadPoolExecutor", "concurrent.futures.ProcessPoolExecutor")
+
+
+class MissingAttribute(NamedTuple):
+    file: NodeSource
+    place: ast.Attribute
+    owner: NodeClass
+    function: str
+    """The method that uses it."""
+    like: str | None
+    """An attribute of nearly the same name, which the class has."""
+    idle: bool
+    """Nothing calls the method."""
+
+
+class TakenAttribute(NamedTuple):
+    """An assignment to a property of rclpy that has no setter, or takes only an executor of rclpy."""
+
+    file: NodeSource
+    place: ast.Attribute
+
+
+def missing_attributes(nodes: Nodes) -> Iterator[MissingAttribute]:
+    """The first use of each attribute that no code of the tree sets, of classes whose bases are all known."""
+    of_ros = {row["name"] for row in table("ros/node_attributes")} | set(dir(object))
+    foreign = _set_elsewhere(nodes)
+    for file, node in nodes.with_callbacks:
+        family = _family(nodes, node)
+        if node.node is None or family is None:
+            continue
+        known = of_ros | foreign | {name for each in family for name in _names(each)}
+        texts = {
+            str(each.value) for each in file.nodes if isinstance(each, ast.Constant) and isinstance(each.value, str)
+        }
+        yield from _unknown(nodes, file, node, known, texts)
+
+
+def _unknown(
+    nodes: Nodes, file: NodeSource, node: NodeClass, known: set[str], texts: set[str]
+) -> Iterator[MissingAttribute]:
+    syntax = nodes.syntax(file)
+    seen: set[str] = set()
+    for place in sorted(_own_uses(syntax, node), key=lambda each: (each.lineno, each.col_offset)):
+        name = place.attr
+        if name in known or name in texts or name in seen or name.startswith("__") or _is_expected(syntax, place):
+            continue
+        seen.add(name)
+        function = syntax.function(place)
+        label = function.name if function is not None else ""
+        near = nearest(name, known)
+        like = near[0] if len(near) == 1 else None
+        yield MissingAttribute(file, place, node, label, like, is_idle(syntax, place))
+
+
+def taken_attributes(nodes: Nodes) -> Iterator[TakenAttribute]:
+    read_only = {row["name"] for row in table("ros/node_attributes") if row["kind"] == "read-only"}
+    for file, node in nodes.with_callbacks:
+        if node.node is None:
+            continue
+        own = {name for each in node.lineage if each.node is not None for name in _of_body(each.node)}
+        for place, value in _assignments(nodes.syntax(file), node):
+            pool = file.named(value, nodes.syntax(file).function(place)) if place.attr == "executor" else None
+            if place.attr not in own and (place.attr in read_only or pool in _POOLS):
+                yield TakenAttribute(file, place)
+
+
+def _family(nodes: Nodes, node: NodeClass) -> list[NodeClass] | None:
+    """A class, all that it builds on and all that builds on it; None when not all of that is known."""
+    lineage = list(node.lineage)
+    for each in lineage:
+        plain = [base for base in each.bases if base not in _PLAIN_BASES]
+        if each.node is None or each.node.decorator_list or each.node.keywords or len(plain) != 1:
+            return None
+        if each.base is None and plain[0] not in ROOTS:
+            return None
+    files = {nodes.file_of(each) for each in lineage}
+    if any(file.stars or _DYNAMIC.search(file.source.text) for file in files):
+        return None
+    return [*lineage, *(each for file in nodes.sources for each in file.classes if _builds_on(each, node))]
+
+
+def _builds_on(node: NodeClass, other: NodeClass) -> bool:
+    if node is other or other.name is None:
+        return False
+    return other in node.lineage or any(base.rpartition(".")[2] == other.name for base in node.bases)
+
+
+def _names(node: NodeClass) -> Iterator[str]:
+    """What a class defines, and what its methods set on anything."""
+    if node.node is None:
+        return
+    yield from _of_body(node.node)
+    for each in walk(node.node):
+        if isinstance(each, ast.Attribute) and not isinstance(each.ctx, ast.Load):
+            yield each.attr
+
+
+def _of_body(node: ast.ClassDef) -> Iterator[str]:
+    """The names that a class body binds."""
+    for statement in node.body:
+        if isinstance(statement, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)):
+            yield statement.name
+            continue
+        for each in walk(statement):
+            if isinstance(each, ast.Name) and isinstance(each.ctx, ast.Store):
+                yield each.id
+            elif isinstance(each, (ast.FunctionDef, ast.ClassDef)):
+                yield each.name
+            elif isinstance(each, ast.alias):
+                yield each.asname or each.name
+
+
+def _set_elsewhere(nodes: Nodes) -> set[str]:
+    """Attributes that code of the tree sets on something else than ``self``."""
+    found = set()
+    for file in nodes.sources:
+        for each in file.nodes:
+            if isinstance(each, ast.Attribute) and isinstance(each.ctx, ast.Store):
+                if not (isinstance(each.value, ast.Name) and each.value.id == "self"):
+                    found.add(each.attr)
+    return found
+
+
+def _own_uses(syntax: Syntax, node: NodeClass) -> Iterator[ast.Attribute]:
+    """``self.x`` in the methods of a class."""
+    for each in walk(node.node) if node.node is not None else ():
+        if isinstance(each, ast.Attribute) and isinstance(each.ctx, ast.Load) and _is_self(syntax, node, each):
+            yield each
+
+
+def _is_self(syntax: Syntax, node: NodeClass, place: ast.Attribute) -> bool:
+    """Whether an attribute is one of ``self`` in a method of this class, and not of a class within it."""
+    if not isinstance(place.value, ast.Name) or place.value.id != "self":
+        return False
+    method = None
+    for outer, _ in syntax.above(place):
+        if isinstance(outer, ast.ClassDef):
+            return outer is node.node and method is not None and _first(method) == "self"
+        if isinstance(outer, (ast.FunctionDef, ast.AsyncFunctionDef)):
+            method = outer
+    return False
+
+
+def _first(method: ast.FunctionDef | ast.AsyncFunctionDef) -> str | None:
+    arguments = [*method.args.posonlyargs, *method.args.args]
+    return arguments[0].arg if arguments else None
+
+
+def _assignments(syntax: Syntax, node: NodeClass) -> Iterator[tuple[ast.Attribute, ast.expr]]:
+    for each in walk(node.node) if node.node is not None else ():
+        targets = each.targets if isinstance(each, ast.Assign) else [getattr(each, "target", None)]
+        if isinstance(each, (ast.Assign, ast.AnnAssign)) and each.value is not None:
+            for target in targets:
+                if isinstance(target, ast.Attribute) and _is_self(syntax, node, target):
+                    yield target, each.value
+
+
+def _is_expected(syntax: Syntax, place: ast.AST) -> bool:
+    """Whether code around a place handles that the attribute is missing."""
+    for outer, field in syntax.within(place):
+        if isinstance(outer, ast.Try) and field == "body":
+            types = [name for handler in outer.handlers for name in walk(handler.type or ast.Name("Exception"))]
+            if any(isinstance(name, ast.Name) and name.id in _CAUGHT for name in types):
+                return True
+    return False

@@ -1,0 +1,87 @@
+"""Transforms that a callback asks for without handling that there is none."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+
+from bringup_lint.graph.nodes.questions.callback_code import code_of
+from bringup_lint.graph.nodes.sources.ending import Ending
+from bringup_lint.graph.nodes.sources.sending import called
+from bringup_lint.graph.nodes.sources.syntax import FUNCTIONS
+from bringup_lint.model.node_source import Callback
+from bringup_lint.model.node_source import NodeClass
+from bringup_lint.model.python import children
+from bringup_lint.named_tuple import NamedTuple
+
+DEPTH = 4
+_LOOKUPS = frozenset({"lookup_transform", "lookup_transform_full"})
+_ASKS = frozenset({"can_transform", "wait_for_transform_async", "can_transform_full"})
+_ROLES = ("subscription", "timer", "service", "client")
+"""Callbacks whose exceptions end the spin; what an action raises only aborts its goal (rclpy, action/server.py)."""
+
+
+class Unhandled(NamedTuple):
+    call: ast.Call
+    callback: Callback
+    name: str
+    """The function that asks."""
+
+
+def unhandled_transforms(ending: Ending, cls: NodeClass) -> Iterator[Unhandled]:
+    """The lookups outside every ``try`` between them and the callback; each once."""
+    seen: set[ast.AST] = set()
+    for callback in cls.callbacks:
+        if callback.role not in _ROLES:
+            continue
+        name, body = code_of(ending, cls, callback)
+        for call, function in _unguarded(ending, cls, body, name, DEPTH, set()):
+            if call not in seen:
+                seen.add(call)
+                yield Unhandled(call, callback, function)
+
+
+def _unguarded(
+    ending: Ending, cls: NodeClass, body: list[ast.AST], name: str, depth: int, seen: set[ast.AST]
+) -> Iterator[tuple[ast.Call, str]]:
+    calls = list(_outside_try(body))
+    if any(_method(call) in _ASKS for call in calls):
+        return
+    for call in calls:
+        if _is_lookup(ending, call):
+            yield call, name
+        elif depth:
+            for function, owner in called(ending.syntax, call, cls):
+                if function not in seen and (owner is None or owner.source is cls.source):
+                    seen.add(function)
+                    inner: list[ast.AST] = list(function.body)
+                    yield from _unguarded(ending, cls, inner, function.name, depth - 1, seen)
+
+
+def _outside_try(body: list[ast.AST]) -> Iterator[ast.Call]:
+    """The calls that no exception handler of the same function surrounds."""
+    stack = list(reversed(body))
+    while stack:
+        node = stack.pop()
+        if isinstance(node, (*FUNCTIONS, ast.ClassDef)):
+            continue
+        if isinstance(node, ast.Call):
+            yield node
+        inner = children(node)
+        if isinstance(node, ast.Try) and node.handlers:
+            inner = [each for each in inner if each not in node.body]
+        stack.extend(reversed(inner))
+
+
+def _method(call: ast.Call) -> str:
+    return call.func.attr if isinstance(call.func, ast.Attribute) else ""
+
+
+def _is_lookup(ending: Ending, call: ast.Call) -> bool:
+    name = _method(call)
+    if not isinstance(call.func, ast.Attribute) or name not in (*_LOOKUPS, "transform"):
+        return False
+    owner = ending.file.named(call.func.value, ending.syntax.function(call)) or ""
+    if owner.startswith("tf2_ros.") and owner.endswith("Buffer"):
+        return True
+    return name in _LOOKUPS and "buffer" in ast.unparse(call.func.value).lower()

@@ -1,0 +1,82 @@
+"""The fields of messages: those of the workspace's own packages, and of the common ones."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from collections.abc import Mapping
+from functools import cache
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from bringup_lint.facts import table
+from bringup_lint.parsers.interface import Fields
+from bringup_lint.parsers.interface import parse
+
+if TYPE_CHECKING:
+    from bringup_lint.discover.tree import Tree
+    from bringup_lint.graph.workspace import Workspace
+
+_PARTS = {
+    "msg": ("",),
+    "srv": ("_Request", "_Response"),
+    "action": ("_Goal", "_Result", "_Feedback"),
+}
+
+
+class Interfaces:
+    """Types are named as ``geometry_msgs/msg/Twist`` and ``std_srvs/srv/SetBool_Request``."""
+
+    def __init__(self, tree: Tree, workspace: Workspace) -> None:
+        self._tree = tree
+        self._workspace = workspace
+        self._read: dict[str, Fields | None] = {}
+
+    def fields(self, type_: str) -> Mapping[str, str] | None:
+        """The fields and constants of a type; None when they are not known."""
+        if type_ not in self._read:
+            self._read[type_] = self._find(type_)
+        return self._read[type_]
+
+    def _find(self, type_: str) -> Fields | None:
+        package, kind, name = (*type_.split("/"), "", "")[:3]
+        if package in self._workspace.ambiguous:
+            return None
+        if package not in self._workspace.packages:
+            return _common().get(type_)
+        name, _, part = name.partition("_")
+        path = self._definitions.get((package, kind, name))
+        source = self._tree.read(path, "interface", judged=False) if path is not None else None
+        if source is None or source.template:
+            return None
+        parts = parse(source.text, package)
+        names = _PARTS[kind]
+        wanted = f"_{part}" if part else ""
+        if wanted not in names or len(parts) != len(names):
+            return None
+        return parts[names.index(wanted)]
+
+    @cached_property
+    def _definitions(self) -> dict[tuple[str, str, str], str]:
+        """Package, kind and name -> the file that defines it."""
+        found = {}
+        for path in self._tree.paths:
+            folder, _, name = path.rpartition("/")
+            stem, _, kind = name.rpartition(".")
+            if kind in _PARTS and os.path.basename(folder) == kind:
+                package = self._workspace.package_of(os.path.abspath(os.path.dirname(folder)))
+                if package is not None:
+                    found[package.name, kind, stem] = path
+        return found
+
+
+@cache
+def _common() -> dict[str, Fields]:
+    """The types of the table."""
+    return {row["type"]: dict(_pairs(row["fields"])) for row in table("ros/message_fields")}
+
+
+def _pairs(text: str) -> Iterator[tuple[str, str]]:
+    for each in text.split():
+        name, _, kind = each.partition(":")
+        yield name, kind

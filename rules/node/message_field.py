@@ -1,0 +1,75 @@
+"""A message has no such field, or the field does not take the value.
+
+## What it finds
+Python nodes that read or set a field which the message does not have, and values of another type than the field:
+`twist.linear.x = 1` (the field is a `float64`), `header.stamp = self.get_clock().now()`, a text for a number. The
+fields are those of the `.msg`, `.srv` and `.action` files of the tree, and of the common interface packages.
+
+## Why it matters on a robot
+Python looks at fields and values when the line runs, often only in the branch for an emergency. A field that is
+missing raises AttributeError. A value of the wrong type raises AssertionError in Humble. Newer releases do not look
+at it any more: an integer in a float field arrives as 5e-324, so that the robot does not move, or aborts the node; an
+integer in a bool arrives as False; other wrong types make `publish()` raise.
+
+## Bad
+```python
+twist = Twist()
+twist.linear.x = 1
+```
+
+## Good
+```python
+twist = Twist()
+twist.linear.x = 1.0
+```
+
+## When to ignore it
+When the message comes from another version of its package, in which the field exists.
+
+## References
+- https://docs.ros.org/en/jazzy/Concepts/Basic/About-Interfaces.html
+- rosidl_python, `_msg.py.em` and `_msg_support.c.em`
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import nodes
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", fix="safe", symptoms=["AttributeError: 'Twist' object has no attribute 'x'", "must be of type 'float'"])
+def message_field(robot: Robot) -> Iterator[Finding]:
+    for types in robot.nodes.message_types:
+        purpose = robot.nodes.purpose(types.file.source)
+        severity = nodes.lowered(purpose, "error")
+        of_values = severity if nodes.is_checked(robot.target.ros) else nodes.lowered(purpose, "warning")
+        for none, *rest in nodes.missing_fields(types):
+            end = "what follows in its try block never runs" if none.caught else "the node exits"
+            error = f"AttributeError, and {end}"
+            if none.given:
+                error = "AssertionError in Humble, ignored by newer releases"
+            yield finding(
+                types.file.span_of(none.place),
+                f"{none.type} has no field '{none.name}': {error}",
+                advice=f"its fields are {', '.join(sorted(none.fields))}" if none.fields else "it has no fields",
+                related=[note(types.file.span_of(each.place), "the same") for each in rest],
+                severity=severity,
+            )
+        for first, *others in nodes.misfits(types, robot.target.ros):
+            spans = [types.file.span_of(each.value) for each in (first, *others)]
+            better = nodes.converted(first, spans[0].text)
+            edits = [(each, nodes.converted(first, each.text) or each.text) for each in spans]
+            yield finding(
+                spans[0],
+                f"'{first.name}' is a {first.wanted}, and {spans[0].text} is {first.got}: "
+                f"{nodes.consequence(first, robot.target.ros)}",
+                advice=f"write {better}" if better else f"give it a {first.wanted}",
+                related=[note(each, "the same") for each in spans[1:]],
+                fix=fix(f"write {better}", *edits) if better else None,
+                severity=of_values,
+            )

@@ -1,0 +1,65 @@
+"""A node uses an attribute that nothing sets, or sets one that rclpy keeps.
+
+## What it finds
+`self.x` in a Python node when no code sets `x` and neither its base classes nor rclpy define it; and assignments to
+`self.subscriptions`, `self.publishers`, `self.clients`, `self.services`, `self.timers` and the other properties of
+`rclpy.node.Node` that cannot be set. Classes with bases that are not in the tree are left out.
+
+## Why it matters on a robot
+Python looks an attribute up when the line runs: in the callback for a fault or an emergency stop, perhaps weeks later,
+on the robot. AttributeError then leaves `spin()`, and the node ends. An assignment to a property of rclpy ends it at
+its start.
+
+## Bad
+```python
+def on_stop(self, msg):
+    self.cmd_publisher.publish(Twist())  # it is called self.cmd_pub
+```
+
+## Good
+```python
+def on_stop(self, msg):
+    self.cmd_pub.publish(Twist())
+```
+
+## When to ignore it
+When the attribute is set from outside in a way that the linter does not see.
+
+## References
+- https://docs.python.org/3/reference/datamodel.html, "Custom classes"
+- rclpy, node.py: the properties of Node
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import nodes
+from bringup_lint.api import rule
+
+SYMPTOMS = [
+    "AttributeError: 'Drive' object has no attribute 'cmd_publisher'",
+    "AttributeError: can't set attribute 'subscriptions'",
+    "AttributeError: property 'subscriptions' of 'Drive' object has no setter",
+]
+
+
+@rule("error", symptoms=SYMPTOMS)
+def undefined_attribute(robot: Robot) -> Iterator[Finding]:
+    for found in nodes.missing_attributes(robot.nodes):
+        name = found.place.attr
+        yield finding(
+            found.file.span_of(found.place),
+            f"AttributeError when {found.function}() runs: nothing sets self.{name}, and the node exits",
+            advice=f"write self.{found.like}" if found.like else f"set self.{name} in __init__()",
+            severity="info" if found.idle else nodes.lowered(robot.nodes.purpose(found.file.source), "error"),
+        )
+    for taken in nodes.taken_attributes(robot.nodes):
+        name = taken.place.attr
+        yield finding(
+            taken.file.span_of(taken.place),
+            f"AttributeError: '{name}' is a property of rclpy's Node that cannot be set so, and the node exits",
+            advice=f"choose another name, such as self.own_{name}",
+            severity=nodes.lowered(robot.nodes.purpose(taken.file.source), "error"),
+        )
