@@ -148,7 +148,9 @@ def _set_elsewhere(nodes: Nodes) -> set[str]:
 
 def _own_uses(syntax: Syntax, node: NodeClass) -> Iterator[ast.Attribute]:
     """``self.x`` in the methods of a class."""
-    for each in walk(node.node) if node.node is not None else ():
+    if node.node is None:
+        return
+    for each in walk(node.node):
         if isinstance(each, ast.Attribute) and isinstance(each.ctx, ast.Load) and _is_self(syntax, node, each):
             yield each
 
@@ -172,7 +174,9 @@ def _first(method: ast.FunctionDef | ast.AsyncFunctionDef) -> str | None:
 
 
 def _assignments(syntax: Syntax, node: NodeClass) -> Iterator[tuple[ast.Attribute, ast.expr]]:
-    for each in walk(node.node) if node.node is not None else ():
+    if node.node is None:
+        return
+    for each in walk(node.node):
         targets = each.targets if isinstance(each, ast.Assign) else [getattr(each, "target", None)]
         if isinstance(each, (ast.Assign, ast.AnnAssign)) and each.value is not None:
             for target in targets:

@@ -59,8 +59,10 @@ def _command(syntax: Syntax, call: ast.Call) -> str | None:
 def _assigned(syntax: Syntax, call: ast.Call, name: str) -> ast.expr | None:
     """The one value that the function gives a variable."""
     function = syntax.function(call)
+    if function is None:
+        return None
     found = []
-    for node in walk(function) if function is not None else ():
+    for node in walk(function):
         targets = node.targets if isinstance(node, ast.Assign) else [getattr(node, "target", None)]
         if isinstance(node, (ast.Assign, ast.AnnAssign)) and any(_is_name(each, name) for each in targets):
             found.append(node.value)
