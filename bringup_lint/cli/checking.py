@@ -141,7 +141,8 @@ def deliver(
 
     drawn = any(output.format in DRAWN for output in outputs)
     part = Part.STATISTICS if options.get("statistics") else Part.FINDINGS if options.get("quiet") else Part.WHOLE
-    told = part is not Part.STATISTICS and any(output.format == "text" for output in outputs)
+    people = {"html"} if part is Part.STATISTICS else {"html", "text"}
+    told = any(output.format in people for output in outputs)
     report = replace(report_of(outcome, robot, config, started, drawn=drawn, told=told), part=part)
     if options["exit_zero"] and report.exit_code == 1:
         report = replace(report, exit_code=0)

@@ -104,7 +104,7 @@ class Report:
     picture: dict[str, Any] | None = None
     """The robot as ``report.picture`` draws it, with these findings; only the formats in ``report.DRAWN`` show it."""
     at_boot: frozenset[str] = frozenset()
-    """The names of the files that decide what starts at boot; only asked for by long texts."""
+    """The names of the files that decide what starts at boot; only asked for by long reports for people."""
     part: Part = Part.WHOLE
     """What of a report for people is printed."""
     colour: bool = False

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 from bringup_lint.finding import Applicability
@@ -99,3 +100,17 @@ def test_a_long_report_says_once_what_is_the_same() -> None:
     assert text.count("help: write something else") == 3
     assert text.count("error[udev/b]: udev/b in line") == 12
     assert text.index("[udev/b]") < text.index("[systemd/a]") < text.index("[systemd/z]")
+
+
+def test_a_long_page_begins_with_what_starts_at_boot_in_each_severity() -> None:
+    early = [finding("can/e", Severity.ERROR, RULES, line) for line in range(3)]
+    findings = (*early, *MANY[:9], *MANY[12:])
+    page = render("html", Report(findings=findings, kinds=KINDS, at_boot=frozenset({UNIT.name})))
+    assert re.findall(r'data-severity="(\w+)" data-family="\w+" data-rule="([\w/]+)"', page) == [
+        ("error", "systemd/a"),
+        *[("error", "udev/b")] * 9,
+        *[("error", "can/e")] * 3,
+        *[("warning", "systemd/z")] * 9,
+        ("warning", "systemd/a"),
+    ]
+    assert re.findall(r'id="finding-(\d+)"', page)[:2] == ["21", "3"]

@@ -19,6 +19,8 @@ from bringup_lint.report.html.markup import lines
 from bringup_lint.report.html.markup import text
 from bringup_lint.report.html.prose import prose
 from bringup_lint.report.model import Report
+from bringup_lint.report.order import LONG
+from bringup_lint.report.order import by_cause
 
 TITLES = {Severity.ERROR: "Errors", Severity.WARNING: "Warnings", Severity.INFO: "Info"}
 SNIPPET = 120
@@ -26,13 +28,17 @@ SNIPPET = 120
 
 
 def articles(report: Report) -> str:
-    """A section for each severity, worst first."""
-    numbered = list(enumerate(report.shown))
-    if not numbered:
+    """A section for each severity, worst first; in a long report what starts at boot first, and each rule together."""
+    shown = list(report.shown)
+    if not shown:
         return _nothing(report)
+    number = {id(finding): index for index, finding in enumerate(shown)}
     sections = []
     for severity, title in TITLES.items():
-        held = [_article(number, finding, report) for number, finding in numbered if finding.severity is severity]
+        found = [finding for finding in shown if finding.severity is severity]
+        if len(shown) > LONG:
+            found = [finding for group in by_cause(found, report.at_boot) for finding in group]
+        held = [_article(number[id(finding)], finding, report) for finding in found]
         if held:
             heading = f'<h2>{title} <span class="count">{len(held)}</span></h2>'
             sections.append(f'<section class="group">{heading}{"".join(held)}</section>')

@@ -57,9 +57,9 @@ function clearFilters() {
 
 function regroup(by) {
   const groups = new Map();
-  const rank = ({ dataset }) => (by === "severity" ? -SEVERITIES.indexOf(dataset.severity) : 0);
   const name = ({ dataset }) => (by === "severity" ? { error: "Errors", warning: "Warnings", info: "Info" }[dataset.severity] : dataset[by]);
-  for (const article of [...articles].sort((a, b) => rank(a) - rank(b) || a.dataset.finding - b.dataset.finding)) {
+  const placed = [...articles].sort((a, b) => a.dataset.finding - b.dataset.finding);
+  for (const article of by === "severity" ? articles : placed) {
     const key = name(article);
     if (!groups.has(key)) {
       groups.set(key, make("section", { class: `group by-${by}` }, make("h2", {}, `${key} `, make("span", { class: "count" }))));
