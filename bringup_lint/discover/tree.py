@@ -73,6 +73,8 @@ class Tree:
     _on_demand: dict[str, Source | None] = field(default_factory=dict)
     _by_reference: dict[str, Source | None] = field(default_factory=dict)
     _held: dict[str, bool] = field(default_factory=dict)
+    _repositories: dict[str, tuple[str, str] | None] = field(default_factory=dict)
+    """Folder -> top and index of the repository around it."""
     _indexes: dict[str, frozenset[bytes]] = field(default_factory=dict)
     _heads: dict[tuple[str, int], str] = field(default_factory=dict)
     _indexed: int = 0
@@ -345,14 +347,27 @@ class Tree:
     def tracked(self, path: str) -> bool | None:
         """Whether git knows a file, so that it goes with the repository; None outside of a repository, and in one to
         which nothing was added yet. What an index in an unknown format holds is not known to git here."""
-        file = Path(os.path.abspath(path))
-        for folder in file.parents:
-            index = index_of(str(folder))
-            if index is not None:
-                if not disk.lexists(index):
-                    return None
-                return os.fsencode(file.relative_to(folder)) in self._tracked_by(index)
-        return None
+        file = os.path.abspath(path)
+        repository = self._repository_of(os.path.dirname(file))
+        if repository is None:
+            return None
+        top, index = repository
+        return os.fsencode(file.removeprefix(top).lstrip(os.sep)) in self._tracked_by(index)
+
+    def _repository_of(self, folder: str) -> tuple[str, str] | None:
+        """The top and the index of the innermost repository that holds a folder; None also where that has no index."""
+        below: list[str] = []
+        while folder not in self._repositories:
+            below.append(folder)
+            index, above = index_of(folder), os.path.dirname(folder)
+            if index is not None or above == folder:
+                known = index is not None and disk.lexists(index)
+                self._repositories[folder] = (folder, index or "") if known else None
+                break
+            folder = above
+        found = self._repositories[folder]
+        self._repositories.update(dict.fromkeys(below, found))
+        return found
 
     @cached_property
     def _is_checkout(self) -> bool:

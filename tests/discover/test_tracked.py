@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from bringup_lint.discover.git_index import UnknownFormat
+from bringup_lint.discover.git_index import index_of
 from bringup_lint.discover.git_index import tracked_paths
 from bringup_lint.discover.tree import Tree
 from tests.lint import lint
@@ -109,3 +110,21 @@ def test_a_key_is_committed_by_its_whole_path(tmp_path: Path, version: str) -> N
     assert [line.partition(":")[0] for line in run.stdout.splitlines() if ": error[" in line] == [
         "a/keystore/private/ca.key.pem"
     ]
+
+
+def test_a_folder_is_asked_once_for_its_repository(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    repository(tmp_path, "a/b/one.pem", "a/b/two.pem", "a/three.pem")
+    (tmp_path / "a/inner").mkdir()
+    repository(tmp_path / "a/inner", "four.pem")
+    asked = []
+
+    def counted(folder: str) -> str | None:
+        asked.append(folder)
+        return index_of(folder)
+
+    monkeypatch.setattr("bringup_lint.discover.tree.index_of", counted)
+    tree = Tree()
+    paths = ("a/b/one.pem", "a/b/two.pem", "a/three.pem", "a/b/no.pem", "a/inner/four.pem", "a/inner/c/no.pem")
+    assert [tree.tracked(str(tmp_path / path)) for path in paths] == [True, True, True, False, True, False]
+    assert len(asked) == len(set(asked))
+    assert tree.tracked("/" + "x/" * 1_500 + "y") is None
