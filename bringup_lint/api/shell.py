@@ -9,6 +9,7 @@ from bringup_lint.on_demand import on_demand
 if TYPE_CHECKING:
     from bringup_lint.graph.commands.background import Job
     from bringup_lint.graph.commands.background import background_jobs
+    from bringup_lint.graph.commands.shells import SH_IS_BASH
     from bringup_lint.graph.commands.wrappers import program_name
     from bringup_lint.graph.commands.wrappers import unwrapped
     from bringup_lint.graph.installed.script import Run
@@ -24,6 +25,7 @@ else:
     __getattr__ = on_demand(globals())
 
 __all__ = [
+    "SH_IS_BASH",
     "Block",
     "Command",
     "Job",

@@ -43,6 +43,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.shell import SH_IS_BASH
 from bringup_lint.api.shell import Run
 
 SHELL = regex(r"#!\s*\S*/(?:env\s+)?(sh|dash|bash|zsh)\b")
@@ -59,6 +60,9 @@ def other_shell(robot: Robot) -> Iterator[Finding]:
         if wrong is not None:
             found.setdefault(source, []).append((run.words[0], *wrong))
     for source, ((first, message, advice), *others) in found.items():
+        replaced = SHELL.match(source.said)
+        if replaced is not None and replaced[1] == "sh" and robot.mentions(SH_IS_BASH):
+            continue
         if not _is_read_otherwise(robot, source):
             yield finding(
                 first,

@@ -31,16 +31,20 @@ When the script is run under another name.
 
 import re
 from collections.abc import Iterator
+from typing import Literal
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.shell import Run
 from bringup_lint.api.shell import unwrapped
 
 VALUED = ("-u", "-U", "-g", "-G", "-P", "-s", "-t", "--signal", "--euid", "--uid")
+QUIET = ("echo", "printf", "exit", "true", "")
 LITERAL = regex(r"[\w ./:@=+-]+")
 
 
@@ -49,7 +53,7 @@ def pkill_self(robot: Robot) -> Iterator[Finding]:
     for source, run in robot.scripts.run("pkill"):
         pattern = _pattern(run.words)
         if pattern is not None and _matches(run.text(pattern), source.basename):
-            yield _finding(pattern, source.basename)
+            yield _finding(pattern, source.basename, "warning" if _goes_on(robot, source, run) else "info")
     for runner in robot.runners.all:
         for line in runner.lines:
             own = [step.command for step in line.steps if step.depth == 1 and step.script is None]
@@ -58,7 +62,14 @@ def pkill_self(robot: Robot) -> Iterator[Finding]:
             for command in own:
                 pattern = _pattern(unwrapped(command.words))
                 if pattern is not None and command.name == "pkill" and _matches(str(pattern), str(line.line)):
-                    yield _finding(pattern, f"the shell of {runner.name}")
+                    yield _finding(pattern, f"the shell of {runner.name}", "warning")
+
+
+def _goes_on(robot: Robot, source: Source, pkill: Run) -> bool:
+    """Whether the script does anything after the command, which it does not live to see."""
+    runs = [did for did in robot.scripts.done(source) if isinstance(did, Run)]
+    after = (run for run in runs if run.command.words[0].span.start > pkill.command.words[0].span.start)
+    return any(run.name not in QUIET for run in after)
 
 
 def _pattern(words: tuple[Located, ...]) -> Located | None:
@@ -73,9 +84,10 @@ def _matches(pattern: str, text: str) -> bool:
     return bool(LITERAL.fullmatch(pattern)) and re.search(pattern, text) is not None
 
 
-def _finding(pattern: Located, name: str) -> Finding:
+def _finding(pattern: Located, name: str, severity: Literal["warning", "info"]) -> Finding:
     return finding(
         pattern,
         f"The pattern matches the command line of {name} as well: it gets the signal itself",
+        severity=severity,
         advice="write a pattern that only the program matches, or put its first letter in brackets: '[r]os2'",
     )

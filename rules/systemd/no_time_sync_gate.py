@@ -78,18 +78,27 @@ def no_time_sync_gate(robot: Robot) -> Iterator[Finding]:
     daemon = next((path for path in DAEMONS if units.ros and configures(robot, path)), None)
     if daemon is None:
         return
-    for unit in units.ros:
-        if unit.manager == "user" or unit.unsure_of("After", "Wants") or gated(units, unit):
-            continue
-        if any(SIMULATED.search(text) for process in units.processes(unit) for text in (process.line, unit.stem)):
-            continue
-        target = [word for _, word in unit.naming("After", "time-sync.target")]
-        yield finding(
-            target[0] if target else unit.where,
-            f"{daemon} sets the clock, but {unit.name} does not wait for it: the time may jump while nodes run",
-            advice="enable chrony-wait.service or systemd-time-wait-sync.service, and order the service after it",
-            related=[note(target[0], "reached as soon as the daemon runs")] if target else (),
-        )
+    early = [unit for unit in units.ros if _starts_early(units, unit)]
+    if not early:
+        return
+    first, *others = early
+    target = [word for _, word in first.naming("After", "time-sync.target")]
+    yield finding(
+        target[0] if target else first.where,
+        f"{daemon} sets the clock, but {first.name} does not wait for it: the time may jump while nodes run",
+        advice="enable chrony-wait.service or systemd-time-wait-sync.service, and order the service after it",
+        related=[
+            *([note(target[0], "reached as soon as the daemon runs")] if target else []),
+            *(note(unit.where, f"{unit.name} does not wait either") for unit in others),
+        ],
+    )
+
+
+def _starts_early(units: Units, unit: Unit) -> bool:
+    if unit.manager == "user" or unit.unsure_of("After", "Wants") or gated(units, unit):
+        return False
+    simulated = (SIMULATED.search(text) for process in units.processes(unit) for text in (process.line, unit.stem))
+    return not any(simulated)
 
 
 def configures(robot: Robot, path: str) -> bool | re.Match[str] | None:

@@ -27,7 +27,8 @@ RestartSec=5
 ```
 
 ## When to ignore it
-Never: a program that runs forever is not a oneshot.
+When all nodes of the launch file end by themselves. A launch file that is not in the tree gives a warning, and one
+whose name says that it is a task, such as `calibrate.launch.py`, gives nothing.
 
 ## References
 - systemd.service(5), Type=oneshot
@@ -36,6 +37,7 @@ Never: a program that runs forever is not a oneshot.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -52,11 +54,19 @@ def oneshot_endless(robot: Robot) -> Iterator[Finding]:
         for process in robot.units.started(unit):
             endless = robot.units.never_ends(process)
             if endless is not None:
+                sure = endless.startswith("/") or _is_known(robot, endless)
                 yield finding(
                     kind,
                     f"{endless} never ends, so {unit.name} stays activating forever and all that waits for it too",
+                    severity=None if sure else "warning",
+                    confidence="high" if sure else "medium",
                     advice="use Type=exec",
                     related=[note(endless, "runs until it is stopped")],
                     fix=fix("use Type=exec", (kind, "exec"), safe=False),
                 )
                 break
+
+
+def _is_known(robot: Robot, target: Located) -> bool:
+    """Whether the tree has the launch file that a command names."""
+    return any(each.file is not None for each in robot.runners.launches if each.target is target)

@@ -38,6 +38,7 @@ from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.shell import SH_IS_BASH
 from bringup_lint.api.systemd import Process
 from bringup_lint.api.systemd import Step
 
@@ -58,6 +59,8 @@ def sh_source(robot: Robot) -> Iterator[Finding]:
                 elif words[0] == "." and OF_BASH.search(words[1]):
                     message = f"/bin/sh is dash on Ubuntu and Debian and cannot read {words[1]}"
                 else:
+                    continue
+                if step.shell == "sh" and robot.mentions(SH_IS_BASH):
                     continue
                 shell = _shell(process, step)
                 yield finding(

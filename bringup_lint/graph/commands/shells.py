@@ -12,6 +12,8 @@ from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
 SHELLS = frozenset({"sh", "bash", "dash", "zsh", "ksh"})
+SH_IS_BASH = regex(r"\bln\s[^\n;|]{0,40}\bbash\s+(?:/usr)?/bin/sh\b|\bdash/sh\s+(?:boolean\s+)?false\b")
+"""Steps that put bash in the place of dash as /bin/sh."""
 SHELL_SCRIPT = regex(r"#!\s*\S*/(?:env\s+(?:-S\s+)?)?(sh|bash|dash|zsh|ksh)\b")
 """The first line of a shell script."""
 SCRIPT_DEPTH = 4

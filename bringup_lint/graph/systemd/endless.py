@@ -10,27 +10,42 @@ from bringup_lint.graph.systemd.process import Process
 from bringup_lint.model.shell import Block
 from bringup_lint.parsers.python_syntax import syntax_tree
 from bringup_lint.parsers.shell import script_blocks
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.commands.ros_command import Ros
     from bringup_lint.graph.files import Files
 
 _LASTING = ("launch", "run", "node")
+_TASK = regex(
+    r"(?:^|[/_.-])(?:calib\w*|check\w*|clear|configure|convert|dump|flash\w*|home|homing|init\w*|load|once|prepare|reset"
+    r"|save|self_?test|setup|test|upload|wait\w*)(?=[_.-]|$)"
+)
+"""Words for what ends when it is done."""
+_SERVER = regex(r"(?:_|^)(?:agent|bridge|broadcaster|controller|driver|manager|monitor|node|publisher|server|talker)$")
 _ENDS = frozenset({"break", "exit", "return", "exec"})
 
 
 def never_ends(process: Process, files: Files) -> Located | None:
-    """The word of a command line that starts something endless: ``ros2 launch``, or a program of the tree with a
-    loop without an end."""
+    """The word of a command line that starts something endless: a program of ROS that is no task by its name, or a
+    program of the tree with a loop without an end."""
     for step, ros in process.ros:
         if ros.kind in _LASTING and not step.command.background and step.script is None and step.depth <= 1:
-            return ros.where if ros.kind == "launch" or process.replaces_shell else None
+            return ros.where if _lasts(ros, process) else None
     for word in process.argv[:2]:
         source = files.find(word, word.span.source) if word.startswith("/") and "$" not in word else None
         if source is not None and _loops_forever(source):
             return word
     return None
+
+
+def _lasts(ros: Ros, process: Process) -> bool:
+    """Whether a program of ROS goes on until it is stopped, as far as its name says."""
+    if _TASK.search(ros.where):
+        return False
+    return ros.kind == "launch" or (process.replaces_shell and _SERVER.search(ros.where) is not None)
 
 
 def _loops_forever(source: Source) -> bool:
