@@ -40,20 +40,18 @@ from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.shell import shell_commands
 
-SETUP = regex(r"(?:^|/)(?:local_)?setup\.(?:bash|sh)$")
-RELAXES = regex(r"^[ \t]*set[ \t]+\+(?:[a-zA-Z]*u|o[ \t]+nounset)", re.M)
-SIZE = 8192
-"""So many bytes of a file of the tree are looked at."""
+SETUP = regex(r"(?:^|/)(?:opt/ros/[^/]+|install|install_\w+|devel)/(?:local_)?setup\.(?:bash|sh)$")
+"""The files of a distribution or of a built workspace; another setup.sh may be anything."""
 
 
 @rule("error", symptoms=["unbound variable", "AMENT_TRACE_SETUP_FILES"])
 def setup_sourced_under_nounset(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("shell-script"):
         if source.judged and not source.template and "setup." in source.said:
-            yield from _check(robot, source)
+            yield from _check(source)
 
 
-def _check(robot: Robot, source: Source) -> Iterator[Finding]:
+def _check(source: Source) -> Iterator[Finding]:
     strict = None
     for command in shell_commands(source):
         words = [str(word) for word in command.words]
@@ -69,15 +67,10 @@ def _check(robot: Robot, source: Source) -> Iterator[Finding]:
         if any(word.startswith("AMENT_TRACE_SETUP_FILES=") for word in (*words, *command.assignments)):
             return
         sources = words[:1] in (["source"], ["."]) and len(words) > 1 and SETUP.search(words[1]) is not None
-        if strict is not None and sources and not _switches_it_off(robot, words[1]):
+        if strict is not None and sources:
             yield finding(
                 command.words[1],
                 "The setup file reads unset variables: with 'set -u' the script exits here",
                 advice="source it before 'set -u', or between 'set +u' and 'set -u'",
                 related=[note(strict, "unset variables become errors here")],
             )
-
-
-def _switches_it_off(robot: Robot, path: str) -> bool:
-    """Whether it may be a file of the tree that allows unset variables itself, around what it sources."""
-    return any(RELAXES.search(robot.tree.head(each, SIZE)) for each in robot.tree.named(path.rpartition("/")[2]))
