@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from collections.abc import Sequence
 
 from bringup_lint.graph.commands.command_line import CommandLine
 from bringup_lint.graph.commands.command_line import Step
@@ -12,6 +13,8 @@ from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
 _PASSING = ("echo", "printf", "true", "logger", "exit", ":", "disown")
+_BUILTINS = ("trap", "set", "export", "cd", "kill")
+"""What takes no time after a job; ``kill`` is of a trap."""
 _INTERPRETERS = regex(r"roslaunch|rosrun|roscore|python[\d.]*|node|nodejs|npm|(?:ba|da|z)?sh")
 _SERVERS = regex(
     r"ros(?:launch|run|core)|gst-launch-1\.0|MicroXRCEAgent|micro_ros_agent|mjpg_streamer|zenohd|zenoh-bridge-\w+"
@@ -27,13 +30,23 @@ class Job(NamedTuple):
 
 
 def background_jobs(line: CommandLine) -> Iterator[Job]:
-    """The programs of a robot in the background; nothing for a shell that waits for the first one to end."""
+    """The programs of a robot in the background; nothing for a shell that waits for the first one to end, and nothing
+    for the only program of a shell that waits for it."""
     if any(step.command.name == "wait" and "-n" in step.command.words for step in line.steps):
         return
-    for at, step in enumerate(line.steps):
-        if step.command.background and _lasts(line, step):
-            ends = not any(_keeps_running(later) for later in line.steps[at + 1 :])
-            yield Job(step, ends and not step.command.depth)
+    jobs = [at for at, step in enumerate(line.steps) if step.command.background and _lasts(line, step)]
+    if len(jobs) == 1 and _only_waits(line.steps[jobs[0] + 1 :]):
+        return
+    for at in jobs:
+        step = line.steps[at]
+        ends = not any(_keeps_running(later) for later in line.steps[at + 1 :])
+        yield Job(step, ends and not step.command.depth)
+
+
+def _only_waits(after: Sequence[Step]) -> bool:
+    """Whether the shell ends when its job does: it waits for it, and does nothing else that takes its time."""
+    names = [step.command.name for step in after if _keeps_running(step) and step.command.name not in _BUILTINS]
+    return bool(names) and set(names) == {"wait"}
 
 
 def _lasts(line: CommandLine, step: Step) -> bool:
