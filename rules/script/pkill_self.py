@@ -67,8 +67,8 @@ def pkill_self(robot: Robot) -> Iterator[Finding]:
 
 def _goes_on(robot: Robot, source: Source, pkill: Run) -> bool:
     """Whether the script does anything after the command, which it does not live to see."""
-    runs = [did for did in robot.scripts.done(source) if isinstance(did, Run)]
-    after = (run for run in runs if run.command.words[0].span.start > pkill.command.words[0].span.start)
+    runs = [did for did in robot.scripts.done(source) if isinstance(did, Run) and did.words]
+    after = (run for run in runs if run.words[0].span.start > pkill.words[0].span.start)
     return any(run.name not in QUIET for run in after)
 
 
