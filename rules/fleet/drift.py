@@ -2,7 +2,8 @@
 
 ## What it finds
 A setting of a unit, a kernel parameter, a parameter of a node or a version that differs from what at least two thirds
-of the robots of one role have. Names of the robots in values do not count as differences.
+of the robots of one role have. Names of the robots in values do not count as differences, nor does what is measured on
+each robot: serial numbers, biases, offsets, wheel radii, and files of calibrations.
 
 ## Why it matters on a robot
 Somebody changed one robot by hand, or an update did not reach it. What was tested on the others says nothing about this

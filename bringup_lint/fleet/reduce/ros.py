@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from bringup_lint.fleet.reduce.statements import Statements
 from bringup_lint.graph.purpose import Purpose
+from bringup_lint.pattern import regex
 
 _VARIABLES = {
     "RMW_IMPLEMENTATION": "middleware",
@@ -14,6 +15,12 @@ _VARIABLES = {
 }
 _LONGEST = 120
 """Characters of a parameter that is compared: longer ones are descriptions and scripts."""
+_CALIBRATION = regex(r"(?:^|[/._-])(?:calib|calibration|calibrations|intrinsics?|extrinsics?|camera_info)(?:[/._-]|$)")
+_OF_ONE_MACHINE = regex(
+    r"(?:^|[._])(?:calib\w*|bias(?:es)?|offsets?|trim|serial(?:_?n(?:o|umber))?|intrinsics?|extrinsics?|focal_length"
+    r"|distortion\w*|wheel_(?:radius|separation|base|track)\w*|multiplier)(?:$|[._])"
+)
+"""Parameters that are measured on each robot: that many have the nominal value says nothing of the others."""
 
 
 def domain(said: Statements) -> None:
@@ -38,9 +45,11 @@ def nodes(said: Statements) -> None:
 
 def parameters(said: Statements) -> None:
     for file in said.robot.params.files:
-        if not file.is_certain or file.source.template:
+        if not file.is_certain or file.source.template or _CALIBRATION.search(file.source.name):
             continue
         for parameter in file.parameters:
+            if _OF_ONE_MACHINE.search(str(parameter.name)):
+                continue
             if len(parameter.text) <= _LONGEST and said.robot.purpose(parameter.span) is Purpose.ROBOT:
                 key = f"{file.source.basename} {parameter.block.name} {parameter.name}"
                 said.state("parameter", key, parameter.text, parameter.span)
