@@ -21,6 +21,7 @@ from bringup_lint.fleet.delivered import delivered
 from bringup_lint.fleet.members import ROLE
 from bringup_lint.fleet.members import Inventory
 from bringup_lint.fleet.members import Member
+from bringup_lint.fleet.members import refusal
 from bringup_lint.fleet.members import text_of
 from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.model.yaml_node import Node
@@ -35,8 +36,8 @@ _NAMES = ("root", "overlays", "role", "site", "domain")
 _PRIORITY = "ansible_group_priority"
 _ALL = "all"
 _DEPTH = 20
-_MOST = 100_000
-"""Hosts that one range may name."""
+_MOST = 1_000_000
+"""Hosts that an inventory may name."""
 _ENDINGS = ("", ".yml", ".yaml", ".json")
 _RANGE = regex(r"\[(?P<first>\d+|[a-zA-Z]):(?P<last>\d+|[a-zA-Z])(?::(?P<step>\d+))?\]")
 _HOST_NAME = regex(r"\{\{ *inventory_hostname *\}\}")
@@ -56,6 +57,7 @@ class Group:
 class Hosts:
     """What an inventory says, before its variables are merged."""
 
+    path: str
     groups: dict[str, Group] = field(default_factory=dict)
     variables: dict[str, Variables] = field(default_factory=dict)
     """By host."""
@@ -93,7 +95,7 @@ def read_ansible(path: str) -> Inventory:
     top = _read(path)
     if top is None:
         raise ConfigError(f"{path}: neither a {path.rpartition('.')[2]} archive nor an Ansible inventory in YAML")
-    hosts = Hosts({_ALL: Group()})
+    hosts = Hosts(path, {_ALL: Group()})
     for name, group in top.merged:
         _gather(hosts, str(name.value), group, None, 0)
     if not hosts.members:
@@ -120,6 +122,8 @@ def _gather(hosts: Hosts, name: str, value: Node, parent: str | None, depth: int
         group.priority = priority.integer
     for pattern, inline in _entries(value, "hosts"):
         for host in expanded(pattern):
+            if len(hosts.members) >= _MOST:
+                raise ConfigError(f"{hosts.path}: names more than {_MOST} hosts")
             hosts.members.setdefault(host, set()).add(name)
             hosts.variables.setdefault(host, {}).update(_variables(inline if isinstance(inline, Mapping) else None))
     for child, inner in _entries(value, "children"):
@@ -161,7 +165,7 @@ def _counted(first: str, last: str, step: int) -> Iterator[str]:
         yield from map(chr, range(ord(first), ord(last) + 1, step))
         return
     width = len(first) if first.startswith("0") else 0
-    yield from (str(number).zfill(width) for number in range(int(first), int(last) + 1, step)[:_MOST])
+    yield from (str(number).zfill(width) for number in range(int(first), int(last) + 1, step))
 
 
 @cache
@@ -203,9 +207,9 @@ def _member(path: str, host: str, variables: Variables, files: Files) -> Member:
     layers = _layers(variables, host)
     folder = os.path.dirname(os.path.abspath(path))
     places = tuple(os.path.normpath(os.path.join(folder, layer)) for layer in layers)
-    missing = next((place for place in places if not os.path.exists(place)), None)
-    if missing is not None:
-        raise ConfigError(f"{path}: robot '{host}': there is no '{missing}'")
+    for place in places:
+        if why := refusal(place):
+            raise ConfigError(f"{path}: robot '{host}': {why}")
     domain = variables.get("domain")
     number = domain.integer if isinstance(domain, Scalar) else None
     role, site = (next(iter(_texts(variables.get(name), host)), "") for name in ("role", "site"))

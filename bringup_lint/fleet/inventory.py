@@ -15,6 +15,7 @@ from bringup_lint.fleet.members import ROLE
 from bringup_lint.fleet.members import Accepted
 from bringup_lint.fleet.members import Inventory
 from bringup_lint.fleet.members import Member
+from bringup_lint.fleet.members import refusal
 from bringup_lint.fleet.members import text_of
 from bringup_lint.pattern import regex
 from bringup_lint.spelling import meant
@@ -50,8 +51,8 @@ def read_inventory(paths: Iterable[str]) -> Inventory:
 
 
 def _of_path(path: str) -> Inventory:
-    if not os.path.exists(path):
-        raise ConfigError(f"there is no '{path}'")
+    if why := refusal(path):
+        raise ConfigError(why)
     if path.endswith(ARCHIVES):
         return Inventory((Member(archive_name(path), (path,)),))
     if os.path.isfile(path):
@@ -99,8 +100,8 @@ def _member(path: str, folder: Path, row: dict[str, Any], sites: dict[str, dict[
         raise ConfigError(f"{path}: robot '{row['name']}' has neither root nor overlays")
     places = tuple(os.path.normpath(folder / layer) for layer in layers)
     for place in places:
-        if not os.path.exists(place):
-            raise ConfigError(f"{path}: robot '{row['name']}': there is no '{place}'")
+        if why := refusal(place):
+            raise ConfigError(f"{path}: robot '{row['name']}': {why}")
     site = row.get("site", "")
     talks = sites.get(site, {}).get("domains", "")
     return Member(row["name"], places, row.get("role", ROLE), site, row.get("domain"), talks)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+
 from bringup_lint.config import ConfigError
 from bringup_lint.dataclass import dataclass
 from bringup_lint.discover.reading import Unreadable
@@ -45,6 +47,13 @@ class Accepted:
 class Inventory:
     members: tuple[Member, ...]
     accepted: tuple[Accepted, ...] = ()
+
+
+def refusal(place: str) -> str:
+    """Why the files of a robot cannot lie there; empty when they can."""
+    if not os.path.exists(place):
+        return f"there is no '{place}'"
+    return "" if os.path.isdir(place) or os.path.isfile(place) else f"'{place}' is neither a folder nor an archive"
 
 
 def text_of(path: str) -> str:

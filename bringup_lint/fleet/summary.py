@@ -81,9 +81,9 @@ def to_data(summary: Summary) -> dict[str, Any]:
 
 def from_data(data: Mapping[str, Any]) -> Summary:
     """Raises ValueError for data of another version, or none at all."""
-    if data.get("version") != VERSION:
-        raise ValueError("a summary of another version")
     try:
+        if data["version"] != VERSION:
+            raise ValueError("a summary of another version")
         lists = {
             "marks": tuple(Mark(*row) for row in data["marks"]),
             "facts": tuple(Fact(*row) for row in data["facts"]),

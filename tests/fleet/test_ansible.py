@@ -101,3 +101,11 @@ def test_files_of_a_role_that_is_not_deployed_are_on_no_robot(tmp_path: Path) ->
     )
     run = lint("fleet", "--workers", "1", "--select", "fleet", "--output-format", "concise", "hosts.yml", cwd=tmp_path)
     assert "vpn" not in run.stdout and "key" not in run.stdout
+
+
+@pytest.mark.parametrize("pattern", ["r[1:99999999999]", "[a:z][1:999][1:999][1:999]"])
+def test_a_range_without_bounds_is_refused(tmp_path: Path, pattern: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("bringup_lint.fleet.ansible._MOST", 1000)
+    write(tmp_path, {"hosts.yml": f'all:\n  hosts: {{"{pattern}": }}\n  vars: {{bringup_lint_root: "."}}\n'})
+    with pytest.raises(ConfigError, match="names more than 1000 hosts"):
+        read_inventory([str(tmp_path / "hosts.yml")])

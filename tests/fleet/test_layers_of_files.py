@@ -5,6 +5,7 @@ from __future__ import annotations
 import errno
 import io
 import json
+import os
 import tarfile
 from pathlib import Path
 
@@ -177,3 +178,20 @@ def test_a_state_that_takes_nothing_more_costs_no_result(tmp_path: Path, monkeyp
     assert run.code == 1
     assert "error[fleet/same-machine-id]" in run.stdout
     assert run.stderr == "bringup-lint: state: nothing more is kept for another run: No space left on device\n"
+
+
+@pytest.mark.parametrize("text", ["", "[1]", "3", '{"version": 1}', '{"version": 1, "name": 3, "own": [[1]]}'])
+def test_a_damaged_summary_is_made_anew(tmp_path: Path, text: str) -> None:
+    write(tmp_path, {"alpha/etc/machine-id": "0" * 32, "beta/etc/machine-id": "0" * 32})
+    first = judged("--state", "state", "alpha", "beta", cwd=tmp_path)
+    for path in (tmp_path / "state").glob("*.json"):
+        path.write_text(text)
+    assert judged("--state", "state", "alpha", "beta", cwd=tmp_path) == first
+
+
+def test_a_device_is_no_robot(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe.tar")
+    write(tmp_path, {"fleet.toml": '[[robot]]\nname = "a"\nroot = "pipe.tar"\n'})
+    for path in ("fleet.toml", "pipe.tar"):
+        run = lint("fleet", path, cwd=tmp_path)
+        assert (run.code, "pipe.tar' is neither a folder nor an archive" in run.stderr) == (2, True)
