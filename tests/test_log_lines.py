@@ -176,6 +176,7 @@ def test_a_longer_known_line_wins_over_another_cause() -> None:
     assert answer("[WARNING] [launch]: user interrupted with ctrl-c (SIGINT)").other
 
 
+@pytest.mark.slow
 def test_every_known_line_finds_its_rule() -> None:
     """Where several rules know a line, the rule is among those that are named."""
     lost = [

@@ -17,7 +17,7 @@ def compiled_on_import(node: ast.AST) -> Iterator[ast.AST]:
     for child in ast.iter_child_nodes(node):
         if isinstance(child, (ast.FunctionDef, ast.Lambda)):
             continue
-        if isinstance(child, ast.Attribute) and ast.unparse(child) == "re.compile":
+        if isinstance(child, ast.Attribute) and child.attr == "compile" and ast.unparse(child) == "re.compile":
             yield child
         yield from compiled_on_import(child)
 

@@ -140,6 +140,7 @@ def test_a_line_for_which_systemd_refuses_a_unit_is_reported(tree: Path, line: s
     assert "lint/unreadable" not in "".join(each for each in concise(cwd=tree).stdout.splitlines() if "long" in each)
 
 
+@pytest.mark.slow
 def test_million_lines(tree: Path) -> None:
     (tree / "long.service").write_text("[Service]\n" + "A=1\n" * 1_000_000)
     assert got_through(concise(cwd=tree))

@@ -40,6 +40,7 @@ class Class(NamedTuple):
     members: dict[str, Entry]
 
 
+@cache
 def page() -> str:
     robot = class_of("Robot", PACKAGE / "robot.py")
     parts = [

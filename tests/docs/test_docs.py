@@ -160,6 +160,7 @@ def checkout(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("word", ["no_tabs", "no-tabs"])
 def test_expectation_of_the_way_in_is_written(word: str, checkout: Path) -> None:
     (command,) = re.findall(

@@ -42,6 +42,7 @@ def test_sarif_has_a_run_for_each_robot() -> None:
     assert [len(results) for results in fleet] == [0, 1, 2]
 
 
+@pytest.mark.slow
 def test_sarif_keeps_within_the_limits_of_its_readers() -> None:
     data = json.loads("".join(render("sarif", report(30, own=3000))))
     assert len(data["runs"]) == sarif.MOST_RUNS

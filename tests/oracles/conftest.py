@@ -1,6 +1,6 @@
 """Tests that use ``answers`` run twice: on what a real tool answered once, and on what the installed one says.
 
-Whatever asks a real tool is slow.
+All of them are slow: a tool has thousands of answers.
 """
 
 from __future__ import annotations
@@ -16,6 +16,4 @@ def answers(request: pytest.FixtureRequest, update_expected: bool) -> Oracle:
 
 
 def pytest_itemcollected(item: pytest.Item) -> None:
-    parameters = item.callspec.params if hasattr(item, "callspec") else {}
-    if parameters.get("answers") != "recorded":
-        item.add_marker("slow")
+    item.add_marker("slow")

@@ -77,6 +77,7 @@ def test_the_key_of_rosdep_is_the_one_that_the_packages_need() -> None:
     assert needed == {key, "ros2cli"}
 
 
+@pytest.mark.slow
 def test_the_command_of_the_package() -> None:
     """Its own tests, which need neither ament nor colcon."""
     path = os.pathsep.join([str(PROJECT), str(FOLDER / "ament_bringup_lint")])

@@ -51,11 +51,13 @@ def lost(rule_id: str, folder: Path) -> list[str]:
     return sorted(set(places(expected, "")) - set(places(run.stdout, "b/")))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("rule_id", [rule_id for rule_id in TRIED if rule_id not in WHOLE])
 def test_bad_is_found_beside_good(rule_id: str, tmp_path: Path) -> None:
     assert lost(rule_id, tmp_path) == []
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("rule_id", sorted(WHOLE))
 def test_exceptions_are_needed(rule_id: str, tmp_path: Path) -> None:
     assert rule_id in TRIED

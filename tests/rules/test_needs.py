@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import cache
 from functools import reduce
 from pathlib import Path
 from typing import Any
@@ -106,12 +107,17 @@ def test_a_list_that_another_function_returns_may_be_filled() -> None:
     assert needs(body, "def _all(robot):\n    return robot.sshd\n") == NOTHING
 
 
+@cache
+def needs_of_file(path: Path) -> Needs:
+    return needs_of(path.read_text("utf-8"))
+
+
 def silent(robot: Robot) -> Iterator[tuple[str, Path]]:
     """The rules whose needs a robot does not meet."""
     registry = Registry.of()
     for rule_id in registry.ids_for(robot):
         path = registry.paths[rule_id]
-        if not is_met(needs_of(path.read_text("utf-8")), robot):
+        if not is_met(needs_of_file(path), robot):
             yield rule_id, path
 
 
