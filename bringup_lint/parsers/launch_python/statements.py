@@ -156,7 +156,8 @@ def _for(state: State, node: ast.For | ast.AsyncFor) -> str | None:
         if signal in ("return", "raise") and not guards:
             return signal
         if signal == "break" and not guards:
-            break
+            state.guards = outer
+            return None
     state.guards = outer
     return run(state, node.orelse) if node.orelse else None
 
