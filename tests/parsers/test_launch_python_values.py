@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import pathlib
 import textwrap
 from typing import Any
@@ -173,6 +172,8 @@ KNOWN = [
     "def early(x):\n    if x > 1:\n        return 'big'\n    return 'small'\nout = [early(1), early(2)]",
     "def inner():\n    for x in [1, 2, 3]:\n        if x == 2:\n            return x\nout = inner()",
     "out = sorted(['b', 'a'])",
+    "out = sorted([1, 2], reverse=True)",
+    "out = [2, 1]\nout.sort()",
     "out = [str(x) for x in reversed([1, 2])]",
     "out = bool('')",
     "out = int('5') + 1",

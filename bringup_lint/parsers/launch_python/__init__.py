@@ -10,6 +10,7 @@ from bringup_lint.model.launch import Other
 from bringup_lint.parsers.launch_python import budget
 from bringup_lint.parsers.launch_python import freeze
 from bringup_lint.parsers.launch_python.calls import call
+from bringup_lint.parsers.launch_python.expressions import condition
 from bringup_lint.parsers.launch_python.expressions import evaluate
 from bringup_lint.parsers.launch_python.objects import Frame
 from bringup_lint.parsers.launch_python.objects import Function
@@ -44,7 +45,7 @@ def parse(source: Source) -> LaunchFile:
     positions = Positions(source, byte_order_mark(source))
     if MENTIONED.search(source.text):
         file.waits += waits(tree, positions)
-    state = State(file, positions, Frame({}), Evaluator(evaluate, call, run))
+    state = State(file, positions, Frame({}), Evaluator(evaluate, condition, call, run))
     try:
         _describe(state, tree)
     except budget.Exhausted:

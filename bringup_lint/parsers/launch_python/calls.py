@@ -61,22 +61,25 @@ def _invoke(state: State, function: Function, arguments: Arguments) -> Any:
         return Unknown("calls nested too deeply", arguments.span)
     state.tick(20)
     frame = Frame(_bind(state, function, arguments), function.frame)
-    outer, guards = state.frame, state.guards
-    state.frame = frame
+    outer, guards, jumps = state.frame, state.guards, state.jumps
+    state.frame, state.jumps = frame, []
     state.calls += 1
     try:
         if isinstance(function.node, ast.Lambda):
             return _seen_from(state.evaluate(function.node.body), arguments.span)
-        state.run(function.node.body)
+        signal = state.run(function.node.body)
     finally:
         state.calls -= 1
-        state.frame, state.guards = outer, guards
-    return frame.yielded or _result(frame, guards, arguments.span)
+        state.frame, state.guards, state.jumps = outer, guards, jumps
+    return frame.yielded or _result(frame, guards, arguments.span, signal is None)
 
 
-def _result(frame: Frame, guards: Guards, span: Span) -> Any:
+def _result(frame: Frame, guards: Guards, span: Span, goes_on: bool) -> Any:
+    """What a function returns; also none where its end may be reached."""
     returns = [(relative(own, guards), value) for own, value in frame.returns]
     none = Literal(None, span)
+    if goes_on and all(own for own, _ in returns):
+        returns.insert(0, ((), none))
     if not returns:
         return none
     if len(returns) == 1 and not returns[0][0]:
@@ -103,7 +106,7 @@ def _bind(state: State, function: Function, arguments: Arguments) -> dict[str, A
         rest: list[tuple[Guards, Any]] = [((), item) for item in arguments.positional[len(names) :]]
         bound[parameters.vararg.arg] = Sequence(rest, arguments.span, state.guards, arguments.more)
     if parameters.kwarg is not None:
-        others = Mapping(arguments.span, open=arguments.more)
+        others = Mapping(arguments.span, open=arguments.more, base=state.guards)
         for name, value in arguments.keywords.items():
             if name not in known:
                 others.entries[name] = (Literal(name, arguments.span), value)

@@ -20,7 +20,7 @@ from bringup_lint.parsers.launch_python.truth import branch
 
 def comprehension(state: State, node: ast.ListComp | ast.SetComp | ast.GeneratorExp | ast.DictComp) -> Any:
     span = state.positions.span(node)
-    result = Mapping(span) if type(node) is ast.DictComp else Sequence([], span, state.guards)
+    result = Mapping(span, base=state.guards) if type(node) is ast.DictComp else Sequence([], span, state.guards)
     outer, guards = state.frame, state.guards
     state.frame = Frame({}, outer)
     try:
@@ -56,7 +56,7 @@ def _clause(state: State, node: Any, index: int, result: Mapping | Sequence) -> 
 
 def _passes(state: State, tests: list[ast.expr]) -> bool:
     for test in tests:
-        outcome = branch(state, state.evaluate(test), state.positions.span(test))
+        outcome = branch(state, state.condition(test), state.positions.span(test))
         if outcome is False:
             return False
         if outcome is not True:

@@ -34,8 +34,9 @@ def extend(state: State, target: Sequence, more: Any, guards: tuple[Condition, .
         target.items += [(guards + own, item) for own, item in more.items]
         target.open = target.open or more.open
     elif isinstance(more, Mapping):
-        target.items += [(guards, key) for key, _ in more.pairs()]
-        target.open = target.open or more.open
+        known = keys(more)
+        target.items += [(guards + own, key) for own, key in known or ()]
+        target.open = target.open or known is None
     elif isinstance(more, Options):
         for own, option in more.options:
             extend(state, target, option, guards + own)
@@ -45,7 +46,12 @@ def extend(state: State, target: Sequence, more: Any, guards: tuple[Condition, .
 
 
 def put(state: State, mapping: Mapping, key: Any, value: Any) -> None:
+    """Set an entry, under the conditions that hold here and did not when the dictionary was made."""
     if isinstance(key, Literal) and len(mapping.entries) < budget.ITEMS:
+        guards = relative(state.guards, mapping.base)
+        if guards:
+            before = mapping.entries.get(key.value)
+            value = Options([*([((), before[1])] if before else []), (guards, value)], key.span)
         mapping.entries[key.value] = (key, value)
     elif len(mapping.others) < budget.ITEMS:
         mapping.others.append((key, value))
@@ -54,11 +60,42 @@ def put(state: State, mapping: Mapping, key: Any, value: Any) -> None:
 def merge(state: State, mapping: Mapping, other: Any) -> None:
     if isinstance(other, Mapping):
         state.tick(len(other.entries) + len(other.others))
-        mapping.entries.update(other.entries)
+        for key, value in other.entries.values():
+            put(state, mapping, key, value)
         mapping.others += other.others
         mapping.open = mapping.open or other.open
     else:
         mapping.open = True
+
+
+def presence(entry: Any) -> tuple[Condition, ...] | None:
+    """The conditions under which a value of a dictionary is there; None when they are not one row of conditions."""
+    if not isinstance(entry, Options) or len(entry.options) == 0:
+        return ()
+    guards, value = entry.options[0]
+    if not guards:
+        return None if presence(value) != () else ()
+    return guards if len(entry.options) == 1 else ()
+
+
+def keys(mapping: Mapping) -> list[tuple[tuple[Condition, ...], Any]] | None:
+    """The keys with their conditions; None when they are not known."""
+    found = [(presence(value), key) for key, value in mapping.pairs()]
+    known = [(guards, key) for guards, key in found if guards is not None]
+    return None if mapping.open or len(known) < len(found) else known
+
+
+def in_order(sequence: Sequence, backwards: bool = False) -> Sequence:
+    """The same list with its items sorted, where these are known."""
+    plain = sequence.plain()
+    if plain is None or not all(isinstance(item, Literal) for item in plain):
+        return sequence
+    try:
+        plain.sort(key=lambda item: item.value, reverse=backwards)
+    except TypeError:
+        return sequence
+    sequence.items = [((), item) for item in plain]
+    return sequence
 
 
 def iterate(state: State, thing: Any) -> list[tuple[tuple[Condition, ...], Any]] | None:
@@ -66,7 +103,7 @@ def iterate(state: State, thing: Any) -> list[tuple[tuple[Condition, ...], Any]]
     if isinstance(thing, Sequence):
         return None if thing.open else list(thing.items)
     if isinstance(thing, Mapping):
-        return None if thing.open else [((), key) for key, _ in thing.pairs()]
+        return keys(thing)
     if isinstance(thing, Options):
         result = []
         for guards, option in thing.options:

@@ -6,6 +6,7 @@ import ast
 from collections.abc import Callable
 from typing import Any
 
+from bringup_lint.model.launch_values import Condition
 from bringup_lint.model.launch_values import Literal
 from bringup_lint.model.launch_values import Operation
 from bringup_lint.model.launch_values import Unknown
@@ -19,6 +20,7 @@ from bringup_lint.parsers.launch_python.containers import merge
 from bringup_lint.parsers.launch_python.containers import put
 from bringup_lint.parsers.launch_python.objects import Frame
 from bringup_lint.parsers.launch_python.objects import Function
+from bringup_lint.parsers.launch_python.objects import Guards
 from bringup_lint.parsers.launch_python.objects import Mapping
 from bringup_lint.parsers.launch_python.objects import Options
 from bringup_lint.parsers.launch_python.objects import Sequence
@@ -131,7 +133,7 @@ def _sequence(state: State, node: ast.List | ast.Tuple | ast.Set) -> Sequence:
 
 
 def _dict(state: State, node: ast.Dict) -> Mapping:
-    result = Mapping(state.positions.span(node))
+    result = Mapping(state.positions.span(node), base=state.guards)
     for key, value in zip(node.keys, node.values):
         if key is None:
             merge(state, result, evaluate(state, value))
@@ -160,7 +162,7 @@ def _joined(state: State, node: ast.JoinedStr) -> Any:
 
 def _ternary(state: State, node: ast.IfExp) -> Any:
     span = state.positions.span(node)
-    outcome = branch(state, evaluate(state, node.test), state.positions.span(node.test))
+    outcome = branch(state, condition(state, node.test), state.positions.span(node.test))
     if outcome is True:
         return evaluate(state, node.body)
     if outcome is False:
@@ -169,30 +171,50 @@ def _ternary(state: State, node: ast.IfExp) -> Any:
     return Options([((outcome,), body), ((negated(outcome),), otherwise)], span)
 
 
+def condition(state: State, node: ast.expr) -> Any:
+    """An expression of which only the truth counts."""
+    if isinstance(node, ast.BoolOp):
+        operands = _operands(state, node, condition)
+        return operands[0] if len(operands) == 1 else _truth(state, node, operands)
+    return evaluate(state, node)
+
+
 def _bool(state: State, node: ast.BoolOp) -> Any:
-    """``and`` and ``or``, decided as far as the operands are known from the left."""
+    """The value of ``and`` and ``or``: the first operand that decides, else the last one."""
+    operands = _operands(state, node, evaluate)
+    if len(operands) == 1:
+        return operands[0]
+    if all(isinstance(each, Operation) for each in operands):
+        return _truth(state, node, operands)
+    span = state.positions.span(node)
+    options: list[tuple[Guards, Any]] = [((), operands[-1])]
+    for value in reversed(operands[:-1]):
+        outcome = branch(state, value, span)
+        if isinstance(outcome, Condition):
+            options.append(((outcome if isinstance(node.op, ast.Or) else negated(outcome),), value))
+    return Options(options, span)
+
+
+def _operands(state: State, node: ast.BoolOp, read: Callable[[State, ast.expr], Any]) -> list[Any]:
+    """The operands from the left, up to one that certainly decides, without those that certainly do not."""
     wanted = isinstance(node.op, ast.Or)
     left: list[Any] = []
     for operand in node.values:
-        value = evaluate(state, operand)
+        value = read(state, operand)
         outcome = branch(state, value, state.positions.span(operand))
         last = operand is node.values[-1]
-        if not left and (outcome is wanted or last):
-            return value
         if outcome is wanted or last or not isinstance(outcome, bool):
             left.append(value)
         if outcome is wanted:
             break
+    return left
+
+
+def _truth(state: State, node: ast.BoolOp, operands: list[Any]) -> Any:
     span = state.positions.span(node)
-    operands = []
-    for value in left:
-        known = branch(state, value, span)
-        operands.append(Literal(known, span) if isinstance(known, bool) else known.predicate)
-    return budget.bounded(_operation("or" if wanted else "and", operands, span))
-
-
-def _operation(name: str, operands: list[Any], span: Span) -> Any:
-    return Operation(name, tuple(operands), span)
+    outcomes = [branch(state, value, span) for value in operands]
+    predicates = (Literal(each, span) if isinstance(each, bool) else each.predicate for each in outcomes)
+    return budget.bounded(Operation("or" if isinstance(node.op, ast.Or) else "and", tuple(predicates), span))
 
 
 def _compare(state: State, node: ast.Compare) -> Any:
@@ -207,7 +229,7 @@ def _compare(state: State, node: ast.Compare) -> Any:
         return outcomes[0]
     if all(isinstance(outcome, Literal) for outcome in outcomes):
         return Literal(all(outcome.value for outcome in outcomes), span)
-    return budget.bounded(_operation("and", [freeze.value(state, outcome) for outcome in outcomes], span))
+    return budget.bounded(Operation("and", tuple(freeze.value(state, outcome) for outcome in outcomes), span))
 
 
 def _binary(state: State, node: ast.BinOp) -> Any:
@@ -217,7 +239,8 @@ def _binary(state: State, node: ast.BinOp) -> Any:
 
 
 def _unary(state: State, node: ast.UnaryOp) -> Any:
-    return unary(state, node.op, evaluate(state, node.operand), state.positions.span(node))
+    read = condition if isinstance(node.op, ast.Not) else evaluate
+    return unary(state, node.op, read(state, node.operand), state.positions.span(node))
 
 
 def _subscript(state: State, node: ast.Subscript) -> Any:

@@ -21,6 +21,7 @@ from bringup_lint.parsers.launch_python import budget
 from bringup_lint.parsers.launch_python import freeze
 from bringup_lint.parsers.launch_python.arguments import Arguments
 from bringup_lint.parsers.launch_python.containers import extend
+from bringup_lint.parsers.launch_python.containers import in_order
 from bringup_lint.parsers.launch_python.containers import iterate
 from bringup_lint.parsers.launch_python.containers import merge
 from bringup_lint.parsers.launch_python.containers import put
@@ -230,20 +231,15 @@ def _reversed(state: State, args: Arguments) -> Any:
 
 
 def _sorted(state: State, args: Arguments) -> Any:
+    backwards = args.keywords.get("reverse")
     result = _list(state, args)
-    plain = result.plain()
-    if plain is None or args.keywords or not all(isinstance(item, Literal) for item in plain):
+    if "key" in args.keywords:
         return result
-    try:
-        plain.sort(key=lambda item: item.value)
-    except TypeError:
-        return result
-    result.items = [((), item) for item in plain]
-    return result
+    return in_order(result, isinstance(backwards, Literal) and bool(backwards.value))
 
 
 def _dict(state: State, args: Arguments) -> Any:
-    result = Mapping(args.span, open=args.more)
+    result = Mapping(args.span, open=args.more, base=state.guards)
     if args.positional:
         source = args.positional[0]
         items = source.plain() if isinstance(source, Sequence) else None

@@ -18,7 +18,9 @@ from bringup_lint.parsers.launch_python import budget
 from bringup_lint.parsers.launch_python.arguments import Arguments
 from bringup_lint.parsers.launch_python.containers import append
 from bringup_lint.parsers.launch_python.containers import extend
+from bringup_lint.parsers.launch_python.containers import in_order
 from bringup_lint.parsers.launch_python.containers import merge
+from bringup_lint.parsers.launch_python.containers import presence
 from bringup_lint.parsers.launch_python.containers import put
 from bringup_lint.parsers.launch_python.functions import join_path
 from bringup_lint.parsers.launch_python.functions import path
@@ -34,6 +36,7 @@ from bringup_lint.parsers.launch_python.operators import joined
 from bringup_lint.parsers.launch_python.operators import performed
 from bringup_lint.parsers.launch_python.state import State
 from bringup_lint.parsers.launch_python.state import relative
+from bringup_lint.parsers.launch_python.truth import unless
 from bringup_lint.parsers.launch_python.unperformed import note_object
 from bringup_lint.source import Located
 from bringup_lint.source import Span
@@ -97,8 +100,10 @@ def _list(state: State, owner: Sequence, name: str, args: Arguments) -> Any:
         return Unknown(f"method {name}", args.span)
     elif name == "remove":
         _remove(state, owner, args.need("value", 0))
-    elif name == "reverse" and not owner.open:
+    elif name == "reverse" and not owner.open and not relative(state.guards, owner.base):
         owner.items.reverse()
+    elif name == "sort" and not args.keywords and not relative(state.guards, owner.base):
+        in_order(owner)
     elif name == "pop" and not state.guards and owner.plain():
         index = args.get("index", 0)
         at = -1 if index is None else index.value if isinstance(index, Literal) else None
@@ -106,7 +111,7 @@ def _list(state: State, owner: Sequence, name: str, args: Arguments) -> Any:
             return owner.items.pop(at)[1]
         owner.open = True
         return Unknown("pop", args.span)
-    elif name != "sort":
+    else:
         owner.open = True
         return Unknown(f"method {name}", args.span)
     return none
@@ -119,28 +124,33 @@ def _insert(state: State, owner: Sequence, args: Arguments) -> None:
 
 
 def _remove(state: State, owner: Sequence, thing: Any) -> None:
-    """Under a condition the item stays, as it may be there; an unknown item may be any of them."""
-    if relative(state.guards, owner.base):
-        return
-    for at, (_, item) in enumerate(owner.items):
+    """Under a condition the item stays where that does not hold; an unknown item may be any of them."""
+    guards = relative(state.guards, owner.base)
+    for at, (own, item) in enumerate(owner.items):
         same = isinstance(item, Literal) and isinstance(thing, Literal) and item.value == thing.value
-        if item is thing or same:
+        if not (item is thing or same):
+            continue
+        if guards:
+            owner.items[at] = ((*own, unless(guards)), item)
+        else:
             del owner.items[at]
-            return
+        return
 
 
 def _dict(state: State, owner: Mapping, name: str, args: Arguments) -> Any:
     if name in ("items", "keys", "values"):
         state.tick(len(owner.entries) + len(owner.others))
+        there = [presence(item) for _, item in owner.pairs()]
         if name == "items":
             things = [Sequence([((), key), ((), item)], args.span, state.guards) for key, item in owner.pairs()]
         else:
             things = [pair[name == "values"] for pair in owner.pairs()]
-        return Sequence([((), thing) for thing in things], owner.span, state.guards, owner.open)
+        items = [(own, thing) for own, thing in zip(there, things) if own is not None]
+        return Sequence(items, owner.span, state.guards, owner.open or None in there)
     if name in ("get", "pop", "setdefault"):
         return _entry(state, owner, name, args)
     if name == "copy":
-        return Mapping(args.span, dict(owner.entries), list(owner.others), owner.open)
+        return Mapping(args.span, dict(owner.entries), list(owner.others), owner.open, state.guards)
     if name == "update":
         for other in args.positional:
             merge(state, owner, other)
@@ -154,15 +164,20 @@ def _dict(state: State, owner: Mapping, name: str, args: Arguments) -> Any:
 def _entry(state: State, owner: Mapping, name: str, args: Arguments) -> Any:
     key = args.get("key", 0)
     default = args.get("default", 1)
+    fallback = Literal(None, args.span) if default is None else default
     note_object(state, "looked-up", key, args.span)
     if not isinstance(key, Literal) or owner.open or owner.others:
         return Unknown("key", args.span)
     if key.value in owner.entries:
         found = owner.entries[key.value][1]
-        if name == "pop" and not state.guards:
+        if presence(found) != ():
+            found = Options([((), fallback), *found.options], args.span)
+        if name == "pop" and relative(state.guards, owner.base):
+            owner.open = True
+        elif name == "pop":
             del owner.entries[key.value]
-        return found
-    found = Literal(None, args.span) if default is None else default
+    else:
+        found = fallback
     if name == "setdefault":
         put(state, owner, key, found)
     return found

@@ -10,6 +10,7 @@ from bringup_lint.dataclass import field
 from bringup_lint.model.launch import Action
 from bringup_lint.model.launch_values import Condition
 from bringup_lint.model.launch_values import Value
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.source import Span
 
 Guards = tuple[Condition, ...]
@@ -41,6 +42,8 @@ class Mapping:
     entries: dict[Any, tuple[Value, Any]] = field(default_factory=dict)
     others: list[tuple[Any, Any]] = field(default_factory=list)
     open: bool = False
+    base: Guards = ()
+    """The conditions under which the object itself was made."""
 
     def pairs(self) -> list[tuple[Any, Any]]:
         return [*self.entries.values(), *self.others]
@@ -79,6 +82,15 @@ class Frame:
     returns: list[tuple[Guards, Any]] = field(default_factory=list)
     yielded: Sequence | None = None
     """What a generator has given so far."""
+
+
+class Jump(NamedTuple):
+    """A branch that leaves the code after it: its ``continue``, ``break``, ``return`` or ``raise``, the conditions that
+    lead there, and the variables as they are there."""
+
+    signal: str
+    guards: Guards
+    names: dict[str, Any]
 
 
 @dataclass(eq=False, slots=True)

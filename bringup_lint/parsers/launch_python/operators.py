@@ -24,6 +24,7 @@ from bringup_lint.parsers.launch_python import budget
 from bringup_lint.parsers.launch_python import freeze
 from bringup_lint.parsers.launch_python.containers import extend
 from bringup_lint.parsers.launch_python.containers import merge
+from bringup_lint.parsers.launch_python.containers import presence
 from bringup_lint.parsers.launch_python.objects import Bound
 from bringup_lint.parsers.launch_python.objects import Guards
 from bringup_lint.parsers.launch_python.objects import Mapping
@@ -83,7 +84,7 @@ def binary(state: State, op: ast.operator, left: Any, right: Any, span: Span) ->
             inner = first.parts if isinstance(first, PathJoin) else (first,)
             return budget.bounded(PathJoin((*inner, freeze.text(state, right)), span))
     if kind is ast.BitOr and isinstance(left, Mapping):
-        merged = Mapping(span, dict(left.entries), list(left.others), left.open)
+        merged = Mapping(span, dict(left.entries), list(left.others), left.open, state.guards)
         merge(state, merged, right)
         return merged
     if kind is ast.Mod and isinstance(left, Literal) and isinstance(left.value, str):
@@ -211,7 +212,7 @@ def _membership(state: State, left: Any, right: Any, negative: bool, span: Span)
         if isinstance(right, Literal) and isinstance(right.value, str) and isinstance(left.value, str):
             return Literal((left.value in right.value) is not negative, span)
         if isinstance(right, Mapping) and not right.open and not right.others:
-            return Literal((left.value in right.entries) is not negative, span)
+            return _is_key(left.value, right, negative, span)
     items = right.plain() if isinstance(right, Sequence) else None
     if items is None:
         return Unknown("membership", span)
@@ -224,6 +225,12 @@ def _membership(state: State, left: Any, right: Any, negative: bool, span: Span)
         return Literal(negative, span)
     found = open_results[0] if len(open_results) == 1 else budget.bounded(Operation("or", tuple(open_results), span))
     return Operation("not", (found,), span) if negative else found
+
+
+def _is_key(key: Any, mapping: Mapping, negative: bool, span: Span) -> Any:
+    if key in mapping.entries and presence(mapping.entries[key][1]) != ():
+        return Unknown("membership", span)
+    return Literal((key in mapping.entries) is not negative, span)
 
 
 def subscript(state: State, owner: Any, key: Any, span: Span) -> Any:

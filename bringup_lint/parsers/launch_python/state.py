@@ -18,6 +18,7 @@ from bringup_lint.parsers.launch_python.budget import STEPS
 from bringup_lint.parsers.launch_python.budget import Exhausted
 from bringup_lint.parsers.launch_python.objects import Frame
 from bringup_lint.parsers.launch_python.objects import Guards
+from bringup_lint.parsers.launch_python.objects import Jump
 from bringup_lint.parsers.python_syntax import Positions
 from bringup_lint.source import Span
 
@@ -26,6 +27,7 @@ class Evaluator(NamedTuple):
     """The modules that follow expressions, calls and statements, for all that these lead to."""
 
     evaluate: Callable[[State, ast.expr], Any]
+    condition: Callable[[State, ast.expr], Any]
     call: Callable[[State, Any, list[Any], dict[str, Any], bool, Span], Any]
     run: Callable[[State, list[ast.stmt]], str | None]
 
@@ -37,6 +39,8 @@ class State:
     frame: Frame
     evaluator: Evaluator
     guards: Guards = ()
+    jumps: list[Jump] = field(default_factory=list)
+    """The branches of this round of the loop that have left it."""
     deferred: int = 0
     """Above 0 inside functions that only the run calls."""
     effects: list[Action] = field(default_factory=list)
@@ -51,6 +55,10 @@ class State:
 
     def evaluate(self, node: ast.expr) -> Any:
         return self.evaluator.evaluate(self, node)
+
+    def condition(self, node: ast.expr) -> Any:
+        """An expression of which only the truth counts."""
+        return self.evaluator.condition(self, node)
 
     def call(self, function: Any, positional: list[Any], keywords: dict[str, Any], more: bool, span: Span) -> Any:
         """``more``: further arguments may be passed than are known."""

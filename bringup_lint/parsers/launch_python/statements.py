@@ -7,17 +7,18 @@ from collections.abc import Callable
 from typing import Any
 
 from bringup_lint.model.launch import Import
-from bringup_lint.model.launch_values import VALUE_TYPES
 from bringup_lint.model.launch_values import Argument
 from bringup_lint.model.launch_values import Condition
 from bringup_lint.model.launch_values import Literal
 from bringup_lint.model.launch_values import Unknown
 from bringup_lint.parsers.launch_python import budget
 from bringup_lint.parsers.launch_python.containers import extend
-from bringup_lint.parsers.launch_python.containers import iterate
 from bringup_lint.parsers.launch_python.expressions import located_name
+from bringup_lint.parsers.launch_python.loops import run_for
+from bringup_lint.parsers.launch_python.loops import run_while
 from bringup_lint.parsers.launch_python.objects import Function
 from bringup_lint.parsers.launch_python.objects import Guards
+from bringup_lint.parsers.launch_python.objects import Jump
 from bringup_lint.parsers.launch_python.objects import Mapping
 from bringup_lint.parsers.launch_python.objects import Options
 from bringup_lint.parsers.launch_python.objects import Sequence
@@ -30,6 +31,7 @@ from bringup_lint.parsers.launch_python.truth import branch
 from bringup_lint.parsers.launch_python.truth import negated
 
 _ABSENT = object()
+_WEAKER = ("continue", "break", "return", "raise")
 
 
 def run(state: State, body: list[ast.stmt]) -> str | None:
@@ -80,7 +82,7 @@ def _as_load(target: ast.expr) -> ast.expr:
 
 
 def _if(state: State, node: ast.If) -> str | None:
-    outcome = branch(state, state.evaluate(node.test), state.positions.span(node.test))
+    outcome = branch(state, state.condition(node.test), state.positions.span(node.test))
     if isinstance(outcome, bool):
         return run(state, node.body if outcome else node.orelse)
     return _fork(state, outcome, node.body, node.orelse)
@@ -95,26 +97,37 @@ def _fork(state: State, condition: Condition, body: list[ast.stmt], orelse: list
     frame = state.frame
     before = dict(frame.names)
     state.guards = (*outer, condition)
-    first = run(state, body)
-    first_guards, after_first = state.guards, frame.names
+    first = _left(state, run(state, body))
     frame.names = before
     state.guards = (*outer, other)
-    second = run(state, orelse)
-    second_guards, after_second = state.guards, frame.names
+    second = _left(state, run(state, orelse))
+    if first.signal and second.signal:
+        return _both_left(state, first, second)
+    if first.signal:
+        state.jumps.append(first)
+        return None
+    if second.signal:
+        state.jumps.append(second)
+        frame.names, state.guards = first.names, first.guards
+        return None
     state.guards = outer
-    if first and second:
-        return first if first == second else "return"
-    if first:
-        state.guards = second_guards
-        return None
-    if second:
-        frame.names, state.guards = after_first, first_guards
-        return None
-    frame.names = _joined(state, condition, other, after_first, after_second)
-    if len(first_guards) > len(outer) + 1 or len(second_guards) > len(outer) + 1:
+    frame.names = _joined(state, condition, other, first.names, second.names)
+    if len(first.guards) > len(outer) + 1 or len(second.guards) > len(outer) + 1:
         left = Unknown("an earlier return", condition.span)
         state.guards = (*outer, Condition(left, True, "python", condition.span))
     return None
+
+
+def _left(state: State, signal: str | None) -> Jump:
+    return Jump(signal or "", state.guards, state.frame.names)
+
+
+def _both_left(state: State, first: Jump, second: Jump) -> str:
+    """What certainly happens is the weaker of the two; the other one perhaps."""
+    weak, strong = sorted((second, first), key=lambda jump: _WEAKER.index(jump.signal))
+    state.jumps.append(strong)
+    state.frame.names, state.guards = weak.names, weak.guards
+    return weak.signal
 
 
 def _joined(
@@ -139,47 +152,6 @@ def _return(state: State, node: ast.Return) -> str:
     value = None if node.value is None else state.evaluate(node.value)
     state.frame.returns.append((state.guards, value))
     return "return"
-
-
-def _for(state: State, node: ast.For | ast.AsyncFor) -> str | None:
-    span = state.positions.span(node.iter)
-    items = iterate(state, state.evaluate(node.iter))
-    outer = state.guards
-    if items is None:
-        loop = Condition(Unknown("loop", span), True, "loop", span)
-        items = [((loop,), Unknown("loop item", span))]
-    for guards, item in items:
-        state.tick(2)
-        state.guards = outer + guards
-        assign(state, node.target, item)
-        signal = run(state, node.body)
-        if signal in ("return", "raise") and not guards:
-            return signal
-        if signal == "break" and not guards:
-            state.guards = outer
-            return None
-    state.guards = outer
-    return run(state, node.orelse) if node.orelse else None
-
-
-def _while(state: State, node: ast.While) -> str | None:
-    span = state.positions.span(node.test)
-    loop = Condition(Unknown("loop", span), True, "loop", span)
-    outer = state.guards
-    state.guards = (*outer, loop)
-    _forget_assigned(state, node)
-    run(state, node.body)
-    state.guards = outer
-    _forget_assigned(state, node)
-    return None
-
-
-def _forget_assigned(state: State, node: ast.While) -> None:
-    """How often the loop runs is not known, nor what the plain values are that it assigns."""
-    for target in ast.walk(node):
-        if isinstance(target, ast.Name) and isinstance(target.ctx, ast.Store):
-            if isinstance(state.frame.names.get(target.id), VALUE_TYPES):
-                state.frame.names[target.id] = Unknown("loop", state.positions.span(target))
 
 
 def _try(state: State, node: Any) -> str | None:
@@ -283,9 +255,9 @@ _HANDLERS: dict[type[ast.stmt], Callable[[State, Any], str | None]] = {
     ast.AugAssign: _augmented,
     ast.If: _if,
     ast.Return: _return,
-    ast.For: _for,
-    ast.AsyncFor: _for,
-    ast.While: _while,
+    ast.For: run_for,
+    ast.AsyncFor: run_for,
+    ast.While: run_while,
     ast.Try: _try,
     ast.With: _with,
     ast.AsyncWith: _with,

@@ -29,6 +29,7 @@ from bringup_lint.parsers.launch_python.objects import Sequence
 from bringup_lint.parsers.launch_python.objects import Symbol
 from bringup_lint.parsers.launch_python.state import Builder
 from bringup_lint.parsers.launch_python.state import State
+from bringup_lint.parsers.launch_python.unperformed import is_text
 from bringup_lint.source import Located
 
 
@@ -177,7 +178,7 @@ def parameter(state: State, thing: Any) -> Any:
     items = thing.plain() if isinstance(thing, Sequence) else None
     if items:
         texts = [isinstance(item, Literal) and isinstance(item.value, str) for item in items]
-        symbolic = [not isinstance(item, (Literal, Sequence, Mapping, Unknown)) for item in items]
+        symbolic = [not isinstance(item, (Literal, Sequence, Mapping, Unknown)) and not is_text(item) for item in items]
         if any(symbolic) and all(a or b for a, b in zip(texts, symbolic)):
             return freeze.text(state, thing)
     return value

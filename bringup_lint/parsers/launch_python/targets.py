@@ -50,13 +50,9 @@ def _set_item(state: State, target: ast.Subscript, value: Any) -> None:
         return
     key = state.evaluate(target.slice)
     if isinstance(owner, Mapping):
-        if state.guards and isinstance(key, Literal):
-            before = owner.entries.get(key.value)
-            if before is not None:
-                value = Options([((), before[1]), (relative(state.guards, ()), value)], state.positions.span(target))
         put(state, owner, key, value)
     elif isinstance(owner, Sequence):
-        _replace(owner, key, value)
+        _replace(state, owner, key, value)
     elif isinstance(owner, Bound) and owner.name == "launch_configurations":
         span = state.positions.span(target)
         setting = SetArgument(span=span, name=freeze.value(state, key), value=freeze.value(state, value))
@@ -67,9 +63,12 @@ def _set_item(state: State, target: ast.Subscript, value: Any) -> None:
         state.effects.append(freeze.under(export, state.guards))
 
 
-def _replace(owner: Sequence, key: Any, value: Any) -> None:
+def _replace(state: State, owner: Sequence, key: Any, value: Any) -> None:
     index = key.value if isinstance(key, Literal) else None
-    if type(index) is int and -len(owner.items) <= index < len(owner.items):
-        owner.items[index] = (owner.items[index][0], value)
-    else:
+    if owner.plain() is None or type(index) is not int or not -len(owner.items) <= index < len(owner.items):
         owner.open = True
+        return
+    guards = relative(state.guards, owner.base)
+    if guards:
+        value = Options([((), owner.items[index][1]), (guards, value)], owner.span)
+    owner.items[index] = ((), value)

@@ -18,6 +18,8 @@ from bringup_lint.model.launch_values import PathJoin
 from bringup_lint.model.launch_values import Unknown
 from bringup_lint.model.launch_values import Value
 from bringup_lint.parsers.launch_python import freeze
+from bringup_lint.parsers.launch_python.containers import presence
+from bringup_lint.parsers.launch_python.objects import Guards
 from bringup_lint.parsers.launch_python.objects import Mapping
 from bringup_lint.parsers.launch_python.objects import Options
 from bringup_lint.parsers.launch_python.objects import Sequence
@@ -37,7 +39,9 @@ def truth(state: State, thing: Any, where: Span) -> bool | Value:
             return True
         return Unknown("list length", where) if thing.items or thing.open else False
     if isinstance(thing, Mapping):
-        return True if thing.pairs() else (Unknown("dictionary", where) if thing.open else False)
+        if any(presence(value) == () for _, value in thing.pairs()):
+            return True
+        return Unknown("dictionary", where) if thing.pairs() or thing.open else False
     if isinstance(thing, Argument):
         return Operation("!=", (thing, Literal("", where)), where) if thing.performed else True
     if isinstance(thing, Env):
@@ -57,6 +61,13 @@ def truth(state: State, thing: Any, where: Span) -> bool | Value:
 
 def negated(condition: Condition) -> Condition:
     return Condition(condition.predicate, not condition.wanted, condition.kind, condition.span)
+
+
+def unless(guards: Guards) -> Condition:
+    """That not all of some conditions hold."""
+    if len(guards) == 1:
+        return negated(guards[0])
+    return Condition(Unknown("one of several conditions", guards[-1].span), True, "python", guards[-1].span)
 
 
 def branch(state: State, thing: Any, where: Span) -> bool | Condition:

@@ -15,6 +15,11 @@ def is_object(thing: Any) -> bool:
     return isinstance(thing, Argument) and not thing.performed
 
 
+def is_text(thing: Any) -> bool:
+    """A ``LaunchConfiguration`` that has been performed."""
+    return isinstance(thing, Argument) and thing.performed
+
+
 def note_object(state: State, how: str, thing: Any, span: Span) -> None:
     """Keep the place where an object is taken for its text, once however often the code runs."""
     if is_object(thing) and all(other.span.start != span.start for other in state.file.objects):
