@@ -19,6 +19,7 @@ from bringup_lint.model.package import Install
 from bringup_lint.model.python import syntax_of
 from bringup_lint.parsers.launch_python import budget
 from bringup_lint.parsers.launch_python.calls import call
+from bringup_lint.parsers.launch_python.expressions import condition
 from bringup_lint.parsers.launch_python.expressions import evaluate
 from bringup_lint.parsers.launch_python.objects import Frame
 from bringup_lint.parsers.launch_python.objects import Mapping
@@ -57,7 +58,7 @@ def parse(source: Source) -> Build:
             return Operation("glob", (positional[0],), span)
         return call(state, function, positional, keywords, more, span)
 
-    state = State(LaunchFile(source, "python"), Positions(source, 0), Frame({}), Evaluator(evaluate, called, run))
+    state = State(LaunchFile(source, "python"), Positions(source, 0), Frame({}), Evaluator(evaluate, condition, called, run))
     try:
         run(state, tree.body)
     except (budget.Exhausted, RecursionError):
