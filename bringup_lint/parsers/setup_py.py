@@ -58,7 +58,9 @@ def parse(source: Source) -> Build:
             return Operation("glob", (positional[0],), span)
         return call(state, function, positional, keywords, more, span)
 
-    state = State(LaunchFile(source, "python"), Positions(source, 0), Frame({}), Evaluator(evaluate, condition, called, run))
+    state = State(
+        LaunchFile(source, "python"), Positions(source, 0), Frame({}), Evaluator(evaluate, condition, called, run)
+    )
     try:
         run(state, tree.body)
     except (budget.Exhausted, RecursionError):
