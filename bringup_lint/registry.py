@@ -302,8 +302,8 @@ class Registry:
 
     def purposes(self, rule_id: str) -> Mapping[Purpose, Severity | None]:
         """What a purpose makes of the findings of a rule (``family.toml``: purpose)."""
-        family, _, name = rule_id.partition("/")
-        found = next((each for each in self.families if each.name == family), None)
+        name = rule_id.partition("/")[2]
+        found = self.family_of.get(rule_id)
         return found.purposes if found is not None and name.replace("-", "_") in found.deployment else {}
 
     def get(self, rule_id: str) -> Rule | None:

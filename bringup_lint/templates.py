@@ -37,9 +37,9 @@ _MARK = regex(r"[{@<]|__")
 
 def template_language(name: str, text: str) -> str:
     """The template language of a file, from its name or the placeholders in it; empty when the text is final."""
-    for suffix, language in TEMPLATE_SUFFIXES.items():
-        if name.endswith(suffix):
-            return language
+    named = TEMPLATE_SUFFIXES.get(_suffix(name))
+    if named is not None:
+        return named
     for language, mark, pattern in _PLACEHOLDERS[:-1]:
         if mark in text and pattern.search(text):
             return language
@@ -48,10 +48,13 @@ def template_language(name: str, text: str) -> str:
 
 def final_name(name: str) -> str:
     """The name that the file will have once it is filled in: ``robot.service.in`` becomes ``robot.service``."""
-    for suffix in TEMPLATE_SUFFIXES:
-        if name.endswith(suffix):
-            return name[: -len(suffix)]
-    return name
+    suffix = _suffix(name)
+    return name[: -len(suffix)] if suffix in TEMPLATE_SUFFIXES else name
+
+
+def _suffix(name: str) -> str:
+    """What follows the last dot, with the dot."""
+    return "".join(name.rpartition(".")[1:])
 
 
 def has_placeholder(text: str) -> bool:

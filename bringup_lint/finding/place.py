@@ -18,6 +18,8 @@ class Place(NamedTuple):
 def inside(span: Span) -> Span:
     """The part of a span that its text really holds."""
     size = len(span.source.text)
+    if 0 <= span.start <= span.end <= size:
+        return span
     start = min(max(span.start, 0), size)
     return span._replace(start=start, end=min(max(span.end, start), size))
 

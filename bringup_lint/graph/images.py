@@ -75,7 +75,7 @@ class Images:
             if name == dockerfile.basename:
                 return False
         written = re.compile(rf"(?<![\w.-]){re.escape(name)}(?![\w.-])")
-        return any(written.search(text) for text in self._build_texts)
+        return any(name in text and written.search(text) for text in self._build_texts)
 
     @cached_property
     def _build_texts(self) -> list[str]:

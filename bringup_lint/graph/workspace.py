@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
 from bringup_lint.graph.absence import Absence
+from bringup_lint.graph.memo import memo
 from bringup_lint.model.launch_values import Concat
 from bringup_lint.model.launch_values import FileDir
 from bringup_lint.model.launch_values import Literal
@@ -264,8 +265,10 @@ class Workspace:
 
     def find(self, place: Place | None) -> Found | None:
         """The source of a file; None when the tree cannot tell."""
-        if place is None:
-            return None
+        return None if place is None else self._found(place)
+
+    @memo
+    def _found(self, place: Place) -> Found | None:
         if place.base == "file":
             return self._beside(os.path.normpath(place.path))
         package = self.packages.get(place.package)
@@ -355,9 +358,9 @@ def _compound(value: PathJoin | Concat) -> Place | None:
     if first is None or len(texts) < len(value.parts) - 1:
         return None
     if isinstance(value, PathJoin):
-        return first._replace(path=posixpath.join(first.path, *texts))
+        return Place(first.base, first.package, posixpath.join(first.path, *texts))
     path = first.path + "".join(texts)
-    return first._replace(path=path.lstrip("/") if first.base in ("share", "prefix") else path)
+    return Place(first.base, first.package, path.lstrip("/") if first.base in ("share", "prefix") else path)
 
 
 def load_workspace(files: Files) -> Workspace:

@@ -21,6 +21,8 @@ _BLANK = " \t\r\n"
 _LINE = regex(r"[^\r\n]*")
 _COMMENT = regex(r"(?:\\.|[^\\\r\n])*", re.S)
 """A backslash at the end of a comment joins the next line to it."""
+_PLAIN = regex(r"[ \t]*(?P<value>(?:[^ \t\r\n\\'\"][^\r\n\\]*)?)(?=[\r\n]|\Z)")
+"""A value without quotes at its start and without a backslash, as most are."""
 _ESCAPED_IN_QUOTES = '"\\`$'
 
 
@@ -66,9 +68,18 @@ def _entry(file: EnvFile, start: int, equals: int) -> int:
 
 def _value(source: Source, at: int) -> tuple[Located, bool, int, int | None]:
     """The value, whether it is quoted, the offset of the line end after it, and the quote that is never closed."""
+    if plain := _PLAIN.match(source.text, at):
+        return _plain(source, at, plain), False, plain.end(), None
     reader = _ValueReader(source, at)
     end = reader.read()
     return reader.located(), reader.is_quoted, end, reader.quoted_from if reader.quote else None
+
+
+def _plain(source: Source, at: int, found: re.Match[str]) -> Located:
+    """A value that is written as it is; an empty one is where it could begin."""
+    value = found["value"].rstrip(" \t")
+    start = found.start("value") if value else at
+    return source.located(start, start + len(value))
 
 
 class _ValueReader:

@@ -20,12 +20,20 @@ if TYPE_CHECKING:
     from bringup_lint.graph.systemd.user_database import UserDatabase
 
 _CREATES = regex(r"\b(?:groupadd|addgroup|useradd|adduser|newusers|dscl|ansible\.builtin\.(?:group|user))\b[^\n]*")
+_CREATING = ("groupadd", "addgroup", "useradd", "adduser", "newusers", "dscl", "ansible.builtin.")
+"""One of them is where something is created, which is found out much sooner."""
 _MODULE = regex(r"^[ \t]*(?:group|user):[ \t]*(?:name=(\S+)[ \t]*)?$(?:\n[ \t]+name:[ \t]*[\"']?([\w-]+))?", re.M)
 _SCRIPT = regex(
     r"\.(?:sh|bash|mk|ya?ml|md|rst|txt|cmake|service|conf|in)$|^(?:pre|post)(?:inst|rm)|^(?:Docker|Make|Contain)file"
     r"|^[^.]+$"
 )
 _MOST_SCRIPTS = 2000
+
+
+def _creations(text: str) -> Iterator[re.Match[str]]:
+    """The commands that create users or groups."""
+    if any(word in text for word in _CREATING):
+        yield from _CREATES.finditer(text)
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,7 +107,7 @@ class Accounts:
         """Every word of a command in the tree's scripts and documents that creates users or groups."""
         found: set[str] = set()
         for text in self._texts():
-            for command in _CREATES.finditer(text):
+            for command in _creations(text):
                 found.update(re.findall(r"[\w-]+", command[0]))
             for module in _MODULE.finditer(text):
                 found.update(name for name in module.groups() if name)

@@ -300,10 +300,19 @@ class Launch:
     def _reads(self) -> dict[int, frozenset[str]]:
         return {id(file): frozenset(str(argument.name) for argument in file.reads) for file in self.files}
 
+    @cached_property
+    def _readers(self) -> dict[str, list[LaunchFile]]:
+        """Launch configuration -> the files that read it."""
+        found: dict[str, list[LaunchFile]] = {}
+        for file in self.files:
+            for name in self._reads[id(file)]:
+                found.setdefault(name, []).append(file)
+        return found
+
     def read_elsewhere(self, name: str, file: LaunchFile, inner: list[LaunchFile]) -> bool:
         """Whether a configuration that leaks out of an include is read by another file that runs together with it."""
         inside = {id(file), *map(id, inner)}
-        readers = (each for each in self.files if id(each) not in inside and name in self._reads[id(each)])
+        readers = (each for each in self._readers.get(name, ()) if id(each) not in inside)
         together = {id(each) for expansion in self.leading_to(file) for each in expansion.files}
         return any(id(each) in together for each in readers)
 

@@ -18,9 +18,11 @@ class Member(NamedTuple):
     interface: Interface
     address: Address
     ip: addresses.Interface
+    host: addresses.Address
+    """The address without its network, which ``ipaddress`` makes anew whenever it is asked."""
 
-    def conflicts(self, interface: Interface, ip: addresses.Interface) -> bool:
-        return self.interface is not interface and self.ip.ip != ip.ip
+    def conflicts(self, interface: Interface, host: addresses.Address) -> bool:
+        return self.interface is not interface and self.host != host
 
 
 class Subnets:
@@ -35,7 +37,7 @@ class Subnets:
         """Keep an address that has an ``ip``."""
         if address.ip is None:
             return
-        member = Member(self._count, interface, address, address.ip)
+        member = Member(self._count, interface, address, address.ip, address.ip.ip)
         self._count += 1
         length = address.ip.network.prefixlen
         _keep(self._exact.setdefault(_network(address.ip, length), []), member)
@@ -47,7 +49,8 @@ class Subnets:
         length = ip.network.prefixlen
         lists = [self._exact.get(_network(ip, shorter), []) for shorter in range(length)]
         lists.append(self._within.get(_network(ip, length), []))
-        members = (member for found in lists for member in found if member.conflicts(interface, ip))
+        host = ip.ip
+        members = (member for found in lists for member in found if member.conflicts(interface, host))
         return min(members, key=lambda member: member.order, default=None)
 
 
@@ -58,8 +61,10 @@ def _network(ip: addresses.Interface, length: int) -> Network:
 def _keep(members: list[Member], new: Member) -> None:
     """Keep a member unless those before it answer every question that it answers, so that a list stays short: a
     question rules out one interface and one address, two members of each at most, and so leaves one of five."""
+    if len(members) >= 5:
+        return
     of_interface = [member for member in members if member.interface is new.interface]
-    of_address = [member for member in members if member.ip.ip == new.ip.ip]
-    known = any(member.ip.ip == new.ip.ip for member in of_interface)
-    if not known and len(of_interface) < 2 and len(of_address) < 2 and len(members) < 5:
+    of_address = [member for member in members if member.host == new.host]
+    known = any(member.host == new.host for member in of_interface)
+    if not known and len(of_interface) < 2 and len(of_address) < 2:
         members.append(new)

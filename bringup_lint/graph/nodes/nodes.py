@@ -204,7 +204,12 @@ class Nodes:
         """Whether a runner that is not a person runs a file as a program, by itself or through a launch file."""
         if file.source in self._run_directly or self.runners(file):
             return True
-        return any(file.source.basename in each.text for each in self.files.of_kind(*_RUNNERS))
+        return file.source.basename in self._runner_texts
+
+    @cached_property
+    def _runner_texts(self) -> str:
+        """What starts processes, in one text, which is searched sooner than many."""
+        return "\0".join(each.text for each in self.files.of_kind(*_RUNNERS))
 
     def is_stopped(self, file: NodeSource) -> bool:
         """Whether a unit, a container or the like starts a program that is not for tests, examples or a person, and so

@@ -109,6 +109,17 @@ class Params:
             for parameter in file.parameters:
                 yield file, parameter
 
+    def named(self, name: str) -> list[tuple[ParameterFile, Parameter]]:
+        """Every value of a parameter in the judged files, in the order of the text."""
+        return self._by_name.get(name, [])
+
+    @cached_property
+    def _by_name(self) -> dict[str, list[tuple[ParameterFile, Parameter]]]:
+        found: dict[str, list[tuple[ParameterFile, Parameter]]] = {}
+        for file, parameter in self.parameters:
+            found.setdefault(str(parameter.name), []).append((file, parameter))
+        return found
+
     def at(self, file: ParameterFile, where: Located | Span) -> Parameter | None:
         """The parameter whose value stands at a place."""
         span = where.span if isinstance(where, Located) else where

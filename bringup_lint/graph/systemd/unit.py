@@ -187,9 +187,9 @@ class Unit:
 
     def setting_of(self, read: Callable[[str], Value | None], *keys: tuple[str, str]) -> Setting[Value]:
         """The same for (key, section) pairs, for settings that have moved from one section to another."""
-        if len(keys) == 1:
-            key, section = keys[0]
-            return setting_of(self._settings.get((section, key), ()), read)
+        set_here = [lines for key, section in keys if (lines := self._settings.get((section, key)))]
+        if len(set_here) < 2:
+            return setting_of(set_here[0] if set_here else (), read)
         lines = (line for file in self.files for line in file.assignments)
         return setting_of((line for line in lines if (str(line.key), str(line.section)) in keys), read)
 

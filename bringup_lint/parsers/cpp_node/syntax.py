@@ -43,6 +43,8 @@ _EXPORTED = regex(
     rb"|\b(?P<visible>[A-Z][A-Z0-9_]*_(?:PUBLIC|LOCAL|EXPORT|API))\b(?![ \t]*[(:])"
 )
 """Macros that say what a shared library shows; the grammar takes them for the name or type."""
+_WIDE = regex(r"[^\x00-\x7f]")
+"""A character of several bytes."""
 _BRANCHES = frozenset(
     "if_statement for_statement for_range_loop while_statement do_statement switch_statement catch_clause "
     "conditional_expression lambda_expression".split()
@@ -106,13 +108,10 @@ class Code:
         """Where characters of several bytes end: byte offset, and how many bytes are too many up to there."""
         if len(self._data) == len(self.source.text):
             return None
-        found, at, extra = [(0, 0)], 0, 0
-        for char in self.source.text:
-            size = len(char.encode("utf-8", "surrogatepass"))
-            at += size
-            if size > 1:
-                extra += size - 1
-                found.append((at, extra))
+        found, extra = [(0, 0)], 0
+        for wide in _WIDE.finditer(self.source.text):
+            extra += len(wide[0].encode("utf-8", "surrogatepass")) - 1
+            found.append((wide.end() + extra, extra))
         return found
 
     def offset(self, byte: int) -> int:

@@ -9,6 +9,7 @@ from typing import Any
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
+from bringup_lint.model.python import fields_of
 from bringup_lint.named_tuple import NamedTuple
 
 Def = ast.FunctionDef | ast.AsyncFunctionDef
@@ -285,7 +286,7 @@ def _assign_attribute(todo: Todo, target: ast.Attribute, value: ast.expr | None)
         sets.append(AttributeSet(target.attr, value, scope, todo.conditional))
 
 
-_LEAVES = (ast.Name, ast.Constant, ast.expr_context, ast.operator, ast.unaryop, ast.boolop, ast.cmpop, ast.alias)
+_LEAVES = (ast.Name, ast.Constant, ast.alias)
 
 
 def _children(module: Module, todo: Todo) -> Iterator[Todo]:
@@ -296,7 +297,7 @@ def _children(module: Module, todo: Todo) -> Iterator[Todo]:
         for statement in node.body:
             yield todo._replace(node=statement)
         return
-    for name in node._fields:
+    for name in fields_of(node):
         value = getattr(node, name, None)
         conditional = todo.conditional or _may_not_run(node, name)
         for child in value if isinstance(value, list) else (value,):

@@ -28,7 +28,8 @@ def ends_thread(files: Files, package: Package | None, source: Source, name: str
         rf"|\b(?:push_back|emplace_back|emplace|insert)\s*\([^;]*\b{written}\b|[^:]:\s*(?:this->)?{written}\s*\)"
         rf"|\breturn\s+{written}\b"
     )
-    return any(each is None or ends.search(each.text) for each in _sources(files, package, source))
+    sources = _sources(files, package, source)
+    return any(each is None or (name in each.text and ends.search(each.text)) for each in sources)
 
 
 def _sources(files: Files, package: Package | None, source: Source) -> Iterator[Source | None]:

@@ -64,8 +64,8 @@ def _declared(syntax: Syntax) -> Iterator[Located]:
 def _given(nodes: Nodes, params: Params, file: NodeSource, name: str) -> list[Parameter]:
     """The values in the parameter files that launch files give to this program."""
     started = {id(each.action) for each in nodes.launched(file)}
-    found = []
-    for each, parameter in params.parameters:
-        if parameter.name == name and any(id(load.node.action) in started for load in params.loads(each)):
-            found.append(parameter)
-    return found
+    return [
+        parameter
+        for each, parameter in params.named(name)
+        if any(id(load.node.action) in started for load in params.loads(each))
+    ]

@@ -9,6 +9,7 @@ from functools import cached_property
 
 from bringup_lint.model.node_source import NodeSource
 from bringup_lint.model.python import children
+from bringup_lint.model.python import fields_of
 
 FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)
 
@@ -25,7 +26,7 @@ class Syntax:
             node = stack.pop()
             if isinstance(node, ast.Call):
                 self.calls.append(node)
-            for name in node._fields:
+            for name in fields_of(node):
                 value = getattr(node, name, None)
                 for child in value if isinstance(value, list) else (value,):
                     if isinstance(child, ast.AST):

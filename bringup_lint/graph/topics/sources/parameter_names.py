@@ -9,6 +9,7 @@ from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
 from functools import cached_property
+from functools import partial
 from functools import reduce
 from operator import or_
 from typing import TYPE_CHECKING
@@ -253,9 +254,14 @@ def _joined(words: Iterable[ParameterWords]) -> ParameterWords | None:
     return None if found.open else found
 
 
+def _bases(source: Source) -> list[str]:
+    """What the classes of a C++ file build on."""
+    return [found["bases"] for found in _CLASS.finditer(source.text)]
+
+
 def _is_plain_node(sources: list[Source]) -> bool:
     """Whether the nodes of the sources build on those of rclcpp alone."""
-    classes = [found["bases"] for source in sources for found in _CLASS.finditer(source.text)]
+    classes = [bases for source in sources for bases in source.once(_bases, partial(_bases, source))]
     bases = [_ACCESS.sub("", each) for text in classes for each in text.split(",")]
     odd = [base for base in bases if base.partition("<")[0].endswith("Node") and base not in _BASES]
     return not odd and any(_NODE.search(source.text) for source in sources)
