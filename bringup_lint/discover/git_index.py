@@ -6,6 +6,7 @@ import contextlib
 import os
 from collections.abc import Callable
 from collections.abc import Iterator
+from functools import lru_cache
 
 from bringup_lint.discover import disk
 from bringup_lint.discover.reading import Unreadable
@@ -68,13 +69,21 @@ def read_index(path: str) -> frozenset[bytes]:
     with contextlib.suppress(Unreadable, UnknownFormat):
         with disk.unrecorded():
             data, status = read_bytes(path, SIZE_LIMIT)
-            found = frozenset(tracked_paths(data))
-        disk.opened(TRACKED, path, status, content_of(found))
+        found, content = _read(data)
+        disk.opened(TRACKED, path, status, content)
         return found
     try:
         return frozenset(tracked_paths(read_bytes(path, SIZE_LIMIT)[0]))
     except Unreadable as error:
         raise UnknownFormat(str(error)) from error
+
+
+@lru_cache(1)
+def _read(data: bytes) -> tuple[frozenset[bytes], bytes]:
+    """The tracked paths, and what they say as one text. Kept for the next run of an editor: the index has not changed
+    with the text that is edited."""
+    found = frozenset(tracked_paths(data))
+    return found, content_of(found)
 
 
 def content_of(tracked: frozenset[bytes]) -> bytes:

@@ -14,6 +14,7 @@ from bringup_lint.discover.record import FLAGS
 from bringup_lint.discover.record import FOLLOWED
 from bringup_lint.discover.record import HEAD
 from bringup_lint.discover.record import WHOLE
+from bringup_lint.named_tuple import NamedTuple
 
 SIZE_LIMIT = 8 * 1024 * 1024
 """Bytes. No configuration file of a robot comes near; a larger one is reported and not read."""
@@ -45,37 +46,70 @@ def proposed(texts: Mapping[str, bytes]) -> Iterator[None]:
         _PROPOSED.clear()
 
 
+class Begun(NamedTuple):
+    """The first bytes of a regular file."""
+
+    path: str
+    size: int
+    """How many were asked for."""
+    data: bytes = b""
+    status: os.stat_result | None = None
+    """None when there is nothing to read."""
+
+    @property
+    def text(self) -> str:
+        return self.data.decode("utf-8", errors="replace")
+
+    @property
+    def is_all(self) -> bool:
+        """Whether the file has no more."""
+        if self.status is None or self.path in _PROPOSED:
+            return False
+        return self.status.st_size == len(self.data)
+
+
 def read_head(path: str, size: int) -> str:
     """The first bytes of a regular file as text; empty when there is nothing to read."""
+    return begin(path, size).text
+
+
+def begin(path: str, size: int) -> Begun:
+    """The first bytes of a regular file."""
     question = f"{HEAD}{size}"
     try:
         descriptor = os.open(path, FLAGS)
     except ValueError:
-        return ""
+        return Begun(path, size)
     except OSError as error:
         opened(question, path, error)
-        return ""
+        return Begun(path, size)
     try:
         status = os.fstat(descriptor)
         if not stat.S_ISREG(status.st_mode):
             opened(question, path, status)
-            return ""
+            return Begun(path, size)
         data = _PROPOSED[path][:size] if path in _PROPOSED else os.read(descriptor, size)
         opened(question, path, status, data)
-        return data.decode("utf-8", errors="replace")
+        return Begun(path, size, data, status)
     except OSError as error:
         opened(question, path, error)
-        return ""
+        return Begun(path, size)
     finally:
         os.close(descriptor)
 
 
-def read_bytes(path: str, limit: int = SIZE_LIMIT, *, follow: bool = False) -> tuple[bytes, os.stat_result]:
+def read_bytes(
+    path: str, limit: int = SIZE_LIMIT, *, follow: bool = False, begun: Begun | None = None
+) -> tuple[bytes, os.stat_result]:
     """The content and status of a regular file. Raises Unreadable. Never blocks on a FIFO or device.
 
     ``follow`` takes a link for the file that it leads to: right for what the user names, not for what a tree holds.
+    ``begun`` is what was read a moment ago: when it is all of this file, that is not opened again.
     """
     question = f"{FOLLOWED if follow else WHOLE}{limit}"
+    if begun is not None and begun.status is not None and begun.path == path and begun.is_all:
+        opened(question, path, begun.status, begun.data)
+        return begun.data, begun.status
     try:
         descriptor = os.open(path, FLAGS & ~getattr(os, "O_NOFOLLOW", 0) if follow else FLAGS)
     except ValueError as error:

@@ -41,6 +41,8 @@ class Record:
         """Links that were not followed so far, and where they lead."""
         self._listings: dict[str, Seen] = {}
         self._texts: dict[tuple[str, str], Seen] = {}
+        self._wholes: dict[str, Seen] = {}
+        """Path -> the look at all of a file."""
         self.is_whole = True
         """Whether the run depends on this alone: on one state of the disk, and on nothing that is not a look at it."""
 
@@ -76,6 +78,8 @@ class Record:
         path = _absolute(path)
         seen = (question, path, _stamp(status, question), text_fact(status, data))
         before = self._texts.setdefault((question, path), seen)
+        if question.startswith(WHOLE) and data is not None:
+            self._wholes[path] = seen
         self.is_whole = self.is_whole and before[-1] == seen[-1]
 
     def __iter__(self) -> Iterator[Seen]:
@@ -85,7 +89,14 @@ class Record:
         nodes = (self._nodes[path] for path in sorted(self._nodes))
         yield from (seen for seen in nodes if seen[1] not in opened or seen[-1].startswith(("l", "!")))
         yield from self._listings.values()
-        yield from self._texts.values()
+        yield from (seen for seen in self._texts.values() if not self._is_told_by_the_whole(seen))
+
+    def _is_told_by_the_whole(self, seen: Seen) -> bool:
+        """Whether the first bytes of a file say nothing that is not in the look at all of it, which was the same file
+        at the same time."""
+        question, path, stamp, _ = seen
+        whole = self._wholes.get(path) if question.startswith(HEAD) else None
+        return whole is not None and bool(stamp) and whole[2] == stamp
 
 
 def stamp_of(question: str, path: str) -> str:

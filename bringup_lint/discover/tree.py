@@ -22,10 +22,11 @@ from bringup_lint.discover.held import Held
 from bringup_lint.discover.held import over
 from bringup_lint.discover.ignored import is_ignored
 from bringup_lint.discover.reading import PROGRAM
+from bringup_lint.discover.reading import Begun
 from bringup_lint.discover.reading import Unreadable
+from bringup_lint.discover.reading import begin
 from bringup_lint.discover.reading import decode
 from bringup_lint.discover.reading import read_bytes
-from bringup_lint.discover.reading import read_head
 from bringup_lint.discover.roots import overlay_path
 from bringup_lint.discover.roots import resolve_inside
 from bringup_lint.pattern import regex
@@ -85,6 +86,8 @@ class Tree:
     _texts: dict[str, Source] = field(default_factory=dict)
     """Path -> the file, as it was read first."""
     _kept: int = 0
+    _begun: Begun | None = None
+    """The file of which the first bytes were asked for last: it is the next to be read."""
 
     def remember(self, path: str) -> None:
         """Keep the name of a file that was walked past, so that a reference to it can be resolved."""
@@ -169,7 +172,7 @@ class Tree:
         shown = None if self.held is None else self.held.texts.get(path)
         if shown is not None and not disk.lexists(path):
             return shown, ""
-        data, status = read_bytes(path)
+        data, status = read_bytes(path, begun=self._begun)
         if self.root is not None and not (self._is_checkout and self.tracked(path)):
             source.mode = stat.S_IMODE(status.st_mode)
             source.uid, source.gid = status.st_uid, status.st_gid
@@ -332,7 +335,11 @@ class Tree:
     def start(self, path: str, size: int) -> str:
         """The same, asked once."""
         shown = None if self.held is None else self.held.texts.get(path)
-        return read_head(path, size) if shown is None else shown[:size]
+        if shown is not None:
+            return shown[:size]
+        if self._begun is None or (self._begun.path, self._begun.size) != (path, size):
+            self._begun = begin(path, size)
+        return self._begun.text
 
     @staticmethod
     def names_below(folder: str, depth: int) -> Iterator[str]:

@@ -240,3 +240,15 @@ def test_names_that_no_encoding_has(program: Program) -> None:
         file.write(UNITS[1])
     first, second = program.run(), program.run()
     assert first.shown == second.shown
+
+
+def test_the_start_of_a_file_that_is_read_whole_is_no_look_of_its_own(program: Program) -> None:
+    path = program.tree / "driver.yaml"
+    path.write_text("driver:\n  ros__parameters:\n    port: 1\n")
+    os.utime(path, (1, 1))
+    time.sleep(record.YOUNG / 1e9)
+    program.run()
+    looks = [look[0][0] for look in entry(program.entries[0])["seen"] if look[1] == str(path)]
+    assert looks == [record.WHOLE]
+    path.write_text("driver:\n  ros__parameters:\n    port: 2\n")
+    assert not program.run().is_answered

@@ -148,15 +148,16 @@ def test_million_lines(tree: Path) -> None:
 
 def test_vanished_file(tree: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     from bringup_lint.discover import tree as reading
+    from bringup_lint.discover.kinds import HEAD_SIZE
 
     real = reading.read_bytes
 
-    def vanish(path: str, *rest):
+    def vanish(path: str, *rest, **more):
         if path.endswith("brief.service"):
             os.unlink(path)
-        return real(path, *rest)
+        return real(path, *rest, **more)
 
-    (tree / "brief.service").write_text(UNIT)
+    (tree / "brief.service").write_text(UNIT + "# more than a kind looks at\n" * HEAD_SIZE)
     monkeypatch.setattr(reading, "read_bytes", vanish)
     run = concise(cwd=tree)
     assert got_through(run)
@@ -232,3 +233,17 @@ def test_nothing_is_run_written_or_connected_to(tmp_path: Path) -> None:
     assert "EXIT" in run.stdout, run.stderr
     assert "GUARD" not in run.stdout
     assert not list(tmp_path.rglob("ran"))
+
+
+def test_a_small_file_is_opened_once(tree: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    opened: list[str] = []
+    real = os.open
+
+    def counted(path: str, *rest, **more):
+        opened.append(os.path.basename(path))
+        return real(path, *rest, **more)
+
+    (tree / "small.yaml").write_text("driver:\n  ros__parameters:\n    port: 1\n")
+    monkeypatch.setattr(os, "open", counted)
+    assert got_through(concise(cwd=tree))
+    assert opened.count("small.yaml") == 1

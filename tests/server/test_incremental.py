@@ -14,7 +14,8 @@ from bringup_lint.server.folder import Folder
 from bringup_lint.server.folder import State
 from tests.conftest import PROJECT
 
-GUIDE = PROJECT / "fixtures/robots/guide/tree"
+ROBOTS = PROJECT / "fixtures/robots"
+GUIDE = ROBOTS / "guide/tree"
 EDITS = 6
 
 
@@ -32,21 +33,24 @@ def answer(folder: Folder, documents: dict[str, Document]) -> list[str]:
     return [repr((each.shown.rule, each.shown.message, analysis.range(each.finding.span))) for each in analysis.found]
 
 
-@pytest.mark.parametrize("seed", [1, pytest.param(2, marks=pytest.mark.slow)])
-def test_edits_answer_as_from_nothing(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(GUIDE)
+@pytest.mark.parametrize(
+    ("robot", "seed"), [("guide", 1), ("crosslayer", 3), pytest.param("guide", 2, marks=pytest.mark.slow)]
+)
+def test_edits_answer_as_from_nothing(robot: str, seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    top = ROBOTS / robot / "tree"
+    monkeypatch.chdir(top)
     chance = random.Random(seed)
     registry = Registry.of()
-    kept = Folder(str(GUIDE), registry, lambda config: frozenset())
+    kept = Folder(str(top), registry, lambda config: frozenset())
     documents: dict[str, Document] = {}
     answer(kept, documents)
-    files = sorted(path for path in GUIDE.rglob("*") if path.suffix in (".service", ".yaml", ".xml", ".env", ".py"))
+    files = sorted(path for path in top.rglob("*") if path.suffix in (".service", ".yaml", ".xml", ".env", ".py"))
     for number in range(EDITS):
         path: Path = chance.choice(files)
         shown = documents.get(str(path))
         text = edited(shown.text if shown else path.read_text("utf-8"), chance)
         documents[str(path)] = Document(uri_of(str(path)), text, number)
-        cold = Folder(str(GUIDE), registry, lambda config: frozenset())
+        cold = Folder(str(top), registry, lambda config: frozenset())
         assert answer(kept, documents) == answer(cold, documents), path
 
 

@@ -187,7 +187,7 @@ class Unit:
 
     def setting_of(self, read: Callable[[str], Value | None], *keys: tuple[str, str]) -> Setting[Value]:
         """The same for (key, section) pairs, for settings that have moved from one section to another."""
-        set_here = [lines for key, section in keys if (lines := self._settings.get((section, key)))]
+        set_here = [found for key, section in keys if (found := self._settings.get((section, key)))]
         if len(set_here) < 2:
             return setting_of(set_here[0] if set_here else (), read)
         lines = (line for file in self.files for line in file.assignments)
