@@ -279,6 +279,6 @@ def _take_in(tree: LayeredTree, entry: Entry) -> None:
     masks = kind.startswith("systemd") or (kind == "udev-rules" and entry.link == "/dev/null")
     if not kind or (entry.link is not None and not masks):
         return
-    source = tree.read(entry.path, kind, judged=not place.startswith(VENDOR_FOLDERS))
+    source = tree.read(entry.path, kind, judged=not place.startswith(VENDOR_FOLDERS), is_walked=True)
     if source is not None:
         tree.sources.append(source)

@@ -125,9 +125,9 @@ class Tree:
             self._held[folder] = is_below(folder, self.tops) and is_below(disk.realpath(folder), real)
         return self._held[folder]
 
-    def read(self, path: str, kind: str = "", judged: bool | None = None) -> Source | None:
-        """Read a file into the tree; what cannot be read becomes a problem. It is judged when the run was asked for it,
-        unless the caller knows better."""
+    def read(self, path: str, kind: str = "", judged: bool | None = None, *, is_walked: bool = False) -> Source | None:
+        """Read a file. It is judged when the run was asked for it, unless the caller knows better. What is wrong with
+        one that was walked or named, and is judged, becomes a problem; which others are read depends on the rules."""
         judged = self.judges(path) if judged is None else judged
         known = None if judged else self._texts.get(path)
         if known is not None:
@@ -139,8 +139,8 @@ class Tree:
             source.text, complaint = self._text(path, source)
         except Unreadable as error:
             if error.is_denied and self.root is not None and path not in self.asked:
-                self.closed += [source.name] * judged
-            elif judged:
+                self.closed += [source.name] * (judged and is_walked)
+            elif judged and is_walked:
                 self.problems.append(Problem("unreadable", source.whole, str(error)))
             return None
         if source.text or source.link is None:
@@ -149,7 +149,7 @@ class Tree:
             source = self.held.shared(source)
         is_program = complaint == PROGRAM and source.kind in _PROGRAMS
         is_expected = is_program or source.kind in _ANY_ENCODING
-        if complaint and source.judged and not is_expected:
+        if complaint and source.judged and is_walked and not is_expected:
             self.problems.append(Problem("encoding", source.whole, complaint))
         if self.held is None:
             self._keep(path, source)

@@ -216,7 +216,7 @@ def _read_walked(tree: Tree, path: str, walked: set[str], ignored: Collection[st
         return
     if disk.islink(path) and not _is_meant(tree, path, kind):
         return
-    source = tree.read(path, kind, judged)
+    source = tree.read(path, kind, judged, is_walked=True)
     if source is not None:
         tree.sources.append(source)
 
@@ -276,7 +276,7 @@ def _read_named(tree: Tree, path: str, walked: set[str]) -> None:
         return
     path = path if kind_of_link(path) else disk.realpath(path)
     kind = kind_of(display_name(path), lambda: tree.start(path, HEAD_SIZE))
-    source = tree.read(path, kind, judged=True)
+    source = tree.read(path, kind, judged=True, is_walked=True)
     if source is not None and kind:
         tree.sources.append(source)
     elif source is not None:

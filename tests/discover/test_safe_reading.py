@@ -95,6 +95,16 @@ def test_nul_bytes_and_utf_16(tree: Path) -> None:
     assert "etc/systemd/system/nul.service:1:1: error[lint/encoding] The file contains NUL bytes" in run.stdout
 
 
+@pytest.mark.parametrize("select", [("lint",), ("lint", "host"), ("host", "lint")])
+def test_no_rule_makes_a_file_of_no_kind_known_for_its_encoding(tree: Path, select: tuple[str, ...]) -> None:
+    (tree / "ser2net.yaml").write_bytes(b"connection: &a\n  accepter: tcp,3001 # \xff\n")
+    (tree / "etc").mkdir()
+    (tree / "etc/host.conf").write_text(UNIT)
+    run = lint(*(word for each in select for word in ("--select", each)), "--output-format", "concise", cwd=tree)
+    assert got_through(run)
+    assert run.stdout.count("lint/encoding") == 1
+
+
 def test_a_compiled_program_is_no_damaged_script(tree: Path) -> None:
     (tree / "drive").mkdir()
     (tree / "drive/rover").write_bytes(b"\x7fELF\2\1\1\0" + bytes(100))
