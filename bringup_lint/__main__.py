@@ -19,6 +19,8 @@ def program() -> None:
         main()
     except SystemExit as ended:
         code = ended.code or 0
+    except KeyboardInterrupt:
+        code = 130
     if isinstance(code, int) and _is_done():
         os._exit(code)
     sys.exit(code)

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import contextlib
 import os
+import signal
 import stat
 from collections.abc import Iterable
 from collections.abc import Iterator
@@ -55,7 +56,7 @@ class _Place(NamedTuple):
 
 def create(path: Path, content: bytes) -> None:
     """Write a file that is not there yet. Raises NotWritten, also when it is there."""
-    with _reported(path), _place(path) as place:
+    with _reported(path), _undisturbed(), _place(path) as place:
         with _new(place, _READABLE_BY_ALL) as file:
             _fill(file, content)
         _keep(place.folder)
@@ -64,7 +65,7 @@ def create(path: Path, content: bytes) -> None:
 def replace(path: Path, content: bytes | Iterable[bytes]) -> None:
     """Write a report, whole or in pieces: a new file, or one in the place of an old one. Raises NotWritten."""
     _refuse_linked_folder(path)
-    with _reported(path), _place(path) as place:
+    with _reported(path), _undisturbed(), _place(path) as place:
         old = _status(place)
         if old is not None and not stat.S_ISREG(old.st_mode):
             raise NotWritten(path, f"it is {describe(old.st_mode)}, not a regular file")
@@ -81,7 +82,7 @@ def replace(path: Path, content: bytes | Iterable[bytes]) -> None:
 
 def correct(path: Path, was: bytes, content: bytes) -> None:
     """Replace the content of a file that was read before, and change nothing else of it. Raises NotWritten."""
-    with _reported(path), _place(path) as place, _opened(path, place) as old:
+    with _reported(path), _undisturbed(), _place(path) as place, _opened(path, place) as old:
         status = os.fstat(old)
         if why := _refusal(status):
             raise NotWritten(path, why)
@@ -124,6 +125,19 @@ def _reported(path: Path) -> Iterator[None]:
         yield
     except (OSError, ValueError) as error:
         raise NotWritten(path, error) from error
+
+
+@contextlib.contextmanager
+def _undisturbed() -> Iterator[None]:
+    """Let a signal that ends the program wait until a file is written: it would leave the new one beside the old."""
+    if not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, (signal.SIGINT, signal.SIGTERM, signal.SIGHUP))
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 @contextlib.contextmanager

@@ -201,6 +201,30 @@ def test_a_file_that_changed_since_it_was_read_is_left_alone(tree: Path, monkeyp
     assert leftovers(tree) == []
 
 
+SIGNALLED = """
+import os, signal, sys
+from bringup_lint.__main__ import main
+number, synced = getattr(signal, sys.argv.pop(1)), os.fsync
+def fsync(descriptor):
+    os.kill(os.getpid(), number)
+    synced(descriptor)
+os.fsync = fsync
+main()
+"""
+
+
+@pytest.mark.parametrize("name", ["SIGTERM", "SIGHUP", "SIGINT"])
+def test_a_signal_leaves_no_file_beside(tree: Path, name: str) -> None:
+    arguments = ["--fix", "--unsafe-fixes", "--select", "systemd/network-target", "a.service"]
+    environment = {**os.environ, "PYTHONPATH": str(PROJECT)}
+    command = [sys.executable, "-c", SIGNALLED, name, *arguments]
+    run = subprocess.run(command, cwd=tree, capture_output=True, env=environment, check=False)
+    assert run.returncode in (130, -15, -1), run.stderr
+    assert b"Traceback" not in run.stderr
+    assert is_fixed(tree / "a.service")
+    assert leftovers(tree) == []
+
+
 def without_capabilities(tree: Path) -> subprocess.CompletedProcess[str]:
     """A fix by an ordinary user, who owns what is not given away."""
     return subprocess.run(
@@ -272,3 +296,12 @@ def test_a_full_disk_leaves_everything_as_it_was(tree: Path) -> None:
     assert "Traceback" not in run.stderr
     assert (tree / "a.service").read_text() == UNIT
     assert sorted(os.listdir(tree)) == ["a.service", "z.service"]
+
+
+def test_an_interrupt_while_the_program_is_loaded_is_130(tree: Path) -> None:
+    code = (
+        "from bringup_lint import __main__ as it; it.main = lambda: signal.raise_signal(2); import signal; it.program()"
+    )
+    environment = {**os.environ, "PYTHONPATH": str(PROJECT)}
+    run = subprocess.run([sys.executable, "-c", code], cwd=tree, capture_output=True, env=environment, check=False)
+    assert (run.returncode, run.stderr) == (130, b"")

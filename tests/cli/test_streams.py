@@ -35,6 +35,7 @@ def shell(line: str, cwd: Path, **environment: str) -> subprocess.CompletedProce
         (f"{COMMAND} >&-", {}, 2),
         (f"{COMMAND} > /dev/full", {}, 2),
         (f"{COMMAND} --stdin-filename a.service <&-", {}, 2),
+        (f"{sys.executable} -m bringup_lint server <&-", {}, 2),
         (f"mkdir gone && cd gone && rmdir ../gone && {COMMAND}", {}, 2),
         (COMMAND, {"COLUMNS": "²"}, 1),
         (COMMAND, {"COLUMNS": "9" * 5000}, 1),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 import threading
 from typing import TYPE_CHECKING
 
@@ -25,6 +26,9 @@ def command(stdio: bool) -> int:
         import pygls  # noqa: F401
     except ImportError:
         complain("the language server needs pygls: pip install 'bringup-lint[lsp]'")
+        return 2
+    if sys.stdin is None:
+        complain("the language server talks over standard input, which is closed")
         return 2
     from bringup_lint.server.worker import Worker
 
