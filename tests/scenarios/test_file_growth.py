@@ -60,6 +60,7 @@ GREW = [
     ("systemd-dropin", "ReadWritePaths=/var/log/heron /var/lib/heron /tmp\n"),
     ("launch-xml", '    <arg name="robot" value="$(var robot)"/>\n'),
     ("params", "      scan: anything\n"),
+    ("cyclonedds", '      <Thread Name="receiver"/>\n'),
 ]
 """What once took more than its share."""
 

@@ -4,6 +4,7 @@ spelling."""
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 
 from bringup_lint.finding import Edit
 from bringup_lint.finding import Fix
@@ -18,6 +19,7 @@ from bringup_lint.parsers.cyclonedds_values import fault_of
 from bringup_lint.parsers.cyclonedds_values import words
 from bringup_lint.parsers.xml import parse
 from bringup_lint.source import Located
+from bringup_lint.source import Source
 from bringup_lint.source import Span
 from bringup_lint.spelling import nearest
 
@@ -65,12 +67,17 @@ def renamed(name: Located, new: str) -> list[tuple[Span, str]]:
     text = name.span.source.text
     before = text[name.span.start - 1 : name.span.start]
     if before == "<":
-        element = next((each for each in parse(name.span.source).elements if each.name.span == name.span), None)
-        end = element.span.end if element is not None else 0
+        end = _ends(name.span.source).get(name.span.start, 0)
         closing = end - len(name) - 1
         if end and text[closing - 2 : end] == f"</{name}>":
             edits.append((Span(name.span.source, closing, closing + len(name)), new))
     return edits
+
+
+@lru_cache(maxsize=1)
+def _ends(source: Source) -> dict[int, int]:
+    """Where the name of an element starts -> where the element ends."""
+    return {each.name.span.start: each.span.end for each in parse(source).elements}
 
 
 def first_of(configuration: Configuration, remark: Remark) -> Located | None:
