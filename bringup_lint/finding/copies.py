@@ -22,9 +22,10 @@ def merged(findings: Iterable[Finding]) -> Iterator[Finding]:
     """The findings in their order, those on a copy of a line as related places of the first."""
     ordered = list(findings)
     groups: dict[tuple[str, str, str], list[Finding]] = {}
+    lines: dict[tuple[Source, int], str] = {}
     for found in ordered:
         if found.span.end and not found.suppression:
-            groups.setdefault(_line(found), []).append(found)
+            groups.setdefault((found.rule, _line(found, lines), found.span.text), []).append(found)
     copies: dict[int, list[Finding]] = {}
     gone: set[int] = set()
     for group in groups.values():
@@ -53,9 +54,12 @@ def _with(found: Finding, copies: list[Finding]) -> Finding:
     return replace(found, related=(*found.related, *related), copies=tuple(copies))
 
 
-def _line(found: Finding) -> tuple[str, str, str]:
-    """What findings on copies of a line have in common: the rule, the line and the place in it."""
-    return found.rule, found.source.line_text(found.span.line).strip(), found.span.text
+def _line(found: Finding, lines: dict[tuple[Source, int], str]) -> str:
+    """The line of a finding, read once for all that it has."""
+    place = (found.source, found.span.line)
+    if place not in lines:
+        lines[place] = found.source.line_text(found.span.line).strip()
+    return lines[place]
 
 
 def _rank(found: Finding) -> tuple[int, bool, bool]:

@@ -6,11 +6,13 @@ import re
 from collections import Counter
 from collections.abc import Iterable
 from functools import lru_cache
+from typing import Any
 
 from bringup_lint.finding import Finding
 from bringup_lint.finding.place import inside
 from bringup_lint.finding.place import is_whole_file
 from bringup_lint.finding.uri import below_root
+from bringup_lint.source import Source
 
 
 def fingerprints(findings: Iterable[Finding], root: str, cwd: str = "") -> list[str]:
@@ -18,19 +20,43 @@ def fingerprints(findings: Iterable[Finding], root: str, cwd: str = "") -> list[
     the message without its numbers, and a count of those that are alike in all this."""
     seen: Counter[tuple[str, ...]] = Counter()
     made = []
+    lines = _Lines()
     for finding in findings:
         path = below_root(finding.source.name, root, cwd)
-        key = (finding.rule, path, _line(finding), _skeleton(finding.message))
-        made.append(_digest(*key, str(seen[key])))
+        line = lines.of(finding)
+        key = (finding.rule, path, line, _skeleton(finding.message))
+        digest = lines.digest(finding.rule, path, line)
+        digest.update(_bytes("", key[-1], str(seen[key])))
+        made.append(digest.hexdigest()[:32])
         seen[key] += 1
     return made
 
 
-def _line(finding: Finding) -> str:
-    if is_whole_file(finding.span):
-        return ""
-    source, start, _ = inside(finding.span)
-    return _masked(" ".join(source.line_text(source.position(start).line).split()))
+class _Lines:
+    """What lines add to fingerprints: each is read once, however many findings it has."""
+
+    def __init__(self) -> None:
+        self._texts: dict[tuple[Source, int], str] = {}
+        self._digests: dict[tuple[str, str, str], Any] = {}
+
+    def of(self, finding: Finding) -> str:
+        """The text of the line of a finding, without what moves."""
+        if is_whole_file(finding.span):
+            return ""
+        source, start, _ = inside(finding.span)
+        line = source.position(start).line
+        if (source, line) not in self._texts:
+            self._texts[source, line] = _masked(" ".join(source.line_text(line).split()))
+        return self._texts[source, line]
+
+    def digest(self, rule: str, path: str, line: str) -> Any:
+        """A digest that has begun with a rule, a path and a line."""
+        from hashlib import sha256
+
+        parts = (rule, path, line)
+        if parts not in self._digests:
+            self._digests[parts] = sha256(_bytes(*parts))
+        return self._digests[parts].copy()
 
 
 @lru_cache(1000)
@@ -43,7 +69,5 @@ def _masked(text: str) -> str:
     return re.sub(r"\*+", "*", text) if "**" in text else text
 
 
-def _digest(*parts: str) -> str:
-    from hashlib import sha256
-
-    return sha256("\0".join(parts).encode("utf-8", "surrogatepass")).hexdigest()[:32]
+def _bytes(*parts: str) -> bytes:
+    return "\0".join(parts).encode("utf-8", "surrogatepass")

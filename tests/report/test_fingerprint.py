@@ -6,9 +6,11 @@ import pytest
 
 from bringup_lint.finding import Finding
 from bringup_lint.finding import Severity
+from bringup_lint.finding.copies import merged
 from bringup_lint.finding.fingerprint import fingerprints
 from bringup_lint.finding.presented import presented
 from bringup_lint.source import Source
+from tests.growth import is_linear
 
 TEXT = "[Service]\nUser=root\nRestartSec=5\n"
 
@@ -72,3 +74,12 @@ def test_secret_does_not_matter() -> None:
         )
 
     assert mark(of("orange-lighthouse")) == mark(of("green-windmill"))
+
+
+def test_many_findings_of_one_long_line_take_time_as_they_are_many() -> None:
+    def work(count: int) -> None:
+        source = Source("a.launch.xml", "attribute " * count)
+        found = [Finding("Unknown", source.span(10 * n, 10 * n + 9), rule="launch/a") for n in range(count)]
+        assert len(set(fingerprints(merged(found), "/"))) == count
+
+    assert is_linear(work, 500)
