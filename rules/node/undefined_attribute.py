@@ -36,6 +36,7 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import nodes
+from bringup_lint.api import note
 from bringup_lint.api import rule
 
 SYMPTOMS = [
@@ -47,13 +48,14 @@ SYMPTOMS = [
 
 @rule("error", symptoms=SYMPTOMS)
 def undefined_attribute(robot: Robot) -> Iterator[Finding]:
-    for found in nodes.missing_attributes(robot.nodes):
-        name = found.place.attr
+    for first, *others in nodes.missing_attributes(robot.nodes):
+        name = first.place.attr
         yield finding(
-            found.file.span_of(found.place),
-            f"AttributeError when {found.function}() runs: nothing sets self.{name}, and the node exits",
-            advice=f"write self.{found.like}" if found.like else f"set self.{name} in __init__()",
-            severity="info" if found.idle else nodes.lowered(robot.nodes.purpose(found.file.source), "error"),
+            first.file.span_of(first.place),
+            f"AttributeError when {first.function}() runs: nothing sets self.{name}, and the node exits",
+            advice=f"write self.{first.like}" if first.like else f"set self.{name} in __init__()",
+            related=[note(each.file.span_of(each.place), f"nothing sets self.{each.place.attr}") for each in others],
+            severity="info" if first.idle else nodes.lowered(robot.nodes.purpose(first.file.source), "error"),
         )
     for taken in nodes.taken_attributes(robot.nodes):
         name = taken.place.attr

@@ -86,7 +86,7 @@ def _lacking(
     types: MessageTypes, owner: str | None, name: str | None, place: ast.Attribute | ast.keyword
 ) -> Iterator[NoField]:
     fields = types.interfaces.fields(owner) if owner is not None else None
-    if owner is None or fields is None or name is None or _has(fields, name):
+    if owner is None or fields is None or name is None or _has(fields, name) or types.syntax.is_dead(place):
         return
     yield NoField(place, name, owner, tuple(fields), isinstance(place, ast.keyword), _is_caught(types.syntax, place))
 
@@ -155,7 +155,7 @@ def _has(fields: Mapping[str, str], name: str) -> bool:
 def _misfit(types: MessageTypes, owner: str | None, name: str, value: ast.expr) -> Iterator[Misfit]:
     fields = types.interfaces.fields(owner) if owner is not None else None
     wanted = (fields or {}).get(name, "")
-    if not wanted or wanted in (CONSTANT, "?"):
+    if not wanted or wanted in (CONSTANT, "?") or types.syntax.is_dead(value):
         return
     for arm in _arms(value):
         got = _wrong(types, wanted, arm)

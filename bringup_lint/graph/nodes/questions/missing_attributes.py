@@ -45,8 +45,9 @@ class TakenAttribute(NamedTuple):
     place: ast.Attribute
 
 
-def missing_attributes(nodes: Nodes) -> Iterator[MissingAttribute]:
-    """The first use of each attribute that no code of the tree sets, of classes whose bases are all known."""
+def missing_attributes(nodes: Nodes) -> Iterator[list[MissingAttribute]]:
+    """The first use of each attribute that no code of the tree sets, of classes whose bases are all known; those of one
+    method together."""
     of_ros = {row["name"] for row in table("ros/node_attributes")} | set(dir(object))
     foreign = _set_elsewhere(nodes)
     for file, node in nodes.with_callbacks:
@@ -57,7 +58,10 @@ def missing_attributes(nodes: Nodes) -> Iterator[MissingAttribute]:
         texts = {
             str(each.value) for each in file.nodes if isinstance(each, ast.Constant) and isinstance(each.value, str)
         }
-        yield from _unknown(nodes, file, node, known, texts)
+        groups: dict[str, list[MissingAttribute]] = {}
+        for found in _unknown(nodes, file, node, known, texts):
+            groups.setdefault(found.function, []).append(found)
+        yield from groups.values()
 
 
 def _unknown(
@@ -67,7 +71,9 @@ def _unknown(
     seen: set[str] = set()
     for place in sorted(_own_uses(syntax, node), key=lambda each: (each.lineno, each.col_offset)):
         name = place.attr
-        if name in known or name in texts or name in seen or name.startswith("__") or _is_expected(syntax, place):
+        if name in known or name in texts or name in seen or name.startswith("__"):
+            continue
+        if _is_expected(syntax, place) or syntax.is_dead(place):
             continue
         seen.add(name)
         function = syntax.function(place)

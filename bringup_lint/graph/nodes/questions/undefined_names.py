@@ -50,7 +50,7 @@ def undefined(syntax: Syntax) -> Iterator[Undefined]:
     seen: set[str] = set()
     names = (node for node in file.nodes if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load))
     for name in sorted(names, key=lambda each: (each.lineno, each.col_offset)):
-        if name.id in seen or bindings.has(name) or _is_harmless(syntax, name, lazy):
+        if name.id in seen or bindings.has(name) or _is_harmless(syntax, name, lazy) or syntax.is_dead(name):
             continue
         seen.add(name.id)
         module = modules.get(name.id, "" if name.id in sys.stdlib_module_names else None)
@@ -106,7 +106,16 @@ def is_idle(syntax: Syntax, name: ast.Name | ast.Attribute) -> bool:
         return True
     if _RUN_BY_OTHERS.match(function.name) or function.decorator_list:
         return False
-    return len(re.findall(rf"\b{re.escape(function.name)}\b", syntax.file.source.text)) == 1
+    return not any(_mentions(each, function.name) for each in syntax.file.nodes)
+
+
+def _mentions(node: ast.AST, function: str) -> bool:
+    """Whether a node calls or hands over a function, by itself or as a method of a plain name; a text may name it."""
+    if isinstance(node, ast.Name):
+        return node.id == function
+    if isinstance(node, ast.Attribute):
+        return node.attr == function and isinstance(node.value, (ast.Name, ast.Call))
+    return isinstance(node, ast.Constant) and node.value == function
 
 
 def _says_unfinished(node: ast.AST) -> bool:

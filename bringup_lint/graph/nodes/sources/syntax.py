@@ -11,6 +11,8 @@ from bringup_lint.model.node_source import NodeSource
 from bringup_lint.model.python import children
 from bringup_lint.model.python import fields_of
 
+_ENDS = (ast.Return, ast.Raise, ast.Break, ast.Continue)
+"""Statements after which nothing of their block runs."""
 FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)
 
 
@@ -64,6 +66,18 @@ class Syntax:
                 return outer
         return None
 
+    def is_dead(self, node: ast.AST) -> bool:
+        """Whether a statement that always leaves the block stands before a node."""
+        inner = node
+        for outer, name in self.within(node):
+            block = getattr(outer, name)
+            if isinstance(block, list) and isinstance(inner, ast.stmt) and _leaves(block, inner):
+                return True
+            inner = outer
+        function = next((outer for outer, _ in self.above(inner)), None)
+        block = getattr(function, "body", None)
+        return isinstance(block, list) and isinstance(inner, ast.stmt) and _leaves(block, inner)
+
     def after(self, statement: ast.stmt) -> list[ast.stmt]:
         """The statements after one in its own block."""
         if statement not in self._above:
@@ -74,6 +88,15 @@ class Syntax:
 
     def qualified(self, call: ast.Call) -> str | None:
         return self.file.qualified(call.func)
+
+
+def _leaves(block: list[ast.stmt], until: ast.stmt) -> bool:
+    """Whether a statement of a block before another one always ends it."""
+    if until not in block:
+        return False
+    return any(
+        isinstance(each, (ast.Return, ast.Raise, ast.Break, ast.Continue)) for each in block[: block.index(until)]
+    )
 
 
 def own(nodes: Iterable[ast.AST]) -> Iterator[ast.AST]:
