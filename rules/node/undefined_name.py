@@ -43,7 +43,9 @@ def undefined_name(robot: Robot) -> Iterator[Finding]:
             name, module = found.name.id, found.module
             when = f"when {found.function}() is called" if found.function else "when the file is loaded"
             end = "what follows in its try block never runs" if found.caught else "the node exits"
+            end = "what follows at the end of the node never runs" if found.late else end
             line = f"from {module} import {name}" if module else f"import {name}"
+            severity = "warning" if found.late else "error"
             where = found.function or "the file"
             edits = nodes.import_edits(file, module, name) if module is not None else []
             yield finding(
@@ -51,5 +53,5 @@ def undefined_name(robot: Robot) -> Iterator[Finding]:
                 f"NameError {when}: {name} is never {'defined' if module is None else 'imported'}, and {end}",
                 advice=f"add '{line}'" if module is not None else f"define {name} where {where} sees it",
                 fix=fix(f"add '{line}'", *edits) if edits else None,
-                severity="info" if found.idle else nodes.lowered(robot.nodes.purpose(file.source), "error"),
+                severity="info" if found.idle else nodes.lowered(robot.nodes.purpose(file.source), severity),
             )

@@ -37,6 +37,8 @@ class Undefined(NamedTuple):
     """The function says before it that it is not implemented, or nothing calls it."""
     caught: bool = False
     """An ``except Exception`` around it catches the NameError."""
+    late: bool = False
+    """The function spins before: the node has done its work."""
 
 
 def undefined(syntax: Syntax) -> Iterator[Undefined]:
@@ -55,7 +57,7 @@ def undefined(syntax: Syntax) -> Iterator[Undefined]:
         seen.add(name.id)
         module = modules.get(name.id, "" if name.id in sys.stdlib_module_names else None)
         caught = any(_takes(outer, field) for outer, field in syntax.within(name))
-        yield Undefined(name, module, _function(syntax, name), is_idle(syntax, name), caught)
+        yield Undefined(name, module, _function(syntax, name), is_idle(syntax, name), caught, _is_late(syntax, name))
 
 
 class _Bindings:
@@ -95,6 +97,13 @@ class _Bindings:
 
 
 _COMPREHENSIONS = (ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
+
+
+def _is_late(syntax: Syntax, name: ast.Name) -> bool:
+    function = syntax.function(name)
+    before = (call for call in syntax.calls if call.lineno < name.lineno)
+    spins = (call for call in before if isinstance(call.func, ast.Attribute) and call.func.attr == "spin")
+    return function is not None and any(syntax.function(call) is function for call in spins)
 
 
 def is_idle(syntax: Syntax, name: ast.Name | ast.Attribute) -> bool:
