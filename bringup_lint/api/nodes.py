@@ -23,6 +23,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.missing_attributes import missing_attributes
     from bringup_lint.graph.nodes.questions.missing_attributes import taken_attributes
     from bringup_lint.graph.nodes.questions.motion import moves
+    from bringup_lint.graph.nodes.questions.parameter_calls import empty_defaults
+    from bringup_lint.graph.nodes.questions.parameter_calls import untyped_reads
     from bringup_lint.graph.nodes.questions.pin_modes import without_pin_mode
     from bringup_lint.graph.nodes.questions.pipes import unread_pipes
     from bringup_lint.graph.nodes.questions.python_releases import not_there
@@ -74,6 +76,7 @@ __all__ = [
     "dict_ranges",
     "double_shutdown",
     "early_results",
+    "empty_defaults",
     "endless_rates",
     "fed_without_condition",
     "guards_commands",
@@ -108,6 +111,7 @@ __all__ = [
     "unread_pipes",
     "unsafe_ends",
     "unset",
+    "untyped_reads",
     "valid_node_name",
     "waits",
     "without_pin_mode",

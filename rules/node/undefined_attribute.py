@@ -3,7 +3,8 @@
 ## What it finds
 `self.x` in a Python node when no code sets `x` and neither its base classes nor rclpy define it; and assignments to
 `self.subscriptions`, `self.publishers`, `self.clients`, `self.services`, `self.timers` and the other properties of
-`rclpy.node.Node` that cannot be set. Classes with bases that are not in the tree are left out.
+`rclpy.node.Node` that cannot be set; and `get_parameter('x').double_value` or `.as_double()`, which are those of
+ParameterValue and of C++. Classes with bases that are not in the tree are left out.
 
 ## Why it matters on a robot
 Python looks an attribute up when the line runs: in the callback for a fault or an emergency stop, perhaps weeks later,
@@ -65,3 +66,11 @@ def undefined_attribute(robot: Robot) -> Iterator[Finding]:
             advice=f"choose another name, such as self.own_{name}",
             severity=nodes.lowered(robot.nodes.purpose(taken.file.source), "error"),
         )
+    for file in robot.nodes.programs:
+        for read in nodes.untyped_reads(robot.nodes.syntax(file)):
+            yield finding(
+                file.span_of(read),
+                f"AttributeError: get_parameter() returns a Parameter, which has no '{read.attr}', and the node exits",
+                advice="write .value",
+                severity=nodes.lowered(robot.nodes.purpose(file.source), "error"),
+            )
