@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 from typing import Any
 
 from bringup_lint.model.launch import Node
@@ -34,6 +35,8 @@ def attribute(state: State, owner: Any, name: str, span: Span) -> Any:
             return parent(owner, span)
         if name in _PATH_PARTS:
             return Unknown("path part", span)
+    if kind is Literal and name == "parent" and isinstance(owner.value, str):
+        return Literal(Located(posixpath.dirname(owner.value) or ".", span), span)
     if kind is Unknown:
         return Unknown(owner.why, span)
     if kind is Options and name == "parent":

@@ -63,7 +63,8 @@ def performed(state: State, thing: Any, span: Span) -> Value:
 
 def binary(state: State, op: ast.operator, left: Any, right: Any, span: Span) -> Any:
     kind = type(op)
-    if isinstance(left, Literal) and isinstance(right, Literal):
+    is_path = kind is ast.Div and isinstance(left, Literal) and isinstance(left.value, str)
+    if isinstance(left, Literal) and isinstance(right, Literal) and not is_path:
         return _literals(kind, left, right, span)
     if kind is ast.Add:
         if isinstance(left, Sequence):
