@@ -1,6 +1,6 @@
 """Tests that use ``answers`` run twice: on what a real tool answered once, and on what the installed one says.
 
-All of them are slow: a tool has thousands of answers.
+All of them are slow: a tool has thousands of answers. What needs only the record is marked ``recorded``, too.
 """
 
 from __future__ import annotations
@@ -17,3 +17,6 @@ def answers(request: pytest.FixtureRequest, update_expected: bool) -> Oracle:
 
 def pytest_itemcollected(item: pytest.Item) -> None:
     item.add_marker("slow")
+    parameters = item.callspec.params if hasattr(item, "callspec") else {}
+    if parameters.get("answers") == "recorded":
+        item.add_marker("recorded")
