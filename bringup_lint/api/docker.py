@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from bringup_lint.model.dockerfile import stays_in_shell
     from bringup_lint.model.image_build import image_name
     from bringup_lint.parsers.dockerfile import assignments
+    from bringup_lint.parsers.dockerfile import blocks_of_run
     from bringup_lint.parsers.dockerfile import commands_of
     from bringup_lint.parsers.dockerfile import commands_of_run
     from bringup_lint.parsers.dockerfile_variables import expanded
@@ -38,6 +39,7 @@ __all__ = [
     "Runner",
     "Stage",
     "assignments",
+    "blocks_of_run",
     "broken_references",
     "can_be_pulled",
     "commands_of",

@@ -7,7 +7,9 @@ from collections.abc import Iterator
 from bringup_lint.model.dockerfile import Dockerfile
 from bringup_lint.model.dockerfile import Instruction
 from bringup_lint.model.dockerfile import Stage
+from bringup_lint.model.shell import Block
 from bringup_lint.model.shell import Command
+from bringup_lint.parsers.shell import blocks
 from bringup_lint.parsers.shell import commands
 from bringup_lint.parsers.systemd_values import split_words
 from bringup_lint.pattern import regex
@@ -210,3 +212,9 @@ def commands_of_run(instruction: Instruction) -> Iterator[Command]:
     """The shell commands of one RUN instruction."""
     for script in instruction.scripts:
         yield from commands(script)
+
+
+def blocks_of_run(instruction: Instruction) -> Iterator[tuple[Block, ...]]:
+    """The statements of each script of one RUN instruction."""
+    for script in instruction.scripts:
+        yield blocks(script)

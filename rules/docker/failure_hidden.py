@@ -1,0 +1,159 @@
+"""A step of an image fails, and its build goes on.
+
+## What it finds
+A command of a `RUN` that installs packages or builds the workspace, and whose failure does not end the build:
+- `A && B && C || D`, where `D` is meant for `C` and hides the failure of `A` and `B`, too;
+- a `;` or a new line after `colcon build` without `set -e`, and after an installation where all that follows succeeds
+  without it, such as `rm`;
+- `colcon build || true`, and `colcon build | tee` without `pipefail`.
+
+A fallback directly after a command that installs something is taken for meant, and so is one that does more than print
+a message. Loops are not judged.
+
+## Why it matters on a robot
+A mirror that does not answer for a moment, or a package that does not compile, gives an image that looks well and lacks
+a driver. It is found on the robot, when a node does not start.
+
+## Bad
+```dockerfile
+RUN apt-get update && apt-get install -y python3-rosdep && rosdep init || echo "rosdep is initialized"
+```
+
+## Good
+```dockerfile
+RUN apt-get update && apt-get install -y python3-rosdep && (rosdep init || echo "rosdep is initialized")
+```
+
+## When to ignore it
+When the image is to be built without the result, too.
+
+## References
+- POSIX, Shell Command Language, "AND-OR Lists"
+- https://docs.docker.com/reference/dockerfile/#run
+"""
+
+import re
+from collections.abc import Iterator
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Located
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import regex
+from bringup_lint.api import rule
+from bringup_lint.api.docker import Stage
+from bringup_lint.api.docker import blocks_of_run
+from bringup_lint.api.shell import Block
+from bringup_lint.api.shell import Command
+from bringup_lint.api.shell import program_name
+from bringup_lint.api.shell import unwrapped
+
+INSTALLERS = {
+    "apt": "install",
+    "apt-get": "install",
+    "rosdep": "install",
+    "pip": "install",
+    "pip3": "install",
+    "vcs": "import",
+}
+"""Program -> its command that brings something into the image."""
+STRICT = regex(r"\bset[ \t]+-\w{0,8}e|\berrexit\b")
+PIPES = regex(r"\bpipefail\b")
+PASSIVE = ("echo", "printf", "true", ":")
+"""Fallbacks that make up for nothing."""
+INDEPENDENT = (*PASSIVE, "rm", "mkdir", "useradd", "groupadd", "usermod", "ldconfig", "cd", "chmod", "ln")
+"""Commands that succeed without what an installation brings."""
+
+
+class Hidden(NamedTuple):
+    command: Located
+    by: Located
+    """What hides the failure."""
+    how: str
+
+
+@rule("warning", confidence="medium")
+def failure_hidden(robot: Robot) -> Iterator[Finding]:
+    for file in robot.dockerfiles:
+        for stage in file.stages:
+            for hidden in _of_stage(stage):
+                yield finding(
+                    hidden.command,
+                    f"When this fails, {hidden.how}: the image is built without its result",
+                    advice="join the commands with &&, and put a fallback in parentheses with its own command",
+                    related=[note(hidden.by, "this runs all the same")],
+                )
+
+
+def _of_stage(stage: Stage) -> Iterator[Hidden]:
+    """The first command of each RUN whose failure is hidden."""
+    shells = " ".join(str(each.value) for one in stage.chain for each in one.all("SHELL"))
+    strict = re.search(r'"-\w*e\w*"', shells) is not None
+    for run in stage.all("RUN"):
+        text = " ".join([str(run.value), *map(str, run.heredocs)])
+        if strict or STRICT.search(text):
+            continue
+        pipefail = PIPES.search(text + shells) is not None
+        found = (_hidden(list(blocks), pipefail) for blocks in blocks_of_run(run))
+        hidden = next((each for each in found if each is not None), None)
+        if hidden is not None:
+            yield hidden
+
+
+def _hidden(blocks: Sequence[Block], pipefail: bool) -> Hidden | None:
+    for at, block in enumerate(blocks):
+        if block.command is not None and _brings(block.command):
+            by = _hiding(blocks, at, pipefail)
+            if by is not None:
+                return Hidden(block.command.words[0], *by)
+        inner = (_hidden(body, pipefail) for body in block.bodies if block.kind == "branches")
+        found = next((each for each in inner if each is not None), None)
+        if found is not None:
+            return found
+    return None
+
+
+def _brings(command: Command) -> bool:
+    words = unwrapped(command.words)
+    name = program_name(words[0]) if words else ""
+    rest = [word for word in words[1:] if not word.startswith("-")]
+    simulated = {"-s", "--simulate", "--dry-run", "--download-only"} & set(words)
+    if name == "colcon":
+        return "build" in rest
+    return name in INSTALLERS and rest[:1] == [INSTALLERS[name]] and not simulated
+
+
+def _hiding(blocks: Sequence[Block], at: int, pipefail: bool) -> tuple[Located, str] | None:
+    """What runs although a command failed, and how it comes to that; None where the build ends."""
+    builds = program_name(unwrapped(_words(blocks[at]))[0]) == "colcon"
+    here = at
+    while here + 1 < len(blocks):
+        ends, following = _ends(blocks[here]), blocks[here + 1]
+        if ends == "|":
+            tees = here == at and builds and not pipefail and _name(following) == "tee"
+            return (_words(following)[0], "tee succeeds all the same") if tees else None
+        if ends == "||":
+            if _name(following) not in PASSIVE or (here == at and not builds):
+                return None
+            return _words(following)[0], f"'|| {_name(following)}' takes the failure for its own"
+        if ends != "&&":
+            independent = builds or all(_name(each) in INDEPENDENT for each in blocks[here + 1 :])
+            return (_words(following)[0], "the next command runs") if independent else None
+        here += 1
+    return None
+
+
+def _ends(block: Block) -> str:
+    return str(block.command.ends if block.command is not None else block.ends)
+
+
+def _words(block: Block) -> tuple[Located, ...]:
+    return block.command.words if block.command is not None else ()
+
+
+def _name(block: Block) -> str:
+    words = _words(block)
+    return program_name(words[0]) if words else ""
