@@ -31,16 +31,19 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import nodes
+from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
 @rule("warning", symptoms=["of type 'STRING_ARRAY', expecting type 'BYTE_ARRAY'", "InvalidParameterTypeException"])
 def empty_list_default(robot: Robot) -> Iterator[Finding]:
     for file in robot.nodes.programs:
-        for name, default in nodes.empty_defaults(robot.nodes.syntax(file)):
+        found = list(nodes.empty_defaults(robot.nodes.syntax(file)))
+        for name, default in found[:1]:
             yield finding(
                 file.span_of(default),
                 f"'{name}' becomes a byte array: the node exits when a file or launch file gives it a list",
                 advice="write a default with one value of its type, such as [''] or [0.0]",
+                related=[note(file.span_of(each.default), f"'{each.name}' as well") for each in found[1:]],
                 severity=nodes.lowered(robot.nodes.purpose(file.source), "warning"),
             )

@@ -67,10 +67,12 @@ def undefined_attribute(robot: Robot) -> Iterator[Finding]:
             severity=nodes.lowered(robot.nodes.purpose(taken.file.source), "error"),
         )
     for file in robot.nodes.programs:
-        for read in nodes.untyped_reads(robot.nodes.syntax(file)):
+        reads = list(nodes.untyped_reads(robot.nodes.syntax(file)))
+        for read in reads[:1]:
             yield finding(
                 file.span_of(read),
                 f"AttributeError: get_parameter() returns a Parameter, which has no '{read.attr}', and the node exits",
                 advice="write .value",
+                related=[note(file.span_of(each), f"nor '{each.attr}'") for each in reads[1:]],
                 severity=nodes.lowered(robot.nodes.purpose(file.source), "error"),
             )
