@@ -87,6 +87,8 @@ class Selection:
 
     def level(self, rule_id: str) -> str:
         """The severity that the configuration gives a rule, itself or its family; empty where it gives none."""
+        if not self.levels:
+            return ""
         return self.levels.get(rule_id) or self.levels.get(rule_id.partition("/")[0], "")
 
     def severity(self, rule_id: str) -> Severity | None:

@@ -110,19 +110,19 @@ class Mapping:
 
     def entry(self, name: str) -> tuple[Scalar, Node] | None:
         """The last pair with this key; merge keys (``<<``) are followed when the mapping itself lacks it."""
-        found = None
-        merges = []
-        for key, value in self.pairs:
+        is_merged = False
+        for key, value in reversed(self.pairs):
             if not isinstance(key, Scalar):
                 continue
             if key.value == name:
-                found = (key, value)
-            elif key.value == "<<" and not key.style:
-                merges.append(value)
-        if found is None and name != "<<":
-            bases = (base for merge in merges for base in (merge if isinstance(merge, Sequence) else [merge]))
-            found = next((e for b in bases if isinstance(b, Mapping) and (e := b.entry(name))), None)
-        return found
+                return key, value
+            is_merged = is_merged or key.value == "<<"
+        return self._merged_entry(name) if is_merged else None
+
+    def _merged_entry(self, name: str) -> tuple[Scalar, Node] | None:
+        merges = [value for key, value in self.pairs if isinstance(key, Scalar) and _is_merge(key)]
+        bases = (base for merge in merges for base in (merge if isinstance(merge, Sequence) else [merge]))
+        return next((e for b in bases if isinstance(b, Mapping) and (e := b.entry(name))), None)
 
     def get(self, name: str) -> Node | None:
         entry = self.entry(name)

@@ -85,7 +85,7 @@ class Modules:
 
     def module(self, dotted: str, file: NodeSource) -> NodeSource | None:
         """The file of a module as another file imports it: ``package.module`` or ``.module``."""
-        here = os.path.dirname(os.path.abspath(file.source.name))
+        here = os.path.dirname(file.source.absolute)
         if (dotted, here) not in self._modules:
             self._modules[dotted, here] = self._find(dotted, here)
         return self._modules[dotted, here]
