@@ -38,6 +38,8 @@ from bringup_lint.api.udev import Token
 
 @rule("warning", symptoms=["Unknown group", "Unknown user", "Failed to resolve group"])
 def group_unknown(robot: Robot) -> Iterator[Finding]:
+    if not robot.tree.complete and robot.accounts.creates_unnamed:
+        return
     elsewhere = not robot.tree.complete and not robot.accounts.creates_any
     for line in robot.udev.judged:
         for token in line.line.assignments("GROUP"):

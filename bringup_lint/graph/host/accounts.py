@@ -22,12 +22,22 @@ if TYPE_CHECKING:
 _CREATES = regex(r"\b(?:groupadd|addgroup|useradd|adduser|newusers|dscl|ansible\.builtin\.(?:group|user))\b[^\n]*")
 _CREATING = ("groupadd", "addgroup", "useradd", "adduser", "newusers", "dscl", "ansible.builtin.")
 """One of them is where something is created, which is found out much sooner."""
-_MODULE = regex(r"^[ \t]*(?:group|user):[ \t]*(?:name=(\S+)[ \t]*)?$(?:\n[ \t]+name:[ \t]*[\"']?([\w-]+))?", re.M)
+_MODULE = regex(
+    r"^[ \t-]*(?:group|user):[ \t]*(?:\{[^}\n]{0,80}?\bname:[ \t]*[\"']?([\w-]+)[^\n]*$"
+    r"|(?:name=(\S+)[ \t]*)?$(?:\n[ \t]+name:[ \t]*[\"']?([\w-]+))?)",
+    re.M,
+)
 _SCRIPT = regex(
     r"\.(?:sh|bash|mk|ya?ml|md|rst|txt|cmake|service|conf|in)$|^(?:pre|post)(?:inst|rm)|^(?:Docker|Make|Contain)file"
     r"|^[^.]+$"
 )
 _MOST_SCRIPTS = 2000
+
+_TEMPLATED = regex(
+    r"\b(?:group|user):[ \t]*(?:\{[ \t]*|\n[ \t]+)name:[ \t]*[\"']?\{\{"
+    r"|\b(?:useradd|groupadd|adduser|addgroup)\b[^\n]{0,80}\$"
+)
+"""An Ansible task, or a command, that names what it creates by a variable."""
 
 
 def _creations(text: str) -> Iterator[re.Match[str]]:
@@ -62,6 +72,11 @@ class Accounts:
     def creates_any(self) -> bool:
         """Whether the tree creates users or groups at all, so that one that it does not create is missing."""
         return bool(self._created or self._declared("gu"))
+
+    @cached_property
+    def creates_unnamed(self) -> bool:
+        """Whether a task or command creates accounts whose names it takes from variables."""
+        return any(_TEMPLATED.search(text) for text in self._texts())
 
     def home_of(self, user: str) -> str | None:
         """The home folder that the tree's /etc/passwd gives to a user."""
