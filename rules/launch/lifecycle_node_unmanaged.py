@@ -2,7 +2,8 @@
 
 ## What it finds
 `LifecycleNode`s, and nodes that are known to have a lifecycle (the servers of nav2, slam_toolbox from Jazzy on).
-They are in no lifecycle manager's `node_names`, get no `ChangeState` event and do not configure themselves.
+They are in no lifecycle manager's `node_names`, get no `ChangeState` event and do not configure themselves, and no
+script or node of the tree that names them changes states.
 
 ## Why it matters on a robot
 The process runs and looks healthy in every process list. The node stays unconfigured and publishes nothing.
@@ -27,6 +28,7 @@ When something outside this tree drives the transitions, such as a supervisor of
 - nav2, lifecycle manager
 """
 
+import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -34,7 +36,12 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
+
+PROGRAMS = ("python-node", "cpp-node", "shell-script", "systemd-unit", "compose", "dockerfile")
+SWITCHES = regex(r"\blifecycle[\"',\s]+set\b|\blifecycle_bringup\b|\bChangeState\b|/change_state\b")
+"""Commands and service clients that configure the nodes which their file names."""
 
 
 @rule("error", symptoms=["Trying to publish message on the topic *, but the publisher is not activated"])
@@ -42,6 +49,7 @@ def lifecycle_node_unmanaged(robot: Robot) -> Iterator[Finding]:
     elsewhere = robot.launch.managed_names
     if elsewhere is None:
         return
+    programs = [source.said for source in robot.of_kind(*PROGRAMS) if SWITCHES.search(source.said)]
     for expansion in robot.launch.entries:
         if launch.outside(expansion) or robot.launch.simulated(expansion.entry):
             continue
@@ -55,6 +63,8 @@ def lifecycle_node_unmanaged(robot: Robot) -> Iterator[Finding]:
             if role.managed is False or robot.launch.is_plain(node):
                 continue
             if name.rpartition("/")[2] in elsewhere or launch.transitions_elsewhere(expansion, node):
+                continue
+            if any(re.search(rf"\b{re.escape(name.rpartition('/')[2])}\b", text) for text in programs):
                 continue
             yield finding(
                 node.span,
