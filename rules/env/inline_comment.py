@@ -37,7 +37,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("error", fix="unsafe", symptoms=["ROS_DOMAIN_ID is not an integral number", "Invalid domain ID"])
+@rule("error", fix="unsafe", symptoms=["Invalid domain ID", "ROS_DOMAIN_ID is not an integral number"])
 def inline_comment(robot: Robot) -> Iterator[Finding]:
     for file in robot.env_files:
         for entry in file.entries:

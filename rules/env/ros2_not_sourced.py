@@ -70,9 +70,9 @@ DISTRO = regex(r"/opt/ros/[a-z]+")
     "error",
     fix="unsafe",
     symptoms=[
+        "Package '*' not found: \"package '*' not found, searching:",
         "ros2: command not found",
         "ModuleNotFoundError: No module named 'ros2cli'",
-        "Package '*' not found: \"package '*' not found, searching:",
         "Failed to load entry point 'launch': No module named 'launch_ros'",
     ],
 )

@@ -37,7 +37,16 @@ from bringup_lint.api.ros import domain_id
 from bringup_lint.api.ros import highest_port
 
 
-@rule("error", symptoms=["domainId is over 232", "resulting port number is out of range", "failed to create domain"])
+@rule(
+    "error",
+    symptoms=[
+        "domainId is over 232",
+        "resulting port number is out of range",
+        "failed to create domain",
+        "Failed to create unicast sockets for domain * resulting port numbers * are out of range",
+        "resulting port number * is out of range",
+    ],
+)
 def ros_domain_id_out_of_range(robot: Robot) -> Iterator[Finding]:
     for setting in robot.ros.of("ROS_DOMAIN_ID"):
         number = domain_id(setting.text).number

@@ -1,4 +1,4 @@
-"""The running graph held against the files."""
+"""The running graph compared with the files."""
 
 from __future__ import annotations
 
