@@ -8,7 +8,8 @@ same root and the tree has exactly one netplan configuration. Not reported are:
 - `presence_required="false"`, if other interfaces are listed too
 
 Names that a network card gets by default (`enp3s0`, `wlan0`, `eth0`) are a warning if netplan configures a
-physical interface.
+physical interface. A netplan file that a script copies to the robot need not be all that is there: it makes the
+finding an info.
 
 ## Why it matters on a robot
 The library reports `eth0: does not match an available interface` and creates no participant: no ROS node
@@ -62,6 +63,7 @@ def interface_not_in_netplan(robot: Robot) -> Iterator[Finding]:
                 continue
             known = [interface for interface in plan.interfaces.values() if interface.device]
             predictable = name.startswith(("en", "wl", "eth0")) and any(each.is_physical for each in known)
+            whole = all("/etc/netplan/" in f"/{each.name.span.source.name}" for each in known)
             yield finding(
                 setting.value,
                 f"Interface {name} is not configured on this robot: 'does not match an available "
@@ -69,5 +71,5 @@ def interface_not_in_netplan(robot: Robot) -> Iterator[Finding]:
                 advice=f"use one of {', '.join(str(each.device) for each in known)}",
                 chain=robot.provenance.chain_to(setting.value, f"DDS uses {name}"),
                 related=[note(each.name, "netplan configures this one") for each in known[:3]],
-                severity="warning" if predictable else None,
+                severity="info" if not whole else "warning" if predictable else None,
             )

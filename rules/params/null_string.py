@@ -48,7 +48,8 @@ def null_string(robot: Robot) -> Iterator[Finding]:
                 continue
             yield finding(
                 item.span,
-                f"'{parameter.name}' is the text \"{item.text}\", not an unset parameter",
+                f"'{parameter.name}' is the text \"{item.text}\" for the node, not an unset parameter: a node that "
+                "declares another type than a string exits with an exception",
                 advice="remove the line, so that the node keeps its default",
                 severity="info" if item.text in ("none", "None") else None,
             )

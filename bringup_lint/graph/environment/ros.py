@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Callable
 from collections.abc import Iterator
@@ -111,6 +112,9 @@ class RosProcess:
         return self.runner.service if self.runner is not None else None
 
 
+_ENV_FILE = regex(r"(?<![\w-])\.env(?![\w.-])")
+
+
 @dataclass(eq=False)
 class RosEnvironment:
     """All of it, read once."""
@@ -170,7 +174,7 @@ class RosEnvironment:
             for unit in units.judged:
                 yield from _settings(units.environment(unit))
         for source in self.files.of_kind("env-file"):
-            yield from _of_file(source)
+            yield from (setting for setting in _of_file(source) if self._is_passed_on(source, setting.name))
         for source in self.files.of_kind("shell-script"):
             yield from _of_script(source)
         if self._set_in_launch:
@@ -183,6 +187,18 @@ class RosEnvironment:
             for dockerfile in self.compose().images.dockerfiles:
                 for stage in dockerfile.stages:
                     yield from map(_setting, image_variables(stage))
+
+    def _is_passed_on(self, source: Source, name: str) -> bool:
+        """Whether a variable of a file reaches more than docker compose, which reads the ``.env`` beside its own file:
+        a service or script names the file, or a compose file the variable."""
+        if source.basename != ".env" or not self.files.of_kind("compose"):
+            return True
+        folder = os.path.dirname(source.absolute)
+        beside = [file.text for file in self.files.of_kind("compose") if os.path.dirname(file.absolute) == folder]
+        if not beside or any(name in text or _ENV_FILE.search(text) for text in beside):
+            return True
+        others = self.files.of_kind("shell-script", "dockerfile", "systemd-unit", "python-node", "launch-python")
+        return any(_ENV_FILE.search(each.text) or "dotenv" in each.text for each in others)
 
     @cached_property
     def processes(self) -> list[RosProcess]:
