@@ -53,6 +53,8 @@ class Install(NamedTuple):
     """Patterns decide what of a folder is installed."""
     renamed: str = ""
     """The name that a single file is installed under."""
+    sure: bool = False
+    """The build ends when it is missing: no condition, and not ``OPTIONAL``."""
 
 
 @dataclass(eq=False, slots=True)

@@ -104,6 +104,8 @@ class Reader:
         self.build = build
         self.variables = variables
         self.looped = 0
+        self.sure = False
+        """The installation that is read happens in any case."""
         self.output_names: dict[str, Located] = {}
         """Target -> the name of its file, where ``OUTPUT_NAME`` gives it another one."""
 
@@ -312,6 +314,7 @@ class Reader:
 
     def do_ament_auto_package(self, command: Command) -> None:
         shared = False
+        self.sure = False
         for argument in command.arguments:
             if argument.isupper():
                 shared = argument == "INSTALL_TO_SHARE"
@@ -333,6 +336,7 @@ class Reader:
         for argument in command.arguments[1:]:
             (options if options or argument in _names("install") else sources).append(argument)
         destination = self.destination(options)
+        self.sure = not command.conditional and not {"OPTIONAL", "EXCLUDE_FROM_ALL"} & set(command.arguments)
         if kind in ("SCRIPT", "CODE"):
             self.build.installs_known = False
         elif kind not in ("TARGETS", "PROGRAMS", "FILES", "DIRECTORY"):
@@ -388,7 +392,8 @@ class Reader:
             if word is None:
                 self.build.installs_known = False
             else:
-                self.build.installs.append(Install(destination, str(word), tree, source.span, filtered, renamed))
+                place = Install(destination, str(word), tree, source.span, filtered, renamed, self.sure)
+                self.build.installs.append(place)
 
 
 _ENDS = frozenset("endif endforeach endfunction endmacro endwhile foreach function macro while".split())

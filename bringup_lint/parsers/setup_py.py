@@ -110,20 +110,20 @@ def _data_files(build: Build, thing: Any) -> None:
 
 def _install(build: Build, destination: str, files: Any) -> None:
     if isinstance(files, Operation) and files.name == "glob":
-        patterns = [files.operands[0]]
+        items = [files]
     elif isinstance(files, Sequence) and not files.open:
-        patterns = [
-            item.operands[0] if isinstance(item, Operation) and item.operands else item for _, item in files.items
-        ]
+        items = [item for _, item in files.items]
     else:
         build.installs_known = False
         return
-    for pattern in patterns:
+    for item in items:
+        computed = isinstance(item, Operation)
+        pattern = item.operands[0] if isinstance(item, Operation) and item.operands else item
         source = path_text(pattern)
         if source is None:
             build.installs_known = False
         else:
-            build.installs.append(Install(destination, source, False, pattern.span))
+            build.installs.append(Install(destination, source, False, pattern.span, sure=not computed))
 
 
 def path_text(value: Any) -> str | None:

@@ -9,6 +9,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from bringup_lint.facts.ros.needed import base
+from bringup_lint.graph.dependencies.missing_files import missing_files
 from bringup_lint.graph.dependencies.needs import Need
 from bringup_lint.graph.dependencies.needs import of_builds
 from bringup_lint.graph.dependencies.needs import of_launch
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch.launch import Launch
     from bringup_lint.graph.workspace import Package
     from bringup_lint.model.dockerfile import Dockerfile
+    from bringup_lint.model.package import Install
 
 _ROSDEP = regex(r"\brosdep\s+install\b")
 _FOREIGN = regex(r"(?:^|_)(?:vendor|stubs?|template)(?:_|$)|[{}$<]")
@@ -76,6 +78,10 @@ class Dependencies:
             return False
         is_robots = self._files.purpose(manifest.source) is Purpose.ROBOT
         return is_robots and not self._launch.workspace.is_vendored(manifest.source)
+
+    def missing_files(self, package: Package) -> list[Install]:
+        """What a build installs in any case, and that is not in the tree."""
+        return list(missing_files(self._files, package))
 
     def is_of_workspace(self, need: Need) -> bool:
         """Whether a package of the tree is needed."""

@@ -1,0 +1,45 @@
+"""Files that a build installs and that are not in the tree."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.discover.tree import is_below
+from bringup_lint.model.package import Install
+from bringup_lint.pattern import regex
+from bringup_lint.source import Source
+
+if TYPE_CHECKING:
+    from bringup_lint.discover.tree import Tree
+    from bringup_lint.graph.files import Files
+    from bringup_lint.graph.workspace import Package
+
+_NOT_PLAIN = regex(r"[*?\[\]${}~]|^/")
+_LARGE = regex(
+    r"(?:^|/)(?:mesh(?:es)?|models?|weights|images?|media|textures?|videos?|sounds?|maps?|bags?|data|resources?)/?$"
+    r"|\.(?:png|jpe?g|gif|svg|ico|stl|dae|obj|glb|onnx|pt|pth|engine|blob|bin|hex|elf|so|a|wav|mp3|mp4|pdf|zip|gz|db3|mcap|pgm|pcd)$",
+    re.I,
+)
+"""What is kept apart from the sources of many repositories."""
+
+
+def missing_files(files: Files, package: Package) -> Iterator[Install]:
+    """The files and folders that a build installs in any case, and that neither the tree nor a build makes."""
+    for build in package.builds:
+        folder = os.path.dirname(build.source.absolute)
+        for install in build.installs:
+            path = os.path.normpath(os.path.join(folder, install.source))
+            if install.sure and _is_absent(files.tree, build.source, install.source, path):
+                yield install
+
+
+def _is_absent(tree: Tree, build: Source, written: str, path: str) -> bool:
+    name = os.path.basename(path)
+    if _NOT_PLAIN.search(written) or _LARGE.search(written) or tree.exists(path) or tree.is_ignored(path):
+        return False
+    if len(re.findall(rf"(?<![\w.-]){re.escape(name)}(?![\w-])", build.text)) > 1 or any(tree.named(f"{name}.in")):
+        return False
+    return not tree.is_link(os.path.dirname(path)) and not is_below(path, tree.submodules)
