@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from bringup_lint.facts.ros.distros import at_least
     from bringup_lint.facts.ros.distros import distro_end
     from bringup_lint.facts.ros.distros import distros_since
+    from bringup_lint.facts.ros.needed import not_rosdep
     from bringup_lint.facts.ros.variables import variables
     from bringup_lint.parsers import json5
     from bringup_lint.parsers import ros_arguments
@@ -39,6 +40,7 @@ __all__ = [
     "domain_id",
     "highest_port",
     "json5",
+    "not_rosdep",
     "ros_arguments",
     "variables",
 ]

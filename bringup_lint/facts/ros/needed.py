@@ -55,3 +55,9 @@ def needed(use: str, name: str) -> Needed | None:
 def base() -> frozenset[str]:
     """The packages of ros-base."""
     return frozenset(row[0] for row in rows("ros/base")[1])
+
+
+@cache
+def not_rosdep() -> dict[str, str]:
+    """The names that rosdep cannot resolve, with what to write instead, if anything."""
+    return {row["name"]: row["instead"] for row in table("ros/not_rosdep")}

@@ -9,11 +9,13 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from bringup_lint.facts.ros.needed import base
+from bringup_lint.facts.ros.needed import not_rosdep
 from bringup_lint.graph.dependencies.missing_files import missing_files
 from bringup_lint.graph.dependencies.needs import Need
 from bringup_lint.graph.dependencies.needs import of_builds
 from bringup_lint.graph.dependencies.needs import of_launch
 from bringup_lint.graph.dependencies.needs import of_nodes
+from bringup_lint.graph.dependencies.provided import ROSDEP
 from bringup_lint.graph.dependencies.provided import Provided
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.pattern import regex
@@ -24,8 +26,10 @@ if TYPE_CHECKING:
     from bringup_lint.graph.workspace import Package
     from bringup_lint.model.dockerfile import Dockerfile
     from bringup_lint.model.package import Install
+    from bringup_lint.source import Located
 
-_ROSDEP = regex(r"\brosdep\s+install\b")
+_GOES_ON = regex(r"\s-[a-qs-z]*r[a-z]*(?:\s|$)|\s-s\s|--simulate|--dependency-types|\s-t\s|\|\|")
+"""rosdep installs the rest, only says what it would do, or its failure is ignored."""
 _FOREIGN = regex(r"(?:^|_)(?:vendor|stubs?|template)(?:_|$)|[{}$<]")
 """Names of packages that wrap the build of others, and of templates."""
 
@@ -144,8 +148,26 @@ class Dependencies:
     @cached_property
     def uses_rosdep(self) -> bool:
         """Whether scripts or images of the tree install with rosdep, or the documentation at its top."""
+        return bool(self._rosdep_commands)
+
+    @cached_property
+    def _rosdep_commands(self) -> list[str]:
         sources = self._files.of_kind("dockerfile", "shell-script", "ansible")
-        return any(_ROSDEP.search(source.text) for source in sources) or self._provided.documents_rosdep
+        own = [command for source in sources for command in ROSDEP.findall(source.text)]
+        return own + self._provided.rosdep_commands
+
+    def stops_rosdep(self, name: str) -> bool:
+        """Whether a command of rosdep installs nothing when a name cannot be resolved."""
+        commands = (command for command in self._rosdep_commands if "--from-path" in command)
+        return any(not _GOES_ON.search(command) and name not in command for command in commands)
+
+    def unresolved(self) -> Iterator[Located]:
+        """The dependencies of packages of ROS 2 that rosdep does not know, and that the tree does not have."""
+        for package in self._launch.workspace.packages.values():
+            if self.judged(package) and package.manifest.build_type.startswith("ament_"):
+                yield from (
+                    name for _, name in package.manifest.depends if name in not_rosdep() and name not in self._own
+                )
 
 
 def _source_space(folder: str) -> str:

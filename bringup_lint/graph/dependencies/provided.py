@@ -25,7 +25,8 @@ _WORD = regex(r"[a-z][a-z0-9_-]{1,100}")
 _PREFIX = regex(r"^ros_[a-z]{1,20}_")
 _PACKAGED = regex(r"ros-(?:[a-z]+|\$[\w({}:)-]{1,40}|\{\{[^{}\n]{1,40}\}\}|<[^<>\n]{1,40}>)-([a-z0-9-]{2,60})")
 _REPOSITORY = regex(r"(?:github|gitlab)\.com[/:][\w.-]{1,60}/([\w.-]{1,80})")
-_ROSDEP = regex(r"\brosdep\s+install\b")
+ROSDEP = regex(r"\brosdep\s+install\b(?:\\\r?\n|[^\n`])*")
+"""A command, with the lines that it goes on in."""
 _PARAMETERS = "ros__parameters"
 _PLAIN = regex(
     r"^(?:docker\.io/|(?:library|arm64v8|arm32v7|amd64|osrf)/)*"
@@ -56,12 +57,12 @@ class Provided:
         return name.lower() in self._packaged
 
     @cached_property
-    def documents_rosdep(self) -> bool:
-        """Whether the documentation at the top of the tree installs with rosdep."""
+    def rosdep_commands(self) -> list[str]:
+        """The commands of the documentation at the top of the tree that install with rosdep."""
         tops = [f"{top}/" for top in self._tree.tops]
         near = (path for path in self._tree.paths if _PAGE.search(path))
         shown = (path for path in near for top in tops if os.path.abspath(path).removeprefix(top).count("/") < 2)
-        return any(_ROSDEP.search(self._tree.head(path, _MOST)) for path in shown)
+        return [command for path in shown for command in ROSDEP.findall(self._tree.head(path, _MOST))]
 
     @cached_property
     def _texts(self) -> list[str]:
@@ -87,7 +88,7 @@ class Provided:
     @cached_property
     def _foreign_images(self) -> bool:
         """Whether an image is built on one that others made, which may hold anything, and rosdep adds nothing to it."""
-        files = (file for file in self._dockerfiles if not _ROSDEP.search(file.source.text))
+        files = (file for file in self._dockerfiles if not ROSDEP.search(file.source.text))
         origins = {stage.origin.lower() for file in files for stage in file.stages}
         return not all(map(_PLAIN.search, origins))
 

@@ -1,0 +1,60 @@
+"""A package.xml names something that rosdep cannot resolve.
+
+## What it finds
+Dependencies of packages of ROS 2 that are neither rosdep keys nor packages: `ament_python`, which is a build type only,
+names of pip such as `pyserial`, and packages of ROS 1. It is info when no script, image or documentation of the tree
+runs `rosdep install`, and when each such command goes on (`-r`) or names it in `--skip-keys`.
+
+## Why it matters on a robot
+`rosdep install` ends with "Cannot locate rosdep definition for [ament_python]" and installs nothing at all: the robot
+lacks the dependencies of all packages.
+
+## Bad
+```xml
+<buildtool_depend>ament_python</buildtool_depend>
+<exec_depend>pyserial</exec_depend>
+```
+
+## Good
+```xml
+<exec_depend>python3-serial</exec_depend>
+<export>
+  <build_type>ament_python</build_type>
+</export>
+```
+
+## When to ignore it
+When a list of your own (`/etc/ros/rosdep/sources.list.d`) defines the key.
+
+## References
+- https://github.com/ros2/ros2_documentation/issues/508
+- rosdep, "install": "-r Continue installing despite errors."
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Located
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import note
+from bringup_lint.api import rule
+from bringup_lint.api.ros import not_rosdep
+
+
+@rule("warning", fix="safe", symptoms=["Cannot locate rosdep definition for"])
+def rosdep_key_unknown(robot: Robot) -> Iterator[Finding]:
+    places: dict[str, list[Located]] = {}
+    for place in robot.dependencies.unresolved():
+        places.setdefault(str(place), []).append(place)
+    for name, found in places.items():
+        instead = not_rosdep()[name]
+        yield finding(
+            found[0],
+            f'rosdep install stops with "Cannot locate rosdep definition for [{name}]": no dependency is installed',
+            advice=f"write {instead}" if instead else "remove the line",
+            related=[note(each, f"{name} is here too") for each in found[1:]],
+            fix=fix(f"write {instead}", *((each, instead) for each in found)) if instead else None,
+            severity=None if robot.dependencies.stops_rosdep(name) else "info",
+        )
