@@ -3,7 +3,7 @@
 ## What it finds
 Dependencies of packages of ROS 2 that are neither rosdep keys nor packages: `ament_python`, which is a build type only,
 names of pip such as `pyserial`, and packages of ROS 1. It is info when no script, image or documentation of the tree
-runs `rosdep install`, and when each such command goes on (`-r`) or names it in `--skip-keys`.
+runs `rosdep install`, and when such a command goes on (`-r`) or names it in `--skip-keys`.
 
 ## Why it matters on a robot
 `rosdep install` ends with "Cannot locate rosdep definition for [ament_python]" and installs nothing at all: the robot

@@ -157,9 +157,10 @@ class Dependencies:
         return own + self._provided.rosdep_commands
 
     def stops_rosdep(self, name: str) -> bool:
-        """Whether a command of rosdep installs nothing when a name cannot be resolved."""
-        commands = (command for command in self._rosdep_commands if "--from-path" in command)
-        return any(not _GOES_ON.search(command) and name not in command for command in commands)
+        """Whether rosdep installs nothing when a name cannot be resolved, in each command of the tree: one that goes on
+        may be the one for this workspace."""
+        commands = [command for command in self._rosdep_commands if "--from-path" in command]
+        return bool(commands) and not any(_GOES_ON.search(command) or name in command for command in commands)
 
     def unresolved(self) -> Iterator[Located]:
         """The dependencies of packages of ROS 2 that rosdep does not know, and that the tree does not have."""

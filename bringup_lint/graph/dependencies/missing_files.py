@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
     from bringup_lint.graph.workspace import Package
 
+_DESCRIPTIONS = frozenset(("package.xml", "CMakeLists.txt", "setup.py", "setup.cfg", "COLCON_IGNORE"))
 _NOT_PLAIN = regex(r"[*?\[\]${}~]|^/")
 _LARGE = regex(
     r"(?:^|/)(?:mesh(?:es)?|models?|weights|images?|media|textures?|videos?|sounds?|maps?|bags?|data|resources?)/?$"
@@ -28,12 +29,20 @@ _LARGE = regex(
 
 def missing_files(files: Files, package: Package) -> Iterator[Install]:
     """The files and folders that a build installs in any case, and that neither the tree nor a build makes."""
+    if not _holds_sources(files.tree, package.folder):
+        return
     for build in package.builds:
         folder = os.path.dirname(build.source.absolute)
         for install in build.installs:
             path = os.path.normpath(os.path.join(folder, install.source))
             if install.sure and _is_absent(files.tree, build.source, install.source, path):
                 yield install
+
+
+def _holds_sources(tree: Tree, folder: str) -> bool:
+    """Whether a package has more than the description of its build, which a script may copy to its sources."""
+    below = (os.path.abspath(path) for path in tree.paths)
+    return any(path.startswith(f"{folder}/") and os.path.basename(path) not in _DESCRIPTIONS for path in below)
 
 
 def _is_absent(tree: Tree, build: Source, written: str, path: str) -> bool:

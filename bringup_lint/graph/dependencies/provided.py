@@ -25,7 +25,7 @@ _WORD = regex(r"[a-z][a-z0-9_-]{1,100}")
 _PREFIX = regex(r"^ros_[a-z]{1,20}_")
 _PACKAGED = regex(r"ros-(?:[a-z]+|\$[\w({}:)-]{1,40}|\{\{[^{}\n]{1,40}\}\}|<[^<>\n]{1,40}>)-([a-z0-9-]{2,60})")
 _REPOSITORY = regex(r"(?:github|gitlab)\.com[/:][\w.-]{1,60}/([\w.-]{1,80})")
-ROSDEP = regex(r"\brosdep\s+install\b(?:\\\r?\n|[^\n`])*")
+ROSDEP = regex(r"\brosdep\s+install\b(?:\\\r?\n|[^\n`&;])*")
 """A command, with the lines that it goes on in."""
 _PARAMETERS = "ros__parameters"
 _PLAIN = regex(
