@@ -110,6 +110,10 @@ class Sample(NamedTuple):
     """MiB."""
     busy: float
     """Seconds of CPU."""
+    ready: float
+    """Seconds in which it ran, or waited for a processor that something else had."""
+    lives: float
+    """Seconds since it started."""
 
 
 def sample(process: int) -> Sample | None:
@@ -117,10 +121,12 @@ def sample(process: int) -> Sample | None:
     try:
         status = Path(f"/proc/{process}/status").read_text()
         times = Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()
+        ran, waited, _ = map(int, Path(f"/proc/{process}/schedstat").read_text().split())
     except OSError:
         return None
+    lives = time.clock_gettime(time.CLOCK_BOOTTIME) - int(times[19]) / os.sysconf("SC_CLK_TCK")
     peak = re.search(r"VmHWM:\s+(\d+)", status)
-    return Sample(int(peak[1]) // 1024, sum(map(int, times[11:13])) / os.sysconf("SC_CLK_TCK")) if peak else None
+    return Sample(int(peak[1]) // 1024, ran / 1e9, (ran + waited) / 1e9, lives) if peak else None
 
 
 def watched(run: subprocess.Popen[bytes]) -> tuple[list[Sample], dict[int, Sample]]:
@@ -167,9 +173,8 @@ def measure(robots: int, size: int, workers: int) -> None:
     )
     for worker in others.values():
         if worker.busy > 1:
-            print(
-                f"  worker: {worker.peak} MiB, {worker.busy:.1f} s of CPU, busy {worker.busy / seconds:.0%} of the time"
-            )
+            share = f"ready {worker.ready / worker.lives:.0%} of its {worker.lives:.1f} s"
+            print(f"  worker: {worker.peak} MiB, {worker.busy:.1f} s of CPU, {share}")
     for answer in (*missing, *extra):
         print("  ", "missing" if answer in missing else "extra", *answer)
 

@@ -157,11 +157,15 @@ class Fleet:
                     found[team][stated.robot.name].append(stated)
             yield from (found[team] for team in sorted(found))
 
-    def majorities(self, subject: str, teams: Iterable[Iterable[FleetRobot]]) -> Iterator[tuple[str, Majority]]:
-        """Each key of a subject of which most robots of a team, at least two thirds, say the same, and some do not."""
+    def majorities(
+        self, subject: str, teams: Iterable[Iterable[FleetRobot]], *, mixed: bool = False
+    ) -> Iterator[tuple[str, Majority]]:
+        """Each key of a subject of which most robots of a team, at least two thirds, say the same, and some do not.
+        Robots that say several things are left out, or differ by each of them where ``mixed`` is set."""
         for by_robot in self.by_key(subject, teams):
-            said = [each[0] for each in by_robot.values() if len({self._plain(one) for one in each}) == 1]
-            found = self._majority(said)
+            several = [each for each in by_robot.values() if len({self._plain(one) for one in each}) > 1]
+            said = [each[0] for each in by_robot.values() if each not in several]
+            found = self._majority(said, [one for each in several for one in each] if mixed else [])
             if found is not None:
                 yield found.usual[0].fact.key, found
 
@@ -170,15 +174,19 @@ class Fleet:
         stated = (Stated(self.robots[at], fact) for at, fact in self.store.facts(subject, by))
         return groupby(stated, key=lambda each: by.of(each.fact))
 
-    def _majority(self, said: list[Stated]) -> Majority | None:
+    def _majority(self, said: list[Stated], mixed: list[Stated]) -> Majority | None:
         values: dict[str, list[Stated]] = defaultdict(list)
         for each in said:
             values[self._plain(each)].append(each)
         usual = max(values.values(), key=len, default=[])
-        if len(values) < 2 or len(said) < FEWEST or 3 * len(usual) < 2 * len(said):
+        robots = len(said) + len({each.robot.number for each in mixed})
+        if robots < FEWEST or 3 * len(usual) < 2 * robots:
             return None
-        others = (group for group in values.values() if group is not usual)
-        return Majority(usual, {group[0].fact.value: group for group in others})
+        for each in mixed:
+            values[self._plain(each)].append(each)
+        plain = self._plain(usual[0])
+        others = [list(_first_of_each(group)) for value, group in values.items() if value != plain]
+        return Majority(usual, {group[0].fact.value: group for group in others}) if others else None
 
     def _plain(self, stated: Stated) -> str:
         """A value in which the robot does not name itself, so that it can be the same on all of them."""

@@ -43,7 +43,7 @@ from bringup_lint.api.fleet import names
 @rule("error")
 def different_middleware(fleet: Fleet) -> Iterator[FleetFinding]:
     for subject in ("middleware", "security", "discovery"):
-        for key, found in fleet.majorities(subject, fleet.talking()):
+        for key, found in fleet.majorities(subject, fleet.talking(), mixed=True):
             for value, odd in found.others.items():
                 yield fleet_finding(
                     [*odd, found.usual[0]],

@@ -3,7 +3,8 @@
 ## What it finds
 A setting of a unit, a kernel parameter, a parameter of a node or a version that differs from what at least two thirds
 of the robots of one role have. Names of the robots in values do not count as differences, nor does what is measured on
-each robot: serial numbers, biases, offsets, wheel radii, and files of calibrations.
+each robot: serial numbers, biases, offsets, files of calibrations, and decimal parameters that differ by at most one
+part in fifty.
 
 ## Why it matters on a robot
 Somebody changed one robot by hand, or an update did not reach it. What was tested on the others says nothing about this
@@ -34,6 +35,7 @@ robot a role of its own.
 
 from collections.abc import Iterator
 
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.fleet import Fleet
 from bringup_lint.api.fleet import FleetFinding
@@ -52,6 +54,8 @@ _WHAT = {
     "time-source": "time source",
 }
 """What is compared."""
+_DECIMAL = regex(r"-?\d{1,12}\.\d{1,12}")
+_NEARLY = 0.02
 _BY_SITE = {"middleware", "security", "discovery", "time-source"}
 """What other rules compare where the inventory says that the robots hear each other."""
 
@@ -62,7 +66,9 @@ def drift(fleet: Fleet) -> Iterator[FleetFinding]:
     for subject, what in _WHAT.items():
         for key, found in fleet.majorities(subject, apart if subject in _BY_SITE else fleet.roles.values()):
             role = found.usual[0].robot.role
-            for odd in found.others.values():
+            for value, odd in found.others.items():
+                if subject == "parameter" and _is_measured(found.usual[0].fact.value, value):
+                    continue
                 total = len(found.usual) + sum(map(len, found.others.values()))
                 yield fleet_finding(
                     [*odd, found.usual[0]],
@@ -71,3 +77,10 @@ def drift(fleet: Fleet) -> Iterator[FleetFinding]:
                     advice="bring it in line, or declare it in fleet.toml: [[accept]]",
                     difference=difference(key or what, found.usual, odd),
                 )
+
+
+def _is_measured(usual: str, value: str) -> bool:
+    """Whether two numbers are nearly the same, as a wheel radius is on robots of one role."""
+    if not (_DECIMAL.fullmatch(usual) and _DECIMAL.fullmatch(value)):
+        return False
+    return abs(float(usual) - float(value)) <= _NEARLY * abs(float(usual))

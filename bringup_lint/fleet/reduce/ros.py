@@ -18,7 +18,7 @@ _LONGEST = 120
 _CALIBRATION = regex(r"(?:^|[/._-])(?:calib|calibration|calibrations|intrinsics?|extrinsics?|camera_info)(?:[/._-]|$)")
 _OF_ONE_MACHINE = regex(
     r"(?:^|[._])(?:calib\w*|bias(?:es)?|offsets?|trim|serial(?:_?n(?:o|umber))?|intrinsics?|extrinsics?|focal_length"
-    r"|distortion\w*|wheel_(?:radius|separation|base|track)\w*|multiplier)(?:$|[._])"
+    r"|distortion\w*|multiplier)(?:$|[._])"
 )
 """Parameters that are measured on each robot: that many have the nominal value says nothing of the others."""
 
