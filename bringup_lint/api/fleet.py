@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import lru_cache
 
 from bringup_lint.finding import Confidence
 from bringup_lint.finding import Severity
@@ -75,10 +76,16 @@ def difference(key: str, usual: list[Stated], odd: list[Stated]) -> Difference:
     return Difference(
         key,
         usual[0].fact.value,
-        tuple(each.robot.name for each in usual),
+        _one_object(tuple(each.robot.name for each in usual)),
         odd[0].fact.value,
-        tuple(each.robot.name for each in odd),
+        _one_object(tuple(each.robot.name for each in odd)),
     )
+
+
+@lru_cache(maxsize=100)
+def _one_object(names: tuple[str, ...]) -> tuple[str, ...]:
+    """The same names as one object: those of a thousand robots are in each finding of a role."""
+    return names
 
 
 def missing(robots: Iterable[FleetRobot]) -> list[Stated]:
