@@ -84,23 +84,23 @@ CALLED = regex(
 @rule("warning", confidence="medium", symptoms=["Could not open lock file /var/lib/dpkg/lock-frontend", "not writable"])
 def become_missing(robot: Robot) -> Iterator[Finding]:
     sources = [source for source in robot.of_kind("ansible") if source.judged and "become" in source.text]
-    if not sources or _is_given_elsewhere(robot):
-        return
-    for source in sources:
-        needing = [(each, module) for each in tasks(source) if (module := _module_of_root(each)) is not None]
-        asking = [module for each, module in needing if each.own_become]
-        lacking = [module for each, module in needing if each.become is None and not _is_excused(each)]
-        if len(asking) >= LEAST and len(asking) > len(lacking) > 0:
-            first, *others = lacking
-            yield finding(
-                first,
-                f"This {first.rpartition('.')[2]} task runs without root: the play stops here with a denied permission",
-                advice="write become: true, as the other tasks of this file do",
-                related=[
-                    note(asking[0], "this task asks for root"),
-                    *(note(other, "and this one") for other in others),
-                ],
-            )
+    found = [each for source in sources for each in _of_file(source)]
+    if found and not _is_given_elsewhere(robot):
+        yield from found
+
+
+def _of_file(source: Source) -> Iterator[Finding]:
+    needing = [(each, module) for each in tasks(source) if (module := _module_of_root(each)) is not None]
+    asking = [module for each, module in needing if each.own_become]
+    lacking = [module for each, module in needing if each.become is None and not _is_excused(each)]
+    if len(asking) >= LEAST and len(asking) > len(lacking) > 0:
+        first, *others = lacking
+        yield finding(
+            first,
+            f"This {first.rpartition('.')[2]} task runs without root: the play stops here with a denied permission",
+            advice="write become: true, as the other tasks of this file do",
+            related=[note(asking[0], "this task asks for root"), *(note(other, "and this one") for other in others)],
+        )
 
 
 def _is_given_elsewhere(robot: Robot) -> bool:
