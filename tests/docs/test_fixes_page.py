@@ -27,8 +27,8 @@ gets, which nodes find each other. It is also unsafe to bring a line into effect
 guess a name.
 
 For each fix, a test compares what the tool in the last column says of the file before and after the fix: it must not
-find anything new; netplan, which stops at the first mistake, must still accept what it accepted. Where the column names
-none, the parser of bringup-lint alone judges the fixed file.
+find anything new; netplan and launch, which stop at the first mistake, must still accept what they accepted. Where the
+column names none, the parser of bringup-lint alone judges the fixed file. What launch says is recorded, too.
 
 | rule | fix | judged by |
 |---|---|---|

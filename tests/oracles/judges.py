@@ -22,6 +22,7 @@ from bringup_lint.suppress.forms import XML_KINDS
 from bringup_lint.suppress.forms import YAML_KINDS
 from tests.oracles import sshd_server
 from tests.oracles import systemd_daemons
+from tests.oracles import test_launch_grammar
 from tests.oracles import test_netplan
 from tests.oracles import test_params
 from tests.oracles import udevadm
@@ -101,6 +102,12 @@ def rcl(path: Path) -> Counter[str]:
     return Counter(["refused"] if table is None else [])
 
 
+def launch(path: Path) -> Counter[str]:
+    """What ROS's own launch says of a launch file that it loads."""
+    (error,) = test_launch_grammar.reference([[path.name, path.read_text("utf-8-sig")]])
+    return Counter([error] if error else [])
+
+
 def journald(path: Path) -> Counter[str]:
     return systemd_daemons.complaints(path, "journald.conf")
 
@@ -170,6 +177,9 @@ READERS: dict[str, tuple[str, Judge]] = {
     "netplan": ("netplan generate", netplan),
     "sshd-config": ("sshd -t", sshd),
     "params": ("rcl", rcl),
+    "launch-python": ("launch", launch),
+    "launch-xml": ("launch", launch),
+    "launch-yaml": ("launch", launch),
     "fstab": ("findmnt --verify", findmnt),
     "journald-conf": ("systemd-journald", journald),
     "logind-conf": ("systemd-logind", logind),
@@ -188,7 +198,7 @@ READERS: dict[str, tuple[str, Judge]] = {
 DAEMONS = frozenset(["systemd-journald", "systemd-logind", "systemd --test"])
 PROGRAMS = frozenset(["logrotate", "findmnt", "nmcli", "hadolint", "apt-config", "bash"])
 """Judges that are found on the path, or not at all."""
-STOPS = frozenset(["netplan generate", "nmcli", "hadolint", "bash -n"])
+STOPS = frozenset(["launch", "netplan generate", "nmcli", "hadolint", "bash -n"])
 """Tools that say nothing after the first mistake: without it, they come to the next one."""
 
 
@@ -213,6 +223,8 @@ def is_installed(tool: str) -> bool:
         return test_netplan.generator() is not None
     if tool == "sshd -t":
         return sshd_server.SSHD is not None and shutil.which("ssh-keygen") is not None
+    if tool == "launch":
+        return test_launch_grammar.tool() != "launch"
     if tool == "rcl":
         return importlib.util.find_spec("rclpy") is not None
     if tool in DAEMONS:

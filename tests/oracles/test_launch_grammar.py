@@ -33,7 +33,7 @@ def questions() -> list[list[str]]:
 
 
 def reference(asked: list[list[str]]) -> list[str | None]:
-    environment = {key: value for key, value in os.environ.items() if key != "PYTHONPATH"}
+    environment = {key: value for key, value in os.environ.items() if key != "PYTHONPATH"} | {"PYTHONHASHSEED": "0"}
     command = [PYTHON, str(Path(__file__).parent / "launch_grammar_runner.py")]
     run = subprocess.run(command, input=json.dumps(asked), capture_output=True, text=True, env=environment, check=False)
     assert run.returncode == 0, run.stderr
