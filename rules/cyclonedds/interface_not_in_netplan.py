@@ -34,6 +34,7 @@ If something other than netplan creates the interface on the robot, such as a VP
 - https://github.com/tier4/edge-auto-jetson/pull/82
 """
 
+import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -59,7 +60,7 @@ def interface_not_in_netplan(robot: Robot) -> Iterator[Finding]:
             optional = required is not None and (required.effective or "false").lower() == "false" and len(names) > 1
             if not any(plan.devices) or optional or interface_of_device(plan, name) or may_exist(plan, name):
                 continue
-            if robot.networkmanager.configures(name):
+            if robot.networkmanager.configures(name) or _is_named_elsewhere(robot, name):
                 continue
             known = [interface for interface in plan.interfaces.values() if interface.device]
             predictable = name.startswith(("en", "wl", "eth0")) and any(each.is_physical for each in known)
@@ -73,3 +74,11 @@ def interface_not_in_netplan(robot: Robot) -> Iterator[Finding]:
                 related=[note(each.name, "netplan configures this one") for each in known[:3]],
                 severity="info" if not whole else "warning" if predictable else None,
             )
+
+
+def _is_named_elsewhere(robot: Robot, name: str) -> bool:
+    """Whether a .link or .netdev file, a udev rule or a command gives an interface this name."""
+    written = re.escape(name)
+    return robot.mentions(
+        re.compile(rf"\bNAME\s*:?=\s*\"?{written}\b|^Name={written}\s*$|\blink\s+add\b[^\n]*\b{written}\b", re.M)
+    )

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 from collections.abc import Iterator
+from ipaddress import ip_network
 from typing import TYPE_CHECKING
 
 from bringup_lint.addresses import parse_network
@@ -26,6 +27,8 @@ if TYPE_CHECKING:
 
 KERNEL_MADE = ("docker", "br-", "veth", "tun", "tap", "wg", "can", "vcan", "tailscale", "zt", "usb", "l4tbr")
 """Beginnings of names that other programs or the kernel give to interfaces without netplan."""
+OVERLAY = ip_network("100.64.0.0/10")
+"""The addresses of RFC 6598, from which overlay networks take theirs."""
 
 
 def plan_of(netplan: Netplan, source: Source) -> Plan | None:
@@ -94,8 +97,9 @@ def own_addresses(plan: Plan) -> set[str]:
 
 
 def is_routed(plan: Plan, address: Address) -> bool:
-    """Whether a route or a subnet of any interface covers an address."""
-    if plan.is_dynamic:
+    """Whether a route or a subnet of any interface covers an address, or an overlay network such as Tailscale does,
+    whose interface netplan does not make."""
+    if plan.is_dynamic or address in OVERLAY:
         return True
     for interface in plan.interfaces.values():
         if any(address in network for network in networks(interface)):

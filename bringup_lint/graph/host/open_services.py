@@ -35,7 +35,9 @@ _FLASK = regex(r"\b(?:app|application|server|socketio)\.run\((?P<arguments>[^()]
 _ANY_HOST = regex(r"\bhost[ \t]*=[ \t]*[\"'](?:0\.0\.0\.0|::)[\"']")
 _DEBUG = regex(r"\bdebug[ \t]*=[ \t]*True\b")
 _LISTENER = regex(r"^[ \t]*listener[ \t]+(?P<port>\d+)(?:[ \t]+(?P<address>\S+))?[ \t\r]*$", re.M)
-_ANONYMOUS = regex(r"^[ \t]*allow_anonymous[ \t]+true\b", re.M)
+_ANONYMOUS = regex(r"^[ \t]*allow_anonymous[ \t]+(?P<value>true|false)\b", re.M)
+_APART = regex(r"^[ \t]*per_listener_settings[ \t]+true\b", re.M)
+"""Each listener has settings of its own; else the last one is for all."""
 _LIMITED = regex(r"^[ \t]*(?:acl_file|plugin|auth_plugin|bind_interface|require_certificate[ \t]+true)\b", re.M)
 
 
@@ -115,9 +117,15 @@ def _command(words: tuple[Located, ...]) -> Iterator[OpenService]:
 
 def _broker(source: Source) -> Iterator[OpenService]:
     """A listener on all addresses; without any, mosquitto 2 listens on the loopback interface alone."""
-    anonymous = _ANONYMOUS.search(source.text)
-    listeners = (each for each in _LISTENER.finditer(source.text) if each["port"] != "0")
-    if anonymous is None or _LIMITED.search(source.text):
+    if _LIMITED.search(source.text):
         return
-    if any(each["address"] is None or is_wildcard(each["address"]) for each in listeners):
-        yield OpenService("broker", "mosquitto", source.span(anonymous.start(), anonymous.end()))
+    listeners = [each for each in _LISTENER.finditer(source.text) if each["port"] != "0"]
+    apart = _APART.search(source.text) is not None
+    for listener, following in zip(listeners, [*listeners[1:], None]):
+        end = following.start() if following is not None and apart else len(source.text)
+        said = list(_ANONYMOUS.finditer(source.text, listener.start() if apart else 0, end))
+        if not said or said[-1]["value"] != "true":
+            continue
+        if listener["address"] is None or is_wildcard(listener["address"]):
+            yield OpenService("broker", "mosquitto", source.span(said[-1].start(), said[-1].end()))
+            return
