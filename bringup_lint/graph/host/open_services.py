@@ -127,5 +127,6 @@ def _broker(source: Source) -> Iterator[OpenService]:
         if not said or said[-1]["value"] != "true":
             continue
         if listener["address"] is None or is_wildcard(listener["address"]):
-            yield OpenService("broker", "mosquitto", source.span(said[-1].start(), said[-1].end()))
+            first = next(each for each in said if each["value"] == "true")
+            yield OpenService("broker", "mosquitto", source.span(first.start(), first.end()))
             return
