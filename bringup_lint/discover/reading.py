@@ -14,6 +14,7 @@ from bringup_lint.discover.record import FLAGS
 from bringup_lint.discover.record import FOLLOWED
 from bringup_lint.discover.record import HEAD
 from bringup_lint.discover.record import WHOLE
+from bringup_lint.discover.record import content
 from bringup_lint.named_tuple import NamedTuple
 
 SIZE_LIMIT = 8 * 1024 * 1024
@@ -127,7 +128,7 @@ def read_bytes(
             raise Unreadable(
                 f"{status.st_size / 1024 / 1024:.0f} MiB is more than the {limit // 1024 // 1024} MiB limit"
             )
-        data = _PROPOSED[path] if path in _PROPOSED else _content(descriptor, status.st_size + 1, limit)
+        data = _PROPOSED[path] if path in _PROPOSED else content(descriptor, status.st_size + 1, limit)
         opened(question, path, status, data)
         return data, status
     except OSError as error:
@@ -135,16 +136,6 @@ def read_bytes(
         raise Unreadable(error) from error
     finally:
         os.close(descriptor)
-
-
-def _content(descriptor: int, step: int, limit: int) -> bytes:
-    """All that a file holds up to a limit, read in steps of so many bytes: one, unless the file grows meanwhile."""
-    parts: list[bytes] = []
-    left = limit
-    while left and (part := os.read(descriptor, min(step, left))):
-        parts.append(part)
-        left -= len(part)
-    return parts[0] if len(parts) == 1 else b"".join(parts)
 
 
 def describe(mode: int) -> str:

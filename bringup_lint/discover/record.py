@@ -124,12 +124,22 @@ def _read(question: str, path: str, size: int) -> str:
         status = os.fstat(descriptor)
         if not stat.S_ISREG(status.st_mode) or (question != HEAD and status.st_size > size):
             return text_fact(status, None)
-        with os.fdopen(descriptor, "rb", closefd=False) as file:
-            return text_fact(status, file.read(size))
+        return text_fact(status, content(descriptor, status.st_size + 1, size))
     except OSError as error:
         return _fact(error)
     finally:
         os.close(descriptor)
+
+
+def content(descriptor: int, step: int, limit: int) -> bytes:
+    """All that a file holds up to a limit, read in steps of so many bytes: one, unless the file grows meanwhile. To ask
+    for the limit at once would set as much memory aside for each file."""
+    parts: list[bytes] = []
+    left = limit
+    while left and (part := os.read(descriptor, min(step, left))):
+        parts.append(part)
+        left -= len(part)
+    return parts[0] if len(parts) == 1 else b"".join(parts)
 
 
 def _listed(folder: str) -> str:
