@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from itertools import groupby
+
 from bringup_lint.dataclass import dataclass
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.source import Located
@@ -27,6 +30,26 @@ class Word(Located):
         assert isinstance(self, Word)
         self.quotes = quotes
         return self
+
+    def part(self, start: int, end: int) -> Word:
+        """Some of the word, with its quotes."""
+        found = super().part(start, end)
+        kept = [(max(at, start), quote) for at, to, quote in self._places() if to > start and at < end]
+        pieces = tuple((at - start, self.origin(at)) for at, _ in kept)
+        return Word(found, found.span, pieces or found.pieces, tuple(quote for _, quote in kept))
+
+    def _places(self) -> Iterator[tuple[int, int, str]]:
+        """Where each piece begins and ends, and its quote."""
+        starts = [inner for inner, _ in self.pieces or ()]
+        return zip(starts, (*starts[1:], len(self)), self.quotes)
+
+    def stretches(self) -> Iterator[tuple[Word, str]]:
+        """The parts of it that are quoted in one way, each with its quote."""
+        if not self.quotes:
+            yield self, ""
+        for quote, group in groupby(self._places(), key=lambda place: place[2]):
+            stretch = list(group)
+            yield self.part(stretch[0][0], stretch[-1][1]), quote
 
 
 class HereDocument(NamedTuple):

@@ -3,6 +3,8 @@ expanded; what cannot be read is passed over."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from bringup_lint.model.shell import HereDocument
 from bringup_lint.model.shell import Word
 from bringup_lint.named_tuple import NamedTuple
@@ -14,6 +16,7 @@ _OPERATOR = regex(r"&&|\|\||;;&?|;&|\|&|&>>?|<<<|<<-?|<>|<&|>&|>>|>\||[;&|<>()\n
 HERE = frozenset({"<<", "<<-"})
 REDIRECTS = frozenset({"<", ">", ">>", "<&", ">&", "<>", ">|", "&>", "&>>", "<<<"})
 _DELIMITER = regex(r"[ \t]*(?:'([^'\n]*)'|\"([^\"\n]*)\"|\\?([^ \t\r\n;&|<>()]*))")
+_ESCAPE = regex(r"\\[$`\"\\\n]")
 _PLAIN = regex(r"[^ \t\r\n\\'\"`$;&|<>()#]+")
 _ALONE = regex(_PLAIN.pattern + r"(?=[ \t\r\n;&|<>()]|\Z)")
 """A word of which nothing is quoted or expanded."""
@@ -103,12 +106,15 @@ def _word(script: Located, start: int) -> tuple[int, Word]:
             at = end + 1
         elif char == '"':
             end = _closing_quote(text, at + 1)
-            keep(at + 1, end, '"')
+            for begin, stop, quote in _in_quotes(text, at + 1, end):
+                keep(begin, stop, quote)
             at = end + 1
         elif char == "`":
             end = _find(text, "`", at + 1)
             keep(at, end + 1)
             at = end + 1
+        elif char == "$" and text.startswith('"', at + 1):
+            at += 1
         elif char == "$":
             end = _expansion_end(text, at)
             keep(at, end)
@@ -135,6 +141,16 @@ def _expansion_end(text: str, at: int) -> int:
         if depth == 0:
             return end + 1
     return len(text)
+
+
+def _in_quotes(text: str, at: int, end: int) -> Iterator[tuple[int, int, str]]:
+    """The stretches between double quotes: a backslash takes the meaning of what follows it, and a line end with it."""
+    for escape in _ESCAPE.finditer(text, at, end):
+        yield at, escape.start(), '"'
+        at = escape.end()
+        if text[at - 1] != "\n":
+            yield at - 1, at, "'"
+    yield at, end, '"'
 
 
 def _closing_quote(text: str, at: int) -> int:

@@ -7,9 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from collections.abc import Iterator
 from collections.abc import Mapping
-from itertools import groupby
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
@@ -86,21 +84,12 @@ def word_text(word: Located, values: Values) -> Text:
     if not isinstance(word, Word) or word.pieces is None:
         _expand(text, word, values, '$`"\\\n')
         return text
-    for start, end, quote in _quoted(word):
-        part = word.part(start, end)
+    for part, quote in word.stretches():
         if quote == "'":
             _keep(text, part)
         else:
             _expand(text, part, values, '$`"\\\n')
     return text
-
-
-def _quoted(word: Word) -> Iterator[tuple[int, int, str]]:
-    """The stretches of a word that are quoted in one way."""
-    starts = [inner for inner, _ in word.pieces or ()]
-    for quote, group in groupby(zip(starts, (*starts[1:], len(word)), word.quotes), key=lambda each: each[2]):
-        stretch = list(group)
-        yield stretch[0][0], stretch[-1][1], quote
 
 
 def as_it_is(part: Located) -> Text:
