@@ -24,6 +24,8 @@ _MOST = 200_000
 _WORD = regex(r"[a-z][a-z0-9_-]{1,100}")
 _PREFIX = regex(r"^ros_[a-z]{1,20}_")
 _PACKAGED = regex(r"ros-(?:[a-z]+|\$[\w({}:)-]{1,40}|\{\{[^{}\n]{1,40}\}\}|<[^<>\n]{1,40}>)-([a-z0-9-]{2,60})")
+_PATTERN = regex(r"\bros-[a-z0-9${}()_-]{1,60}\*")
+"""Debian packages of ROS by a pattern (``ros-humble-nav2-*``)."""
 _REPOSITORY = regex(r"(?:github|gitlab)\.com[/:][\w.-]{1,60}/([\w.-]{1,80})")
 ROSDEP = regex(r"\brosdep\s+install\b(?:\\\r?\n|[^\n`&;])*")
 """A command, with the lines that it goes on in."""
@@ -45,7 +47,7 @@ class Provided:
     def brings(self, known: Needed) -> bool:
         """Whether anything of the tree may bring it, an image of others included."""
         words = known.words - _VARIANTS
-        if self._foreign_images or known.words & self._variants or words & self._words:
+        if self._foreign_images or self._many_packages or known.words & self._variants or words & self._words:
             return True
         if "_" not in known.name:
             return known.is_package and known.name in self._packaged
@@ -84,6 +86,11 @@ class Provided:
     def _variants(self) -> frozenset[str]:
         """The variants of ROS that packages and images have in their names."""
         return frozenset(name.replace("-", "_") for text in self._texts for name in _VARIANT.findall(text))
+
+    @cached_property
+    def _many_packages(self) -> bool:
+        """Whether packages are installed by a pattern: what they depend on is not known."""
+        return any(_PATTERN.search(text) for text in self._texts)
 
     @cached_property
     def _foreign_images(self) -> bool:
