@@ -18,6 +18,17 @@ UNTIL_OTHER_NODE = "until the other node appears"
 """How long a wait for a service without a timeout lasts."""
 
 
+FOREVER = "forever"
+
+
+class Lookup(NamedTuple):
+    """A transform that is looked up outside every ``try``."""
+
+    span: Span
+    callback: Callback
+    """The callback that does it."""
+
+
 class Waiting(NamedTuple):
     """A call or loop that gives the executor nothing back for a while."""
 
@@ -57,6 +68,7 @@ class CppNode:
     declares_others: bool = False
     """It may declare parameters under names that are not literal, or all that it is given."""
     waits: list[Waiting] = field(default_factory=list)
+    lookups: list[Lookup] = field(default_factory=list)
     kept: dict[str, frozenset[str]] = field(default_factory=dict)
     """Callback of a subscription -> the members that it alone fills, from its message."""
     sent: dict[str, frozenset[str]] = field(default_factory=dict)

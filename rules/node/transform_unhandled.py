@@ -1,9 +1,10 @@
 """A transform is looked up without handling that there is none.
 
 ## What it finds
-`lookup_transform()` and `transform()` of a tf2 buffer in a callback of a subscription, timer, service or client, when
-no `try` surrounds the call and `can_transform()` is not asked before. Action servers are left out: rclpy catches what
-their callbacks raise.
+`lookup_transform()` and `transform()` of a tf2 buffer in Python, and `lookupTransform()` in C++, in a callback of a
+subscription, timer, service or client, when no `try` surrounds the call and `can_transform()` is not asked before. In
+C++ only where the callback itself makes the call. Action servers of Python are left out: rclpy catches what their
+callbacks raise.
 
 ## Why it matters on a robot
 Each start begins without transforms, and each transform arrives after the sensor data that it belongs to. tf2 raises
@@ -62,3 +63,20 @@ def transform_unhandled(robot: Robot) -> Iterator[Finding]:
                 ],
                 severity=nodes.lowered(robot.nodes.purpose(file.source), "warning"),
             )
+    for source in robot.nodes.cpp:
+        for lookup in source.lookups[:1]:
+            callback = lookup.callback
+            yield finding(
+                lookup.span,
+                f"{_name(callback)} does not handle that the transform is missing or late: the process aborts",
+                advice="catch tf2::TransformException, and go without this message",
+                related=[
+                    note(callback.span, f"{callback.name or 'a lambda'} is the callback of {callback.kind}"),
+                    *(note(each.span, "the same") for each in source.lookups[1:]),
+                ],
+                severity=nodes.lowered(robot.nodes.purpose(source.source), "warning"),
+            )
+
+
+def _name(callback: nodes.Callback) -> str:
+    return f"{callback.name}()" if callback.name is not None else "The callback"

@@ -12,6 +12,7 @@ from bringup_lint.parsers.cpp_node.endpoints import endpoint
 from bringup_lint.parsers.cpp_node.endpoints import timer
 from bringup_lint.parsers.cpp_node.kept import kept
 from bringup_lint.parsers.cpp_node.kept import sent
+from bringup_lint.parsers.cpp_node.lookups import lookups
 from bringup_lint.parsers.cpp_node.parameters import LOOSE
 from bringup_lint.parsers.cpp_node.parameters import declarations
 from bringup_lint.parsers.cpp_node.parameters import is_open
@@ -64,6 +65,7 @@ def parse(source: Source) -> CppNode:
     if "Twist" in source.text or "Ackermann" in source.text:
         node.kept = kept(code, node.callbacks[:CALLBACKS])
         node.sent = sent(code, node.callbacks[:CALLBACKS])
+    node.lookups = list(lookups(code, node.callbacks[:CALLBACKS]))
     node.waits = list(waits(code, node.callbacks[:CALLBACKS]))
     return node
 

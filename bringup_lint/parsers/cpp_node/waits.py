@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from bringup_lint.model.cpp_source import FOREVER
 from bringup_lint.model.cpp_source import UNTIL_OTHER_NODE
 from bringup_lint.model.cpp_source import Waiting
 from bringup_lint.model.node_source import Callback
@@ -58,6 +59,10 @@ class Bodies:
         """Where it starts -> the first lambda expression there among the arguments of calls."""
         every = [each for call in self._calls for each in call.arguments if each.type == "lambda_expression"]
         return {self.code.span(each).start: each for each in reversed(every)}
+
+    def own(self, body: Node) -> Iterator[Call]:
+        """The calls that a body holds itself."""
+        return (call for call in self._calls[_within(self._call_starts, body)] if _runs(body, call.node))
 
     def reached(self, body: Node) -> Iterator[Call | Node]:
         """The calls and loops that a body runs, and those of the methods of the file that it calls."""
@@ -125,6 +130,8 @@ def _call(code: Code, call: Call, locks: frozenset[str]) -> tuple[str, str] | No
     if call.qualified in ("system", "std::system", "::system"):
         text = code.literal(call.arguments[0]) if call.arguments else None
         return None if text is not None and _is_short(text) else (call.name, "as long as the program runs")
+    if call.qualified == "rclcpp::spin":
+        return call.qualified, FOREVER
     if call.qualified == "rclcpp::spin_until_future_complete" and len(call.arguments) < 3:
         own = call.arguments and ("this" in code.text(call.arguments[0]))
         return (call.qualified, "") if own else None
@@ -160,4 +167,4 @@ def _loop(code: Code, node: Node) -> tuple[str, str] | None:
         if current.type in _LEAVES:
             return None
         stack += current.named_children
-    return f"while {condition}", "forever"
+    return f"while {condition}", FOREVER

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 _WORK = ("subscription", "timer", "service", "action", "client")
 _URGENT = ("subscription", "timer", "action")
 """What must not wait: a service may answer a few seconds later."""
+_SPIN = "rclcpp::spin"
 _SOON = ("for ", "as long as ")
 """Waits that end by themselves: a subscription that only keeps the newest message may be served after them."""
 
@@ -99,5 +100,5 @@ def stopped_in_cpp(nodes: Nodes) -> Iterator[StoppedInCpp]:
             continue
         for wait in node.waits:
             found = [each for each in node.callbacks if each.span != wait.callback.span and each.role in _URGENT]
-            if found or wait.how_long == UNTIL_OTHER_NODE:
+            if found or wait.how_long == UNTIL_OTHER_NODE or wait.what == _SPIN:
                 yield StoppedInCpp(node.source, wait, found)
