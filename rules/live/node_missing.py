@@ -53,7 +53,7 @@ def node_missing(robot: Robot) -> Iterator[Finding]:
     if count > 1 and not observed.names & observed.expected.must:
         entry, nodes = next(iter(observed.missing.items()))
         seen = {other: len(there) for other, there in observed.elsewhere.items() if there}
-        also = "".join(f"; domain {other} shows {number} other nodes" for other, number in seen.items())
+        also = "".join(f"; domain {other} shows {_others(number)}" for other, number in seen.items())
         yield finding(
             entry.where,
             f"None of the {count} nodes that the files start runs on domain {domain}{also}",
@@ -75,3 +75,7 @@ def node_missing(robot: Robot) -> Iterator[Finding]:
 def look_at(domains: Iterable[int]) -> str:
     asked = " or ".join(f"--domain-id {domain}" for domain in domains)
     return f"look there with {asked}; what runs on another domain did not get the variable"
+
+
+def _others(number: int) -> str:
+    return "1 other node" if number == 1 else f"{number} other nodes"
