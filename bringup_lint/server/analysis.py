@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from collections.abc import Iterator
 from collections.abc import Mapping
 from functools import cached_property
+from functools import lru_cache
 
 from lsprotocol.types import PositionEncodingKind
 from lsprotocol.types import Range
@@ -117,6 +118,7 @@ class Analysis:
                 yield each
 
 
+@lru_cache(maxsize=4_096)
 def uri_of(path: str) -> str:
     """The file URI of an absolute path."""
     uri: str = from_fs_path(path)

@@ -16,7 +16,7 @@ from bringup_lint.server.analysis import Document
 from bringup_lint.server.analysis import uri_of
 from bringup_lint.server.folder import Folder
 
-DEBOUNCE = 0.05
+DEBOUNCE = 0.02
 """Seconds after the last change before a run begins that nobody asked for."""
 
 
