@@ -9,6 +9,7 @@ from functools import cached_property
 from bringup_lint import addresses
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
+from bringup_lint.model.schema import Remark
 from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.model.yaml_node import Node
 from bringup_lint.model.yaml_node import Scalar
@@ -472,6 +473,10 @@ class Netplan:
             final = [file for file in plan.files if not file.source.template]
             found = [problem for file in final for problem in file.problems] + plan.problems
             yield from (problem for problem in found if problem.code in codes)
+
+    def remarks(self, *codes: str) -> Iterator[Remark]:
+        """Those of the problems that are about an item of the schema, such as an unknown key inside it."""
+        return (problem for problem in self.problems(*codes) if isinstance(problem, Remark))
 
     def declarations(self, name: str) -> Iterator[Located]:
         """Every place that defines a name."""

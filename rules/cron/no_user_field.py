@@ -59,8 +59,6 @@ def no_user_field(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("cron"):
         for match in JOB.finditer(source.text):
             word = source.located(match.start(1), match.end(1))
-            if "=" in match[0].split()[0] or match[0].lstrip().startswith("#"):
-                continue
             if "/" in word or word in COMMANDS:
                 yield finding(
                     word,

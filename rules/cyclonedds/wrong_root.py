@@ -43,8 +43,7 @@ from bringup_lint.api.schema import Code
 def wrong_root(robot: Robot) -> Iterator[Finding]:
     for configuration, _remark in robot.dds.remarks(Code.ROOT):
         root = configuration.document.root
-        if root is None:
-            continue
+        assert root is not None
         start = root.name.span
         end = root.span
         closing = Span(end.source, end.end - len(root.name) - 1, end.end - 1)

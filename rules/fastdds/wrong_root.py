@@ -44,8 +44,7 @@ from bringup_lint.api.schema import Code
 def wrong_root(robot: Robot) -> Iterator[Finding]:
     for profiles, _ in robot.dds.fastdds_remarks(Code.ROOT):
         root = profiles.document.root
-        if root is None:
-            continue
+        assert root is not None
         right = root.name.lower() if root.name.lower() in ("dds", "profiles") else None
         yield finding(
             root.name,

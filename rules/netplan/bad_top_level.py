@@ -34,15 +34,12 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
 from bringup_lint.api.schema import Code
-from bringup_lint.api.schema import Remark
 from bringup_lint.api.spelling import nearest
 
 
 @rule("error", fix="unsafe", symptoms=["Error in network definition: unknown key"])
 def bad_top_level(robot: Robot) -> Iterator[Finding]:
-    for problem in robot.netplan.problems(Code.UNKNOWN):
-        if not isinstance(problem, Remark):
-            continue
+    for problem in robot.netplan.remarks(Code.UNKNOWN):
         key = problem.word
         if problem.known.name != "{root}":
             continue

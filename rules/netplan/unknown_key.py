@@ -42,7 +42,6 @@ from bringup_lint.api import fix
 from bringup_lint.api import rule
 from bringup_lint.api.netplan import home_of
 from bringup_lint.api.schema import Code
-from bringup_lint.api.schema import Remark
 from bringup_lint.api.spelling import nearest
 
 FOREIGN = {
@@ -59,9 +58,7 @@ FOREIGN = {
 
 @rule("error", fix="unsafe", symptoms=["Error in network definition: unknown key '*'"])
 def unknown_key(robot: Robot) -> Iterator[Finding]:
-    for problem in robot.netplan.problems(Code.UNKNOWN):
-        if not isinstance(problem, Remark):
-            continue
+    for problem in robot.netplan.remarks(Code.UNKNOWN):
         key, table = problem.word, problem.known.name.strip("{}")
         if table == "root":
             continue

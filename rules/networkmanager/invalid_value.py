@@ -37,7 +37,6 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import rule
 from bringup_lint.api.schema import Code
-from bringup_lint.api.schema import Remark
 from bringup_lint.api.schema import wrong_value
 
 CODES = (Code.BOOL, Code.NUMBER, Code.ENUM, Code.ADDRESS)
@@ -57,9 +56,7 @@ BOOLEANS = {"yes": "true", "on": "true", "no": "false", "off": "false"}
     ],
 )
 def invalid_value(robot: Robot) -> Iterator[Finding]:
-    for _, problem in robot.networkmanager.problems(*CODES):
-        if not isinstance(problem, Remark):
-            continue
+    for problem in robot.networkmanager.remarks(*CODES):
         consequence = "refuses the profile" if problem.fatal else "ignores the line, the default applies"
         message = f"{problem.known.name} takes {problem.detail}, not '{problem.where}': NetworkManager {consequence}"
         right = BOOLEANS.get(str(problem.where).lower()) if problem.code == Code.BOOL else None

@@ -34,16 +34,13 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import rule
 from bringup_lint.api.schema import Code
-from bringup_lint.api.schema import Remark
 from bringup_lint.api.schema import suggestions
 from bringup_lint.api.schema import unknown_name
 
 
 @rule("warning", fix="unsafe", symptoms=["invalid setting name"])
 def unknown_key(robot: Robot) -> Iterator[Finding]:
-    for _, problem in robot.networkmanager.problems(Code.UNKNOWN):
-        if not isinstance(problem, Remark):
-            continue
+    for problem in robot.networkmanager.remarks(Code.UNKNOWN):
         section, key = problem.known, problem.word
         near = suggestions(section.children, str(key))
         if near:

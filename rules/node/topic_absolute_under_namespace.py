@@ -44,8 +44,7 @@ def topic_absolute_under_namespace(robot: Robot) -> Iterator[Finding]:
     for running in robot.topics.runs:
         for uses in topics.shared_by_namespaces(running):
             name = uses[0].written
-            if not isinstance(name, Located):
-                continue
+            assert isinstance(name, Located)
             spaces = " and ".join(sorted({use.node.namespace or "/" for use in uses}))
             yield finding(
                 name,

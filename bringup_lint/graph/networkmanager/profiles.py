@@ -13,6 +13,7 @@ from bringup_lint.model.netplan import Interface
 from bringup_lint.model.netplan import Plan
 from bringup_lint.model.networkmanager import Address
 from bringup_lint.model.networkmanager import Profile
+from bringup_lint.model.schema import Remark
 from bringup_lint.parsers.networkmanager import parse
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
@@ -39,6 +40,10 @@ class NetworkManager:
         """What NetworkManager refuses or ignores, by code."""
         for profile in self.judged:
             yield from ((profile, problem) for problem in profile.problems if problem.code in codes)
+
+    def remarks(self, *codes: str) -> Iterator[Remark]:
+        """Those of the problems that are about an item of the schema, such as an unknown key or a wrong value."""
+        return (problem for _, problem in self.problems(*codes) if isinstance(problem, Remark))
 
     @property
     def pairs(self) -> Iterator[tuple[Profile, Profile]]:
