@@ -29,7 +29,7 @@ After=network-online.target
 User=robot
 Environment=ROS_DOMAIN_ID={domain}
 Environment=RMW_IMPLEMENTATION={middleware}
-ExecStart=/opt/ros/jazzy/bin/ros2 launch rover_bringup rover.launch.py robot:={name}
+{profiles}ExecStart=/opt/ros/jazzy/bin/ros2 launch rover_bringup rover.launch.py robot:={name}
 Restart=on-failure
 RestartSec={pause}
 
@@ -42,6 +42,17 @@ network:
   wifis:
     wlan0:
       addresses: [10.7.{high}.{low}/16]
+"""
+PROFILES = """\
+<profiles xmlns="http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles">
+  <participant profile_name="rover" is_default_profile="true">
+    <rtps>
+      <port>
+        <portBase>7500</portBase>
+      </port>
+    </rtps>
+  </participant>
+</profiles>
 """
 Answer = tuple[str, tuple[str, ...]]
 """A rule, and the robots that it is to name."""
@@ -63,13 +74,13 @@ def files(number: int, like: int, odd: bool) -> Iterator[tuple[str, str]]:
     yield "etc/netplan/10-robot.yaml", NETWORK.format(high=like // 250, low=like % 250 + 1)
     yield "etc/sysctl.d/60-dds.conf", f"net.core.rmem_max = {212992 if odd else 2147483647}\n"
     middleware = "rmw_fastrtps_cpp" if odd else "rmw_cyclonedds_cpp"
-    unit = UNIT.format(domain=7, middleware=middleware, name=name, pause=20 if odd else 2)
-    yield "etc/systemd/system/rover.service", unit
-    if not odd:
-        yield (
-            "etc/systemd/system/rover-watchdog.service",
-            UNIT.format(domain=7, middleware=middleware, name=name, pause=1),
-        )
+    profiles = "Environment=FASTRTPS_DEFAULT_PROFILES_FILE=/etc/robot/fastdds.xml\n" if odd else ""
+    values = {"domain": 7, "middleware": middleware, "profiles": profiles, "name": name}
+    yield "etc/systemd/system/rover.service", UNIT.format(pause=20 if odd else 2, **values)
+    if odd:
+        yield "etc/robot/fastdds.xml", PROFILES
+    else:
+        yield "etc/systemd/system/rover-watchdog.service", UNIT.format(pause=1, **values)
 
 
 def plant(folder: Path, robots: int, size: int = 0) -> list[Answer]:
@@ -91,6 +102,7 @@ def plant(folder: Path, robots: int, size: int = 0) -> list[Answer]:
     return sorted(
         [
             *((f"fleet/{rule}", pair) for rule in shared),
+            ("fleet/different-middleware", last),
             ("fleet/different-middleware", last),
             ("fleet/drift", last),
             ("fleet/drift", last),

@@ -11,7 +11,7 @@ from typing import Any
 from bringup_lint.dataclass import dataclass
 from bringup_lint.named_tuple import NamedTuple
 
-VERSION = 1
+VERSION = 2
 """Of the form of a summary; a stored summary of another version is made anew."""
 
 
@@ -32,8 +32,9 @@ class Fact(NamedTuple):
     """One thing that the files of a robot say."""
 
     subject: str
-    """``host-name``, ``address``, ``mac``, ``domain``, ``middleware``, ``security``, ``time-source``, ``node``,
-    ``tunnel``, ``certificate``, ``unit``, ``version``, ``kernel-parameter``, ``parameter``, ``dds``."""
+    """``host-name``, ``address``, ``mac``, ``domain``, ``middleware``, ``security``, ``discovery``, ``dds``,
+    ``dds-setting``, ``time-source``, ``node``, ``tunnel``, ``certificate``, ``unit``, ``setting``, ``version``,
+    ``kernel-parameter``, ``parameter``."""
     key: str
     """What it is about, such as ``rover.service Restart``; empty where the subject says it all."""
     value: str

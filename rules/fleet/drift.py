@@ -1,10 +1,10 @@
 """A robot is set up differently from the others of its role.
 
 ## What it finds
-A setting of a unit, a kernel parameter, a parameter of a node or a version that differs from what at least two thirds
-of the robots of one role have. Names of the robots in values do not count as differences, nor does what is measured on
-each robot: serial numbers, biases, offsets, files of calibrations, and decimal parameters that differ by at most one
-part in fifty.
+A setting of a unit, a kernel parameter, a parameter of a node, a version, or a size of buffers or messages or a
+verbosity of Cyclone DDS that differs from what at least two thirds of the robots of one role have. Names of the robots
+in values do not count as differences, nor does what is measured on each robot: serial numbers, biases, offsets, files
+of calibrations, and decimal parameters that differ by at most one part in fifty.
 
 ## Why it matters on a robot
 Somebody changed one robot by hand, or an update did not reach it. What was tested on the others says nothing about this
@@ -51,12 +51,14 @@ _WHAT = {
     "middleware": "variable",
     "security": "variable",
     "discovery": "variable",
+    "dds": "DDS setting",
+    "dds-setting": "DDS setting",
     "time-source": "time source",
 }
 """What is compared."""
 _DECIMAL = regex(r"-?\d{1,12}\.\d{1,12}")
 _NEARLY = 0.02
-_BY_SITE = {"middleware", "security", "discovery", "time-source"}
+_BY_SITE = {"middleware", "security", "discovery", "dds", "time-source"}
 """What other rules compare where the inventory says that the robots hear each other."""
 
 

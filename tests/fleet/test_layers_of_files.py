@@ -180,7 +180,9 @@ def test_a_state_that_takes_nothing_more_costs_no_result(tmp_path: Path, monkeyp
     assert run.stderr == "bringup-lint: state: nothing more is kept for another run: No space left on device\n"
 
 
-@pytest.mark.parametrize("text", ["", "[1]", "3", '{"version": 1}', '{"version": 1, "name": 3, "own": [[1]]}'])
+@pytest.mark.parametrize(
+    "text", ["", "[1]", "3", '{"version": 1}', '{"version": 2}', '{"version": 2, "name": 3, "own": [[1]]}']
+)
 def test_a_damaged_summary_is_made_anew(tmp_path: Path, text: str) -> None:
     write(tmp_path, {"alpha/etc/machine-id": "0" * 32, "beta/etc/machine-id": "0" * 32})
     first = judged("--state", "state", "alpha", "beta", cwd=tmp_path)

@@ -203,6 +203,9 @@ def one_node(fleet: Fleet) -> None:
 
 
 PARAMS = "opt/rover/share/rover_bringup/config/rover.yaml"
+CYCLONE = "etc/robot/cyclonedds.xml"
+TRACE = "<CycloneDDS><Domain><Tracing><Verbosity>finest</Verbosity></Tracing></Domain></CycloneDDS>"
+TAG = "<CycloneDDS><Domain><Discovery><Tag>night</Tag></Discovery></Domain></CycloneDDS>"
 ROVER = "etc/systemd/system/rover.service"
 PAIR, LAST = ["alder", "birch"], ["elm"]
 DEFECTS: dict[str, tuple[Callable[[Fleet], None], dict[str, list[str]]]] = {
@@ -223,6 +226,7 @@ DEFECTS: dict[str, tuple[Callable[[Fleet], None], dict[str, list[str]]]] = {
     "sysctl": (other("etc/sysctl.d/60-dds.conf", "2147483647", "212992"), {"fleet/drift": LAST}),
     "parameter": (other(PARAMS, "max_velocity: 1.2", "max_velocity: 2.0"), {"fleet/drift": LAST}),
     "middleware": (other("etc/robot/robot.env", "rmw_cyclonedds_cpp", "rmw_fastrtps_cpp"), {"fleet/drift": LAST}),
+    "trace": (other(CYCLONE, "<CycloneDDS/>", TRACE), {"fleet/drift": LAST}),
     "time": (other("etc/chrony/chrony.conf", "10.7.0.1", "pool.ntp.org"), {"fleet/drift": LAST}),
     "unit": (gone("etc/systemd/system/tunnel.service"), {"fleet/missing-from-role": LAST}),
 }
@@ -258,3 +262,10 @@ def test_nodes_that_meet_in_one_domain(tmp_path: Path) -> None:
     fleet = right()
     one_node(fleet)
     assert found(tmp_path, fleet, "shared").get("fleet/same-node-name") == PAIR
+
+
+@pytest.mark.slow
+def test_a_robot_of_another_tag_is_not_heard(tmp_path: Path) -> None:
+    fleet = right()
+    other(CYCLONE, "<CycloneDDS/>", TAG)(fleet)
+    assert found(tmp_path, fleet, "shared").get("fleet/different-middleware") == LAST

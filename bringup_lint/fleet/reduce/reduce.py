@@ -7,6 +7,7 @@ from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
 
+from bringup_lint.fleet.reduce import dds
 from bringup_lint.fleet.reduce import host
 from bringup_lint.fleet.reduce import identity
 from bringup_lint.fleet.reduce import ros
@@ -31,6 +32,7 @@ READERS = (
     host.tunnels,
     ros.domain,
     ros.variables,
+    dds.discovery,
     ros.nodes,
     ros.parameters,
 )

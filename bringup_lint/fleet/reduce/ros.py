@@ -12,6 +12,7 @@ _VARIABLES = {
     "ROS_SECURITY_STRATEGY": "security",
     "ROS_AUTOMATIC_DISCOVERY_RANGE": "discovery",
     "ROS_LOCALHOST_ONLY": "discovery",
+    "ROS_DISCOVERY_SERVER": "dds-setting",
 }
 _LONGEST = 120
 """Characters of a parameter that is compared: longer ones are descriptions and scripts."""
@@ -30,7 +31,7 @@ def domain(said: Statements) -> None:
 
 
 def variables(said: Statements) -> None:
-    """The variables on which robots that talk to each other must agree, where they run on the robot."""
+    """The variables on which robots of one role, or that talk to each other, agree, where they run on the robot."""
     for setting in said.robot.ros.of(*_VARIABLES):
         if said.robot.purpose(setting.value) is Purpose.ROBOT:
             said.state(_VARIABLES[setting.name], setting.name, setting.text, setting.value)
