@@ -41,21 +41,24 @@ def fastdds(participant: Element | None, transports: Sequence[Element], environm
 
 
 def _transport(rtps: Element | None, descriptors: Sequence[Element], environment: Environment) -> Said | None:
-    chosen = environment.get(_OF_TRANSPORT)
     builtin, own = _at(rtps, "builtinTransports"), _at(rtps, "userTransports")
     switch = _at(rtps, "useBuiltinTransports")
-    if chosen is not None or (environment.defines(_OF_TRANSPORT) is None):
-        plain = builtin is None and own is None and switch is None and chosen is not None
-        word = chosen.text if plain and chosen is not None else None
-        return Said(said.TRANSPORT, _BUILTIN[word], chosen.value) if chosen and word in _BUILTIN else None
-    found = set() if switch is not None and switch.text in ("false", "0") else {_BUILTIN.get(_text(builtin, "DEFAULT"))}
-    for name in own.find_all("transport_id") if own is not None else ():
-        found.add(_type_of(descriptors, name.text))
-    network = {each for each in found if each is not None and each != "SHM"}
+    written = switch or builtin or own
+    chosen = environment.get(_OF_TRANSPORT)
+    if chosen is not None:
+        word = chosen.text or ""
+        return Said(said.TRANSPORT, _BUILTIN[word], chosen.value) if written is None and word in _BUILTIN else None
+    if environment.defines(_OF_TRANSPORT) is None:
+        return None
+    found: set[str | None] = set()
+    if switch is None or switch.text not in ("false", "0"):
+        found.add(_BUILTIN.get(_text(builtin, "DEFAULT")))
+    if own is not None:
+        found.update(_type_of(descriptors, name.text) for name in own.find_all("transport_id"))
     if not found or None in found:
         return None
-    where = switch or builtin or own
-    return Said(said.TRANSPORT, " ".join(sorted(network)) or "SHM", where.text if where else None)
+    network = sorted(each for each in found if each is not None and each != "SHM")
+    return Said(said.TRANSPORT, " ".join(network) or "SHM", written.text if written is not None else None)
 
 
 def _type_of(descriptors: Sequence[Element], name: Located) -> str | None:
