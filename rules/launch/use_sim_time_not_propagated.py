@@ -82,13 +82,11 @@ def use_sim_time_not_propagated(robot: Robot) -> Iterator[Finding]:
 
 
 def pass_on(node: launch.Started, given: launch.Started) -> Fix | None:
-    """Give the node the clock by the launch argument that gives it to another one."""
+    """Give the node the clock by the launch argument that gives it to another one, which reads one."""
     sources = getattr(given.action, "parameters", ())
     values = [source.get("use_sim_time") for source in sources if isinstance(source, launch.DictValue)]
     inner = (each for value in values if value is not None for each in launch.walk(value))
-    name = next((each.name for each in inner if isinstance(each, launch.Argument)), None)
-    if name is None:
-        return None
+    name = next(each.name for each in inner if isinstance(each, launch.Argument))
     item = f"{{'use_sim_time': LaunchConfiguration('{name}')}}"
     change = with_item(node.span, "parameters", item, Import("launch.substitutions", "LaunchConfiguration"))
     return fix("pass use_sim_time to the node", codemod=change, safe=False) if change else None

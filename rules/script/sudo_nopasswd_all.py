@@ -77,10 +77,7 @@ def _judged(who: str, what: Located, text: Located) -> Iterator[Finding]:
 def _without_password(text: str) -> Iterator[str]:
     """The commands of a list that starts with NOPASSWD:. A tag holds until its opposite."""
     free = True
-    for item in text.split(","):
-        tagged = TAGGED.match(item)
-        if tagged is None:
-            continue
+    for tagged in filter(None, map(TAGGED.match, text.split(","))):
         tags = tagged["tags"].replace(":", " ").split()
         free = "NOPASSWD" in tags or (free and "PASSWD" not in tags)
         if free:
