@@ -2,8 +2,11 @@
 
 Subject ``dds`` holds what two robots must have in common, whichever library each of them runs: the transport, the
 port and the protocol of discovery, and the tag of the domain. What peers, variables or files that are not known may
-change is not stated. Tried with two participants of Cyclone DDS 11.0.1: with another tag, transport or base of the
-ports they do not find each other, with other unicast ports they do.
+change is not stated.
+
+Tried with two participants each: those of Cyclone DDS 11.0.1 do not find each other with another tag, transport or base
+of the ports, and do with other unicast ports; those of Fast DDS 2.14 do not with another base or gain of the ports,
+transport, or a discovery server on one side.
 """
 
 from __future__ import annotations
