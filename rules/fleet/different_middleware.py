@@ -5,11 +5,10 @@ In a site of which fleet.toml says `domains = "shared"`:
 - another `RMW_IMPLEMENTATION`, mode of security or range of discovery than most robots have
 - DDS settings of a robot, from its Cyclone DDS configuration, Fast DDS profile or variables, with which it surely hears
   none of the others, as a warning: another domain tag, no transport in common, a discovery server where the others
-  discover by multicast, another port of that multicast, or no way out of the robot: the loopback interface
-  alone, or neither multicast nor peers
+  discover by multicast, another port of that multicast, or no way out of the robot: the loopback interface alone, or
+  neither multicast nor a peer on another machine
 
-Ports are compared where no peers are listed. Sizes of buffers and the like keep nobody apart: `fleet/drift` compares
-them.
+Ports are compared where no peers are listed. `fleet/drift` compares what keeps nobody apart, such as sizes of buffers.
 
 ## Why it matters on a robot
 Different middlewares find each other at best in part: topics arrive, services hang. A node with security never sees one

@@ -1,10 +1,11 @@
 """A robot is set up differently from the others of its role.
 
 ## What it finds
-A setting of a unit, a kernel parameter, a parameter of a node, a version, or a size of buffers or messages or a
-verbosity of Cyclone DDS that differs from what at least two thirds of the robots of one role have. Names of the robots
-in values do not count as differences, nor does what is measured on each robot: serial numbers, biases, offsets, files
-of calibrations, and decimal parameters that differ by at most one part in fifty.
+What differs from what at least two thirds of the robots of one role have: a setting of a unit, a kernel parameter, a
+parameter of a node, a version, `ROS_DISCOVERY_SERVER`, or the size of buffers or messages, the address of discovery or
+the verbosity of Cyclone DDS. Names of the robots in values do not count as differences, nor does what is measured on
+each robot: serial numbers, biases, offsets, files of calibrations, and decimal parameters that differ by at most one
+part in fifty.
 
 ## Why it matters on a robot
 Somebody changed one robot by hand, or an update did not reach it. What was tested on the others says nothing about this
