@@ -9,7 +9,6 @@ shows the same. Of templates, only ``{{ inventory_hostname }}`` is filled in.
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable
 from collections.abc import Iterator
 from functools import cache
 
@@ -23,10 +22,11 @@ from bringup_lint.fleet.members import Inventory
 from bringup_lint.fleet.members import Member
 from bringup_lint.fleet.members import refusal
 from bringup_lint.fleet.members import text_of
+from bringup_lint.fleet.plays import for_host
+from bringup_lint.fleet.plays import scalars
 from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.model.yaml_node import Node
 from bringup_lint.model.yaml_node import Scalar
-from bringup_lint.model.yaml_node import Sequence
 from bringup_lint.parsers.yaml_nodes import parse
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
@@ -40,7 +40,6 @@ _MOST = 1_000_000
 """Hosts that an inventory may name."""
 _ENDINGS = ("", ".yml", ".yaml", ".json")
 _RANGE = regex(r"\[(?P<first>\d+|[a-zA-Z]):(?P<last>\d+|[a-zA-Z])(?::(?P<step>\d+))?\]")
-_HOST_NAME = regex(r"\{\{ *inventory_hostname *\}\}")
 Variables = dict[str, Node]
 
 
@@ -63,6 +62,7 @@ class Hosts:
     """By host."""
     members: dict[str, set[str]] = field(default_factory=dict)
     """Host -> the groups that list it."""
+    _around: dict[frozenset[str], list[str]] = field(default_factory=dict)
 
     def depth(self, name: str, left: int = _DEPTH) -> int:
         """How many groups lie around a group at most; a circle ends somewhere."""
@@ -79,9 +79,15 @@ class Hosts:
         return {name: frozenset(members) for name, members in found.items()}
 
     def around(self, host: str) -> list[str]:
-        """The groups of a host, those that count most last."""
+        """The groups of a host, those that count most last. Hosts that the same groups list share one answer."""
+        listing = frozenset(self.members[host])
+        if listing not in self._around:
+            self._around[listing] = self._outwards(listing)
+        return self._around[listing]
+
+    def _outwards(self, listing: frozenset[str]) -> list[str]:
         found: set[str] = {_ALL}
-        waiting = list(self.members[host])
+        waiting = list(listing)
         while waiting:
             name = waiting.pop()
             if name not in found:
@@ -217,9 +223,4 @@ def _member(path: str, host: str, variables: Variables, files: Files) -> Member:
 
 
 def _texts(node: Node | None, host: str) -> list[str]:
-    scalars: Iterable[Scalar] = ()
-    if isinstance(node, Scalar):
-        scalars = [node]
-    elif isinstance(node, Sequence):
-        scalars = node.scalars
-    return [_HOST_NAME.sub(lambda _: host, str(each.value)) for each in scalars]
+    return [for_host(str(each.value), host) for each in scalars(node)]

@@ -7,7 +7,9 @@ from pathlib import Path
 
 import pytest
 
+from bringup_lint.fleet import plays
 from bringup_lint.fleet.inventory import read_inventory
+from bringup_lint.parsers.yaml_nodes import parse
 from tests.fleet.test_fleet import write
 from tests.lint import lint
 
@@ -92,7 +94,8 @@ TASKS = {
     "- copy: {src: '{{ key }}', dest: /etc/robot/a.key}": "",
     "- copy: {src: a.key, dest: '/etc/{{ site }}/a.key'}": "",
     "- copy: {src: none.key, dest: /etc/robot/a.key}": "",
-    "- copy: {src: ../../../../etc/passwd, dest: /etc/robot/a.key}": "",
+    "- copy: {src: a.key, dest: /etc/robot/a.key}\n  tags: 'never, factory'": "",
+    "- copy: {src: ../../../outside.key, dest: /etc/robot/a.key}": "",
 }
 
 
@@ -104,6 +107,7 @@ def test_tasks_of_a_role(tmp_path: Path, task: str) -> None:
         "roles/vpn/tasks/more.yml": "- copy: {src: more.key, dest: /etc/robot/more.key}\n",
         "roles/vpn/files/a.key": "x",
         "roles/vpn/files/more.key": "x",
+        "outside.key": "x",
         "roles/vpn/files/keystore/private/ca.key.pem": "x",
         "roles/vpn/templates/a.conf.j2": "x",
         "roles/other/tasks/main.yml": "- copy: {src: other.key, dest: /etc/robot/other.key}\n",
@@ -169,11 +173,45 @@ def test_playbooks_above_the_inventory(tmp_path: Path) -> None:
     }
 
 
-def test_roles_that_need_each_other_end(tmp_path: Path) -> None:
+@pytest.mark.parametrize("source", ["{out}/", "{out}/a.key", "linked/", "linked", "linked/a.key", "tied.key", "deep"])
+def test_what_lies_outside_of_the_project_is_not_read(tmp_path: Path, source: str) -> None:
+    out, project = tmp_path / "out", tmp_path / "project"
+    write(out, {"a.key": "x"})
+    write(project, {"roles/vpn/files/deep/b.key": "x"})
+    (project / "roles/vpn/files/linked").symlink_to(out)
+    (project / "roles/vpn/files/tied.key").symlink_to(out / "a.key")
+    (project / "roles/vpn/files/deep/tied.key").symlink_to(out / "a.key")
+    task = f"- copy: {{src: '{source.format(out=out)}', dest: /etc/robot}}\n"
+    places = delivered(project, {"site.yml": "- hosts: all\n  roles: [vpn]\n", ROLE: task})
+    assert set(places) == ({"/etc/robot/deep/b.key"} if source == "deep" else set())
+
+
+@pytest.mark.parametrize("name", ["{out}", "linked", "../../out"])
+def test_a_role_outside_of_the_project_is_not_read(tmp_path: Path, name: str) -> None:
+    out, project = tmp_path / "out", tmp_path / "project"
+    write(out, {"tasks/main.yml": COPY, "files/wg0.conf": VPN})
+    write(project, {"roles/vpn/tasks/main.yml": "[]\n"})
+    (project / "roles/linked").symlink_to(out)
+    play = f"- hosts: all\n  roles: ['{name.format(out=out)}']\n"
+    assert delivered(project, {"site.yml": play}) == {}
+
+
+def test_a_link_to_another_file_of_the_project(tmp_path: Path) -> None:
+    write(tmp_path, {"shared/a.key": "x", "roles/vpn/files/b.key": "x"})
+    (tmp_path / "roles/vpn/files/a.key").symlink_to("../../../shared/a.key")
+    task = "- copy: {src: a.key, dest: /etc/robot/a.key}\n"
+    places = delivered(tmp_path, {"site.yml": "- hosts: arms\n  roles: [vpn]\n", ROLE: task})
+    assert places == {"/etc/robot/a.key": ["gamma"]}
+
+
+def test_roles_that_need_each_other_end(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    parsed: list[str] = []
+    monkeypatch.setattr(plays, "parse", lambda source: parsed.append(source.name) or parse(source))
     files = {
         "site.yml": "- hosts: all\n  roles: [vpn]\n",
-        ROLE: "- include_role: {name: vpn}\n- include_tasks: main.yml\n" + COPY,
+        ROLE: "- include_role: {name: vpn}\n" + "- include_tasks: main.yml\n" * 5 + COPY,
         "roles/vpn/meta/main.yml": "dependencies: [vpn, {role: vpn}]\n",
         "roles/vpn/files/wg0.conf": VPN,
     }
     assert found(tmp_path, files) == {"fleet/same-network-key": ["alpha", "beta", "gamma"]}
+    assert len(parsed) == len(set(parsed))
