@@ -46,13 +46,18 @@ from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.udev import UdevRule
 
-TRIGGER = regex(r"^(?P<before>[^#\n]*?)\b(?P<command>udevadm[ \t]+trigger\b(?P<options>[^\n|;&\"'#)`]*))", re.M)
+TRIGGER = regex(r"\budevadm[ \t]+trigger\b(?P<options>[^\n|;&\"'#)`]*)")
 OPTION = regex(
     r"(?:--subsystem-match|-s)[= \t]*(?P<subsystem>[\w*?-]+)|(?:--action|-c)[= \t]*(?P<action>\w+)"
     r"|--type=devices|--settle|-w\b|--verbose|-v\b|--quiet|-q\b|-{0,1}\d?>\S*|[ \t]+"
 )
 RESTARTS = regex(r"\b(?:soft-)?reboot\b|shutdown[ \t]+-r")
-SHOWN = regex(r"\b(?:echo|printf)\b|^[ \t]*(?:-[ \t]+)?(?:name|msg):")
+SHOWN = regex(
+    r"\b(?:echo|printf)\b(?:[^;&|\"']|\"[^\"]*(?:\"|$)|'[^']*(?:'|$))*$|^[ \t]*(?:-[ \t]+)?(?:name|msg):|#",
+)
+"""What comes before a trigger that is only text: the command of its own that prints it, a name or a comment."""
+BEFORE = 400
+"""Characters of the line before a trigger that are read."""
 ROLE = regex(r"(?P<role>.*/)?(?:tasks|handlers)/[^/]+")
 LINKS = ("SYMLINK", "TAG")
 SETS = ("MODE", "GROUP", "OWNER", "RUN", *LINKS)
@@ -69,20 +74,31 @@ class Trigger(NamedTuple):
 
 @rule("warning", confidence="medium", symptoms=["No such file or directory: '/dev/", "Permission denied: '/dev/"])
 def trigger_misses(robot: Robot) -> Iterator[Finding]:
-    for source in robot.of_kind("shell-script", "ansible"):
-        if not source.judged or "udevadm" not in source.text or RESTARTS.search(source.text):
+    sources = (each for each in robot.of_kind("shell-script", "ansible") if "udevadm" in each.text)
+    known = {source: _triggers(source) for source in sources}
+    reaching_all = [source for source, triggers in known.items() if _reach_all(source, triggers)]
+    files = {each.source for each in robot.udev.judged}
+    for source, triggers in known.items():
+        if not source.judged or not triggers or RESTARTS.search(source.text):
             continue
-        triggers = _triggers(source)
-        if not triggers or _others_trigger(robot, source):
+        if source.kind == "ansible" and any(other is not source for other in reaching_all):
             continue
-        missed = [each for each in robot.udev.judged if _is_installed(source, each) and _misses(triggers, each)]
+        installed = {file for file in files if _is_installed(source, file)}
+        missed = [each for each in robot.udev.judged if each.source in installed and _misses(triggers, each)]
         if missed:
-            yield _finding(triggers[0], missed)
+            yield _finding(triggers, missed)
 
 
-def _finding(trigger: Trigger, missed: list[UdevRule]) -> Finding:
+def _reach_all(source: Source, triggers: list[Trigger]) -> bool:
+    """Whether a file of Ansible, whose tasks may follow those of another one, gives events to all devices."""
+    return source.kind == "ansible" and any(not trigger.subsystems for trigger in triggers)
+
+
+def _finding(triggers: list[Trigger], missed: list[UdevRule]) -> Finding:
     subsystems = sorted({name for each in missed for name in each.subsystems})
-    by_action = not trigger.subsystems
+    reaching = next((each for each in triggers if _reaches(each, missed[0], links=True)), None)
+    by_action = reaching is not None
+    trigger = reaching or triggers[0]
     devices = f"the devices of {subsystems[0]}" if subsystems else "the devices of the new rules"
     return finding(
         trigger.place,
@@ -98,33 +114,31 @@ def _triggers(source: Source) -> list[Trigger]:
     """The triggers of a file; none where one of them chooses devices by what is not known here."""
     found = []
     for match in TRIGGER.finditer(source.text):
-        if SHOWN.search(match["before"]):
+        if SHOWN.search(_before(source.text, match.start())):
             continue
         if OPTION.sub("", match["options"]).strip():
             return []
         options = list(OPTION.finditer(match["options"]))
         subsystems = frozenset(each["subsystem"] for each in options if each["subsystem"])
         actions = frozenset(each["action"] for each in options if each["action"]) or frozenset({"change"})
-        found.append(Trigger(source.span(*match.span("command")), subsystems, actions))
+        found.append(Trigger(source.span(*match.span()), subsystems, actions))
     return found
 
 
-def _others_trigger(robot: Robot, source: Source) -> bool:
-    """Whether another file of the same kind gives events to all devices."""
-    if source.kind != "ansible":
-        return False
-    others = (each for each in robot.of_kind("ansible") if each is not source)
-    return any(not trigger.subsystems for each in others for trigger in _triggers(each))
+def _before(text: str, at: int) -> str:
+    """The text of the line before a place."""
+    return text[max(0, at - BEFORE) : at].rpartition("\n")[2]
 
 
-def _is_installed(source: Source, rule_line: UdevRule) -> bool:
-    """Whether the script or role brings the file of a rule."""
-    file = rule_line.source
+def _is_installed(source: Source, file: Source) -> bool:
+    """Whether the script or role brings a file of rules."""
     if file.origin is not None:
         return file.origin.whole.source is source
     role = ROLE.fullmatch(source.name) if source.kind == "ansible" else None
     if role is not None and file.name.startswith((f"{role['role'] or ''}files/", f"{role['role'] or ''}templates/")):
         return True
+    if file.basename not in source.text:
+        return False
     return re.search(rf"(?<![\w.-]){re.escape(file.basename)}(?![\w-])", source.text) is not None
 
 
