@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.commands.background import Job
     from bringup_lint.graph.commands.background import background_jobs
     from bringup_lint.graph.commands.shells import SH_IS_BASH
+    from bringup_lint.graph.commands.shells import STRICT
     from bringup_lint.graph.commands.wrappers import program_name
     from bringup_lint.graph.commands.wrappers import unwrapped
     from bringup_lint.graph.installed.script import Run
@@ -26,6 +27,7 @@ else:
 
 __all__ = [
     "SH_IS_BASH",
+    "STRICT",
     "Block",
     "Command",
     "Job",

@@ -46,6 +46,7 @@ from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.docker import Stage
 from bringup_lint.api.docker import blocks_of_run
+from bringup_lint.api.shell import STRICT
 from bringup_lint.api.shell import Block
 from bringup_lint.api.shell import Command
 from bringup_lint.api.shell import program_name
@@ -60,7 +61,9 @@ INSTALLERS = {
     "vcs": "import",
 }
 """Program -> its command that brings something into the image."""
-STRICT = regex(r"\bset[ \t]+-\w{0,8}e|\berrexit\b")
+STOPS = regex(STRICT, re.M)
+STRICT_SHELL = regex(r'"-\w{0,8}e\w{0,8}"|"errexit"')
+"""In SHELL."""
 PIPES = regex(r"\bpipefail\b")
 PASSIVE = ("echo", "printf", "true", ":")
 """Fallbacks that make up for nothing."""
@@ -68,11 +71,22 @@ INDEPENDENT = (*PASSIVE, "rm", "mkdir", "useradd", "groupadd", "usermod", "ldcon
 """Commands that succeed without what an installation brings."""
 
 
+JOIN = "join the commands with &&"
+GROUP = "put the fallback in parentheses with its own command"
+
+
+class Hiding(NamedTuple):
+    """What runs although a command failed."""
+
+    by: Located
+    how: str
+    advice: str
+    does: str = "this hides the failure"
+
+
 class Hidden(NamedTuple):
     command: Located
-    by: Located
-    """What hides the failure."""
-    how: str
+    hiding: Hiding
 
 
 @rule("warning", confidence="medium")
@@ -82,38 +96,36 @@ def failure_hidden(robot: Robot) -> Iterator[Finding]:
             for hidden in _of_stage(stage):
                 yield finding(
                     hidden.command,
-                    f"When this fails, {hidden.how}: the image is built without its result",
-                    advice="join the commands with &&, and put a fallback in parentheses with its own command",
-                    related=[note(hidden.by, "this runs all the same")],
+                    f"When this fails, {hidden.hiding.how}: the image is built without its result",
+                    advice=hidden.hiding.advice,
+                    related=[note(hidden.hiding.by, hidden.hiding.does)],
                 )
 
 
 def _of_stage(stage: Stage) -> Iterator[Hidden]:
     """The first command of each RUN whose failure is hidden."""
     shells = " ".join(str(each.value) for one in stage.chain for each in one.all("SHELL"))
-    strict = re.search(r'"-\w*e\w*"', shells) is not None
+    strict = STRICT_SHELL.search(shells) is not None
     for run in stage.all("RUN"):
-        text = " ".join([str(run.value), *map(str, run.heredocs)])
-        if strict or STRICT.search(text):
+        text = "\n".join([str(run.value), *map(str, run.heredocs)])
+        if strict or STOPS.search(text):
             continue
         pipefail = PIPES.search(text + shells) is not None
-        found = (_hidden(list(blocks), pipefail) for blocks in blocks_of_run(run))
-        hidden = next((each for each in found if each is not None), None)
+        found = (each for blocks in blocks_of_run(run) for each in _hidden(list(blocks), pipefail))
+        hidden = next(found, None)
         if hidden is not None:
             yield hidden
 
 
-def _hidden(blocks: Sequence[Block], pipefail: bool) -> Hidden | None:
+def _hidden(blocks: Sequence[Block], pipefail: bool) -> Iterator[Hidden]:
     for at, block in enumerate(blocks):
         if block.command is not None and _brings(block.command):
-            by = _hiding(blocks, at, pipefail)
-            if by is not None:
-                return Hidden(block.command.words[0], *by)
-        inner = (_hidden(body, pipefail) for body in block.bodies if block.kind == "branches")
-        found = next((each for each in inner if each is not None), None)
-        if found is not None:
-            return found
-    return None
+            hiding = _hiding(blocks, at, pipefail)
+            if hiding is not None:
+                yield Hidden(block.command.words[0], hiding)
+        if block.kind == "branches":
+            for body in block.bodies:
+                yield from _hidden(body, pipefail)
 
 
 def _brings(command: Command) -> bool:
@@ -126,22 +138,28 @@ def _brings(command: Command) -> bool:
     return name in INSTALLERS and rest[:1] == [INSTALLERS[name]] and not simulated
 
 
-def _hiding(blocks: Sequence[Block], at: int, pipefail: bool) -> tuple[Located, str] | None:
+def _hiding(blocks: Sequence[Block], at: int, pipefail: bool) -> Hiding | None:
     """What runs although a command failed, and how it comes to that; None where the build ends."""
-    builds = program_name(unwrapped(_words(blocks[at]))[0]) == "colcon"
+    builds = _name(blocks[at]) == "colcon"
     here = at
     while here + 1 < len(blocks):
         ends, following = _ends(blocks[here]), blocks[here + 1]
         if ends == "|":
             tees = here == at and builds and not pipefail and _name(following) == "tee"
-            return (_words(following)[0], "tee succeeds all the same") if tees else None
+            if not tees:
+                return None
+            return Hiding(_words(following)[0], "tee succeeds all the same", "write set -o pipefail before the command")
         if ends == "||":
             if _name(following) not in PASSIVE or (here == at and not builds):
                 return None
-            return _words(following)[0], f"'|| {_name(following)}' takes the failure for its own"
+            fallback = _name(following)
+            advice = f"remove '|| {fallback}'" if here == at else GROUP
+            return Hiding(_words(following)[0], f"'|| {fallback}' takes the failure for its own", advice)
         if ends != "&&":
             independent = builds or all(_name(each) in INDEPENDENT for each in blocks[here + 1 :])
-            return (_words(following)[0], "the next command runs") if independent else None
+            if not independent:
+                return None
+            return Hiding(_words(following)[0], "the next command runs", JOIN, "this runs all the same")
         here += 1
     return None
 
@@ -155,5 +173,5 @@ def _words(block: Block) -> tuple[Located, ...]:
 
 
 def _name(block: Block) -> str:
-    words = _words(block)
+    words = unwrapped(_words(block))
     return program_name(words[0]) if words else ""

@@ -48,6 +48,7 @@ from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.docker import Stage
 from bringup_lint.api.docker import commands_of
+from bringup_lint.api.shell import STRICT
 from bringup_lint.api.shell import unwrapped
 
 PROGRAMS = ("apt", "apt-get")
@@ -59,7 +60,7 @@ ANSWERED = regex(
 )
 CONFIGURED = regex(r"APT::Get::Assume-Yes", re.I)
 PIPED = regex(r"\|[ \t]*(?:sudo[ \t]+(?:-\w+[ \t]+)*)?(?:\w+=\S*[ \t]+)*$")
-STOPS = regex(r"^[ \t]*set -(?:\w{0,8}e|o errexit)|^#![^\n]{0,80} -\w{0,8}e", re.M)
+STOPS = regex(STRICT, re.M)
 ALONE = frozenset("bash-completion gosu less locales make nano sudo time tree unzip zip".split())
 """Packages that need only what every image of Debian and Ubuntu has."""
 

@@ -43,12 +43,10 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.shell import STRICT
 from bringup_lint.api.shell import Run
 
-LOOKS = regex(
-    r"^[ \t]*set -(?:\w{0,8}e|o errexit)|^#![^\n]{0,80} -\w{0,8}e|\btrap [^\n]{0,200}\bERR\b|\$\?|\bPIPESTATUS\b",
-    re.M,
-)
+LOOKS = regex(STRICT + r"|\btrap [^\n]{0,200}\bERR\b|\$\?|\bPIPESTATUS\b", re.M)
 CONDITION = regex(r"\b(?:if|elif|while|until)\b[^;\n]{0,200}$|![ \t]*$")
 
 

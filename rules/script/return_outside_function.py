@@ -47,15 +47,12 @@ from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.shell import STRICT
 from bringup_lint.api.shell import Block
 from bringup_lint.api.shell import shell_blocks
 
 BASH = regex(r"#![ \t]*\S*/(?:env[ \t]+)?bash\b")
-ENDS = regex(
-    r"^[ \t]*set -(?:\w{0,8}e|o errexit)|^#![^\n]{0,80} -\w{0,8}e|BASH_SOURCE|\bsource[ \t]+[\"']?\$\{?0"
-    r"|\(return\b|\$_\b",
-    re.M,
-)
+ENDS = regex(STRICT + r"|BASH_SOURCE|\bsource[ \t]+[\"']?\$\{?0|\(return\b|\$_\b", re.M)
 NEAR = 80
 """Characters before the name of a script in which a command that runs or sources it is."""
 RUNS = regex(r"(?:^|[\s;&|(\"'`$])(?:\./|bash[ \t]+|sudo[ \t]+)[\w./${}()-]*$")
