@@ -3,9 +3,9 @@
 ## What it finds
 A last stage with `USER root` as its last USER, or without USER on an image that certainly runs as root (the
 official ROS, Ubuntu, Debian and Python images). Not checked: builder stages, images that other Dockerfiles of the tree
-build on, images that start systemd, and images whose services in compose files all set `user:`. Silent if the
-Dockerfile or the entry script mentions gosu, su-exec, setpriv, runuser or fixuid, which drop privileges, or if the
-entry script is that of a base image that is not known.
+build on, images that start systemd, images that only build or test something (`CMD ["make"]`), and images whose
+services in compose files all set `user:`. Silent if the Dockerfile or the entry script mentions gosu, su-exec, setpriv,
+runuser or fixuid, which drop privileges, or if the entry script is that of a base image that is not known.
 
 It is info for images that a robot hardly runs by themselves: without USER, CMD and ENTRYPOINT; a shell in which
 somebody works or logs in with ssh; a builder, a simulator or a demonstration; and a Dockerfile that nothing builds
@@ -57,10 +57,10 @@ DROPS = regex(r"\b(?:gosu|su-exec|setpriv|runuser|fixuid)\b")
 LOGINS = regex(r"\b(?:openssh-server|sshd|sysvinit|s6-overlay)\b")
 """What needs root to serve logins, or to start services as an init system."""
 BUILD = regex(
-    r"""\[?\s*["']?(?:/usr/bin/)?(?:make|cmake|ninja|colcon|catkin|bloom-generate|dpkg-buildpackage|debuild|bitbake|west"""
-    r"""|idf\.py|pio|platformio|arduino-cli|cargo|pytest|ctest|mkdocs|sphinx-build)(?:["']|\s|$)"""
+    r"""\[?\s*["']?(?:/usr/bin/)?(?:make(?!["',\s\[\]]{1,9}(?:run|start|launch|up)\b)|cmake|ninja|colcon|catkin|bloom-generate|dpkg-buildpackage|debuild|bitbake|west"""
+    r"""|idf\.py|pio|platformio|arduino-cli|cargo(?!["',\s\[\]]{1,9}run\b)|pytest|ctest|mkdocs|sphinx-build)(?:["']|\s|$)"""
 )
-"""A command line, or the start of its list, that builds or tests something."""
+"""A command line, or the start of its list, that builds or tests something and then ends."""
 SYSTEMD = regex(r"/(?:s?bin/init|lib/systemd/systemd)\b")
 
 
@@ -109,7 +109,7 @@ def _runs(stage: Stage) -> bool:
 def _builds(stage: Stage) -> bool:
     """Whether what the image runs is a build: its container ends with the result and never is on the robot."""
     starts = [each.value for each in (stage.last("ENTRYPOINT"), stage.last("CMD")) if each is not None]
-    return bool(starts) and BUILD.match(starts[-1]) is not None
+    return bool(starts) and any(BUILD.match(line) for line in (" ".join(starts), starts[-1]))
 
 
 def _starts_systemd(stage: Stage) -> bool:
