@@ -41,9 +41,9 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 SYMPTOMS = [
-    "AttributeError: 'Drive' object has no attribute 'cmd_publisher'",
-    "AttributeError: can't set attribute 'subscriptions'",
-    "AttributeError: property 'subscriptions' of 'Drive' object has no setter",
+    "AttributeError: '*' object has no attribute '*'",
+    "AttributeError: can't set attribute '*'",
+    "AttributeError: property '*' of '*' object has no setter",
 ]
 
 

@@ -4,6 +4,8 @@
 Names that the source of a node looks up and that neither the function, the file nor Python defines: a message type or
 `sys` that is never imported, a variable of another function, a method that is called without `self.`, a misspelt name.
 
+It is a warning if the line runs when the node ends anyway, and an info if nothing calls its function.
+
 ## Why it matters on a robot
 Python looks a name up when the line runs. In a callback for parameters or signals that can be weeks later, on the
 robot. The NameError then ends the node.
@@ -36,7 +38,7 @@ from bringup_lint.api import nodes
 from bringup_lint.api import rule
 
 
-@rule("error", fix="unsafe", symptoms=["NameError: name 'SetParametersResult' is not defined"])
+@rule("error", fix="unsafe", symptoms=["NameError: name '*' is not defined"])
 def undefined_name(robot: Robot) -> Iterator[Finding]:
     for file in robot.nodes.programs:
         for found in nodes.undefined(robot.nodes.syntax(file)):
