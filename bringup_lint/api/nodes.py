@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.asyncio_waits import awaits_asyncio
     from bringup_lint.graph.nodes.questions.blocking_calls import UNTIL_TIMEOUT
     from bringup_lint.graph.nodes.questions.early_results import early_results
+    from bringup_lint.graph.nodes.questions.message_fields import NoField
     from bringup_lint.graph.nodes.questions.message_fields import consequence
     from bringup_lint.graph.nodes.questions.message_fields import converted
     from bringup_lint.graph.nodes.questions.message_fields import is_checked
@@ -66,6 +67,7 @@ __all__ = [
     "UNTIL_TIMEOUT",
     "Callback",
     "Endpoint",
+    "NoField",
     "NodeSource",
     "Purpose",
     "Timer",

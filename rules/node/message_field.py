@@ -7,7 +7,8 @@ fields are those of the `.msg`, `.srv` and `.action` files of the tree, and of t
 
 ## Why it matters on a robot
 Python looks at fields and values when the line runs, often only in the branch for an emergency. A field that is
-missing raises AttributeError. A value of the wrong type raises AssertionError in Humble. Newer releases do not look
+missing raises AttributeError; as an argument of the message it raises AssertionError in Humble, and newer releases
+ignore it. A value of the wrong type raises AssertionError in Humble. Newer releases do not look
 at it any more: an integer in a float field arrives as 5e-324, so that the robot does not move, or aborts the node; an
 integer in a bool arrives as False; other wrong types make `publish()` raise.
 
@@ -42,23 +43,19 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("error", fix="safe", symptoms=["AttributeError: 'Twist' object has no attribute 'x'", "must be of type 'float'"])
+@rule("error", fix="safe", symptoms=["AttributeError: '*' object has no attribute '*'", "must be of type 'float'"])
 def message_field(robot: Robot) -> Iterator[Finding]:
     for types in robot.nodes.message_types:
         purpose = robot.nodes.purpose(types.file.source)
         severity = nodes.lowered(purpose, "error")
         of_values = severity if nodes.is_checked(robot.target.ros) else nodes.lowered(purpose, "warning")
-        for none, *rest in nodes.missing_fields(types):
-            end = "what follows in its try block never runs" if none.caught else "the node exits"
-            error = f"AttributeError, and {end}"
-            if none.given:
-                error = "AssertionError in Humble, ignored by newer releases"
+        for lacking, *rest in nodes.missing_fields(types):
             yield finding(
-                types.file.span_of(none.place),
-                f"{none.type} has no field '{none.name}': {error}",
-                advice=f"its fields are {', '.join(sorted(none.fields))}" if none.fields else "it has no fields",
+                types.file.span_of(lacking.place),
+                f"{lacking.type} has no field '{lacking.name}': {_consequence(lacking, robot.target.ros)}",
+                advice=f"its fields are {', '.join(sorted(lacking.fields))}" if lacking.fields else "it has no fields",
                 related=[note(types.file.span_of(each.place), "the same") for each in rest],
-                severity=severity,
+                severity=of_values if lacking.given else severity,
             )
         for first, *others in nodes.misfits(types, robot.target.ros):
             spans = [types.file.span_of(each.value) for each in (first, *others)]
@@ -73,3 +70,13 @@ def message_field(robot: Robot) -> Iterator[Finding]:
                 fix=fix(f"write {better}", *edits) if better else None,
                 severity=of_values,
             )
+
+
+def _consequence(lacking: nodes.NoField, distribution: str | None) -> str:
+    """What happens where a field that does not exist is used, in words."""
+    end = "what follows in its try block never runs" if lacking.caught else "the node exits"
+    if not lacking.given:
+        return f"AttributeError, and {end}"
+    if distribution is None:
+        return "AssertionError in Humble, ignored by newer releases"
+    return f"AssertionError, and {end}" if nodes.is_checked(distribution) else "the argument is ignored"
