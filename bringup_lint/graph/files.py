@@ -17,6 +17,7 @@ from bringup_lint.budget import OutOfTime
 from bringup_lint.budget import limited
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
+from bringup_lint.graph.memo import memo
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.graph.purpose import Purposes
 from bringup_lint.graph.purpose import by_names
@@ -102,6 +103,7 @@ class Files:
         """The kinds of file in the tree."""
         return frozenset(self._by_kind)
 
+    @memo
     def mentions(self, pattern: re.Pattern[str]) -> bool:
         """Whether the text of a judged file matches."""
         return any(pattern.search(source.said) for source in self.sources if source.judged)

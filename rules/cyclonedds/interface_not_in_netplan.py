@@ -79,6 +79,5 @@ def interface_not_in_netplan(robot: Robot) -> Iterator[Finding]:
 def _is_named_elsewhere(robot: Robot, name: str) -> bool:
     """Whether a .link or .netdev file, a udev rule or a command gives an interface this name."""
     written = re.escape(name)
-    return robot.mentions(
-        re.compile(rf"\bNAME\s*:?=\s*\"?{written}\b|^Name={written}\s*$|\blink\s+add\b[^\n]*\b{written}\b", re.M)
-    )
+    given = rf"\bNAME\s*:?=\s*\"?{written}\b|^Name={written}\s*$"
+    return robot.mentions(re.compile(rf"{given}|\blink\s+add\b[^\n]{{0,200}}\b{written}\b", re.M))

@@ -28,7 +28,6 @@ When something outside this tree drives the transitions, such as a supervisor of
 - nav2, lifecycle manager
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -36,12 +35,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
 from bringup_lint.api import note
-from bringup_lint.api import regex
 from bringup_lint.api import rule
-
-PROGRAMS = ("python-node", "cpp-node", "shell-script", "systemd-unit", "compose", "dockerfile")
-SWITCHES = regex(r"\blifecycle[\"',\s]+set\b|\blifecycle_bringup\b|\bChangeState\b|/change_state\b")
-"""Commands and service clients that configure the nodes which their file names."""
 
 
 @rule("error", symptoms=["Trying to publish message on the topic *, but the publisher is not activated"])
@@ -49,7 +43,6 @@ def lifecycle_node_unmanaged(robot: Robot) -> Iterator[Finding]:
     elsewhere = robot.launch.managed_names
     if elsewhere is None:
         return
-    programs = [source.said for source in robot.of_kind(*PROGRAMS) if SWITCHES.search(source.said)]
     for expansion in robot.launch.entries:
         if launch.outside(expansion) or robot.launch.simulated(expansion.entry):
             continue
@@ -64,7 +57,7 @@ def lifecycle_node_unmanaged(robot: Robot) -> Iterator[Finding]:
                 continue
             if name.rpartition("/")[2] in elsewhere or launch.transitions_elsewhere(expansion, node):
                 continue
-            if any(re.search(rf"\b{re.escape(name.rpartition('/')[2])}\b", text) for text in programs):
+            if robot.launch.switched_by_program(name.rpartition("/")[2]):
                 continue
             yield finding(
                 node.span,

@@ -39,7 +39,7 @@ from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.networkmanager import alone_off
 
-BROUGHT_UP = regex(r"\bnmcli\b[^\n]*\bup\b")
+BROUGHT_UP = regex(r"\bnmcli\b[^\n]{0,200}\bup\b")
 
 
 @rule("warning")

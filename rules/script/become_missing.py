@@ -77,7 +77,7 @@ GIVEN = regex(
 CALLED = regex(
     r"\bsudo[ \t]{1,9}(?:-\S{1,40}[ \t]{1,9}){0,9}ansible-playbook\b"
     r"|\bansible-playbook\b(?:\\\r?\n|[^\n|;&\\]){0,400}?[ \t]"
-    r"(?:-\w*b\w*|--become|-u[ \t]*root|--user[= ]root)(?=[ \t\r\n`\"']|$)"
+    r"(?:-\w{0,20}b\w{0,20}|--become|-u[ \t]*root|--user[= ]root)(?=[ \t\r\n`\"']|$)"
 )
 
 

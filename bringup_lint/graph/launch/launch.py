@@ -64,6 +64,11 @@ SIMULATORS = regex(
     r"(?:^|_)(?:sim|simulation|simulator|gazebo|gz|ign|ignition|webots|isaac\w*|mujoco|airsim|carla|awsim|stage)(?:$|_)"
 )
 """Packages of simulators."""
+_PROGRAMS = ("python-node", "cpp-node", "shell-script", "systemd-unit", "compose", "dockerfile")
+_SWITCHES = regex(r"\blifecycle[\"',\s]+set\b|\blifecycle_bringup\b|\bChangeState\b|/change_state\b")
+"""Commands and service clients that configure the nodes which their file names."""
+_SWITCH_WORDS = ("lifecycle", "ChangeState", "change_state")
+"""One of them is in each text that the pattern matches."""
 _LOOKS_AT_DISTRIBUTION = regex(r"(?i)ros_?distro|except TypeError")
 PUBLIC = ("nav2_", "ros2_", "ros_", "rclcpp_", "tf2_", "launch_", "image_", "joint_", "moveit_", "rviz", "controller_")
 """How packages of ROS itself begin."""
@@ -352,6 +357,17 @@ class Launch:
                     return None
                 found.update(managed.fqn.rpartition("/")[2] for managed in manager.managed)
         return frozenset(found)
+
+    def switched_by_program(self, name: str) -> bool:
+        """Whether a program of the tree that changes the states of nodes names this one."""
+        word = re.compile(rf"\b{re.escape(name)}\b")
+        return any(word.search(text) for text in self._switching if name in text)
+
+    @cached_property
+    def _switching(self) -> list[str]:
+        """The texts of the programs that change the states of nodes."""
+        texts = (source.said for source in self._tree_files.of_kind(*_PROGRAMS))
+        return [text for text in texts if any(word in text for word in _SWITCH_WORDS) and _SWITCHES.search(text)]
 
     def role(self, node: Started) -> Role:
         """What is known about a node's program."""
