@@ -14,8 +14,15 @@ Node = TypeVar("Node", bound=Hashable)
 
 def components(nodes: Iterable[Node], following: Callable[[Node], Iterable[Node]]) -> list[set[Node]]:
     """The sets of several nodes that all lead to each other. ``following`` gives the ends of the edges of a node."""
+    return [found for found in in_order(nodes, following) if len(found) > 1]
+
+
+def in_order(nodes: Iterable[Node], following: Callable[[Node], Iterable[Node]]) -> Iterator[set[Node]]:
+    """The components, those of one node too, each after those that it leads to."""
     search = _Search(following)
-    return [found for node in nodes if node not in search.number for found in search.from_root(node) if len(found) > 1]
+    for node in nodes:
+        if node not in search.number:
+            yield from search.from_root(node)
 
 
 class _Search(Generic[Node]):

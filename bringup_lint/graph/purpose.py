@@ -147,7 +147,7 @@ class Purposes:
         return any(
             _version(name) < newest and _tail(inner) in self._files_of[above, newest]
             for above, name, inner in _versions(path)
-            if (newest := self._newest[above])
+            if (newest := self._newest.get(above))
         )
 
     @cached_property

@@ -245,10 +245,6 @@ class Service:
         inherited = self.base.profiles if self.base is not None and not is_replaced else set()
         return inherited | {str(scalar.value) for scalar in _scalars(node)}
 
-    def runs_with(self, other: Service) -> bool:
-        """Whether one choice of a profile starts both."""
-        return not self.profiles or not other.profiles or bool(self.profiles & other.profiles)
-
     @property
     def scripts(self) -> Iterator[Located]:
         """Everything that is run as text: the words of entrypoint and command."""

@@ -63,9 +63,9 @@ def message_field(robot: Robot) -> Iterator[Finding]:
             edits = [(each, nodes.converted(first, each.text) or each.text) for each in spans]
             yield finding(
                 spans[0],
-                f"'{first.name}' is a {first.wanted}, and {spans[0].text} is {first.got}: "
+                f"'{first.name}' is {first.kind}, and {spans[0].text} is {first.got}: "
                 f"{nodes.consequence(first, robot.target.ros)}",
-                advice=f"write {better}" if better else f"give it a {first.wanted}",
+                advice=f"write {better}" if better else f"give it {first.kind}",
                 related=[note(each, "the same") for each in spans[1:]],
                 fix=fix(f"write {better}", *edits) if better else None,
                 severity=of_values,

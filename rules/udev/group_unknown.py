@@ -38,16 +38,23 @@ from bringup_lint.api.udev import Token
 
 @rule("warning", symptoms=["Unknown group", "Unknown user", "Failed to resolve group"])
 def group_unknown(robot: Robot) -> Iterator[Finding]:
-    if not robot.tree.complete and robot.accounts.creates_unnamed:
+    unknown = list(_unknown(robot))
+    if not unknown or (not robot.tree.complete and robot.accounts.creates_unnamed):
         return
     elsewhere = not robot.tree.complete and not robot.accounts.creates_any
+    for token, what, instead in unknown:
+        yield _finding(token, what, instead, elsewhere)
+
+
+def _unknown(robot: Robot) -> Iterator[tuple[Token, str, str]]:
+    """Groups and users that nothing creates, each with what it is and what to write instead."""
     for line in robot.udev.judged:
         for token in line.line.assignments("GROUP"):
             if _is_name(token) and not robot.accounts.has_group(token.value):
-                yield _finding(token, "group", "dialout, or create the group with a sysusers.d file", elsewhere)
+                yield token, "group", "dialout, or create the group with a sysusers.d file"
         for token in line.line.assignments("OWNER"):
             if _is_name(token) and not robot.accounts.has_user(token.value):
-                yield _finding(token, "user", "root, or create the user with a sysusers.d file", elsewhere)
+                yield token, "user", "root, or create the user with a sysusers.d file"
 
 
 def _is_name(token: Token) -> bool:

@@ -12,6 +12,7 @@ from bringup_lint.graph.purpose import Purpose
 from bringup_lint.graph.purpose import by_path
 from bringup_lint.registry import Registry
 from bringup_lint.robot import Robot
+from bringup_lint.source import Source
 from tests.conftest import PROJECT
 from tests.lint import lint
 
@@ -139,3 +140,11 @@ def test_the_page_lists_what_each_family_does(update_expected: bool) -> None:
     if update_expected:
         page.write_text(expected, "utf-8")
     assert page.read_text("utf-8") == expected
+
+
+def test_a_file_that_is_read_and_not_walked_has_one(tmp_path: Path) -> None:
+    """A configuration that a command names, in a folder that is called after a version."""
+    (tmp_path / "robot.service").write_text("[Service]\nExecStart=/usr/sbin/ser2net\n")
+    robot = Robot(discover([str(tmp_path)]))
+    source = Source(str(tmp_path / "vendor/1.2.3/ser2net.yaml"), "")
+    assert robot.files.purpose(source) is Purpose.ROBOT

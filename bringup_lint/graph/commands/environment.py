@@ -110,6 +110,8 @@ class Environment:
             raise LookupError(match[0])
         found = self.get(name)
         default = match["default"]
+        if found is not None and found.text is None:
+            raise LookupError(name)
         if found is not None and found.text is not None and (found.text or not (default or "").startswith(":")):
             return found.text
         if default and not _QUOTED.search(default) and (found is not None or self.complete):
@@ -164,7 +166,10 @@ def _run(environment: Environment, command: Command, perhaps: bool, known: Calla
                 environment.complete = False
     elif command.name == "unset" and "-f" not in words:
         for word in words[1:]:
-            environment.unset(word)
+            if perhaps:
+                environment.set(Variable(str(word), word, None, "unset"))
+            else:
+                environment.unset(word)
     elif command.name in ("source", ".") and len(words) > 1 and not known(words[1]):
         environment.complete = False
     elif command.name in ("eval", "read", "printf", "let", "mapfile", "readarray", "getopts"):

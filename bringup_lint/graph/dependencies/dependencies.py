@@ -85,12 +85,11 @@ class Dependencies:
 
     def missing_files(self, package: Package) -> list[Install]:
         """What a build installs in any case, and that is not in the tree."""
-        return list(missing_files(self._files, package))
+        return missing_files(self._files, package)
 
     def is_of_workspace(self, need: Need) -> bool:
         """Whether a package of the tree is needed."""
-        workspace = self._launch.workspace
-        return need.name in workspace.packages or need.name in workspace.ambiguous
+        return need.name in self._own
 
     def stops_build(self, need: Need) -> bool:
         """Whether CMake asks for a package of the same workspace: colcon builds in an environment of those packages
@@ -136,7 +135,7 @@ class Dependencies:
         packages = self._launch.workspace.packages.values()
         return frozenset(str(name) for package in packages for _, name in package.manifest.depends) | self._own
 
-    @property
+    @cached_property
     def _own(self) -> frozenset[str]:
         workspace = self._launch.workspace
         return frozenset(workspace.packages) | frozenset(workspace.ambiguous)

@@ -27,10 +27,13 @@ _LARGE = regex(
 """What is kept apart from the sources of many repositories."""
 
 
-def missing_files(files: Files, package: Package) -> Iterator[Install]:
+def missing_files(files: Files, package: Package) -> list[Install]:
     """The files and folders that a build installs in any case, and that neither the tree nor a build makes."""
-    if not _holds_sources(files.tree, package.folder):
-        return
+    found = list(_absent(files, package))
+    return found if found and _holds_sources(files.tree, package.folder) else []
+
+
+def _absent(files: Files, package: Package) -> Iterator[Install]:
     for build in package.builds:
         folder = os.path.dirname(build.source.absolute)
         for install in build.installs:

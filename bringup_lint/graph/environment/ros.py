@@ -197,8 +197,13 @@ class RosEnvironment:
         beside = [file.text for file in self.files.of_kind("compose") if os.path.dirname(file.absolute) == folder]
         if not beside or any(name in text or _ENV_FILE.search(text) for text in beside):
             return True
+        return self._reads_env_file
+
+    @cached_property
+    def _reads_env_file(self) -> bool:
+        """Whether a script, an image, a unit or a node names a ``.env``."""
         others = self.files.of_kind("shell-script", "dockerfile", "systemd-unit", "python-node", "launch-python")
-        return any(_ENV_FILE.search(each.text) or "dotenv" in each.text for each in others)
+        return any("dotenv" in each.text or (".env" in each.text and _ENV_FILE.search(each.text)) for each in others)
 
     @cached_property
     def processes(self) -> list[RosProcess]:

@@ -7,8 +7,8 @@ from collections import deque
 from collections.abc import Callable
 from collections.abc import Collection
 from collections.abc import Iterable
-from collections.abc import Iterator
 
+from bringup_lint.graph.components import in_order
 from bringup_lint.graph.graph import Node
 
 Following = Callable[[Node], Iterable[Node]]
@@ -20,7 +20,8 @@ class Reachability:
 
     def __init__(self, nodes: Iterable[Node], following: Following) -> None:
         self._following = following
-        self._ranks = dict(ranked(nodes, following))
+        ordered = enumerate(in_order(nodes, following))
+        self._ranks = {node: rank for rank, members in ordered for node in members}
 
     def leads(self, starts: Collection[Node], goal: Node) -> bool:
         """Whether one of the starts leads to a goal that is none of them."""
@@ -38,46 +39,3 @@ class Reachability:
                     higher.add(other)
                     pending.append(other)
         return False
-
-
-def ranked(nodes: Iterable[Node], following: Following) -> Iterator[tuple[Node, int]]:
-    """Each node with its rank: the strongly connected components, in the order in which Tarjan's algorithm ends
-    them."""
-    seen: dict[Node, int] = {}
-    lowest: dict[Node, int] = {}
-    waiting: list[Node] = []
-    done: set[Node] = set()
-    rank = 0
-
-    def enter(node: Node) -> tuple[Node, Iterator[Node]]:
-        seen[node] = lowest[node] = len(seen)
-        waiting.append(node)
-        return node, iter(following(node))
-
-    for root in nodes:
-        path = [] if root in seen else [enter(root)]
-        while path:
-            node, others = path[-1]
-            other = next(others, None)
-            if other is None:
-                path.pop()
-                if path:
-                    above = path[-1][0]
-                    lowest[above] = min(lowest[above], lowest[node])
-                if lowest[node] == seen[node]:
-                    yield from ((each, rank) for each in _ended(waiting, node, done))
-                    rank += 1
-            elif other not in seen:
-                path.append(enter(other))
-            elif other not in done:
-                lowest[node] = min(lowest[node], seen[other])
-
-
-def _ended(waiting: list[Node], first: Node, done: set[Node]) -> Iterator[Node]:
-    """Take the nodes of a component from those that wait for their rank."""
-    while True:
-        node = waiting.pop()
-        done.add(node)
-        yield node
-        if node == first:
-            return

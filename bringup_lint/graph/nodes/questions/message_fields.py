@@ -64,6 +64,11 @@ class Misfit(NamedTuple):
     """The type of the value in words: ``an int``; or that it is out of range."""
     caught: bool
 
+    @property
+    def kind(self) -> str:
+        """What the field wants, with its article: ``an int32``."""
+        return f"{'an' if self.wanted.startswith('int') else 'a'} {self.wanted}"
+
 
 def missing_fields(types: MessageTypes) -> Iterator[list[NoField]]:
     """The uses of fields that do not exist, those of one field of one type together."""
@@ -88,14 +93,17 @@ def _lacking(
     fields = types.interfaces.fields(owner) if owner is not None else None
     if owner is None or fields is None or name is None or _has(fields, name) or types.syntax.is_dead(place):
         return
-    yield NoField(place, name, owner, tuple(fields), isinstance(place, ast.keyword), _is_caught(types.syntax, place))
+    yield NoField(
+        place, name, owner, tuple(fields), isinstance(place, ast.keyword), types.syntax.catches(place, _CAUGHT)
+    )
 
 
 def misfits(types: MessageTypes, distribution: str | None) -> Iterator[list[Misfit]]:
     """The values that do not fit, those of one function, field type and value type together."""
     groups: dict[tuple[ast.AST | None, str, str], list[Misfit]] = {}
     for each in _misfits(types):
-        if distribution in (None, *_CHECKING) or _literal(types, each.value) != 0:
+        is_zero = each.wanted.startswith(("float", "bool")) and _literal(types, each.value) == 0
+        if distribution in (None, *_CHECKING) or not is_zero:
             groups.setdefault((types.syntax.function(each.value), each.wanted, each.got), []).append(each)
     yield from groups.values()
 
@@ -160,7 +168,7 @@ def _misfit(types: MessageTypes, owner: str | None, name: str, value: ast.expr) 
     for arm in _arms(value):
         got = _wrong(types, wanted, arm)
         if got is not None:
-            yield Misfit(arm, name, wanted, _WORDS.get(got, got), _is_caught(types.syntax, value))
+            yield Misfit(arm, name, wanted, _WORDS.get(got, got), types.syntax.catches(value, _CAUGHT))
             return
 
 
@@ -242,12 +250,3 @@ def _of_operation(types: MessageTypes, value: ast.BinOp) -> str | None:
     if isinstance(value.op, (ast.Add, ast.Sub, ast.Mult)):
         return "float" if "float" in sides else "int"
     return None
-
-
-def _is_caught(syntax: Syntax, node: ast.AST) -> bool:
-    for outer, field in syntax.within(node):
-        if isinstance(outer, ast.Try) and field == "body":
-            types = [name for handler in outer.handlers for name in ast.walk(handler.type or ast.Name("Exception"))]
-            if any(isinstance(name, ast.Name) and name.id in _CAUGHT for name in types):
-                return True
-    return False

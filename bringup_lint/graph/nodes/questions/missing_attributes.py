@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
+from typing import Union
 
 from bringup_lint.facts import table
 from bringup_lint.graph.nodes.questions.undefined_names import is_idle
@@ -24,6 +25,8 @@ _DYNAMIC = regex(r"__getattr|\bsetattr\b|__dict__|\bvars\(|\bexec\(|__slots__|\b
 _PLAIN_BASES = frozenset({"abc.ABC", "ABC", "object"})
 _CAUGHT = frozenset({"AttributeError", "Exception", "BaseException"})
 _POOLS = ("concurrent.futures.ThreadPoolExecutor", "concurrent.futures.ProcessPoolExecutor")
+
+Heirs = dict[Union[NodeClass, str], list[NodeClass]]
 
 
 class MissingAttribute(NamedTuple):
@@ -50,8 +53,9 @@ def missing_attributes(nodes: Nodes) -> Iterator[list[MissingAttribute]]:
     method together."""
     of_ros = {row["name"] for row in table("ros/node_attributes")} | set(dir(object))
     foreign = _set_elsewhere(nodes)
+    heirs = _heirs(nodes)
     for file, node in nodes.with_callbacks:
-        family = _family(nodes, node)
+        family = _family(nodes, node, heirs)
         if node.node is None or family is None:
             continue
         known = of_ros | foreign | {name for each in family for name in _names(each)}
@@ -73,7 +77,7 @@ def _unknown(
         name = place.attr
         if name in known or name in texts or name in seen or name.startswith("__"):
             continue
-        if _is_expected(syntax, place) or syntax.is_dead(place):
+        if syntax.catches(place, _CAUGHT) or syntax.is_dead(place):
             continue
         seen.add(name)
         function = syntax.function(place)
@@ -95,7 +99,7 @@ def taken_attributes(nodes: Nodes) -> Iterator[TakenAttribute]:
                 yield TakenAttribute(file, place)
 
 
-def _family(nodes: Nodes, node: NodeClass) -> list[NodeClass] | None:
+def _family(nodes: Nodes, node: NodeClass, heirs: Heirs) -> list[NodeClass] | None:
     """A class, all that it builds on and all that builds on it; None when not all of that is known."""
     lineage = list(node.lineage)
     for each in lineage:
@@ -107,13 +111,19 @@ def _family(nodes: Nodes, node: NodeClass) -> list[NodeClass] | None:
     files = {nodes.file_of(each) for each in lineage}
     if any(file.stars or _DYNAMIC.search(file.source.text) for file in files):
         return None
-    return [*lineage, *(each for file in nodes.sources for each in file.classes if _builds_on(each, node))]
+    named = heirs.get(node.name, ()) if node.name is not None else ()
+    return [*lineage, *heirs.get(node, ()), *named]
 
 
-def _builds_on(node: NodeClass, other: NodeClass) -> bool:
-    if node is other or other.name is None:
-        return False
-    return other in node.lineage or any(base.rpartition(".")[2] == other.name for base in node.bases)
+def _heirs(nodes: Nodes) -> Heirs:
+    """A class, or the name of one -> those that build on it."""
+    found: Heirs = {}
+    for file in nodes.sources:
+        for each in file.classes:
+            keys: list[NodeClass | str] = [*each.lineage, *(base.rpartition(".")[2] for base in each.bases)]
+            for key in keys:
+                found.setdefault(key, []).append(each)
+    return found
 
 
 def _names(node: NodeClass) -> Iterator[str]:
@@ -188,13 +198,3 @@ def _assignments(syntax: Syntax, node: NodeClass) -> Iterator[tuple[ast.Attribut
             for target in targets:
                 if isinstance(target, ast.Attribute) and _is_self(syntax, node, target):
                     yield target, each.value
-
-
-def _is_expected(syntax: Syntax, place: ast.AST) -> bool:
-    """Whether code around a place handles that the attribute is missing."""
-    for outer, field in syntax.within(place):
-        if isinstance(outer, ast.Try) and field == "body":
-            types = [name for handler in outer.handlers for name in walk(handler.type or ast.Name("Exception"))]
-            if any(isinstance(name, ast.Name) and name.id in _CAUGHT for name in types):
-                return True
-    return False

@@ -56,7 +56,7 @@ def undefined(syntax: Syntax) -> Iterator[Undefined]:
             continue
         seen.add(name.id)
         module = modules.get(name.id, "" if name.id in sys.stdlib_module_names else None)
-        caught = any(_takes(outer, field) for outer, field in syntax.within(name))
+        caught = syntax.catches(name, _CAUGHT)
         yield Undefined(name, module, _function(syntax, name), is_idle(syntax, name), caught, _is_late(syntax, name))
 
 
@@ -139,6 +139,7 @@ def _bound(node: ast.AST) -> Iterator[str]:
         yield node.id
     elif isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)):
         yield node.name
+        yield from (str(each.name) for each in getattr(node, "type_params", ()))
     elif isinstance(node, ast.arg):
         yield node.arg
     elif isinstance(node, ast.alias):
@@ -172,12 +173,6 @@ def _is_harmless(syntax: Syntax, node: ast.Name, lazy: bool) -> bool:
 def _types(handler: ast.ExceptHandler) -> Iterator[ast.Name]:
     if handler.type is not None:
         yield from (each for each in ast.walk(handler.type) if isinstance(each, ast.Name))
-
-
-def _takes(outer: ast.AST, field: str) -> bool:
-    if not isinstance(outer, ast.Try) or field != "body":
-        return False
-    return any(each.id in _CAUGHT for handler in outer.handlers for each in _types(handler))
 
 
 def _function(syntax: Syntax, node: ast.AST) -> str | None:

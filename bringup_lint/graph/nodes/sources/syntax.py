@@ -69,14 +69,19 @@ class Syntax:
     def is_dead(self, node: ast.AST) -> bool:
         """Whether a statement that always leaves the block stands before a node."""
         inner = node
-        for outer, name in self.within(node):
+        for outer, name in self.above(node):
             block = getattr(outer, name)
             if isinstance(block, list) and isinstance(inner, ast.stmt) and _leaves(block, inner):
                 return True
+            if isinstance(outer, (*FUNCTIONS, ast.ClassDef)):
+                return False
             inner = outer
-        function = next((outer for outer, _ in self.above(inner)), None)
-        block = getattr(function, "body", None)
-        return isinstance(block, list) and isinstance(inner, ast.stmt) and _leaves(block, inner)
+        return False
+
+    def catches(self, node: ast.AST, names: frozenset[str]) -> bool:
+        """Whether a ``try`` around a node, in the same function, takes one of some exceptions or all of them."""
+        outers = (outer for outer, name in self.within(node) if isinstance(outer, ast.Try) and name == "body")
+        return any(_takes(handler, names) for outer in outers for handler in outer.handlers)
 
     def after(self, statement: ast.stmt) -> list[ast.stmt]:
         """The statements after one in its own block."""
@@ -94,9 +99,14 @@ def _leaves(block: list[ast.stmt], until: ast.stmt) -> bool:
     """Whether a statement of a block before another one always ends it."""
     if until not in block:
         return False
-    return any(
-        isinstance(each, (ast.Return, ast.Raise, ast.Break, ast.Continue)) for each in block[: block.index(until)]
-    )
+    return any(isinstance(each, _ENDS) for each in block[: block.index(until)])
+
+
+def _takes(handler: ast.ExceptHandler, names: frozenset[str]) -> bool:
+    if handler.type is None:
+        return True
+    named = (each.id if isinstance(each, ast.Name) else getattr(each, "attr", None) for each in ast.walk(handler.type))
+    return any(name in names for name in named)
 
 
 def own(nodes: Iterable[ast.AST]) -> Iterator[ast.AST]:
