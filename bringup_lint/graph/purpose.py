@@ -9,7 +9,6 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterable
-from collections.abc import Iterator
 from collections.abc import Mapping
 from enum import Enum
 from functools import cached_property
@@ -87,18 +86,6 @@ def _version(name: str) -> tuple[int, ...]:
     return tuple(map(int, name.lstrip("vV").split(".")))
 
 
-def _versions(path: str) -> Iterator[tuple[str, str, str]]:
-    """The folders of a path that are called after a version: what is above each, its name and what is below."""
-    parts = path.split("/")
-    for at, name in enumerate(parts[:-1]):
-        if _VERSION.fullmatch(name):
-            yield "/".join(parts[:at]), name, "/".join(parts[at + 1 :])
-
-
-def _tail(path: str) -> str:
-    return "/".join(path.split("/")[-2:])
-
-
 def by_path(path: str) -> Purpose:
     """What the words of a path, relative to the top of the tree, say."""
     return next((purpose for purpose, pattern in PATHS if pattern.search(path)), Purpose.ROBOT)
@@ -142,29 +129,24 @@ class Purposes:
         return Purpose.ARCHIVE if self._is_superseded(path) else by_path(path)
 
     def _is_superseded(self, path: str) -> bool:
-        """Whether a folder of the path is called after a version, and one beside it after a newer one that has the
-        same file."""
-        return any(
-            _version(name) < newest and _tail(inner) in self._files_of[above, newest]
-            for above, name, inner in _versions(path)
-            if (newest := self._newest.get(above))
-        )
+        """Whether a folder of the path is called after a version, and one beside it after a newer one."""
+        folders = path.split("/")[:-1]
+        for at, name in enumerate(folders):
+            newest = self._newest.get("/".join(folders[:at])) if _VERSION.fullmatch(name) else None
+            if newest is not None and _version(name) < newest:
+                return True
+        return False
 
     @cached_property
     def _newest(self) -> dict[str, tuple[int, ...]]:
         """Folder -> the newest version after which a folder in it is called."""
         found: dict[str, tuple[int, ...]] = {}
-        for above, version in self._files_of:
-            found[above] = max(found.get(above, ()), version)
-        return found
-
-    @cached_property
-    def _files_of(self) -> dict[tuple[str, tuple[int, ...]], set[str]]:
-        """Folder and version of a folder in it -> the files there, by their names and the folders that they are in."""
-        found: dict[tuple[str, tuple[int, ...]], set[str]] = {}
         for source in self.tree.sources:
-            for above, name, inner in _versions(self._path(source)):
-                found.setdefault((above, _version(name)), set()).add(_tail(inner))
+            folders = self._path(source).split("/")[:-1]
+            for at, name in enumerate(folders):
+                if _VERSION.fullmatch(name):
+                    above = "/".join(folders[:at])
+                    found[above] = max(found.get(above, ()), _version(name))
         return found
 
     def _configured(self, source: Source) -> Purpose | None:

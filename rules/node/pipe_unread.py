@@ -1,23 +1,23 @@
 """The output of a process goes to a pipe that nobody reads.
 
 ## What it finds
-`subprocess.Popen` of `ros2 run`, `ros2 launch` or `ros2 bag` with `stdout=PIPE` or `stderr=PIPE`, in a file that reads
-neither while the process runs: no `communicate()`, no `.stdout`. A `communicate()` after `poll()` says that the process
-has ended comes too late.
+`subprocess.Popen` of `ros2 run` or `ros2 launch` with `stdout=PIPE` or `stderr=PIPE`, in a file that reads neither
+while the process runs: no `communicate()`, no `.stdout`. A `communicate()` after `poll()` says that the process has
+ended comes too late.
 
 ## Why it matters on a robot
-A pipe holds 64 KiB. Then the process stops in the middle of a log line, and all its threads that log with it: the
-recording has a gap up to its end, the driver sends nothing more. That happens minutes or hours after the start, the
-sooner the more is going wrong, and the process still seems to run.
+A pipe holds 64 KiB. Then the process blocks in the middle of a log line, and all its threads that log with it: the
+driver sends nothing more. That happens minutes or hours after the start, the sooner the more is going wrong, and the
+process still seems to run.
 
 ## Bad
 ```python
-self.recorder = subprocess.Popen(['ros2', 'bag', 'record', '-a'], stdout=subprocess.PIPE)
+self.lidar = subprocess.Popen(['ros2', 'run', 'lidar', 'driver'], stdout=subprocess.PIPE)
 ```
 
 ## Good
 ```python
-self.recorder = subprocess.Popen(['ros2', 'bag', 'record', '-a'], stdout=subprocess.DEVNULL)
+self.lidar = subprocess.Popen(['ros2', 'run', 'lidar', 'driver'], stdout=subprocess.DEVNULL)
 ```
 
 ## When to ignore it
@@ -44,7 +44,7 @@ def pipe_unread(robot: Robot) -> Iterator[Finding]:
             streams = " and ".join(found.streams)
             yield finding(
                 file.span_of(found.call),
-                f"Nothing reads the {streams} of '{found.command}': it stops after 64 KiB of output",
+                f"Nothing reads the {streams} of '{found.command}': it blocks after 64 KiB of output",
                 advice="leave the output to the log of this node, or send it to subprocess.DEVNULL or to a file",
                 severity=nodes.lowered(robot.nodes.purpose(file.source), "warning"),
             )

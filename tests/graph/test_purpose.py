@@ -69,15 +69,6 @@ def test_a_folder_of_an_older_version_is_an_archive(tmp_path: Path) -> None:
     assert purposes == {"1.9.0": Purpose.ARCHIVE, "1.10.0": Purpose.ROBOT}
 
 
-def test_what_no_newer_version_has_is_no_archive(tmp_path: Path) -> None:
-    for path in ("1.0.0/systemd/arm.service", "2.0.0/systemd/base.service"):
-        unit = tmp_path / path
-        unit.parent.mkdir(parents=True)
-        unit.write_text("[Service]\nExecStart=/bin/true\n")
-    robot = Robot(discover([str(tmp_path)]))
-    assert {robot.purpose(source) for source in robot.sources} == {Purpose.ROBOT}
-
-
 def test_where_a_checkout_is_says_nothing(tmp_path: Path) -> None:
     unit = tmp_path / "test" / "old" / "deploy" / "robot.service"
     unit.parent.mkdir(parents=True)

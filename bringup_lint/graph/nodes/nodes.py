@@ -20,6 +20,7 @@ from bringup_lint.graph.nodes.resolved.programs import program_of
 from bringup_lint.graph.nodes.sources.ending import Ending
 from bringup_lint.graph.nodes.sources.modules import Modules
 from bringup_lint.graph.nodes.sources.syntax import Syntax
+from bringup_lint.graph.nodes.unused import Unused
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.graph.purpose import of_source
 from bringup_lint.graph.runners.runner import RunnerKind
@@ -121,8 +122,14 @@ class Nodes:
     def purpose(self, source: Source) -> Purpose:
         """What a source is for, by the path of the file and by that in its package."""
         if source not in self._purposes:
-            self._purposes[source] = of_source(self._path(source), self.files.purpose(source))
+            found = of_source(self._path(source), self.files.purpose(source))
+            is_example = found is Purpose.ROBOT and self._unused.has(source)
+            self._purposes[source] = Purpose.EXAMPLE if is_example else found
         return self._purposes[source]
+
+    @cached_property
+    def _unused(self) -> Unused:
+        return Unused(self.files, self.launch.workspace)
 
     def is_for_robot(self, source: Source) -> bool:
         return self.purpose(source) is Purpose.ROBOT

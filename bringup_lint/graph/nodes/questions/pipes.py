@@ -10,7 +10,7 @@ from bringup_lint.model.python import walk
 from bringup_lint.named_tuple import NamedTuple
 
 _STREAMS = ("stdout", "stderr")
-_ENDLESS = (("run",), ("launch",), ("bag", "record"), ("bag", "play"))
+_ENDLESS = (("run",), ("launch",))
 """Subcommands of ``ros2`` that run and write until they are stopped."""
 _READS = frozenset({"communicate", *_STREAMS})
 _ENDED = ("poll", "returncode")
@@ -22,7 +22,7 @@ class UnreadPipe(NamedTuple):
     streams: tuple[str, ...]
     """``stdout``, ``stderr``."""
     command: str
-    """``ros2 bag record``."""
+    """``ros2 launch``."""
 
 
 def unread_pipes(syntax: Syntax) -> Iterator[UnreadPipe]:
