@@ -261,13 +261,10 @@ def layered(layers: Iterable[str], tops: Iterable[str], excluded: Callable[[str]
 
 
 def copied(files: Mapping[str, str]) -> LayeredTree:
-    """The tree of single files that are copied to a robot: their absolute paths, and their places there. It has no
+    """The tree of single files that are copied to a robot: their places there, and their absolute paths. It has no
     sources; what is asked for is read."""
-    places = {place.lstrip("/"): Entry(path, on_disk=True) for path, place in files.items()}
-    tree = LayeredTree(asked=tuple(files), tops=tuple(files), deploy=dict(files), places=places)
-    for path in files:
-        tree.remember(path)
-    return tree
+    places = {place.lstrip("/"): Entry(path, on_disk=True) for place, path in files.items()}
+    return LayeredTree(asked=("/",), tops=tuple(dict.fromkeys(files.values())), places=places)
 
 
 def _take_in(tree: LayeredTree, entry: Entry) -> None:

@@ -79,13 +79,13 @@ def summary_of(member: Member, job: Job) -> Summary:
 def _with_delivered(summary: Summary, member: Member, job: Job, present: Container[str] = ()) -> Summary:
     """The summary with what identifies the robot in the files that playbooks copy to it. What lies on it counts in
     place of them."""
-    files = {path: place for place, path in member.delivered if place not in present}
+    files = {place: path for place, path in member.delivered if place not in present}
     if not files:
         return summary
     from bringup_lint.discover.layered import copied
 
     robot = Robot(copied(files), job.config.target_ros, job.config.target_systemd, job.today)
-    said, failures = identified(robot, job.key)
+    said, failures = identified(robot, job.key, files)
     return replace(
         summary,
         marks=(*summary.marks, *said.marks),

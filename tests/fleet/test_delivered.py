@@ -160,6 +160,12 @@ def test_what_lies_on_the_robot_counts_in_place_of_what_would_come_there(tmp_pat
     assert found(tmp_path, files, root + HOSTS) == {}
 
 
+def test_a_key_that_comes_to_two_places(tmp_path: Path) -> None:
+    backup = "- copy: {src: wg0.conf, dest: /var/backups/wg0.conf.bak}\n"
+    files = {"site.yml": "- hosts: rovers\n  roles: [vpn]\n", ROLE: COPY + backup, "roles/vpn/files/wg0.conf": VPN}
+    assert found(tmp_path, files) == {"fleet/same-network-key": ["alpha", "beta"]}
+
+
 def test_playbooks_above_the_inventory(tmp_path: Path) -> None:
     write(tmp_path, {"inventories/hall/hosts.yml": HOSTS, "ansible.cfg": "[defaults]\n", "files/a.key": "x"})
     write(tmp_path, {"site.yml": "- hosts: arms\n  tasks:\n    - copy: {src: a.key, dest: /etc/robot/a.key}\n"})

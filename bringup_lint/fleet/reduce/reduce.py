@@ -6,6 +6,7 @@ import traceback
 from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
+from collections.abc import Mapping
 
 from bringup_lint.fleet.reduce import dds
 from bringup_lint.fleet.reduce import host
@@ -43,9 +44,9 @@ def reduced(robot: Robot, key: bytes) -> tuple[Statements, list[str]]:
     return _read_by(READERS, Statements(robot, key))
 
 
-def identified(robot: Robot, key: bytes) -> tuple[Statements, list[str]]:
-    """The same, of what makes a robot itself alone, in what Ansible copies to it."""
-    return _read_by(IDENTITY, Statements(robot, key, filled_in=True))
+def identified(robot: Robot, key: bytes, delivered: Mapping[str, str]) -> tuple[Statements, list[str]]:
+    """The same, of what makes a robot itself alone, in what Ansible copies to it: place -> file."""
+    return _read_by(IDENTITY, Statements(robot, key, delivered))
 
 
 def _read_by(readers: Iterable[Callable[[Statements], None]], said: Statements) -> tuple[Statements, list[str]]:

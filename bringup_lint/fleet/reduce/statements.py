@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hmac
 from collections.abc import Iterator
+from collections.abc import Mapping
 from functools import cached_property
 from hashlib import sha256
 from typing import TYPE_CHECKING
@@ -32,8 +33,9 @@ class Statements:
     robot: Robot
     key: bytes
     """Made for this run; without it nobody can try out guesses on the digests."""
-    filled_in: bool = False
-    """The files are templates of Ansible: what a variable or a condition decides is another one on each robot."""
+    delivered: Mapping[str, str] | None = None
+    """Path on the robot -> the file that Ansible copies there, where only such are read. They may be templates: what a
+    variable or a condition decides is another one on each robot."""
     facts: dict[Fact, None] = field(default_factory=dict)
     marks: dict[Mark, None] = field(default_factory=dict)
     _masks: dict[Source, Mask | None] = field(default_factory=dict)
@@ -41,7 +43,7 @@ class Statements:
     def state(self, subject: str, key: str, value: object, where: Located | Span) -> None:
         """Add a fact, unless its value is a secret."""
         span = where.span if isinstance(where, Located) else where
-        if self.filled_in and _is_filled_in(span):
+        if self.delivered is not None and _is_filled_in(span):
             return
         text = " ".join(str(value).split())
         if not span.source.judged or len(self.facts) >= MOST or self._is_secret(text, span):
@@ -52,7 +54,7 @@ class Statements:
         """Add a keyed hash of key material."""
         data = material.encode("utf-8", "surrogatepass") if isinstance(material, str) else material
         span = where.span if isinstance(where, Located) else where
-        if self.filled_in and _is_filled_in(span):
+        if self.delivered is not None and _is_filled_in(span):
             return
         if data.strip() and len(self.marks) < MOST:
             digest = hmac.new(self.key, kind.encode() + b"\0" + data, sha256).hexdigest()[:32]
@@ -71,6 +73,8 @@ class Statements:
     @cached_property
     def places(self) -> dict[str, list[str]]:
         """Path on the robot -> the files of the tree that lie there."""
+        if self.delivered is not None:
+            return {place: [path] for place, path in self.delivered.items()}
         found: dict[str, list[str]] = {}
         for path in self.robot.tree.paths:
             place = self.robot.tree.robot_path(path)
