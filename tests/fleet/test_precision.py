@@ -233,13 +233,13 @@ DEFECTS: dict[str, tuple[Callable[[Fleet], None], dict[str, list[str]]]] = {
 QUICK = ("ssh", "parameter", "unit")
 
 
-def found(folder: Path, fleet: Fleet, talks: str = "separate") -> dict[str, list[str]]:
+def found(folder: Path, fleet: Fleet, talks: str = "separate", *, cwd: Path | None = None) -> dict[str, list[str]]:
     """Rule -> the robots that it names."""
     entries = [f'[[robot]]\nname = "{name}"\nrole = "rover"\nsite = "hall"\nroot = "{name}"\n' for name in fleet]
     write(folder, {"fleet.toml": f'[site.hall]\ndomains = "{talks}"\n\n' + "\n".join(entries)})
     for name, files in fleet.items():
         write(folder / name, files)
-    findings = judged("--select", "fleet", ".", cwd=folder)["findings"]
+    findings = judged("--select", "fleet", str(folder), cwd=cwd or folder)["findings"]
     return {each["rule"]: each["robots"] for each in findings}
 
 
@@ -269,3 +269,9 @@ def test_a_robot_of_another_tag_is_not_heard(tmp_path: Path) -> None:
     fleet = right()
     other(CYCLONE, "<CycloneDDS/>", TAG)(fleet)
     assert found(tmp_path, fleet, "shared").get("fleet/different-middleware") == LAST
+
+
+def test_where_the_user_keeps_the_robots_says_nothing_of_their_parameters(tmp_path: Path) -> None:
+    fleet = right()
+    other(PARAMS, "max_velocity: 1.2", "max_velocity: 2.0")(fleet)
+    assert found(tmp_path / "fleet_calibration/robots", fleet, cwd=tmp_path) == {"fleet/drift": LAST}

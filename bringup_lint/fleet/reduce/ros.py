@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import os
+
+from bringup_lint.discover.tree import is_below
 from bringup_lint.fleet.reduce.statements import Statements
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.pattern import regex
+from bringup_lint.source import Source
 
 _VARIABLES = {
     "RMW_IMPLEMENTATION": "middleware",
@@ -44,9 +48,16 @@ def nodes(said: Statements) -> None:
             said.state("node", "", node.name, node.where)
 
 
+def _inside(said: Statements, source: Source) -> str:
+    """The path of a file in the folder or archive of its robot: those above it are named by whoever keeps it."""
+    path = source.absolute
+    top = next((top for top in said.robot.tree.asked if is_below(path, (top,))), os.path.dirname(path))
+    return path[len(top.rstrip("/")) :]
+
+
 def parameters(said: Statements) -> None:
     for file in said.robot.params.files:
-        if not file.is_certain or file.source.template or _CALIBRATION.search(file.source.name):
+        if not file.is_certain or file.source.template or _CALIBRATION.search(_inside(said, file.source)):
             continue
         for parameter in file.parameters:
             if _OF_ONE_MACHINE.search(str(parameter.name)):
