@@ -163,9 +163,14 @@ class Fleet:
         """Each key of a subject of which most robots of a team, at least two thirds, say the same, and some do not.
         Robots that say several things are left out, or differ by each of them where ``mixed`` is set."""
         for by_robot in self.by_key(subject, teams):
-            several = [each for each in by_robot.values() if len({self._plain(one) for one in each}) > 1]
-            said = [each[0] for each in by_robot.values() if each not in several]
-            found = self._majority(said, [one for each in several for one in each] if mixed else [])
+            said: list[Stated] = []
+            several: list[Stated] = []
+            for each in by_robot.values():
+                if len({self._plain(one) for one in each}) > 1:
+                    several += each
+                else:
+                    said.append(each[0])
+            found = self._majority(said, several if mixed else [])
             if found is not None:
                 yield found.usual[0].fact.key, found
 
@@ -178,14 +183,16 @@ class Fleet:
         values: dict[str, list[Stated]] = defaultdict(list)
         for each in said:
             values[self._plain(each)].append(each)
-        usual = max(values.values(), key=len, default=[])
+        plain, usual = max(values.items(), key=lambda pair: len(pair[1]), default=("", []))
         robots = len(said) + len({each.robot.number for each in mixed})
         if robots < FEWEST or 3 * len(usual) < 2 * robots:
             return None
+        del values[plain]
         for each in mixed:
-            values[self._plain(each)].append(each)
-        plain = self._plain(usual[0])
-        others = [list(_first_of_each(group)) for value, group in values.items() if value != plain]
+            value = self._plain(each)
+            if value != plain:
+                values[value].append(each)
+        others = [list(_first_of_each(group)) for group in values.values()]
         return Majority(usual, {group[0].fact.value: group for group in others}) if others else None
 
     def _plain(self, stated: Stated) -> str:

@@ -48,6 +48,18 @@ def test_what_robots_say_comes_in_the_order_of_their_names() -> None:
     assert [made.robots[1].one("node"), [fact.value for fact in made.robots[1].of("node")]] == [None, ["nb", "x"]]
 
 
+def test_a_robot_that_says_several_things_is_not_among_those_that_say_the_usual() -> None:
+    said = {"a": "x", "b": "x", "c": "x", "d": "xy"}
+    summaries = [
+        Summary(name, "robot", facts=tuple(Fact("setting", "k", value, "", at) for at, value in enumerate(values)))
+        for name, values in said.items()
+    ]
+    made = fleet(*summaries)
+    [(key, majority)] = made.majorities("setting", made.roles.values(), mixed=True)
+    assert (key, [each.robot.name for each in majority.usual]) == ("k", ["a", "b", "c"])
+    assert {value: [each.robot.name for each in group] for value, group in majority.others.items()} == {"y": ["d"]}
+
+
 def many(robots: int) -> Iterator[Summary]:
     for number in range(robots):
         path = f"robots/rover-{number:05}/etc/systemd/system/rover.service"
