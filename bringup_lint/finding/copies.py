@@ -34,10 +34,11 @@ def merged(findings: Iterable[Finding]) -> Iterator[Finding]:
         kept: dict[Hashable, dict[str, tuple[int, Finding]]] = {}
         """Of what files of one name have in common with their copies, the first that has it."""
         for number, found in enumerate(sorted(group, key=_rank)):
-            alike = dict(pair for key in _copied(found.source) for pair in kept.get(key, {}).values())
+            keys = _alike(found.source, named=not found.source.template)
+            alike = dict(pair for key in keys for pair in kept.get(key, {}).values())
             first = min((at for at, one in alike.items() if _is_copy(found.source, one.source)), default=None)
             if first is None:
-                for key in _copying(found.source):
+                for key in _alike(found.source, named=bool(found.source.template)):
                     kept.setdefault(key, {}).setdefault(found.source.basename, (number, found))
             else:
                 copies.setdefault(id(alike[first]), []).append(found)
@@ -67,22 +68,13 @@ def _rank(found: Finding) -> tuple[int, bool, bool]:
     return -found.severity, not found.source.template, bool(_MADE.search(found.source.name))
 
 
-def _copying(source: Source) -> Iterator[Hashable]:
-    """What copies of a file have in common with it: the text, the name of udev rules, or that of what a template
-    makes."""
+def _alike(source: Source, *, named: bool) -> Iterator[Hashable]:
+    """What a file has in common with its copies: the text, the name of udev rules, and, where it is ``named`` for it,
+    what a template makes."""
     yield source.kind, source.text
     if source.kind == "udev-rules":
         yield "rules", source.basename
-    if source.template:
-        yield "made", final_name(source.basename)
-
-
-def _copied(source: Source) -> Iterator[Hashable]:
-    """The same of what a file may be a copy of."""
-    yield source.kind, source.text
-    if source.kind == "udev-rules":
-        yield "rules", source.basename
-    if not source.template:
+    if named:
         yield "made", final_name(source.basename)
 
 
