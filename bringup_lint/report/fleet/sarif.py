@@ -14,7 +14,6 @@ from bringup_lint.dataclass import dataclass
 from bringup_lint.fleet.fleet import FleetFinding
 from bringup_lint.fleet.summary import Own
 from bringup_lint.fleet.summary import Summary
-from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.report.fleet.model import FleetReport
 from bringup_lint.report.fleet.rows import indented
 from bringup_lint.report.fleet.rows import rows
@@ -45,23 +44,18 @@ class Part:
         return frozenset(robot.name for robot in self.robots)
 
     @property
-    def everything(self) -> Iterator[_Found]:
-        """The findings with their severity and rule, the most severe first."""
+    def everything(self) -> Iterator[FleetFinding | Own]:
+        """The findings, the most severe first."""
         for level in _LEVELS.values():
             for found in self.report.shown:
                 if _LEVELS[str(found.severity)] == level and not self.names.isdisjoint(found.robots):
-                    yield _Found(found.rule, found)
+                    yield found
             for robot in self.robots:
-                yield from (_Found(own.rule, own) for own in robot.own if _LEVELS[own.severity] == level)
+                yield from (own for own in robot.own if _LEVELS[own.severity] == level)
 
     @property
-    def kept(self) -> Iterator[_Found]:
+    def kept(self) -> Iterator[FleetFinding | Own]:
         return islice(self.everything, MOST_RESULTS)
-
-
-class _Found(NamedTuple):
-    rule: str
-    found: FleetFinding | Own
 
 
 def render(report: FleetReport) -> Iterator[str]:
@@ -84,11 +78,11 @@ def _parts(report: FleetReport) -> Iterator[Part]:
 
 def _run(part: Part) -> Iterator[str]:
     report, names = part.report, part.names
-    left_out = sum(1 for _ in part.everything) - MOST_RESULTS
+    used, left_out = _counted(part)
     failures = [*report.failures, *(failure for robot in part.robots for failure in robot.failures)]
     told = list(failures)
     told += [f"{left_out} results are left out: a run holds at most {MOST_RESULTS}"] * (left_out > 0)
-    rules = [_rule(report.rules[name]) for name in sorted({each.rule for each in part.kept} & set(report.rules))]
+    rules = [_rule(report.rules[name]) for name in sorted(used & set(report.rules))]
     head = {
         "tool": {"driver": {"name": "bringup-lint", "semanticVersion": report.version, "rules": rules}},
         "automationDetails": {"id": f"bringup-lint/fleet/{min(names) if len(names) == 1 else 'others'}/"},
@@ -101,8 +95,18 @@ def _run(part: Part) -> Iterator[str]:
         "columnKind": "unicodeCodePoints",
     }
     yield indented(written(head).removesuffix("\n}"), "    ") + ",\n"
-    yield from rows('      "results": ', (_result(each.found, names) for each in part.kept), "      ")
+    yield from rows('      "results": ', (_result(each, names) for each in part.kept), "      ")
     yield "\n    }"
+
+
+def _counted(part: Part) -> tuple[set[str], int]:
+    """The rules of the findings that are kept, and how many are left out; the others are counted only."""
+    used: set[str] = set()
+    count = 0
+    for count, found in enumerate(part.everything, 1):
+        if count <= MOST_RESULTS:
+            used.add(found.rule)
+    return used, max(0, count - MOST_RESULTS)
 
 
 def _result(found: FleetFinding | Own, names: frozenset[str]) -> dict[str, Any]:
