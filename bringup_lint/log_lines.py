@@ -80,8 +80,13 @@ def explained(line: str, rules: Iterable[Rule]) -> Answer:
     weights = Weights.of(symptom for rule in known for symptom in rule.meta.symptoms)
     read = _plain(line[:LONGEST])
     speaker = speaker_of(line)
-    matches = _matches(_bare(read), known, weights, speaker) or _matches(read, known, weights, speaker)
-    causes = list(_other_causes(_bare(read), weights)) or ([] if matches else list(_other_causes(read, weights)))
+    bare = _bare(read)
+    matches = _matches(bare, known, weights, speaker)
+    if not matches and bare != read:
+        matches = _matches(read, known, weights, speaker)
+    causes = list(_other_causes(bare, weights))
+    if not causes and not matches and bare != read:
+        causes = list(_other_causes(read, weights))
     other = max(causes, key=lambda cause: cause.score, default=None)
     if other is not None and (not matches or other.score > matches[0].score):
         return Answer(other=other)
@@ -175,12 +180,17 @@ def _score(line: str, symptom: str, weights: Weights) -> float:
 def _holds(line: str, pattern: str) -> bool:
     """Whether a line holds the parts of a pattern between its ``*``, in their order; a number at its end is whole."""
     at = 0
-    for part in pattern.split("*"):
+    *parts, last = pattern.split("*")
+    for part in parts:
         at = line.find(part, at)
         if at < 0:
             return False
         at += len(part)
-    return not (pattern[-1:].isdigit() and line[at : at + 1].isdigit())
+    while (found := line.find(last, at)) >= 0:
+        at = found + len(last)
+        if not (last[-1:].isdigit() and line[at : at + 1].isdigit()):
+            return True
+    return False
 
 
 @cache

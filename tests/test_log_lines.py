@@ -13,6 +13,7 @@ import pytest
 
 from bringup_lint.facts import table
 from bringup_lint.log_lines import Answer
+from bringup_lint.log_lines import _holds
 from bringup_lint.log_lines import explained
 from bringup_lint.log_lines import speaker_of
 from bringup_lint.registry import Registry
@@ -234,6 +235,21 @@ def test_words_that_pass_a_message_on_do_not_count() -> None:
 def test_a_number_at_the_end_of_a_known_line_is_whole() -> None:
     assert first("nav-1 exited with code 1") == "compose/restart-missing"
     assert answer("nav-1 exited with code 139").other
+
+
+@pytest.mark.parametrize(
+    ("line", "pattern", "held"),
+    [
+        ("exit 12, then exit 1", "exit 1", True),
+        ("a exit 12, then exit 1", "a*exit 1", True),
+        ("exit 139", "exit 1", False),
+        ("exit 12, then exit 13", "exit 1", False),
+        ("exit 1", "exit*1", True),
+        ("exit 1", "exit*", True),
+    ],
+)
+def test_a_line_may_hold_the_end_of_a_pattern_later(line: str, pattern: str, held: bool) -> None:
+    assert _holds(line, pattern) is held
 
 
 SHORT = {"iface": "interface", "perms": "mode|permission", "ws": "workspace", "tf": "transform"}
