@@ -260,12 +260,12 @@ class Tree:
             return None
         return self._referred(absolute)
 
-    def neighbours(self, source: Source) -> list[str]:
-        """The walked files in the folder of a source."""
+    def walked_in(self, folder: str) -> list[str]:
+        """The walked files in a folder, an absolute path."""
         if not self._by_folder:
             for path in self.paths:
                 self._by_folder.setdefault(os.path.dirname(path), []).append(path)
-        return self._by_folder.get(os.path.dirname(os.path.abspath(source.name)), [])
+        return self._by_folder.get(folder, [])
 
     def real_path(self, path: str) -> str:
         """The absolute path without links; links that lead nowhere, or out of the tree, stay as they are."""

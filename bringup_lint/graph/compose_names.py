@@ -147,7 +147,7 @@ def _is_made(files: Files, path: str) -> bool:
     folder, name = os.path.split(path)
     if any(path.startswith(each) for each in files.tree.submodules):
         return True
-    if any(os.path.basename(each).startswith(name) for each in files.tree.paths if os.path.dirname(each) == folder):
+    if any(os.path.basename(each).startswith(name) for each in files.tree.walked_in(folder)):
         return True
     return any(name in source.text for source in files.sources if source.kind == "shell-script")
 

@@ -29,6 +29,7 @@ When a step outside of the repository makes the script executable.
 - git-update-index(1), --chmod
 """
 
+import os
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -87,6 +88,6 @@ def _is_changed(robot: Robot, runner: Runner, script: Source) -> bool:
 def _instructions(robot: Robot, script: Source) -> Iterator[str]:
     """What the documentation beside the script says."""
     tree = robot.files.tree
-    for path in tree.neighbours(script):
+    for path in tree.walked_in(os.path.dirname(script.absolute)):
         page = tree.read(path, judged=False) if path.endswith((".md", ".rst", ".txt")) else None
         yield page.text if page is not None else ""

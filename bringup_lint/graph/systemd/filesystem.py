@@ -95,10 +95,8 @@ class Filesystem:
         for robot_top, top in sorted(self._checkouts):
             if not f"{folder}/".startswith(f"{robot_top}/"):
                 continue
-            inside = top + folder[len(robot_top) :]
-            yield from (
-                f"{folder}/{_basename(path)}" for path in self.files.tree.paths if path.rpartition("/")[0] == inside
-            )
+            inside = self.files.tree.walked_in(top + folder[len(robot_top) :])
+            yield from (f"{folder}/{_basename(path)}" for path in inside)
 
     @cached_property
     def _checkouts(self) -> frozenset[tuple[str, str]]:
