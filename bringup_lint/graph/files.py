@@ -17,7 +17,6 @@ from bringup_lint.budget import OutOfTime
 from bringup_lint.budget import limited
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
-from bringup_lint.graph.memo import memo
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.graph.purpose import Purposes
 from bringup_lint.graph.purpose import by_names
@@ -80,6 +79,7 @@ class Files:
         """Take in a source that comes later, of a kind that nothing asked for before."""
         self._by_kind.setdefault(source.kind, []).append(source)
         self.sources.append(source)
+        self._mentioned.clear()
 
     def of_kind(self, *kinds: str) -> list[Source]:
         return [source for kind in kinds for source in self._by_kind.get(kind, ())]
@@ -103,10 +103,16 @@ class Files:
         """The kinds of file in the tree."""
         return frozenset(self._by_kind)
 
-    @memo
     def mentions(self, pattern: re.Pattern[str]) -> bool:
         """Whether the text of a judged file matches."""
-        return any(pattern.search(source.said) for source in self.sources if source.judged)
+        if pattern not in self._mentioned:
+            self._mentioned[pattern] = any(pattern.search(each.said) for each in self.sources if each.judged)
+        return self._mentioned[pattern]
+
+    @cached_property
+    def _mentioned(self) -> dict[re.Pattern[str], bool]:
+        """What ``mentions`` answered, as long as no source joins."""
+        return {}
 
     @property
     def problems(self) -> list[Problem]:

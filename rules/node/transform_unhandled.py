@@ -36,9 +36,11 @@ When the node is meant to end, and what starts it starts it again.
 """
 
 from collections.abc import Iterator
+from typing import NamedTuple
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
+from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import nodes
 from bringup_lint.api import note
@@ -47,36 +49,38 @@ from bringup_lint.api import rule
 SYMPTOMS = ["tf2.LookupException", "tf2.ExtrapolationException: Lookup would require extrapolation into the future"]
 
 
+class Language(NamedTuple):
+    exception: str
+    end: str
+
+
+PYTHON = Language("tf2_ros.TransformException", "the node exits")
+CPP = Language("tf2::TransformException", "the process aborts")
+
+
 @rule("warning", symptoms=SYMPTOMS)
 def transform_unhandled(robot: Robot) -> Iterator[Finding]:
     for file, node in robot.nodes.with_callbacks:
         found = list(nodes.unhandled_transforms(robot.nodes.ending(file), node))
-        for first in found[:1]:
-            callback = first.callback
-            yield finding(
-                file.span_of(first.call),
-                f"{first.name}() does not handle that the transform is missing or late: the node exits",
-                advice="catch tf2_ros.TransformException, and go without this message",
-                related=[
-                    note(callback.span, f"{callback.name or 'a lambda'} is the callback of {callback.kind}"),
-                    *(note(file.span_of(each.call), "the same") for each in found[1:]),
-                ],
-                severity=nodes.lowered(robot.nodes.purpose(file.source), "warning"),
-            )
+        if found:
+            spans = [file.span_of(each.call) for each in found]
+            yield _finding(robot, PYTHON, spans, found[0].callback, f"{found[0].name}()")
     for source in robot.nodes.cpp:
-        for lookup in source.lookups[:1]:
-            callback = lookup.callback
-            yield finding(
-                lookup.span,
-                f"{_name(callback)} does not handle that the transform is missing or late: the process aborts",
-                advice="catch tf2::TransformException, and go without this message",
-                related=[
-                    note(callback.span, f"{callback.name or 'a lambda'} is the callback of {callback.kind}"),
-                    *(note(each.span, "the same") for each in source.lookups[1:]),
-                ],
-                severity=nodes.lowered(robot.nodes.purpose(source.source), "warning"),
-            )
+        if source.lookups:
+            callback = source.lookups[0].callback
+            name = f"{callback.name}()" if callback.name is not None else "The callback"
+            yield _finding(robot, CPP, [each.span for each in source.lookups], callback, name)
 
 
-def _name(callback: nodes.Callback) -> str:
-    return f"{callback.name}()" if callback.name is not None else "The callback"
+def _finding(robot: Robot, language: Language, spans: list[Span], callback: nodes.Callback, function: str) -> Finding:
+    first, *others = spans
+    return finding(
+        first,
+        f"{function} does not handle that the transform is missing or late: {language.end}",
+        advice=f"catch {language.exception}, and go without this message",
+        related=[
+            note(callback.span, f"{callback.name or 'a lambda'} is the callback of {callback.kind}"),
+            *(note(each, "the same") for each in others),
+        ],
+        severity=nodes.lowered(robot.nodes.purpose(first.source), "warning"),
+    )

@@ -1,14 +1,15 @@
 """A package needs another one that its package.xml does not declare.
 
 ## What it finds
-What launch files start and include, nodes import at their top and CMake finds with REQUIRED, and what neither the
-package.xml nor that of a package of the workspace on which it depends declares. It is a warning
+Packages that launch files start or include, that nodes import at their top or that CMake finds with REQUIRED, if
+neither the package.xml nor that of a package of the workspace on which it depends declares them. It is a warning
 
 - when CMake finds a package of the same workspace;
 - when ros-base lacks the package, module or library, and no package.xml, script, image, list of repositories or
   documentation of the tree names it or something that brings it.
 
-Everything else is info: it is there on most robots.
+Other packages of which launch files start nodes or include files are an info: they are there on most robots. Nothing is
+said of other modules and libraries.
 
 ## Why it matters on a robot
 A dependency that is missing in package.xml works on the developer's machine and fails on a fresh robot: rosdep does not
@@ -43,10 +44,8 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Fix
-from bringup_lint.api import Located
 from bringup_lint.api import Related
 from bringup_lint.api import Robot
-from bringup_lint.api import Source
 from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -133,18 +132,19 @@ def _harmless(robot: Robot, package: launch.Package, started: list[Need]) -> Fin
     first = started[0]
     tag = package.manifest.tag_at_runtime
     starts = robot.launch.workspace.packages.get(str(first.name))
-    if starts is not None and package.name in robot.launch.workspace.required(starts):
+    circular = starts is not None and package.name in robot.launch.workspace.required(starts)
+    if circular:
         advice = f"{first.name} depends on {package.name}: start it from a launch file of {first.name}"
     else:
         advice = f"add <{tag}>{first.name}</{tag}> to the package.xml"
     own = robot.dependencies.is_of_workspace(first)
     built = f"colcon build --packages-up-to {package.name} leaves it out"
     return finding(
-        _place(package),
+        _last(package) or package.place,
         f"{package.name} starts {first.name} and does not declare it: {built if own else 'rosdep does not install it'}",
         advice=advice,
         related=_places(started),
-        fix=None if advice.endswith(f"of {first.name}") else dependency(package, started),
+        fix=None if circular else dependency(package, started),
         severity="info",
     )
 
@@ -155,7 +155,7 @@ def _found(
     declared = [(tag_of(package, need), key_of(need)) for need in needs if key_of(need)]
     tag, key = declared[0] if declared else ("", "")
     return finding(
-        _place(package),
+        _last(package) or package.place,
         message,
         advice=f"add <{tag}>{key}</{tag}> to the package.xml of {package.name}"
         if key
@@ -166,10 +166,10 @@ def _found(
     )
 
 
-def _place(package: launch.Package) -> Span | Located | Source:
-    manifest = package.manifest
-    last = next((manifest.places[tag] for tag in (*BESIDE, *manifest.places) if tag in manifest.places), None)
-    return last or package.place
+def _last(package: launch.Package) -> Span | None:
+    """The dependency below which another one is written: the last of its kind."""
+    places = package.manifest.places
+    return next((places[tag] for tag in (*BESIDE, *places) if tag in places), None)
 
 
 def _places(needs: list[Need]) -> list[Related]:
@@ -189,8 +189,7 @@ def tag_of(package: launch.Package, need: Need) -> str:
 
 def dependency(owner: launch.Package, needs: list[Need]) -> Fix | None:
     """More dependencies below the last of their kind, past a comment in its line."""
-    manifest = owner.manifest
-    last = next((manifest.places[tag] for tag in (*BESIDE, *manifest.places) if tag in manifest.places), None)
+    last = _last(owner)
     lines = dict.fromkeys(
         f"<{tag_of(owner, need)}>{key_of(need)}</{tag_of(owner, need)}>" for need in needs if key_of(need)
     )
