@@ -2,8 +2,9 @@
 
 ## What it finds
 `ROS_DOMAIN_ID` or `RMW_IMPLEMENTATION` in some ROS services of a file, while another ROS service sets neither the
-variable nor an env file. Only services whose images are the same, have the same namespace, or are official
-ROS images are compared, and only those that one choice of `profiles` starts together.
+variable nor an env file. Only services whose images are the same, have the same namespace, or are official ROS images
+are compared, and only those that one choice of `profiles` starts together. Silent for bridges between domains, such as
+domain_bridge, the DDS Router and zenoh-bridge-ros2dds: they are in the domains that their own configuration names.
 
 ## Why it matters on a robot
 Nodes in different domains never see each other, and nodes with different middlewares do so only by luck. The
@@ -24,7 +25,7 @@ services:
 ```
 
 ## When to ignore it
-When the service is in another domain on purpose, for example a simulator or a bridge.
+When the service is in another domain on purpose, for example a simulator.
 
 ## References
 - https://github.com/hucebot/g1pilot/issues/30

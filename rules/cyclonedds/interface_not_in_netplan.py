@@ -5,11 +5,12 @@ An interface name that no file of the robot's netplan defines. Files are compare
 same root and the tree has exactly one netplan configuration. Not reported are:
 - names that a `match:` may give
 - names of containers, tunnels or USB gadgets
+- names of NetworkManager's profiles, and names that a .link or .netdev file, a udev rule or `ip link add` gives
 - `presence_required="false"`, if other interfaces are listed too
 
-Names that a network card gets by default (`enp3s0`, `wlan0`, `eth0`) are a warning if netplan configures a
-physical interface. A netplan file that a script copies to the robot need not be all that is there: it makes the
-finding an info.
+Names that a network card gets by default (`enp3s0`, `wlan0`, `eth0`) are a warning if netplan configures a physical
+interface. If a netplan file is outside of `/etc/netplan`, for example where a script copies it from, others may be on
+the robot: the finding is an info.
 
 ## Why it matters on a robot
 The library reports `eth0: does not match an available interface` and creates no participant: no ROS node

@@ -4,8 +4,9 @@
 `AllowMulticast` is `false`, and no `Peer` is listed. On Iron and later the finding is a warning, because
 `ROS_STATIC_PEERS` and the LOCALHOST discovery range add peers.
 
-Not reported where the library adds the computer's own address: on the loopback interface and with
-`multicast="false"` at the interface (up to 0.10), and from 11 on unless `AddLocalhost` is `false`.
+Not reported where the library adds the computer's own address: on the loopback interface and with `multicast="false"`
+at the interface (up to 0.10), and from 11 on unless `AddLocalhost` is `false`. Silent, too, if a process reads the file
+together with others: one of them may list the peers.
 
 ## Why it matters on a robot
 Without multicast, a participant contacts only the peers that are listed. The robot starts, and no node
@@ -32,7 +33,7 @@ discovers another one, not even on the same computer.
 ```
 
 ## When to ignore it
-If the peers come from `ROS_STATIC_PEERS`, or from a second file in `CYCLONEDDS_URI` that is not in the tree.
+If the peers come from `ROS_STATIC_PEERS`, or from a file that only the robot's own `CYCLONEDDS_URI` adds.
 
 ## References
 - Cyclone DDS 0.10.5, q_init.c; 11.0.1, ddsi_init.c, tested with the real library

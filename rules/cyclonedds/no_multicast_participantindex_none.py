@@ -1,9 +1,9 @@
 """Multicast is off, but unicast discovery cannot find random ports.
 
 ## What it finds
-`AllowMulticast` is `false` and `ParticipantIndex` is `none`, either set or by default. Up to 0.10 the default
-is `none`. On Jazzy and Kilted rmw_cyclonedds sets `auto` before it reads the file. From 11 on the library's
-own default works.
+`AllowMulticast` is `false` and `ParticipantIndex` is `none`, either set or by default. Up to 0.10 the default is
+`none`. On Jazzy and Kilted rmw_cyclonedds sets `auto` before it reads the file. From 11 on the library's own default
+works. The default does not count if a process reads the file together with others, which may set the index.
 
 ## Why it matters on a robot
 Unicast discovery looks for other processes at the ports of the indices 0, 1, 2 and so on. With `none` every

@@ -7,6 +7,8 @@ address, and not by an address from its netplan.
 - **info**: the robot's addresses are not known. Only lists of plain addresses are checked then, because a
   host name may be the robot.
 
+Silent if a process reads the file together with others, which may list the robot.
+
 ## Why it matters on a robot
 A process contacts only its peers. If the list does not include the robot's own computer, its nodes do not
 discover each other, although they discover those on other machines.

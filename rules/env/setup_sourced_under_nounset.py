@@ -2,7 +2,8 @@
 
 ## What it finds
 `source .../setup.bash` in a script after `set -u`, `set -eu...` or `set -o nounset`, without a `set +u` in between.
-Silent if the script sets AMENT_TRACE_SETUP_FILES.
+Only setup files below `/opt/ros/`, `install/` and `devel/` count, because another `setup.sh` may be anything. Silent if
+the script sets AMENT_TRACE_SETUP_FILES.
 
 ## Why it matters on a robot
 The ROS setup files read variables that are not set: the script exits there, and the service with it.
@@ -21,7 +22,7 @@ set -u
 ```
 
 ## When to ignore it
-When the environment of the script always sets AMENT_TRACE_SETUP_FILES, or the setup file is your own.
+When the environment of the script always sets AMENT_TRACE_SETUP_FILES.
 
 ## References
 - bash(1), "set -u"

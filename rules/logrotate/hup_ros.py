@@ -1,7 +1,8 @@
 """A postrotate script sends SIGHUP to ROS: the robot's software exits at every rotation.
 
 ## What it finds
-A script of a stanza that sends SIGHUP to a unit that runs ROS, or to ROS processes directly.
+A script of a stanza that sends SIGHUP to a unit that runs ROS, or to ROS processes directly. It is a warning if the
+stanza rotates logs of ROS and `systemctl` signals a unit that is neither in the tree nor one of the distribution.
 
 ## Why it matters on a robot
 Neither ros2 launch nor the nodes handle SIGHUP: it kills them. systemd counts this as a clean exit, so that

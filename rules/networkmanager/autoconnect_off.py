@@ -2,7 +2,8 @@
 
 ## What it finds
 `autoconnect=false` in the only Wi-Fi profile of a folder of profiles, where no other profile connects by itself.
-Without the key, NetworkManager connects by itself: the default is true. Profiles of access points are left out.
+Without the key, NetworkManager connects by itself: the default is true. Profiles of access points, ad-hoc and mesh
+networks are left out. Silent if a file of the tree runs `nmcli ... up`.
 
 ## Why it matters on a robot
 After a restart, or when the robot leaves the range of the access point and comes back, nobody runs `nmcli connection
@@ -24,7 +25,7 @@ type=wifi
 ```
 
 ## When to ignore it
-If a script or a unit brings the profile up.
+If a script or a unit outside of the tree brings the profile up.
 
 ## References
 - nm-settings(5), "autoconnect"

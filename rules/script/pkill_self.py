@@ -2,7 +2,8 @@
 
 ## What it finds
 `pkill -f PATTERN` in a script whose own name the pattern matches, and in the text after `sh -c` of a unit, container or
-cron job, where other commands follow or precede it. A pattern such as `[r]os2`, which does not match itself, is fine.
+cron job, where other commands follow or precede it. In a script it is an info if only messages or `exit` follow. Only
+patterns without special characters are compared. A pattern such as `[r]os2`, which does not match itself, is fine.
 
 ## Why it matters on a robot
 `pkill -f` compares the pattern with whole command lines. That of the shell, `bash ./ros2_cleanup.sh`, matches as well:

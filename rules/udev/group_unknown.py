@@ -1,9 +1,10 @@
 """A rule names a group or user that nothing creates.
 
 ## What it finds
-`GROUP` or `OWNER` with a name that Debian and Ubuntu systems do not have by default, and that no sysusers.d
-file, script or document of the tree creates. In a root file system, /etc/group and /etc/passwd decide. In a tree that
-creates no users or groups at all, it is an info: the accounts come from elsewhere.
+`GROUP` or `OWNER` with a name that Debian and Ubuntu systems do not have by default, and that no sysusers.d file,
+script or document of the tree creates. In a root file system, /etc/group and /etc/passwd decide. In another tree that
+creates no users or groups at all, it is an info: the accounts come from elsewhere. Silent where a task or command
+creates accounts whose names it takes from variables.
 
 ## Why it matters on a robot
 udev logs 'Unknown group, ignoring', and the device node stays with root: the driver gets 'permission denied'.
