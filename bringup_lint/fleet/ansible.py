@@ -62,13 +62,17 @@ class Hosts:
     """By host."""
     members: dict[str, set[str]] = field(default_factory=dict)
     """Host -> the groups that list it."""
+    _depths: dict[tuple[str, int], int] = field(default_factory=dict)
     _around: dict[frozenset[str], list[str]] = field(default_factory=dict)
 
     def depth(self, name: str, left: int = _DEPTH) -> int:
         """How many groups lie around a group at most; a circle ends somewhere."""
         if name == _ALL or not left:
             return 0
-        return 1 + max((self.depth(parent, left - 1) for parent in self.groups[name].parents), default=0)
+        if (name, left) not in self._depths:
+            above = (self.depth(parent, left - 1) for parent in self.groups[name].parents)
+            self._depths[name, left] = 1 + max(above, default=0)
+        return self._depths[name, left]
 
     def groups_of_hosts(self) -> dict[str, frozenset[str]]:
         """The hosts of each group and of those in it."""

@@ -87,6 +87,16 @@ def test_a_circle_of_groups_ends(tmp_path: Path) -> None:
         read_inventory([str(tmp_path / "hosts.yml")])
 
 
+def test_groups_that_lie_around_each_other_in_many_layers(tmp_path: Path) -> None:
+    inward = ["{" + ", ".join(f"{name}{at}: " for name in "abc") + "}" for at in range(1, 19)]
+    layers = [f"{name}{at}:\n  children: {inner}\n" for at, inner in enumerate(inward) for name in "abc"]
+    root = "all:\n  vars: {bringup_lint_root: robot}\n"
+    outer = "z:\n  vars: {bringup_lint_role: outer}\n  children: {a0: }\n"
+    innermost = "a18:\n  hosts: {alpha: }\n  vars: {bringup_lint_role: innermost}\n"
+    write(tmp_path, {"hosts.yml": "".join([root, *layers, innermost, outer]), "robot/etc/hostname": "alpha\n"})
+    assert [each.role for each in read_inventory([str(tmp_path / "hosts.yml")]).members] == ["innermost"]
+
+
 def test_files_of_a_role_that_is_not_deployed_are_on_no_robot(tmp_path: Path) -> None:
     key = "[Interface]\nPrivateKey = " + "Q" * 43 + "=\n"
     hosts = 'all:\n  vars: {bringup_lint_root: ".", bringup_lint_overlays: ["robots/{{ inventory_hostname }}"]}\n'
