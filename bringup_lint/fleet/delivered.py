@@ -151,7 +151,7 @@ def _of_role(name: str, folder: str, walk: _Walk, left: int) -> Iterator[_Task]:
     """The tasks of a role, and of those that it depends on."""
     read = walk.project.read
     places = [os.path.join(top, "roles", name) for top in dict.fromkeys((folder, walk.project.folder))]
-    role = next(filter(os.path.isdir, places), None)
+    role = next(filter(os.path.isdir, filter(walk.project.holds, places)), None)
     if not name or role is None or not left or not walk.is_new(os.path.realpath(role)):
         return
     meta = next(mappings(read(role, "meta", "main.yml")), None)
@@ -192,8 +192,10 @@ def _files(copy: _Copy, project: Project) -> Iterator[tuple[str, str]]:
     if not name or os.path.isabs(name) or ".." in name.split("/"):
         return
     whole = [os.path.join(copy.folder, inner, name) for inner in _SOURCES]
+    if not all(map(project.holds, whole)):
+        return
     found = [os.path.normpath(each) for each in whole if os.path.exists(each)]
-    if len(set(found)) != 1 or not project.holds(found[0]):
+    if len(set(found)) != 1:
         return
     if os.path.isfile(found[0]):
         target = destination(copy.place, os.path.basename(found[0]), several=False)
