@@ -1,0 +1,18 @@
+"""What every layer may ask of the files."""
+
+from __future__ import annotations
+
+import re
+
+from bringup_lint.discover.tree import Tree
+from bringup_lint.graph.files import Files
+from bringup_lint.source import Source
+
+REBOOTS = re.compile(r"\breboot\b")
+
+
+def test_a_source_that_joins_later_is_searched_for_what_was_asked_before() -> None:
+    files = Files(Tree(sources=[Source("a.sh", "ls\n", kind="shell-script")]))
+    assert not files.mentions(REBOOTS)
+    files.join(Source("b.sh", "reboot\n", kind="shell-script"))
+    assert files.mentions(REBOOTS)
