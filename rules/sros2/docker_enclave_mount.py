@@ -43,8 +43,6 @@ from bringup_lint.api import rule
 
 @rule("error", symptoms=["SECURITY ERROR: directory"])
 def docker_enclave_mount(robot: Robot) -> Iterator[Finding]:
-    if not robot.of_kind("compose"):
-        return
     for service in robot.compose.services:
         variable = service.environment.get("ROS_SECURITY_KEYSTORE")
         value = variable.value if variable is not None else None
