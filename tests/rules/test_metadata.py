@@ -18,7 +18,7 @@ from bringup_lint.report.docs import HEADINGS
 @cache
 def rules() -> list[Rule]:
     registry = Registry.of()
-    return [load(registry.paths[rule_id], rule_id) for rule_id in sorted(registry.paths)]
+    return [load(path, rule_id) for rule_id, path in sorted(registry.paths.items())]
 
 
 def other_than(holds: Callable[[Rule], bool]) -> list[str]:

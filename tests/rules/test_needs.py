@@ -115,8 +115,9 @@ def needs_of_file(path: Path) -> Needs:
 def silent(robot: Robot) -> Iterator[tuple[str, Path]]:
     """The rules whose needs a robot does not meet."""
     registry = Registry.of()
+    paths = registry.paths
     for rule_id in registry.ids_for(robot):
-        path = registry.paths[rule_id]
+        path = paths[rule_id]
         if not is_met(needs_of_file(path), robot):
             yield rule_id, path
 
