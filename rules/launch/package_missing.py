@@ -23,18 +23,15 @@ When both packages exist, and the other one is not in this repository.
 - ament_index, `get_package_prefix`
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
-from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import launch
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api.spelling import nearest
 
 
 @rule(
@@ -47,7 +44,7 @@ def package_missing(robot: Robot) -> Iterator[Finding]:
         owner = workspace.owner(node.file.source)
         if package is None or owner is None or package == owner.name or owner.depends_on(package):
             continue
-        near = _near(robot, package)
+        near = robot.launch.meant(package)
         if near is not None:
             yield finding(
                 package,
@@ -59,12 +56,3 @@ def package_missing(robot: Robot) -> Iterator[Finding]:
                 if package.span.text == package
                 else None,
             )
-
-
-def _near(robot: Robot, package: Located) -> launch.Package | None:
-    """The package of the workspace that is meant by a name which nobody has."""
-    workspace = robot.launch.workspace
-    known = package in workspace.packages or package in workspace.ambiguous or robot.launch.is_known_package(package)
-    near = nearest(package, sorted(workspace.packages)) if not known and len(package) > 5 else []
-    names = [other for other in near if re.sub(r"\d", "", other) != re.sub(r"\d", "", package)]
-    return workspace.packages[names[0]] if names else None

@@ -84,7 +84,8 @@ ASKED = {
 )
 def undeclared_dependency(robot: Robot) -> Iterator[Finding]:
     for package in robot.launch.workspace.packages.values():
-        needs = [need for need in robot.dependencies.undeclared(package) if not PLACEHOLDER.search(need.name)]
+        undeclared = robot.dependencies.undeclared(package)
+        needs = [each for each in undeclared if not PLACEHOLDER.search(each.name) and not robot.launch.meant(each.name)]
         if not needs or not robot.dependencies.judged(package):
             continue
         stopping = [need for need in needs if robot.dependencies.stops_build(need)]

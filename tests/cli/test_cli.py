@@ -363,12 +363,12 @@ def test_only_what_is_asked_for_is_reported(tmp_path: Path) -> None:
     subprocess.run(["git", "init", "-q"], cwd=tmp_path, check=True)
     unit = tmp_path / "etc/systemd/system/robot.service"
     unit.parent.mkdir(parents=True)
-    unit.write_text("[Service]\nExecStart=/bin/true\nEnvironmentFile=/opt/rover/settings\n")
+    unit.write_text("[Service]\nExecStart=/bin/true\nEnvironmentFile=/opt/rover/rover.env\n")
     (tmp_path / "opt/rover").mkdir(parents=True)
-    (tmp_path / "opt/rover/settings").write_bytes(b"A=\xff\n")
+    (tmp_path / "opt/rover/rover.env").write_bytes(b"A=\xff\n")
     (tmp_path / "notes.service").write_text(CLEAN)
-    assert "opt/rover/settings:1:1" in lint("--output-format", "concise", ".", cwd=tmp_path).stdout
-    assert "settings" not in lint("--output-format", "concise", "notes.service", cwd=tmp_path).stdout
+    assert "opt/rover/rover.env:1:1" in lint("--output-format", "concise", ".", cwd=tmp_path).stdout
+    assert "rover.env" not in lint("--output-format", "concise", "notes.service", cwd=tmp_path).stdout
 
 
 def test_options_may_precede_a_command(tmp_path: Path) -> None:

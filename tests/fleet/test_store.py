@@ -81,6 +81,7 @@ def peak(summaries: Iterable[Summary], robots: int) -> int:
         tracemalloc.stop()
 
 
+@pytest.mark.slow
 def test_memory_does_not_grow_with_what_robots_say() -> None:
     few, more = peak(many(20), 20), peak(many(220), 220)
     assert more - few < 200 * 2048

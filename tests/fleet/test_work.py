@@ -59,6 +59,7 @@ def kill_on_some(member: Member, job: Job) -> Summary:
     return Summary(member.name, member.role)
 
 
+@pytest.mark.slow
 def test_a_robot_that_kills_its_workers_costs_no_other(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("bringup_lint.fleet.work.work", kill_on_some)
     members = [Member(f"rover-{number:02}", ("/",)) for number in range(20)]

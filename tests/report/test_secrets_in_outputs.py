@@ -61,6 +61,7 @@ def test_baseline_holds_no_secret(tree: Path, tmp_path: Path) -> None:
     assert [each for each in planted() if each.secret in text] == []
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("each", planted(), ids=lambda each: f"{each.file}-{each.secret}")
 def test_explain_repeats_no_secret(each: Planted, tmp_path: Path) -> None:
     run = lint("explain", f"qqqq\n{each.text}", cwd=tmp_path)

@@ -51,6 +51,7 @@ def findings(tree: Path) -> Counter[Found]:
     return Counter((each["rule"], each["location"]["path"], each["message"]) for each in found)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "rules"), BATCHES, ids=[rules[0] for _, rules in BATCHES])
 def test_mending_a_defect_removes_its_finding_alone(
     name: str, rules: list[str], trees: dict[str, Path], before: dict[str, Counter[Found]]

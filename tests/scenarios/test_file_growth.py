@@ -17,7 +17,7 @@ from bringup_lint.registry import Registry
 from tests.conftest import PROJECT
 from tests.growth import is_linear
 
-QUICK, ALL = 6, 60
+QUICK, ALL = 2, 60
 """Combinations of a quick run, and of a whole one."""
 SMALL = 8 * 1024
 """Bytes of the smaller file."""
@@ -94,6 +94,7 @@ def test_a_step_that_takes_more_than_its_share_is_followed() -> None:
     assert not GROWTH.is_suspicious([0.001, 0.05])
 
 
+@pytest.mark.slow
 def test_the_parts_of_a_sweep_are_all_of_it() -> None:
     kinds = ["journald", "udev-rules"]
     parts = [each for part in ("1/3", "2/3", "3/3") for each in GROWTH.chosen(kinds, part)]

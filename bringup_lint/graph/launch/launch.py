@@ -52,11 +52,13 @@ from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.source import Span
+from bringup_lint.spelling import nearest
 
 if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
     from bringup_lint.graph.launch.grammar import Refusal
 
+_DIGIT = regex(r"\d")
 _VIEW = regex(r"(?:^|[/_.-])(?:display|view\w*|rviz\w*)(?:$|[/_.-])")
 """Paths of launch files that only show something."""
 _LIFECYCLE = regex(r"lifecycle|nav2_util|nav2_ros_common")
@@ -423,6 +425,14 @@ class Launch:
     def is_known_package(self, name: str) -> bool:
         """Whether a package is a public one that the tables know, so that its name is no misspelling."""
         return name in packages() or name.startswith(PUBLIC)
+
+    def meant(self, package: str) -> Package | None:
+        """The package of the workspace that is meant by a name which nobody has."""
+        packages = self.workspace.packages
+        known = package in packages or package in self.workspace.ambiguous or self.is_known_package(package)
+        near = nearest(package, sorted(packages)) if not known and len(package) > 5 else []
+        names = [other for other in near if _DIGIT.sub("", other) != _DIGIT.sub("", package)]
+        return packages[names[0]] if names else None
 
     def comes_with(self, owner: Package, name: str) -> bool:
         """Whether a package is there when another one's dependencies are, as far as this can be told: through packages

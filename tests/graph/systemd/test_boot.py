@@ -44,6 +44,7 @@ SHAPES = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("lines", SHAPES.values(), ids=SHAPES)
 @pytest.mark.parametrize("last", ["After=network-online.target", "Requires=r0.service"])
 def test_questions_of_all_units_grow_as_the_units_do(
