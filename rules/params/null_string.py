@@ -1,8 +1,9 @@
 """A null is read as text.
 
 ## What it finds
-`null` and `~` as values, as a warning. `None` and `none` as values, as info. Silent for parameters that the node
-declares as a string.
+`null` and `~` as values: a warning where a node of the tree declares the parameter with another type than a string, and
+info where no declaration is known. `None` and `none` as values, as info. Silent for parameters that the node declares
+as a string.
 
 ## Why it matters on a robot
 rcl has no null: the node gets the text "null", not an unset parameter.
@@ -35,6 +36,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
+_UNKNOWN = "one that declares another type than a string exits with an exception"
 _NULLS = ("null", "~", "NULL", "Null", "None", "none")
 
 
@@ -44,12 +46,13 @@ def null_string(robot: Robot) -> Iterator[Finding]:
         if robot.params.reader(file) == "pyyaml":
             continue
         for item in robot.params.items(parameter):
-            if item.quoted or item.text not in _NULLS or robot.params.declared_type(parameter) == "string":
+            declared = robot.params.declared_type(parameter)
+            if item.quoted or item.text not in _NULLS or declared == "string":
                 continue
             yield finding(
                 item.span,
-                f"'{parameter.name}' is the text \"{item.text}\" for the node, not an unset parameter: a node that "
-                "declares another type than a string exits with an exception",
+                f"'{parameter.name}' is the text \"{item.text}\" for the node, not an unset parameter: "
+                + (f"the node declares a {declared} and exits with an exception" if declared else _UNKNOWN),
                 advice="remove the line, so that the node keeps its default",
-                severity="info" if item.text in ("none", "None") else None,
+                severity="info" if item.text in ("none", "None") or declared is None else None,
             )

@@ -7,9 +7,10 @@
 - in a script whose other calls of apt pass `-y`, so that it is meant to run by itself; information where the script
   ends at the first failure (`set -e`), and where it only upgrades.
 
-Silent for packages that are files, for those that need nothing else (`nano`, `unzip` and the like), for those that an
-earlier step installs and what belongs to them, for packages of ROS on top of a desktop variant, in branches of a
-`RUN`, for answers through a pipe, and where `APT::Get::Assume-Yes` is set. `-qq` is an answer, too.
+Silent in scripts that open an editor or read an answer, for packages that are files, for those that need nothing else
+(`nano`, `unzip` and the like), for those that an earlier step installs and what belongs to them, for packages of ROS on
+top of a desktop variant, in branches of a `RUN`, for answers through a pipe, and where `APT::Get::Assume-Yes` is set.
+`-qq` is an answer, too.
 
 ## Why it matters on a robot
 apt asks as soon as it has to install more than the packages that are named. In the build of an image it ends with
@@ -61,8 +62,10 @@ ANSWERED = regex(
 CONFIGURED = regex(r"APT::Get::Assume-Yes", re.I)
 PIPED = regex(r"\|[ \t]*(?:sudo[ \t]+(?:-\w+[ \t]+)*)?(?:\w+=\S*[ \t]+)*$")
 STOPS = regex(STRICT, re.M)
-ALONE = frozenset("bash-completion gosu less locales make nano sudo time tree unzip zip".split())
+ALONE = frozenset("bash-completion gosu less locales make nano python3 sudo time tree unzip zip".split())
 """Packages that need only what every image of Debian and Ubuntu has."""
+BY_HAND = regex(r"(?m)^[ \t]*(?:sudo[ \t]+)?(?:vi|vim|nano|emacs|read)[ \t]")
+"""What only a person in front of a terminal goes on from."""
 
 
 @rule("warning", confidence="medium", symptoms=["Do you want to continue? [Y/n] Abort.", "[Y/n] Abort."])
@@ -89,7 +92,7 @@ def _of_image(stage: Stage) -> Iterator[Finding]:
     if asking:
         yield finding(
             asking[0],
-            "apt asks before it installs more packages than are named: nobody answers in a build, and it stops",
+            "apt asks whether to go on when a package brings others along: nobody answers in a build, and it stops",
             advice="write -y after the command of apt",
             related=[note(each, "and here") for each in asking[1:]],
             severity=None if brings_ros else "info",
@@ -100,7 +103,7 @@ def _of_scripts(robot: Robot) -> Iterator[Finding]:
     calls: dict[Source, list[tuple[Sequence[Located], bool]]] = {}
     installed: dict[Source, set[str]] = {}
     for source, run in robot.scripts.run(*PROGRAMS):
-        if CONFIGURED.search(source.text):
+        if CONFIGURED.search(source.text) or BY_HAND.search(source.text):
             continue
         words = run.words
         known = installed.setdefault(source, set())
@@ -118,10 +121,10 @@ def _of_script(asking: list[Sequence[Located]], answered: Located) -> Finding:
     stops = STOPS.search(first[0].span.source.text) is not None
     return finding(
         first[0],
-        "apt asks before it installs more packages than are named: the script waits for an answer, and "
+        "apt asks whether to go on when a package brings others along: the script waits for an answer, and "
         + ("ends where there is no terminal" if stops else "without a terminal goes on without the packages"),
         advice="write -y, as the other calls of this script do",
-        related=[note(answered, "this call does not ask"), *(note(other[0], "and here") for other in others)],
+        related=[note(answered, "this call does not ask"), *(note(other[0], "asks, too") for other in others)],
         severity="info" if stops or not _installs(first) else None,
     )
 

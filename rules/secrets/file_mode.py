@@ -1,8 +1,8 @@
 """Other users can read a file with secrets.
 
 ## What it finds
-In a root file system: environment files with secrets that others can read or change or the group can write, and
-private keys of SSH and SROS2 that the group or others can read.
+In a root file system: environment files with secrets that others can read or change, and private keys of SSH and SROS2
+that the group or others can read.
 
 ## Why it matters on a robot
 Every account on the robot, including the one of the camera service, can read the password or impersonate the robot.
@@ -50,12 +50,11 @@ def file_mode(robot: Robot) -> Iterator[Finding]:
         if secret.holder != "env-file" or source.name in told or source.mode is None or secret.sample:
             continue
         told.add(source.name)
-        if source.mode & 0o027:
-            yield finding(
-                source,
-                f"{source.basename} contains secrets, and others can read or change it (mode {source.mode:04o})",
-                advice=f"chmod 640 {source.robot_path or source.name}, owned by root",
-            )
+        yield finding(
+            source,
+            f"{source.basename} contains secrets, and others can read or change it (mode {source.mode:04o})",
+            advice=f"chmod 640 {source.robot_path or source.name}, owned by root",
+        )
 
 
 def is_told(robot: Robot, source: Source) -> bool:

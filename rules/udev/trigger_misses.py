@@ -6,8 +6,8 @@ rules that the same script or role installs: `--subsystem-match=` of another sub
 that match `ACTION=="add"` and set a mode, a group or a program. Links that such rules make belong to
 udev/action-add-only-symlink.
 
-Silent if a further trigger reaches the devices, if the options choose devices in other ways, and if the script starts
-the computer again.
+Silent if a further trigger reaches the devices, if the options choose devices in other ways, and if the script, or
+one that runs it, starts the computer again.
 
 ## Why it matters on a robot
 The devices that are plugged in keep their old names and modes until somebody plugs them in anew or the robot is
@@ -79,7 +79,7 @@ def trigger_misses(robot: Robot) -> Iterator[Finding]:
     reaching_all = [source for source, triggers in known.items() if _reach_all(source, triggers)]
     files = {each.source for each in robot.udev.judged}
     for source, triggers in known.items():
-        if not source.judged or not triggers or RESTARTS.search(source.text):
+        if not source.judged or not triggers or _restarts(robot, source):
             continue
         if source.kind == "ansible" and any(other is not source for other in reaching_all):
             continue
@@ -87,6 +87,12 @@ def trigger_misses(robot: Robot) -> Iterator[Finding]:
         missed = [each for each in robot.udev.judged if each.source in installed and _misses(triggers, each)]
         if missed:
             yield _finding(triggers, missed)
+
+
+def _restarts(robot: Robot, source: Source) -> bool:
+    """Whether the computer is started again by the script, or by one that runs it."""
+    callers = (each for each in robot.of_kind("shell-script") if source.basename in each.text)
+    return any(RESTARTS.search(each.text) for each in (source, *callers))
 
 
 def _reach_all(source: Source, triggers: list[Trigger]) -> bool:
