@@ -22,6 +22,8 @@ _RANGES = {"floating_point_range": "FloatingPointRange", "integer_range": "Integ
 _FIELDS = ("from_value", "to_value", "step")
 _OF_MODULES = frozenset({"__file__", "__path__", "__class__", "__module__", "__qualname__", "__annotations__", "_"})
 """Names that no statement binds; ``_`` is that of gettext.install()."""
+_DEPTH = 3
+"""Functions in a row that nothing else mentions."""
 _CAUGHT = frozenset({"NameError", "Exception", "BaseException"})
 _RUN_BY_OTHERS = regex(r"main$|__\w+__$|on_[a-z]+$|destroy_node$|run$|setup$")
 """Functions that are called by name from elsewhere."""
@@ -107,15 +109,21 @@ def _is_late(syntax: Syntax, name: ast.Name) -> bool:
 
 
 def is_idle(syntax: Syntax, name: ast.Name | ast.Attribute) -> bool:
-    """Whether the function is only a stub, or nothing in its file mentions it."""
+    """Whether the function is only a stub, or nothing in its file mentions it but functions that nothing mentions."""
     function = syntax.function(name)
     if function is None:
         return False
     if any(_says_unfinished(each) for each in walk(function) if getattr(each, "lineno", name.lineno) < name.lineno):
         return True
+    return _is_unmentioned(syntax, function, _DEPTH)
+
+
+def _is_unmentioned(syntax: Syntax, function: ast.FunctionDef | ast.AsyncFunctionDef, depth: int) -> bool:
     if _RUN_BY_OTHERS.match(function.name) or function.decorator_list:
         return False
-    return not any(_mentions(each, function.name) for each in syntax.file.nodes)
+    users = {syntax.function(each) for each in syntax.file.nodes if _mentions(each, function.name)} - {function}
+    known = [each for each in users if each is not None and depth]
+    return len(known) == len(users) and all(_is_unmentioned(syntax, each, depth - 1) for each in known)
 
 
 def _mentions(node: ast.AST, function: str) -> bool:
