@@ -9,6 +9,7 @@ than in the project, and ``| /runs/0`` (a JSON pointer) after it when only a par
 from __future__ import annotations
 
 import json
+import os
 import re
 import shlex
 import shutil
@@ -169,7 +170,10 @@ def test_expectation_of_the_way_in_is_written(word: str, checkout: Path) -> None
     expected = checkout / "fixtures/systemd/no_tabs/expected.txt"
     expected.unlink(missing_ok=True)
     words = command.replace("no_tabs", word).split()
-    run = subprocess.run([sys.executable, "-m", *words], capture_output=True, text=True, cwd=checkout, check=False)
+    environment = {name: value for name, value in os.environ.items() if name != "PYTEST_ADDOPTS"}
+    run = subprocess.run(
+        [sys.executable, "-m", *words], capture_output=True, text=True, cwd=checkout, env=environment, check=False
+    )
     assert run.returncode == 0, run.stdout + run.stderr
     assert expected.read_text("utf-8") == (
         "rover.service:2:11: warning[systemd/no-tabs] What will happen on the robot\n"

@@ -82,7 +82,7 @@ def test_the_command_of_the_package() -> None:
     """Its own tests, which need neither ament nor colcon."""
     path = os.pathsep.join([str(PROJECT), str(FOLDER / "ament_bringup_lint")])
     command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "test"]
-    environment = {**os.environ, "PYTHONPATH": path, "PYTHONDONTWRITEBYTECODE": "1"}
+    environment = {**os.environ, "PYTHONPATH": path, "PYTHONDONTWRITEBYTECODE": "1", "PYTEST_ADDOPTS": ""}
     run = subprocess.run(
         command, cwd=FOLDER / "ament_bringup_lint", env=environment, capture_output=True, text=True, check=False
     )
