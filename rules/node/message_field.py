@@ -8,9 +8,9 @@ fields are those of the `.msg`, `.srv` and `.action` files of the tree, and of t
 ## Why it matters on a robot
 Python looks at fields and values when the line runs, often only in the branch for an emergency. A field that is
 missing raises AttributeError; as an argument of the message it raises AssertionError in Humble, and newer releases
-ignore it. A value of the wrong type raises AssertionError in Humble. Newer releases do not look
-at it any more: an integer in a float field arrives as 5e-324, so that the robot does not move, or aborts the node; an
-integer in a bool arrives as False; other wrong types make `publish()` raise.
+ignore it. A value of the wrong type raises AssertionError in Humble. Newer releases do not look at it any more: an
+integer in a float field arrives as 5e-324, so that the robot does not move, or aborts the node; an integer in a bool
+arrives as False; other wrong types make `publish()` raise.
 
 ## Bad
 ```python

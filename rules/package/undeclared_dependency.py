@@ -84,10 +84,10 @@ ASKED = {
 )
 def undeclared_dependency(robot: Robot) -> Iterator[Finding]:
     for package in robot.launch.workspace.packages.values():
+        if not robot.dependencies.judged(package):
+            continue
         undeclared = robot.dependencies.undeclared(package)
         needs = [each for each in undeclared if not PLACEHOLDER.search(each.name) and not robot.launch.meant(each.name)]
-        if not needs or not robot.dependencies.judged(package):
-            continue
         stopping = [need for need in needs if robot.dependencies.stops_build(need)]
         lacking = [need for need in needs if robot.dependencies.is_lacking(need)]
         started = [need for need in needs if _is_started(robot, package, need)]

@@ -52,7 +52,7 @@ def null_string(robot: Robot) -> Iterator[Finding]:
             yield finding(
                 item.span,
                 f"'{parameter.name}' is the text \"{item.text}\" for the node, not an unset parameter: "
-                + (f"the node declares a {declared} and exits with an exception" if declared else _UNKNOWN),
+                + (f"the node declares the type {declared} and exits with an exception" if declared else _UNKNOWN),
                 advice="remove the line, so that the node keeps its default",
                 severity="info" if item.text in ("none", "None") or declared is None else None,
             )

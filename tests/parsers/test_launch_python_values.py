@@ -68,7 +68,7 @@ def listed(value: Any) -> Any:
     return str(value) if isinstance(value, pathlib.PurePath) else value
 
 
-KNOWN = [
+PROGRAMS = [
     # numbers
     "out = 7 // 2 + 7 % 4 * 2 - 1",
     "out = 1 / 4",
@@ -220,12 +220,12 @@ FOLLOWED = 0.8
 """The least share of the programs whose value is known."""
 
 
-@pytest.mark.parametrize("program", KNOWN)
+@pytest.mark.parametrize("program", PROGRAMS)
 def test_a_value_is_that_of_python_or_not_known(program: str) -> None:
     found = read(program)
     assert found is NOT_KNOWN or (found, type(found)) == (run(program), type(run(program)))
 
 
 def test_most_values_are_known() -> None:
-    unknown = [program for program in KNOWN if read(program) is NOT_KNOWN]
-    assert len(unknown) <= len(KNOWN) * (1 - FOLLOWED), unknown
+    unknown = [program for program in PROGRAMS if read(program) is NOT_KNOWN]
+    assert len(unknown) <= len(PROGRAMS) * (1 - FOLLOWED), unknown

@@ -110,10 +110,11 @@ class Environment:
             raise LookupError(match[0])
         found = self.get(name)
         default = match["default"]
-        if found is not None and found.text is None:
-            raise LookupError(name)
-        if found is not None and found.text is not None and (found.text or not (default or "").startswith(":")):
-            return found.text
+        if found is not None:
+            if found.text is None:
+                raise LookupError(name)
+            if found.text or not (default or "").startswith(":"):
+                return found.text
         if default and not _QUOTED.search(default) and (found is not None or self.complete):
             return _EXPANSION.sub(self._value, default.lstrip(":")[1:])
         raise LookupError(name)

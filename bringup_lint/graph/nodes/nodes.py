@@ -53,10 +53,6 @@ _SERVO_TOPIC = regex(
     r"(?m)^[ \t]*(?:cartesian|joint)_command_in_topic[ \t]*:[ \t]*[\"']?(?:[^\s\"'#]*/)?(?P<name>[^\s\"'#/]+)"
 )
 """MoveIt Servo halts when the newest command on these topics is older than the time-out."""
-_STARTERS = (
-    *("systemd-unit", "systemd-dropin", "compose", "dockerfile", "shell-script"),
-    *("launch-python", "launch-xml", "launch-yaml", "env-file", "cmake", "setup-py"),
-)
 _UNJUDGED = (Purpose.TEST, Purpose.CI, Purpose.ARCHIVE)
 """Purposes whose sources are not for a robot."""
 _RUNNERS = ("systemd-unit", "systemd-dropin", "compose", "dockerfile", "supervisord", "cron")
@@ -145,13 +141,6 @@ class Nodes:
         if owner is not None:
             return os.path.relpath(path, os.path.dirname(owner.folder))
         return "/".join(path.split("/")[-2:]) if os.path.isabs(source.name) else source.name
-
-    def by_hand(self, source: Source) -> bool:
-        """Whether only people run a file: no package holds it, and nothing that starts things names it."""
-        workspace = self.launch.workspace
-        if not workspace.packages or workspace.owner(source) is not None:
-            return False
-        return not any(source.basename in each.text for each in self.files.of_kind(*_STARTERS))
 
     def program(self, package: str, executable: str) -> Program | None:
         """The source of ``ros2 run package executable``; None when it is not Python, or not in the tree."""

@@ -20,6 +20,7 @@ _NAMING = (
 )
 """Kinds of files that start or install others by their names."""
 _IMPORT = regex(r"(?m)^[ \t]*(?:from|import)\b[^\n#(]*(?:\([^()]*\))?")
+_MODULE = regex(r"[ \t\"']-[A-Za-z]{0,8}m[\"', \t]{1,8}(?P<module>\w[\w.]*)")
 _WORD = regex(r"\w+")
 _TEXT = regex(r"""["']([\w.]{2,80})["']""")
 """What ``importlib`` and the like may be given."""
@@ -39,13 +40,18 @@ class Unused:
         if not owner.entry_points and not owner.executables:
             return False
         targets = (target.partition(":")[0].rpartition(".")[2] for target in owner.entry_points.values())
-        if name in targets or owner.takes(source.absolute) or source.basename in self._named:
+        if name in targets or owner.takes(source.absolute) or source.basename in self._named or name in self._run:
             return False
         return name not in self._imported
 
     @cached_property
     def _named(self) -> str:
         return "\0".join(source.text for source in self._files.of_kind(*_NAMING))
+
+    @cached_property
+    def _run(self) -> frozenset[str]:
+        """The last parts of the modules that commands run with ``python3 -m``."""
+        return frozenset(match["module"].rpartition(".")[2] for match in _MODULE.finditer(self._named))
 
     @cached_property
     def _imported(self) -> frozenset[str]:

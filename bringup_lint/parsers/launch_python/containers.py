@@ -70,7 +70,7 @@ def merge(state: State, mapping: Mapping, other: Any) -> None:
 
 def presence(entry: Any) -> tuple[Condition, ...] | None:
     """The conditions under which a value of a dictionary is there; None when they are not one row of conditions."""
-    if not isinstance(entry, Options) or len(entry.options) == 0:
+    if not isinstance(entry, Options) or not entry.options:
         return ()
     guards, value = entry.options[0]
     if not guards:

@@ -97,12 +97,12 @@ def _fork(state: State, condition: Condition, body: list[ast.stmt], orelse: list
     frame = state.frame
     before = dict(frame.names)
     state.guards = (*outer, condition)
-    first = _left(state, run(state, body))
+    first = _end(state, run(state, body))
     frame.names = before
     state.guards = (*outer, other)
-    second = _left(state, run(state, orelse))
+    second = _end(state, run(state, orelse))
     if first.signal and second.signal:
-        return _both_left(state, first, second)
+        return _both_leave(state, first, second)
     if first.signal:
         state.jumps.append(first)
         return None
@@ -118,11 +118,12 @@ def _fork(state: State, condition: Condition, body: list[ast.stmt], orelse: list
     return None
 
 
-def _left(state: State, signal: str | None) -> Jump:
+def _end(state: State, signal: str | None) -> Jump:
+    """Where a branch ends: with a jump, or with the last statement."""
     return Jump(signal or "", state.guards, state.frame.names)
 
 
-def _both_left(state: State, first: Jump, second: Jump) -> str:
+def _both_leave(state: State, first: Jump, second: Jump) -> str:
     """What certainly happens is the weaker of the two; the other one perhaps."""
     weak, strong = sorted((second, first), key=lambda jump: _WEAKER.index(jump.signal))
     state.jumps.append(strong)
