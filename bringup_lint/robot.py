@@ -35,7 +35,7 @@ from bringup_lint.graph.purpose import Purpose
 
 if TYPE_CHECKING:
     from bringup_lint.discover.tree import Tree
-    from bringup_lint.graph.compose import Compose
+    from bringup_lint.graph.containers.compose import Compose
     from bringup_lint.graph.dds.dds import Dds
     from bringup_lint.graph.dependencies.dependencies import Dependencies
     from bringup_lint.graph.environment.env_files import UsedEnvFile
@@ -426,7 +426,7 @@ class Robot:
 
     @cached_property
     def compose(self) -> Compose:
-        from bringup_lint.graph.compose import load_compose
+        from bringup_lint.graph.containers.compose import load_compose
 
         return load_compose(self.files)
 

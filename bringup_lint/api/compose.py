@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 from bringup_lint.on_demand import on_demand
 
 if TYPE_CHECKING:
-    from bringup_lint.graph.compose_names import MissingFile
-    from bringup_lint.graph.compose_names import missing_files
-    from bringup_lint.graph.compose_names import undefined_names
-    from bringup_lint.graph.image_use import is_workplace
+    from bringup_lint.graph.containers.compose_names import MissingFile
+    from bringup_lint.graph.containers.compose_names import missing_files
+    from bringup_lint.graph.containers.compose_names import undefined_names
+    from bringup_lint.graph.containers.image_use import is_workplace
     from bringup_lint.model.compose import Beside
     from bringup_lint.model.compose import Device
     from bringup_lint.model.compose import Service

@@ -7,14 +7,14 @@ from typing import TYPE_CHECKING
 from bringup_lint.on_demand import on_demand
 
 if TYPE_CHECKING:
-    from bringup_lint.graph.build_context import lacking_sources
-    from bringup_lint.graph.devcontainers import Broken
-    from bringup_lint.graph.devcontainers import broken_references
+    from bringup_lint.graph.containers.build_context import lacking_sources
+    from bringup_lint.graph.containers.devcontainers import Broken
+    from bringup_lint.graph.containers.devcontainers import broken_references
+    from bringup_lint.graph.containers.image_use import is_deployed
+    from bringup_lint.graph.containers.images import can_be_pulled
     from bringup_lint.graph.host.container_folders import CONTAINER_KINDS
     from bringup_lint.graph.host.container_folders import container_folders
     from bringup_lint.graph.host.container_folders import is_in_container
-    from bringup_lint.graph.image_use import is_deployed
-    from bringup_lint.graph.images import can_be_pulled
     from bringup_lint.graph.runners.containers import image_user
     from bringup_lint.graph.runners.containers import user_name
     from bringup_lint.graph.runners.runner import Runner

@@ -21,7 +21,7 @@ from bringup_lint.source import Span
 
 if TYPE_CHECKING:
     from bringup_lint.discover.tree import Tree
-    from bringup_lint.graph.compose import Compose
+    from bringup_lint.graph.containers.compose import Compose
     from bringup_lint.graph.runners.runners import Runners
     from bringup_lint.graph.systemd.units import Units
 

@@ -13,7 +13,7 @@ from bringup_lint.graph.graph import Graph
 from bringup_lint.graph.places import Places
 
 if TYPE_CHECKING:
-    from bringup_lint.graph.compose import Compose
+    from bringup_lint.graph.containers.compose import Compose
     from bringup_lint.graph.dds.dds import Dds
     from bringup_lint.graph.environment.ros import RosEnvironment
     from bringup_lint.graph.files import Files

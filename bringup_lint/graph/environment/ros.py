@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.commands.command_line import CommandLine
     from bringup_lint.graph.commands.environment import Environment
     from bringup_lint.graph.commands.environment import Variable
-    from bringup_lint.graph.compose import Compose
+    from bringup_lint.graph.containers.compose import Compose
     from bringup_lint.graph.environment.launched import Launched
     from bringup_lint.graph.files import Files
     from bringup_lint.graph.launch.expansion import Expansion

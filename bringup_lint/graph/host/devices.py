@@ -25,7 +25,7 @@ from bringup_lint.source import Source
 from bringup_lint.spelling import nearest
 
 if TYPE_CHECKING:
-    from bringup_lint.graph.compose import Compose
+    from bringup_lint.graph.containers.compose import Compose
     from bringup_lint.graph.files import Files
     from bringup_lint.graph.launch.launch import Launch
     from bringup_lint.graph.params.params import Params

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from bringup_lint.graph.compose import Compose
+from bringup_lint.graph.containers.compose import Compose
 from bringup_lint.graph.files import Files
 from bringup_lint.graph.runners.containers import container_line
 from bringup_lint.graph.runners.containers import copied

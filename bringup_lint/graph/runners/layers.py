@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from bringup_lint.dataclass import dataclass
 
 if TYPE_CHECKING:
-    from bringup_lint.graph.compose import Compose
+    from bringup_lint.graph.containers.compose import Compose
     from bringup_lint.graph.systemd.units import Units
 
 

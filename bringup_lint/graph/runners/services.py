@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from bringup_lint.graph.commands.environment import Environment
 from bringup_lint.graph.commands.environment import Variable
-from bringup_lint.graph.compose import Compose
+from bringup_lint.graph.containers.compose import Compose
 from bringup_lint.graph.files import Files
 from bringup_lint.graph.runners.containers import container_line
 from bringup_lint.graph.runners.containers import copied

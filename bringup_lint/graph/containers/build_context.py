@@ -16,7 +16,7 @@ from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
 if TYPE_CHECKING:
-    from bringup_lint.graph.compose import Compose
+    from bringup_lint.graph.containers.compose import Compose
     from bringup_lint.graph.files import Files
     from bringup_lint.model.compose import Service
 

@@ -15,7 +15,7 @@ from bringup_lint.model.yaml_node import Scalar
 from bringup_lint.model.yaml_node import Sequence
 
 if TYPE_CHECKING:
-    from bringup_lint.graph.compose import Compose
+    from bringup_lint.graph.containers.compose import Compose
     from bringup_lint.source import Located
 
 

@@ -15,7 +15,7 @@ from bringup_lint.source import Located
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
-    from bringup_lint.graph.compose import Compose
+    from bringup_lint.graph.containers.compose import Compose
     from bringup_lint.graph.files import Files
     from bringup_lint.model.compose import ComposeFile
 

@@ -11,7 +11,7 @@ from bringup_lint.graph.purpose import by_path
 from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
-    from bringup_lint.graph.compose import Compose
+    from bringup_lint.graph.containers.compose import Compose
     from bringup_lint.model.compose import Service
     from bringup_lint.model.dockerfile import Dockerfile
     from bringup_lint.model.dockerfile import Instruction

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
-from bringup_lint.graph.images import Images
-from bringup_lint.graph.images import link_bases
+from bringup_lint.graph.containers.images import Images
+from bringup_lint.graph.containers.images import link_bases
 from bringup_lint.graph.memo import memo
 from bringup_lint.model.compose import ComposeFile
 from bringup_lint.model.compose import Service
