@@ -344,6 +344,7 @@ def doc_of(rule: Rule) -> RuleDoc:
         meta.fix,
         meta.since,
         meta.symptoms,
+        meta.silent,
         meta.tags,
         meta.aliases,
         DOCS.format(rule.id) if rule.builtin else "",

@@ -60,6 +60,8 @@ class Metadata:
     fix: str
     since: str
     symptoms: tuple[str, ...]
+    silent: str
+    """Why no program reports the defect; empty when one does."""
     tags: tuple[str, ...]
     aliases: tuple[str, ...]
     check: Check
@@ -72,6 +74,7 @@ def rule(
     fix: str = "none",
     since: str = "0.1",
     symptoms: Iterable[str] = (),
+    silent: str = "",
     tags: Iterable[str] = (),
     aliases: Iterable[str] = (),
 ) -> Callable[[Check], Metadata]:
@@ -79,7 +82,7 @@ def rule(
 
     ``severity`` is ``error``, ``warning`` or ``info`` (a single finding may differ); ``fix`` is ``none``, ``safe`` or
     ``unsafe``; ``symptoms`` are log lines by which people meet the defect, the most frequent first, with ``*`` for any
-    text; ``tags`` are words such as ``CWE-250``.
+    text; ``silent`` says why there is none; ``tags`` are words such as ``CWE-250``.
     """
     if fix not in ("none", "safe", "unsafe"):
         raise ValueError(f"fix must be none, safe or unsafe, not {fix!r}")
@@ -91,6 +94,7 @@ def rule(
             fix,
             since,
             tuple(symptoms),
+            silent,
             tuple(tags),
             tuple(aliases),
             check,

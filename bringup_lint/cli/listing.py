@@ -73,4 +73,5 @@ def _data(rule: Rule) -> dict[str, object]:
         "aliases": rule.meta.aliases,
         "tags": rule.meta.tags,
         "symptoms": rule.meta.symptoms,
+        "silent": rule.meta.silent,
     }

@@ -71,6 +71,8 @@ def _all_sections(doc: RuleDoc) -> Iterator[tuple[str, str]]:
     yield from found.items()
     if doc.symptoms:
         yield LOG_LINES, "\n".join(("```text", *doc.symptoms, "```"))
+    elif doc.silent:
+        yield LOG_LINES, f"None: {doc.silent}."
     if references:
         yield HEADINGS[-1], references
 

@@ -29,6 +29,8 @@ class RuleDoc:
     """``none``, ``safe`` or ``unsafe``."""
     since: str = ""
     symptoms: tuple[str, ...] = ()
+    silent: str = ""
+    """Why no program reports the defect; empty when one does."""
     tags: tuple[str, ...] = ()
     aliases: tuple[str, ...] = ()
     uri: str = ""

@@ -73,6 +73,7 @@ def _log_lines(rules: list[Rule]) -> str:
         for symptom in rule.meta.symptoms:
             known[symptom].append(f"[{rule.id}]({rule.id}.md)")
     rows = [f"| {_code(line)} | {', '.join(known[line])} |" for line in sorted(known, key=str.lower)]
+    silent = [f"| [{rule.id}]({rule.id}.md) | {_cell(rule.meta.silent)} |" for rule in rules if rule.meta.silent]
     other = [f"| {_code(row['pattern'])} | {_cell(row['reason'])} |" for row in table("logs/other_causes")]
     return "\n".join(
         (
@@ -94,6 +95,12 @@ def _log_lines(rules: list[Rule]) -> str:
             "| log line | what it means |",
             "|---|---|",
             *other,
+            "",
+            "## Defects that no program reports",
+            "",
+            "| rule | why there is no log line |",
+            "|---|---|",
+            *silent,
             "",
         )
     )

@@ -65,6 +65,8 @@ def _further(rule: Rule, guides: list[str], project: Path) -> Iterator[tuple[str
     if rule.meta.symptoms:
         lines = "\n".join(rule.meta.symptoms)
         yield LOG_LINES, f"`*` stands for any text. See [all log lines](../log-lines.md).\n\n```text\n{lines}\n```"
+    elif rule.meta.silent:
+        yield LOG_LINES, f"None: {_escaped(rule.meta.silent)}."
     if rule.meta.fix != "none":
         options = "--diff --unsafe-fixes" if rule.meta.fix == "unsafe" else "--diff"
         yield "Fix", f"This shows what the fix changes:\n\n```sh\nbringup-lint --select {rule.id} {options} .\n```"

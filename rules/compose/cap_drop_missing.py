@@ -34,7 +34,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
-@rule("info")
+@rule("info", silent="unused capabilities show only when somebody abuses them")
 def cap_drop_missing(robot: Robot) -> Iterator[Finding]:
     for service in robot.compose.unprivileged_services:
         if "ALL" not in [item.upper() for item in service.items("cap_drop")]:

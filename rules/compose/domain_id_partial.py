@@ -47,7 +47,11 @@ BRIDGE = regex(r"domain_bridge|dds-?router|zenoh-bridge")
 DEFAULTS = {"ROS_DOMAIN_ID": "0", "RMW_IMPLEMENTATION": "rmw_fastrtps_cpp"}
 
 
-@rule("warning", confidence="medium")
+@rule(
+    "warning",
+    confidence="medium",
+    silent="services of different domains or middleware do not see each other, and neither side reports it",
+)
 def domain_id_partial(robot: Robot) -> Iterator[Finding]:
     for file in robot.compose.files:
         services = [] if file.source.template else [s for s in file.services if s.is_ros and s.is_whole]

@@ -38,7 +38,7 @@ from bringup_lint.api import rule
 KEY = regex(r"(?:.*/)?\.ssh(?:/(?:id_(?:rsa|dsa|ecdsa|ed25519)(?:_sk)?)?)?|/etc/ssh(?:/(?:ssh_host_\w+_key)?)?")
 
 
-@rule("warning", tags=["CWE-522"])
+@rule("warning", silent="a mounted key is a file like any other", tags=["CWE-522"])
 def host_key_mounted(robot: Robot) -> Iterator[Finding]:
     for service in robot.compose.services:
         for volume in service.volumes:

@@ -42,7 +42,7 @@ from bringup_lint.api.docker import can_be_pulled
 from bringup_lint.api.docker import image_name
 
 
-@rule("warning")
+@rule("warning", silent="Docker runs whatever image it has under the tag")
 def latest(robot: Robot) -> Iterator[Finding]:
     for file in robot.compose.files:
         images: dict[str, list[Located]] = {}

@@ -37,7 +37,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.yaml import first_key
 
 
-@rule("info", fix="unsafe")
+@rule("info", fix="unsafe", silent="Docker does not report what a container may do")
 def no_new_privileges(robot: Robot) -> Iterator[Finding]:
     for service in robot.compose.unprivileged_services:
         if not any(

@@ -49,7 +49,7 @@ from bringup_lint.api.compose import is_workplace
 REASON = regex(r"\bprivileged\b.*\b(?:to|because|so that|for|since|as)\b.*(?:\bdevices?\b|\busb\b|/dev\b)", re.I)
 
 
-@rule("warning", tags=["CWE-250"])
+@rule("warning", silent="Docker does not report what a container may do", tags=["CWE-250"])
 def privileged(robot: Robot) -> Iterator[Finding]:
     places: dict[Span, list[Service]] = {}
     for service in robot.compose.services:

@@ -35,7 +35,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
-@rule("info")
+@rule("info", silent="a writable file system works")
 def read_only(robot: Robot) -> Iterator[Finding]:
     for service in robot.compose.unprivileged_services:
         if service.flag("read_only") is not True:

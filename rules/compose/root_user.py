@@ -44,7 +44,7 @@ ADVICE = 'write user: "1000:1000", or the ids of the robot\'s user'
 IN_BOTH = 'add user: "1000:1000" here, or USER to the Dockerfile'
 
 
-@rule("warning", tags=["CWE-250"])
+@rule("warning", silent="root may do everything, so nothing fails", tags=["CWE-250"])
 def root_user(robot: Robot) -> Iterator[Finding]:
     for file in robot.compose.files:
         services = [service for service in robot.compose.whole_services if service.source is file.source]

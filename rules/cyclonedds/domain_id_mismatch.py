@@ -38,7 +38,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.dds import domain_number
 
 
-@rule("error", fix="unsafe")
+@rule("error", fix="unsafe", silent="Cyclone DDS skips the settings of another domain without a message")
 def domain_id_mismatch(robot: Robot) -> Iterator[Finding]:
     for configuration in robot.dds.configurations:
         ids = [domain.id for domain in configuration.domains if domain.id is not None]

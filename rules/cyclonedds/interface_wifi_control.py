@@ -36,7 +36,7 @@ from bringup_lint.api.dds import interface_of_device
 from bringup_lint.api.dds import named_interfaces
 
 
-@rule("info")
+@rule("info", silent="lost packets on Wi-Fi are sent again without a message")
 def interface_wifi_control(robot: Robot) -> Iterator[Finding]:
     for configuration, domain in robot.dds.domains:
         plan = robot.dds.plan_of(configuration)

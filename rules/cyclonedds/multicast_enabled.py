@@ -37,7 +37,7 @@ from bringup_lint.api.dds import multicast_off
 from bringup_lint.api.dds import on_loopback_only
 
 
-@rule("info", tags=["CWE-668"])
+@rule("info", silent="discovery works for everybody in the network", tags=["CWE-668"])
 def multicast_enabled(robot: Robot) -> Iterator[Finding]:
     for _, domain in robot.dds.domains:
         if domain.element is None or on_loopback_only(domain) or domain.found("Security"):

@@ -47,7 +47,12 @@ from bringup_lint.api.dds import multicast_off
 from bringup_lint.api.dds import peer_addresses
 
 
-@rule("warning", fix="unsafe", confidence="medium")
+@rule(
+    "warning",
+    fix="unsafe",
+    confidence="medium",
+    silent="the processes of the computer do not find each other, which is not an error for Cyclone DDS",
+)
 def peer_self_missing(robot: Robot) -> Iterator[Finding]:
     for configuration, domain in robot.dds.domains:
         off = multicast_off(domain)

@@ -34,7 +34,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("warning", confidence="medium")
+@rule("warning", confidence="medium", silent="only a trace of discovery says which settings Cyclone DDS uses")
 def security_in_xml_and_sros2(robot: Robot) -> Iterator[Finding]:
     for process in robot.ros.processes:
         enable = process.environment.get("ROS_SECURITY_ENABLE")

@@ -47,7 +47,7 @@ from bringup_lint.api.shell import background_jobs
 IDLE = regex(r"\bsleep\s+(?:infinity|inf)\b|\btail\s+-[fF]\b")
 
 
-@rule("warning")
+@rule("warning", silent="Docker watches the first process of a container only")
 def background_job(robot: Robot) -> Iterator[Finding]:
     found: dict[object, tuple[list[Job], list[Runner]]] = {}
     for runner in robot.runners.all:

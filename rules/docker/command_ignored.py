@@ -55,7 +55,7 @@ class Dropped(NamedTuple):
     why: str
 
 
-@rule("error")
+@rule("error", silent="the entrypoint runs, and the command is dropped without a message")
 def command_ignored(robot: Robot) -> Iterator[Finding]:
     seen = set()
     for runner in robot.runners.all:

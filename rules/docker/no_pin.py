@@ -41,7 +41,7 @@ from bringup_lint.api.docker import image_name
 from bringup_lint.api.docker import is_deployed
 
 
-@rule("warning")
+@rule("warning", silent="the build takes whatever image it finds under the tag")
 def no_pin(robot: Robot) -> Iterator[Finding]:
     bases: dict[str, list[Located]] = {}
     kept: set[str] = set()

@@ -45,7 +45,7 @@ from bringup_lint.api.systemd import Unit
 _SECRET = regex(r"PASS|SECRET|TOKEN|KEY|PSK", re.I)
 
 
-@rule("warning")
+@rule("warning", silent="shells and systemd take the last value without a message")
 def duplicate(robot: Robot) -> Iterator[Finding]:
     for file in robot.env_files:
         yield from _within(file)

@@ -45,7 +45,7 @@ PATH = "/etc/environment"
 OF_ROS = regex(r"(?:ROS|RMW|CYCLONEDDS|FASTRTPS|FASTDDS|RCUTILS)_|AMENT_PREFIX_PATH$")
 
 
-@rule("warning")
+@rule("warning", silent="systemd does not read the file, so the variable is just not set")
 def etc_environment(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     file = robot.environment_file(PATH) if units.ros else None

@@ -38,7 +38,7 @@ from bringup_lint.api.ros import at_least
 OLD, NEW = "FASTRTPS_DEFAULT_PROFILES_FILE", "FASTDDS_DEFAULT_PROFILES_FILE"
 
 
-@rule("error")
+@rule("error", silent="Fast DDS does not look at variables that it does not know")
 def fastdds_profiles_var_wrong_for_distro(robot: Robot) -> Iterator[Finding]:
     newer = at_least(robot.target.ros, "kilted")
     if newer is None:

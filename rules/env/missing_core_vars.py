@@ -37,7 +37,7 @@ from bringup_lint.api import rule
 CORE = ("ROS_DOMAIN_ID", "RMW_IMPLEMENTATION")
 
 
-@rule("info")
+@rule("info", silent="the defaults apply without a message")
 def missing_core_vars(robot: Robot) -> Iterator[Finding]:
     for process in robot.ros.processes:
         missing = [name for name in CORE if process.environment.defines(name) is False]

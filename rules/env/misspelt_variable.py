@@ -49,7 +49,7 @@ VALUES = {
 }
 
 
-@rule("error")
+@rule("error", silent="no program looks at the misspelt name")
 def misspelt_variable(robot: Robot) -> Iterator[Finding]:
     strange: dict[tuple[str, str], list[Setting]] = {}
     for setting in robot.ros.settings:

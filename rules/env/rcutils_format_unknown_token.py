@@ -37,7 +37,7 @@ from bringup_lint.api.ros import at_least
 from bringup_lint.api.spelling import nearest
 
 
-@rule("warning")
+@rule("warning", silent="rcutils prints an unknown token as it is")
 def rcutils_format_unknown_token(robot: Robot) -> Iterator[Finding]:
     for setting in robot.ros.of("RCUTILS_CONSOLE_OUTPUT_FORMAT"):
         for token in re.finditer(r"\{(\w+)\}", setting.value):

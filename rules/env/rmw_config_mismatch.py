@@ -41,7 +41,7 @@ from bringup_lint.api.ros import at_least
 FASTDDS = ("FASTRTPS_DEFAULT_PROFILES_FILE", "FASTDDS_DEFAULT_PROFILES_FILE")
 
 
-@rule("warning")
+@rule("warning", silent="a middleware does not look at the variables of another one")
 def rmw_config_mismatch(robot: Robot) -> Iterator[Finding]:
     for process in robot.ros.processes:
         environment = process.environment

@@ -36,7 +36,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("warning")
+@rule("warning", silent="domain 0 works; nodes of other robots just appear")
 def ros_domain_id_default_zero(robot: Robot) -> Iterator[Finding]:
     said = set()
     for process in robot.ros.processes:

@@ -41,7 +41,7 @@ from bringup_lint.api import rule
 NO = ("false", "0", "no", "off")
 
 
-@rule("error", fix="unsafe", tags=["CWE-306", "CWE-319"])
+@rule("error", fix="unsafe", silent="nodes start without security and without a message", tags=["CWE-306", "CWE-319"])
 def ros_security_disabled(robot: Robot) -> Iterator[Finding]:
     stores = robot.ros.of("ROS_SECURITY_KEYSTORE")
     for setting in robot.ros.of("ROS_SECURITY_ENABLE"):

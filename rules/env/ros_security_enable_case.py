@@ -37,7 +37,12 @@ from bringup_lint.api import rule
 NO = ("", "false", "0", "no", "off")
 
 
-@rule("error", fix="unsafe", tags=["CWE-1188", "CWE-319"])
+@rule(
+    "error",
+    fix="unsafe",
+    silent='rcl compares the value with "true" and goes on without security and without a message',
+    tags=["CWE-1188", "CWE-319"],
+)
 def ros_security_enable_case(robot: Robot) -> Iterator[Finding]:
     for setting in robot.ros.of("ROS_SECURITY_ENABLE"):
         if setting.text != "true" and setting.text.lower() not in NO:

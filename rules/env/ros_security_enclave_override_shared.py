@@ -35,7 +35,7 @@ from bringup_lint.api.environment import RosProcess
 from bringup_lint.api.systemd import Variable
 
 
-@rule("warning", tags=["CWE-250"])
+@rule("warning", silent="a shared identity works", tags=["CWE-250"])
 def ros_security_enclave_override_shared(robot: Robot) -> Iterator[Finding]:
     readers: dict[tuple[int, int], tuple[Variable, dict[str, RosProcess]]] = {}
     for process in robot.ros.processes:

@@ -36,7 +36,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("error", tags=["CWE-1188"])
+@rule("error", silent="nodes start without security and without a message", tags=["CWE-1188"])
 def ros_security_keystore_without_enable(robot: Robot) -> Iterator[Finding]:
     for process in robot.ros.processes:
         store = process.environment.get("ROS_SECURITY_KEYSTORE")

@@ -37,7 +37,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("warning", fix="unsafe", tags=["CWE-1188"])
+@rule("warning", fix="unsafe", symptoms=["SECURITY ERROR: directory '*' does not exist., at"], tags=["CWE-1188"])
 def ros_security_permissive(robot: Robot) -> Iterator[Finding]:
     for process in robot.ros.processes:
         environment = process.environment

@@ -37,7 +37,7 @@ INSTEAD = {
 }
 
 
-@rule("warning")
+@rule("warning", silent="rcl does not look at variables that it does not know")
 def ros_security_root_directory_legacy(robot: Robot) -> Iterator[Finding]:
     for setting in robot.ros.settings:
         if setting.name in INSTEAD:

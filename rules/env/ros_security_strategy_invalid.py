@@ -35,7 +35,7 @@ from bringup_lint.api import rule
 WORDS = ("Enforce", "Permissive")
 
 
-@rule("error", fix="unsafe", tags=["CWE-1188"])
+@rule("error", fix="unsafe", symptoms=["SECURITY ERROR: directory '*' does not exist., at"], tags=["CWE-1188"])
 def ros_security_strategy_invalid(robot: Robot) -> Iterator[Finding]:
     for setting in robot.ros.of("ROS_SECURITY_STRATEGY"):
         if setting.text in ("", *WORDS):

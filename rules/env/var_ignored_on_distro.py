@@ -54,7 +54,7 @@ ROS1 = regex(
 )
 
 
-@rule("warning")
+@rule("warning", silent="a distribution does not look at variables that it does not know")
 def var_ignored_on_distro(robot: Robot) -> Iterator[Finding]:
     if robot.target.ros is None:
         return

@@ -53,7 +53,10 @@ ADDED = regex(
 """A line that a command adds to the file of a login shell."""
 
 
-@rule("warning")
+@rule(
+    "warning",
+    silent="the package of the distribution is started instead of the one of the workspace, without a message",
+)
 def workspace_source_order(robot: Robot) -> Iterator[Finding]:
     seen = set()
     for runner in robot.runners.all:

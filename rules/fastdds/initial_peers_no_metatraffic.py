@@ -37,7 +37,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.dds import multicast_peers
 
 
-@rule("info")
+@rule("info", silent="discovery works, by multicast too")
 def initial_peers_no_metatraffic(robot: Robot) -> Iterator[Finding]:
     for profiles in robot.dds.profile_files:
         for participant in profiles.default_participants:

@@ -44,7 +44,7 @@ from bringup_lint.api.xml import Element
 RANGE = 4
 
 
-@rule("info", confidence="medium")
+@rule("info", confidence="medium", silent="participants that are not reached are not reported")
 def initial_peers_port(robot: Robot) -> Iterator[Finding]:
     for profiles in robot.dds.profile_files:
         if "maxInitialPeersRange" in profiles.source.said:

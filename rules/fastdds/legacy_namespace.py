@@ -33,7 +33,7 @@ from bringup_lint.api import fix
 from bringup_lint.api import rule
 
 
-@rule("info", fix="safe")
+@rule("info", fix="safe", silent="Fast DDS ignores namespaces")
 def legacy_namespace(robot: Robot) -> Iterator[Finding]:
     legacy = "http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles"
     for profiles in robot.dds.profile_files:

@@ -36,7 +36,7 @@ from bringup_lint.api import fix
 from bringup_lint.api import rule
 
 
-@rule("error", fix="unsafe")
+@rule("error", fix="unsafe", silent="Fast DDS uses its built-in defaults without a message")
 def no_default_profile(robot: Robot) -> Iterator[Finding]:
     for profiles in robot.dds.profile_files:
         participants = profiles.of_kind("participant")

@@ -45,7 +45,7 @@ from bringup_lint.api.dds import is_routed
 from bringup_lint.api.dds import subnets
 
 
-@rule("warning")
+@rule("warning", silent="a peer that does not answer is not an error for Fast DDS")
 def peer_outside_subnet(robot: Robot) -> Iterator[Finding]:
     for profiles in robot.dds.profile_files:
         plan = robot.dds.plan_of(profiles)

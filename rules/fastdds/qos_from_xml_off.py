@@ -42,7 +42,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.dds import overwritten_qos
 
 
-@rule("warning")
+@rule("warning", silent="rmw_fastrtps overwrites the values without a message")
 def qos_from_xml_off(robot: Robot) -> Iterator[Finding]:
     for profiles in robot.dds.profile_files:
         endpoints = [profile for kind in ("data_writer", "data_reader") for profile in profiles.of_kind(kind)]

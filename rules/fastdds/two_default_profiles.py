@@ -34,7 +34,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("warning")
+@rule("warning", silent="Fast DDS uses one of them without a message")
 def two_default_profiles(robot: Robot) -> Iterator[Finding]:
     for profiles in robot.dds.profile_files:
         for kind in ("participant", "data_writer", "data_reader", "topic"):

@@ -33,7 +33,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
-@rule("info")
+@rule("info", silent="accepted packets are not logged")
 def default_accept(robot: Robot) -> Iterator[Finding]:
     for firewall in robot.firewalls:
         uses = {"iptables", "nft"} & set(firewall.tools)

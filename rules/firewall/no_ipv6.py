@@ -33,7 +33,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
-@rule("info")
+@rule("info", silent="accepted packets are not logged")
 def no_ipv6(robot: Robot) -> Iterator[Finding]:
     tools = {tool for firewall in robot.firewalls for tool in firewall.tools}
     off = any("ipv6.disable=1" in source.said or "disable_ipv6" in source.said for source in robot.sources)

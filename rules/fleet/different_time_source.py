@@ -37,7 +37,7 @@ from bringup_lint.api.fleet import fleet_finding
 from bringup_lint.api.fleet import names
 
 
-@rule("warning")
+@rule("warning", silent="each clock is synchronised; no program compares them")
 def different_time_source(fleet: Fleet) -> Iterator[FleetFinding]:
     for _, found in fleet.majorities("time-source", fleet.talking()):
         for value, odd in found.others.items():

@@ -63,7 +63,7 @@ _BY_SITE = {"middleware", "security", "discovery", "dds", "time-source"}
 """What other rules compare where the inventory says that the robots hear each other."""
 
 
-@rule("warning")
+@rule("warning", silent="no program compares the robots")
 def drift(fleet: Fleet) -> Iterator[FleetFinding]:
     apart = [[robot for robot in robots if robot.talks != "shared"] for robots in fleet.roles.values()]
     for subject, what in _WHAT.items():

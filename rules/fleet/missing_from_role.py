@@ -53,7 +53,7 @@ class Lack(NamedTuple):
     holders: tuple[str, ...]
 
 
-@rule("warning")
+@rule("warning", silent="no program compares the robots")
 def missing_from_role(fleet: Fleet) -> Iterator[FleetFinding]:
     for subject, kind in _WHAT.items():
         saying = {each.robot.number for each in fleet.stated(subject)}

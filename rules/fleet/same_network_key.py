@@ -46,7 +46,7 @@ _WHAT = {
 """What is shared, and what it leads to."""
 
 
-@rule("error", tags=["CWE-321"])
+@rule("error", silent="each robot works alone; the last one that connects gets the packets", tags=["CWE-321"])
 def same_network_key(fleet: Fleet) -> Iterator[FleetFinding]:
     for group in fleet.shared(*_WHAT):
         what, result = _WHAT[group[0].mark.kind]

@@ -36,7 +36,7 @@ from bringup_lint.api.fleet import fleet_finding
 from bringup_lint.api.fleet import names
 
 
-@rule("warning", tags=["CWE-798"])
+@rule("warning", silent="no program compares the robots", tags=["CWE-798"])
 def same_password(fleet: Fleet) -> Iterator[FleetFinding]:
     for group in fleet.shared("password"):
         yield fleet_finding(

@@ -46,7 +46,7 @@ BLOCK = regex(
 COMMENT = regex(r"(?://|#)[^\n]*|/\*.*?(?:\*/|\Z)", re.S)
 
 
-@rule("info")
+@rule("info", silent="unattended-upgrades finds nothing to install, which is not an error")
 def apt_no_security_origin(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("apt-conf"):
         blocks = list(BLOCK.finditer(source.text))

@@ -39,7 +39,7 @@ from bringup_lint.api import rule
 LINE = regex(r"^[ \t]*[^#\s]\S*[ \t]+(?:-|soft|hard)[ \t]+(priority)[ \t]+(\d+)", re.M)
 
 
-@rule("warning")
+@rule("warning", silent="pam_limits sets the nice value as it is told")
 def limits_conf_priority(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("limits-conf"):
         found = [match for match in LINE.finditer(source.text) if int(match[2][:6]) > 0]

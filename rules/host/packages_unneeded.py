@@ -43,7 +43,7 @@ USES = {
 }
 
 
-@rule("info", confidence="medium")
+@rule("info", confidence="medium", silent="the services run as installed")
 def packages_unneeded(robot: Robot) -> Iterator[Finding]:
     for source, command in robot.installations:
         for word in command.words:

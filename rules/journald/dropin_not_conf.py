@@ -48,7 +48,7 @@ BACKUPS = (
 )
 
 
-@rule("warning")
+@rule("warning", silent="systemd does not read the file and does not report it")
 def dropin_not_conf(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("daemon-misnamed"):
         if source.judged and not source.basename.endswith(BACKUPS):

@@ -43,7 +43,7 @@ from bringup_lint.api.python import Import
 from bringup_lint.api.python import in_call
 
 
-@rule("warning", fix="unsafe")
+@rule("warning", fix="unsafe", silent="launch passes the value on without a message")
 def arg_leak(robot: Robot) -> Iterator[Finding]:
     for expansion in robot.launch.expansions:
         for declared in expansion.declared:

@@ -38,7 +38,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
-@rule("info")
+@rule("info", silent="the launch file hides the error itself")
 def bare_except(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         for span in file.bare_excepts:

@@ -38,7 +38,7 @@ from bringup_lint.api import launch
 from bringup_lint.api import rule
 
 
-@rule("error", confidence="medium")
+@rule("error", confidence="medium", silent="the result of the check is dropped")
 def check_ignored(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         expansion = robot.launch.expansion(file)

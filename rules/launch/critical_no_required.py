@@ -47,7 +47,7 @@ BY_HAND = ("joy", "joy_linux", "spacenav")
 """Input devices: without them a robot drives on by itself."""
 
 
-@rule("warning", fix="unsafe")
+@rule("warning", fix="unsafe", silent="launch reports that a process has died, as for every process, and goes on")
 def critical_no_required(robot: Robot) -> Iterator[Finding]:
     for expansion in robot.launch.entries:
         entry = expansion.entry

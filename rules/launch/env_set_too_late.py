@@ -49,7 +49,7 @@ LOGS = regex(r"LOG|CONSOLE|COLORIZED")
 """Variables of the logs: without them the nodes run as with them."""
 
 
-@rule("warning", fix="unsafe")
+@rule("warning", fix="unsafe", silent="the node starts without the variable")
 def env_set_too_late(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         started = None

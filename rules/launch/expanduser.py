@@ -32,7 +32,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
-@rule("info")
+@rule("info", silent="the path of the current user's home folder is valid")
 def expanduser(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         if robot.launch.simulated(file):

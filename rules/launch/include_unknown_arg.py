@@ -39,7 +39,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.spelling import nearest
 
 
-@rule("warning", fix="unsafe")
+@rule("warning", fix="unsafe", silent="launch accepts every name without a message")
 def include_unknown_arg(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         if robot.purpose(file.source).value == "test":

@@ -48,7 +48,7 @@ IMAGES = (
 )
 
 
-@rule("info", fix="unsafe")
+@rule("info", fix="unsafe", silent="copies are not reported; only the processor load shows them")
 def intra_process_unset(robot: Robot) -> Iterator[Finding]:
     for _, node in robot.launch.actions(launch.Node):
         components = [each for each in node.components if isinstance(each, launch.ComposableNode)]

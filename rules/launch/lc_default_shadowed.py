@@ -42,7 +42,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.python import without_keyword
 
 
-@rule("warning", fix="unsafe")
+@rule("warning", fix="unsafe", silent="launch takes the declared default without a message")
 def lc_default_shadowed(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         declared = {

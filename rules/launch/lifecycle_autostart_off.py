@@ -34,7 +34,7 @@ from bringup_lint.api import launch
 from bringup_lint.api import rule
 
 
-@rule("warning", fix="none")
+@rule("warning", fix="none", silent="the lifecycle manager waits for a request without a message")
 def lifecycle_autostart_off(robot: Robot) -> Iterator[Finding]:
     for expansion in robot.launch.expansions:
         entry = expansion.entry

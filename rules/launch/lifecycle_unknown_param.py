@@ -46,7 +46,7 @@ KNOWN = (
 )
 
 
-@rule("warning", fix="unsafe")
+@rule("warning", fix="unsafe", silent="a node ignores parameters that it does not declare without a message")
 def lifecycle_unknown_param(robot: Robot) -> Iterator[Finding]:
     for expansion in robot.launch.expansions:
         for manager in launch.managers(expansion):

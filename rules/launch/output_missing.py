@@ -37,7 +37,7 @@ from bringup_lint.api import rule
 OVERRIDE = "OVERRIDE_LAUNCH_PROCESS_OUTPUT"
 
 
-@rule("info", fix="unsafe")
+@rule("info", fix="unsafe", silent="the output is in a file of the log folder")
 def output_missing(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         for action, _ in robot.launch.visited(file):

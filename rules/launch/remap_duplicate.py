@@ -36,7 +36,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.python import remove
 
 
-@rule("warning", fix="safe")
+@rule("warning", fix="safe", silent="one of the remappings applies without a message")
 def remap_duplicate(robot: Robot) -> Iterator[Finding]:
     for node in robot.launch.nodes:
         first: dict[str, tuple[Located, Located | None]] = {}

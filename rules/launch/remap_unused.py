@@ -36,7 +36,7 @@ from bringup_lint.api import launch
 from bringup_lint.api import rule
 
 
-@rule("warning", fix="unsafe")
+@rule("warning", fix="unsafe", silent="rcl does not report remappings that match nothing")
 def remap_unused(robot: Robot) -> Iterator[Finding]:
     for node in robot.launch.nodes:
         topics = robot.launch.role(node).topics

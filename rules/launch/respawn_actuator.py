@@ -33,7 +33,7 @@ from bringup_lint.api import launch
 from bringup_lint.api import rule
 
 
-@rule("warning")
+@rule("warning", silent="launch reports only that a process has died and that one has started")
 def respawn_actuator(robot: Robot) -> Iterator[Finding]:
     for node in robot.launch.nodes:
         if not isinstance(node.action, launch.Node) or robot.launch.simulated(node.file):

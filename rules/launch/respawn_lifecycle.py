@@ -35,7 +35,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("warning")
+@rule("warning", silent="launch reports the new process, but not that it is unconfigured")
 def respawn_lifecycle(robot: Robot) -> Iterator[Finding]:
     for expansion in robot.launch.entries:
         if launch.outside(expansion):

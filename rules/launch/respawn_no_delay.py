@@ -40,7 +40,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("warning", fix="unsafe")
+@rule("warning", fix="unsafe", silent="launch reports only that a process has died and that one has started")
 def respawn_no_delay(robot: Robot) -> Iterator[Finding]:
     found: dict[Source, dict[Span, Hasty]] = {}
     for hasty in restarted_at_once(robot):

@@ -35,7 +35,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("warning", tags=["CWE-78"])
+@rule("warning", silent="the shell runs what it is given", tags=["CWE-78"])
 def shell_true(robot: Robot) -> Iterator[Finding]:
     for _, action in robot.launch.actions(launch.Process):
         shell = action.options.get("shell")

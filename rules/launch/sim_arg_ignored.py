@@ -5,8 +5,8 @@ Launch files that declare `use_sim`, `simulation` or a similar argument and star
 a condition nor reads the argument. Input devices, such as a joystick, are left out.
 
 ## Why it matters on a robot
-`use_sim:=true` on the robot still starts the real driver: the hardware moves while everybody believes that only a
-simulation runs.
+`use_sim:=true` on the robot still starts the real driver: the hardware moves although only a
+simulation was asked for.
 
 ## Bad
 ```python
@@ -53,7 +53,7 @@ BY_HAND = ("joy", "joy_linux", "joy_teleop", "spacenav", "wiimote")
 """Input devices: a person drives the simulated robot with them, too."""
 
 
-@rule("warning")
+@rule("warning", silent="the driver starts as it would without the argument")
 def sim_arg_ignored(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         expansion = robot.launch.expansion(file)

@@ -44,7 +44,7 @@ CONSUMERS = ("localization", "mapping", "planning", "control", "costmap")
 PROVIDERS = ("driver", "hardware", "localization", "mapping", "map", "perception")
 
 
-@rule("warning")
+@rule("warning", silent="launch does not know what a delay was for")
 def timer_ordering(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         if robot.launch.simulated(file):

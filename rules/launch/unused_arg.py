@@ -44,7 +44,7 @@ from bringup_lint.api.launch import LaunchFile
 from bringup_lint.api.python import remove
 
 
-@rule("warning", fix="unsafe")
+@rule("warning", fix="unsafe", silent="launch accepts the argument without a message")
 def unused_arg(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         expansions = list(robot.launch.leading_to(file))

@@ -33,7 +33,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import rule
 
 
-@rule("warning")
+@rule("warning", silent="it is about a comment that only bringup-lint reads")
 def ignore_without_reason(robot: Robot) -> Iterator[Finding]:
     """Reported by the engine when all other rules have run."""
     return iter(())

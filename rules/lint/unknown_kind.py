@@ -32,7 +32,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
-@rule("warning")
+@rule("warning", silent="only bringup-lint reports it")
 def unknown_kind(robot: Robot) -> Iterator[Finding]:
     for problem in robot.problems:
         if problem.code == "unknown-kind":

@@ -33,7 +33,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
-@rule("error")
+@rule("error", silent="only bringup-lint reports it")
 def unreadable(robot: Robot) -> Iterator[Finding]:
     for problem in robot.problems:
         if problem.code == "unreadable":

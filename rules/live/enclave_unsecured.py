@@ -40,7 +40,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.sros2 import enclave_of
 
 
-@rule("error", tags=["CWE-306"])
+@rule("error", silent="nodes start without security and without a message", tags=["CWE-306"])
 def enclave_unsecured(robot: Robot) -> Iterator[Finding]:
     observed = robot.observed
     seen = [node for node in observed.nodes if observed.expected.named(node.name) or not observed.expected.nodes]

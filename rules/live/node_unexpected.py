@@ -38,7 +38,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("warning", confidence="medium")
+@rule("warning", confidence="medium", silent="a further node is normal for ROS")
 def node_unexpected(robot: Robot) -> Iterator[Finding]:
     observed = robot.observed
     if observed.expected.gaps or not observed.expected.nodes:

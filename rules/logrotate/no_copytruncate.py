@@ -44,7 +44,7 @@ from bringup_lint.api import rule
 RESTARTS = regex(r"\b(?:try-restart|restart|reload-or-restart|stop)\b")
 
 
-@rule("warning", fix="unsafe")
+@rule("warning", fix="unsafe", silent="a process goes on writing to its open file without a message")
 def no_copytruncate(robot: Robot) -> Iterator[Finding]:
     for stanza in robot.logs.stanzas:
         create = stanza.own("create")

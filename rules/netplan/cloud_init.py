@@ -40,7 +40,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("info")
+@rule("info", silent="netplan merges both files without a message")
 def cloud_init(robot: Robot) -> Iterator[Finding]:
     for interface in robot.netplan.interfaces:
         flag = interface.flag("dhcp4")

@@ -33,7 +33,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("info")
+@rule("info", silent="netplan configures both without a message")
 def dhcp_and_static(robot: Robot) -> Iterator[Finding]:
     for interface in robot.netplan.interfaces:
         flag = interface.flag("dhcp4")

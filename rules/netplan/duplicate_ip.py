@@ -39,7 +39,7 @@ from bringup_lint.api.netplan import Interface
 from bringup_lint.api.netplan import Plan
 
 
-@rule("error")
+@rule("error", silent="netplan configures both without a message")
 def duplicate_ip(robot: Robot) -> Iterator[Finding]:
     for plan in robot.netplan.plans:
         owners: dict[object, tuple[Interface, Address]] = {}

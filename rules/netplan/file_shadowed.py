@@ -35,7 +35,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("info")
+@rule("info", silent="netplan does not report files that another one replaces")
 def file_shadowed(robot: Robot) -> Iterator[Finding]:
     for hidden, winner in robot.netplan.shadowed:
         yield finding(

@@ -37,7 +37,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
-@rule("info", confidence="medium")
+@rule("info", confidence="medium", silent="one network for everything works")
 def flat_network(robot: Robot) -> Iterator[Finding]:
     for plan in robot.netplan.plans:
         interfaces = [i for i in plan.interfaces.values() if i.is_configured and i.name not in plan.masters]

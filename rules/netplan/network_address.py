@@ -33,7 +33,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
-@rule("warning")
+@rule("warning", silent="netplan accepts the address without a message")
 def network_address(robot: Robot) -> Iterator[Finding]:
     for interface in robot.netplan.interfaces:
         for address in interface.addresses:

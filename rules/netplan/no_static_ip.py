@@ -34,7 +34,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.addresses import is_address
 
 
-@rule("info")
+@rule("info", silent="the robot gets an address, only not the one that the others expect")
 def no_static_ip(robot: Robot) -> Iterator[Finding]:
     for configuration, domain in robot.dds.domains:
         plan = robot.dds.plan_of(configuration)

@@ -39,7 +39,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("warning")
+@rule("warning", silent="the units that wait for the network just start before it is there")
 def optional_all(robot: Robot) -> Iterator[Finding]:
     waiting = robot.waiting_for_network
     plan = robot.netplan.only_plan

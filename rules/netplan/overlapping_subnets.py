@@ -39,7 +39,7 @@ from bringup_lint.api.netplan import Address
 from bringup_lint.api.netplan import Subnets
 
 
-@rule("warning")
+@rule("warning", silent="netplan configures both; the kernel chooses one of the routes without a message")
 def overlapping_subnets(robot: Robot) -> Iterator[Finding]:
     for plan in robot.netplan.plans:
         seen = Subnets()

@@ -33,7 +33,7 @@ from bringup_lint.api import fix
 from bringup_lint.api import rule
 
 
-@rule("info", fix="safe")
+@rule("info", fix="safe", silent="netplan reads both forms")
 def route_to_default_old(robot: Robot) -> Iterator[Finding]:
     for interface in robot.netplan.interfaces:
         for route in interface.routes:

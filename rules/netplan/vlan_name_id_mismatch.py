@@ -36,7 +36,7 @@ from bringup_lint.api import rule
 NUMBERED = regex(r"(?:vlan[._-]?|.+\.)0*([1-9]\d*|0)", re.IGNORECASE)
 
 
-@rule("info")
+@rule("info", silent="the name has no meaning for netplan")
 def vlan_name_id_mismatch(robot: Robot) -> Iterator[Finding]:
     for interface in robot.netplan.interfaces:
         named = NUMBERED.fullmatch(interface.name)

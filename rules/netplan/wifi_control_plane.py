@@ -41,7 +41,7 @@ from bringup_lint.api import rule
 CONTROL = regex(r"(?:^|[^a-z])(?:control|ctrl|motion|safety|estop|e-stop)(?:$|[^a-z])", re.IGNORECASE)
 
 
-@rule("warning", confidence="medium")
+@rule("warning", confidence="medium", silent="lost packets on Wi-Fi are not reported")
 def wifi_control_plane(robot: Robot) -> Iterator[Finding]:
     for plan in robot.netplan.plans:
         wifi = {str(i.name): i for i in plan.interfaces.values() if i.is_wifi}

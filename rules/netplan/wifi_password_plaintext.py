@@ -44,7 +44,7 @@ from bringup_lint.api.templates import is_stand_in
 KEY = "WPA key (the 64 hex digits are as good as the password)"
 
 
-@rule("warning", tags=["CWE-256", "CWE-798"])
+@rule("warning", silent="netplan reads the password where it is", tags=["CWE-256", "CWE-798"])
 def wifi_password_plaintext(robot: Robot) -> Iterator[Finding]:
     for interface in robot.netplan.interfaces:
         for password in interface.passwords:

@@ -43,7 +43,7 @@ from bringup_lint.api.networkmanager import colliding
 from bringup_lint.api.networkmanager import colliding_netplan
 
 
-@rule("error")
+@rule("error", silent="NetworkManager activates both; the kernel chooses one of the routes without a message")
 def address_conflict(robot: Robot) -> Iterator[Finding]:
     for one, other in robot.networkmanager.pairs:
         for first, second in colliding(one, other):

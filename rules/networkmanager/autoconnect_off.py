@@ -43,7 +43,7 @@ from bringup_lint.api.networkmanager import alone_off
 BROUGHT_UP = regex(r"\bnmcli\b[^\n]{0,200}\bup\b")
 
 
-@rule("warning")
+@rule("warning", silent="NetworkManager waits for somebody to activate the profile")
 def autoconnect_off(robot: Robot) -> Iterator[Finding]:
     for folder in robot.networkmanager.folders:
         where = alone_off(folder)

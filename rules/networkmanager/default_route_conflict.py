@@ -46,7 +46,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("warning")
+@rule("warning", silent="NetworkManager activates both; the kernel chooses one of the routes without a message")
 def default_route_conflict(robot: Robot) -> Iterator[Finding]:
     for one, other in robot.networkmanager.pairs:
         first, second = one.default_gateway, other.default_gateway

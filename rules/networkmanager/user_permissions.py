@@ -37,7 +37,7 @@ from bringup_lint.api import fix
 from bringup_lint.api import rule
 
 
-@rule("warning", fix="unsafe")
+@rule("warning", fix="unsafe", silent="NetworkManager waits for the user without a message")
 def user_permissions(robot: Robot) -> Iterator[Finding]:
     for profile in robot.networkmanager.judged:
         permissions = profile.get("connection", "permissions")

@@ -59,7 +59,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("warning", tags=["CWE-833"])
+@rule("warning", silent="other callbacks of the node are late, and rclpy does not report it", tags=["CWE-833"])
 def blocking_in_callback(robot: Robot) -> Iterator[Finding]:
     yield from _in_python(robot)
     yield from _in_constructors(robot)

@@ -38,7 +38,7 @@ from bringup_lint.api import rule
 from bringup_lint.api import topics
 
 
-@rule("info", confidence="medium")
+@rule("info", confidence="medium", silent="velocities reach the motors as they are sent")
 def cmd_vel_no_gate(robot: Robot) -> Iterator[Finding]:
     seen = set()
     for running in robot.topics.entries:

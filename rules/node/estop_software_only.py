@@ -36,7 +36,7 @@ from bringup_lint.api import rule
 from bringup_lint.api import topics
 
 
-@rule("info", confidence="medium")
+@rule("info", confidence="medium", silent="a lost stop message leaves no trace")
 def estop_software_only(robot: Robot) -> Iterator[Finding]:
     names = (each.name for each in robot.topics.endpoints)
     stops = [name for name in names if name is not None and _is_command(name)]

@@ -38,7 +38,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("warning", fix="unsafe")
+@rule("warning", fix="unsafe", silent="a topic without a publisher is normal for ROS")
 def heartbeat_unknown_node(robot: Robot) -> Iterator[Finding]:
     for name, watched, meant, is_typo in robot.topics.missing_nodes:
         node = next((each for each in robot.topics.named_nodes if each.name == meant), None)

@@ -37,7 +37,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("warning", confidence="medium")
+@rule("warning", confidence="medium", silent="the parameter has the value that the file gives")
 def parameter_unread(robot: Robot) -> Iterator[Finding]:
     for found in nodes.unread_parameters(robot.nodes, robot.params):
         yield finding(

@@ -37,7 +37,7 @@ from bringup_lint.api import nodes
 from bringup_lint.api import rule
 
 
-@rule("warning")
+@rule("warning", silent="the process waits in its next write without a message")
 def pipe_unread(robot: Robot) -> Iterator[Finding]:
     for file in robot.nodes.programs:
         for found in nodes.unread_pipes(robot.nodes.syntax(file)):

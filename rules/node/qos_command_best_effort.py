@@ -47,7 +47,7 @@ from bringup_lint.api.nodes import Timer
 QUEUE = 10
 
 
-@rule("warning")
+@rule("warning", silent="a lost best effort message leaves no trace")
 def qos_command_best_effort(robot: Robot) -> Iterator[Finding]:
     for endpoints, timers, relay in _nodes(robot):
         for endpoint in endpoints:

@@ -39,7 +39,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("error", tags=["CWE-833"])
+@rule("error", silent="the thread waits forever without a message", tags=["CWE-833"])
 def rate_without_spin(robot: Robot) -> Iterator[Finding]:
     for file in robot.nodes.programs:
         for rate, sleep in nodes.endless_rates(robot.nodes.syntax(file)):

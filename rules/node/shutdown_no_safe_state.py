@@ -54,7 +54,7 @@ from bringup_lint.api import rule
 ADVICE = "turn SIGTERM into KeyboardInterrupt (SignalHandlerOptions.NO), and publish zero in a finally around the spin"
 
 
-@rule("warning", confidence="medium", tags=["CWE-404"])
+@rule("warning", confidence="medium", silent="the program ends as it was asked to", tags=["CWE-404"])
 def shutdown_no_safe_state(robot: Robot) -> Iterator[Finding]:
     for file, command, spin, init, is_caught in nodes.unsafe_ends(robot.nodes):
         place = file.span_of(init) if init is not None else command.span

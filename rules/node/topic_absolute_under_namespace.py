@@ -39,7 +39,7 @@ from bringup_lint.api import rule
 from bringup_lint.api import topics
 
 
-@rule("warning", fix="unsafe", confidence="medium")
+@rule("warning", fix="unsafe", confidence="medium", silent="both names are valid topics")
 def topic_absolute_under_namespace(robot: Robot) -> Iterator[Finding]:
     for running in robot.topics.runs:
         for uses in topics.shared_by_namespaces(running):

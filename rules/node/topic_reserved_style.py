@@ -34,7 +34,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
-@rule("info")
+@rule("info", silent="both names are valid topics")
 def topic_reserved_style(robot: Robot) -> Iterator[Finding]:
     for endpoint in robot.topics.endpoints:
         if endpoint.role not in ("publisher", "subscription") or endpoint.name is None:

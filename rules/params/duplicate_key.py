@@ -40,7 +40,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("warning")
+@rule("warning", silent="rcl keeps one of the values without a message")
 def duplicate_key(robot: Robot) -> Iterator[Finding]:
     for file, first, second in robot.params.duplicates:
         wins = robot.params.winner(file, second)

@@ -37,7 +37,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.params import Block
 
 
-@rule("info")
+@rule("info", silent="both blocks are read without a message")
 def duplicate_node_block(robot: Robot) -> Iterator[Finding]:
     for file in robot.params.judged:
         seen: dict[str, Block] = {}

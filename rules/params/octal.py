@@ -39,7 +39,7 @@ from bringup_lint.api import rule
 _OCTAL = regex(r"[+-]?0+[1-9][0-9]*\Z")
 
 
-@rule("warning", fix="unsafe")
+@rule("warning", fix="unsafe", symptoms=["is of type {integer}, setting it to {double} is not allowed"])
 def octal(robot: Robot) -> Iterator[Finding]:
     for _, parameter in robot.params.parameters:
         for item in robot.params.items(parameter):

@@ -39,7 +39,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("warning")
+@rule("warning", silent="rcl takes the later block without a message")
 def wildcard_overrides_specific(robot: Robot) -> Iterator[Finding]:
     for file in robot.params.judged:
         if not file.accepted:

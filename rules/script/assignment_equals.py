@@ -37,7 +37,7 @@ from bringup_lint.api.shell import shell_commands
 DOUBLED = regex(r"[A-Za-z_]\w*==(?=[\w$`/])")
 
 
-@rule("error", fix="unsafe")
+@rule("error", fix="unsafe", silent="the shell assigns the value without a message")
 def assignment_equals(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("shell-script"):
         if not source.judged or source.template or "==" not in source.said:

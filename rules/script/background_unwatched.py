@@ -46,7 +46,7 @@ LEAST = 3
 """Programs that somebody would rather start with one launch file."""
 
 
-@rule("warning", confidence="medium")
+@rule("warning", confidence="medium", silent="nobody waits for the process, so nobody reports its end")
 def background_unwatched(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("shell-script"):
         if not source.judged or source.template or "&" not in source.text or WATCHES.search(source.text):

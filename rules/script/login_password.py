@@ -54,7 +54,7 @@ SERVER = regex(r"\b(?:sshd|openssh-server|xrdp|\w{0,20}vnc\w{0,20})\b")
 EXPIRES = regex(r"\bchage\s+(?:-d\s*0|--lastday[= ]0)|passwd\s+(?:-e|--expire)\b")
 
 
-@rule("error", tags=["CWE-798", "CWE-259"])
+@rule("error", silent="the password works for everybody who knows it", tags=["CWE-798", "CWE-259"])
 def login_password(robot: Robot) -> Iterator[Finding]:
     in_containers = set(_of_containers(robot))
     for source, run in robot.scripts.run("chpasswd", "passwd", "useradd", "usermod"):

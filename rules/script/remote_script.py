@@ -46,7 +46,7 @@ LOADS = regex(r" (?:-k|--insecure|--no-check-certificate)\b")
 UNCHECKED = ("-k", "--insecure", "--no-check-certificate")
 
 
-@rule("info", tags=["CWE-494"])
+@rule("info", silent="the shell runs what it is given", tags=["CWE-494"])
 def remote_script(robot: Robot) -> Iterator[Finding]:
     loading = None
     for source, run in robot.scripts.run("curl", "wget", *SHELLS):

@@ -51,7 +51,7 @@ FEW = 3
 """Lines; who writes more means the whole file."""
 
 
-@rule("warning")
+@rule("warning", symptoms=["==> Modified (by you or by a script) since installation."])
 def system_file_replaced(robot: Robot) -> Iterator[Finding]:
     for _, written in robot.scripts.written(*FOLDERS):
         if written.appends or written.path not in FOLDERS or written.text is None:

@@ -41,7 +41,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("warning", tags=["CWE-200"])
+@rule("warning", silent="parameters are meant to be read by every node", tags=["CWE-200"])
 def ros_parameter(robot: Robot) -> Iterator[Finding]:
     places: dict[str, list[Span]] = {}
     for each in robot.exposed_secrets:

@@ -32,7 +32,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
-@rule("warning", tags=["CWE-522"])
+@rule("warning", silent="a key that is not used leaves no trace", tags=["CWE-522"])
 def ca_key_on_robot(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("sros2-key"):
         if robot.tree.complete and "/private/" in f"/{source.name}" and source.judged:

@@ -36,7 +36,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.sros2 import moves_robot
 
 
-@rule("error", fix="unsafe", tags=["CWE-862"])
+@rule("error", fix="unsafe", silent="nothing is refused, so nothing is reported", tags=["CWE-862"])
 def governance_access_control_off(robot: Robot) -> Iterator[Finding]:
     for governance in robot.sros2.used_governances:
         for rule_ in governance.rules:

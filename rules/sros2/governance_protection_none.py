@@ -45,7 +45,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.sros2 import moves_robot
 
 
-@rule("error", fix="unsafe", tags=["CWE-319"])
+@rule("error", fix="unsafe", silent="messages arrive in clear text without a message", tags=["CWE-319"])
 def governance_protection_none(robot: Robot) -> Iterator[Finding]:
     for governance in robot.sros2.used_governances:
         for rule_ in governance.rules:

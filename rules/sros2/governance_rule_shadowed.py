@@ -41,7 +41,7 @@ from bringup_lint.api.sros2 import TopicRule
 from bringup_lint.api.sros2 import matches
 
 
-@rule("warning")
+@rule("warning", silent="the first rule that matches applies without a message")
 def governance_rule_shadowed(robot: Robot) -> Iterator[Finding]:
     for governance in robot.sros2.used_governances:
         for rule_ in governance.rules:

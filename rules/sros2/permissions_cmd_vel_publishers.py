@@ -43,7 +43,7 @@ from bringup_lint.api import rule
 FORWARDS = regex(r"bridge|mux|relay|gate|smoother|collision|arbiter|filter|proxy")
 
 
-@rule("warning")
+@rule("warning", silent="nothing is refused, so nothing is reported")
 def permissions_cmd_vel_publishers(robot: Robot) -> Iterator[Finding]:
     if any(robot.sros2.in_launch(word) for word in ("mux", "collision_monitor", "smoother", "gate", "arbiter")):
         return

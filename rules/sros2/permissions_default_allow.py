@@ -35,7 +35,7 @@ from bringup_lint.api import fix
 from bringup_lint.api import rule
 
 
-@rule("error", fix="unsafe", tags=["CWE-276"])
+@rule("error", fix="unsafe", silent="nothing is refused, so nothing is reported", tags=["CWE-276"])
 def permissions_default_allow(robot: Robot) -> Iterator[Finding]:
     for permissions, grant in robot.sros2.grants:
         if grant.default == "ALLOW" and robot.sros2.is_used(permissions.source):

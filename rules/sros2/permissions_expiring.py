@@ -33,7 +33,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.sros2 import moment
 
 
-@rule("warning")
+@rule("warning", silent="the permissions are valid until that day")
 def permissions_expiring(robot: Robot) -> Iterator[Finding]:
     for _, grant in robot.sros2.grants:
         end = moment(grant.not_after)

@@ -42,7 +42,7 @@ OF_TOOL = range(3649, 3655)
 """Days: ``ros2 security`` signs for ten years."""
 
 
-@rule("warning", tags=["CWE-324"])
+@rule("warning", silent="the permissions are valid", tags=["CWE-324"])
 def permissions_validity_too_long(robot: Robot) -> Iterator[Finding]:
     keystores: dict[str, list[Grant]] = {}
     for document, grant in robot.sros2.ros_grants:

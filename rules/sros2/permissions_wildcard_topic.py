@@ -71,7 +71,7 @@ class Wide(NamedTuple):
     pattern: Located
 
 
-@rule("warning", tags=["CWE-732"])
+@rule("warning", silent="nothing is refused, so nothing is reported", tags=["CWE-732"])
 def permissions_wildcard_topic(robot: Robot) -> Iterator[Finding]:
     keystores: dict[str, list[Wide]] = {}
     for document, grant in robot.sros2.ros_grants:

@@ -33,7 +33,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
-@rule("info")
+@rule("info", silent="systemctl restarts the units that match and says nothing of the others")
 def restart_glob(robot: Robot) -> Iterator[Finding]:
     for _, commands in robot.sros2.scripts("ros2 security"):
         for command in commands:

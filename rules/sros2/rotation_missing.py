@@ -45,7 +45,7 @@ from bringup_lint.api import rule
 ROTATES = regex(r"ros2[\s\"',]+security|create_enclave|create_permission|openssl|certbot|step\s+ca|vault")
 
 
-@rule("warning", confidence="medium", tags=["CWE-324"])
+@rule("warning", confidence="medium", silent="the keys are valid until they expire", tags=["CWE-324"])
 def rotation_missing(robot: Robot) -> Iterator[Finding]:
     if not robot.tree.complete or not robot.sros2.keystores or not robot.sros2.switched_on:
         return

@@ -62,6 +62,7 @@ MOST_TRIES = 4
 @rule(
     "info",
     fix="unsafe",
+    silent="sshd offers what it is told to",
     aliases=[
         "sshd/x11-forwarding",
         "sshd/tcp-forwarding",

@@ -36,7 +36,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("info")
+@rule("info", silent="sshd does not read the files and does not report them")
 def include_missing(robot: Robot) -> Iterator[Finding]:
     for sshd in robot.sshd:
         if sshd.main is None or not sshd.complete or not sshd.main.source.judged or sshd.main.source.template:

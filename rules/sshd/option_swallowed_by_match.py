@@ -37,7 +37,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("error")
+@rule("error", silent="the line is valid in the block")
 def option_swallowed_by_match(robot: Robot) -> Iterator[Finding]:
     for sshd in robot.sshd:
         for file in sshd.files:

@@ -50,7 +50,7 @@ PROTECTS = {
 }
 
 
-@rule("error")
+@rule("error", silent="sshd takes the first value without a message")
 def overridden(robot: Robot) -> Iterator[Finding]:
     for sshd in robot.sshd:
         for option, winner in sshd.overridden():

@@ -35,7 +35,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("warning", fix="safe")
+@rule("warning", fix="safe", silent="systemd reads the old name as an alias without a message")
 def shutdown_watchdog_renamed(robot: Robot) -> Iterator[Finding]:
     for daemon in robot.system_conf:
         new = next((line.assignment for line in daemon.lines if line.assignment.key == "RebootWatchdogSec"), None)

@@ -46,7 +46,7 @@ DEFAULTS = {
 }
 
 
-@rule("warning", fix="unsafe")
+@rule("warning", fix="unsafe", silent="a comment is not read")
 def watchdog_commented(robot: Robot) -> Iterator[Finding]:
     for daemon in robot.system_conf:
         seen = set()

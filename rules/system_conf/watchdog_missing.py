@@ -36,7 +36,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
-@rule("info")
+@rule("info", silent="a kernel that hangs writes no log")
 def watchdog_missing(robot: Robot) -> Iterator[Finding]:
     if not robot.tree.complete or not robot.is_ros or robot.watchdog.owners:
         return

@@ -41,7 +41,13 @@ from bringup_lint.api import rule
 DEFAULT_TIMEOUT = 60
 
 
-@rule("error")
+@rule(
+    "error",
+    symptoms=[
+        "This interval length (*) might reboot the system while the process sleeps! Try * or less",
+        "watchdog now set to * seconds, should be more than double interval",
+    ],
+)
 def watchdog_timeout_vs_interval(robot: Robot) -> Iterator[Finding]:
     for settings in robot.watchdog.files:
         interval, timeout = settings.get("interval"), settings.get("watchdog-timeout")

@@ -39,7 +39,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("info", fix="unsafe")
+@rule("info", fix="unsafe", silent="an order between units that do not both start has no effect and is not reported")
 def after_without_requires(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     for unit in units.judged:

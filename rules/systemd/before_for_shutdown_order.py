@@ -48,7 +48,7 @@ from bringup_lint.api.systemd import Unit
 DEPENDS = ("Requires", "BindsTo", "PartOf")
 
 
-@rule("warning", fix="unsafe")
+@rule("warning", fix="unsafe", silent="the units stop in the order that they declare")
 def before_for_shutdown_order(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         if unit.get("Type") == "oneshot":

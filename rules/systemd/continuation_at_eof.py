@@ -37,7 +37,7 @@ from bringup_lint.api import fix
 from bringup_lint.api import rule
 
 
-@rule("warning", fix="safe")
+@rule("warning", fix="safe", silent="systemd takes the last line as it is")
 def continuation_at_eof(robot: Robot) -> Iterator[Finding]:
     for _, problem in robot.units.problems("continuation-at-end"):
         yield finding(

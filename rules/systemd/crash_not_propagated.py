@@ -41,7 +41,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("info", fix="unsafe")
+@rule("info", fix="unsafe", silent="the service that requires the driver keeps running")
 def crash_not_propagated(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     layers = units.layers(units.ros)

@@ -51,7 +51,7 @@ PATH_CHECKS = tuple(
 PULLS = ("BindsTo", "Requires", "Wants", "After", "Requisite")
 
 
-@rule("info")
+@rule("info", silent="what is logged is the error of the driver itself")
 def device_check_missing(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.ros:
         if not unit.complete or unit.get("Type") == "oneshot" or not DRIVER.search(unit.stem):

@@ -45,7 +45,7 @@ from bringup_lint.api.systemd import DockerStart
 from bringup_lint.api.systemd import docker_starts
 
 
-@rule("warning")
+@rule("warning", silent="the docker client ends with success")
 def docker_run_detached(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         remains = unit.flag("RemainAfterExit")

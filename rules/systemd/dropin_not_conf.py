@@ -41,7 +41,7 @@ MEANT = regex(
 )
 
 
-@rule("warning")
+@rule("warning", silent="systemd does not read the file and does not report it")
 def dropin_not_conf(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("systemd-dropin"):
         name = source.basename

@@ -40,7 +40,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
-@rule("info")
+@rule("info", silent="a sleep that is too short shows only in the errors of the program after it")
 def execstartpre_sleep(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         for process in robot.units.processes(unit):

@@ -43,7 +43,7 @@ from bringup_lint.api.systemd import open_access
 GIVES = {Offer.DESKTOP: "the desktop", Offer.NOTEBOOK: "a shell", Offer.TERMINAL: "a shell"}
 
 
-@rule("error", tags=["CWE-306"])
+@rule("error", symptoms=["- Authentication is disabled"], tags=["CWE-306"])
 def no_authentication(robot: Robot) -> Iterator[Finding]:
     told = {each.where for each in robot.open_services}
     for unit in robot.units.services:

@@ -43,7 +43,7 @@ from bringup_lint.api import rule
 RANK = {"hardware": 0, "perception": 1, "application": 2}
 
 
-@rule("warning", confidence="medium")
+@rule("warning", confidence="medium", silent="units without an order start at once")
 def no_startup_order(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     for stack in units.enabled_ros_groups:

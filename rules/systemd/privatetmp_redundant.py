@@ -43,7 +43,7 @@ from bringup_lint.api.systemd import Assignment
 from bringup_lint.api.systemd import paths
 
 
-@rule("info", fix="safe")
+@rule("info", fix="safe", silent="the setting has no effect and is not reported")
 def privatetmp_redundant(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.judged:
         private = unit.flag("PrivateTmp")

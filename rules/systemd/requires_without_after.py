@@ -44,7 +44,7 @@ ORDERED = (".mount", ".automount", ".swap", ".slice", ".scope")
 EARLY = ("sysinit.target", "basic.target", "network-online.target", "local-fs.target")
 
 
-@rule("warning", fix="unsafe")
+@rule("warning", fix="unsafe", silent="units without an order start at once")
 def requires_without_after(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     for unit in units.judged:

@@ -53,7 +53,7 @@ from bringup_lint.api.systemd import only_connects
 TOOLS = "cli"
 
 
-@rule("warning", fix="unsafe")
+@rule("warning", fix="unsafe", silent="systemd reports the end of the service, as for every service, and does nothing")
 def restart_missing(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     ros = [*units.ros, *units.ros1, *units.presumed_ros]

@@ -46,7 +46,7 @@ from bringup_lint.api.systemd import Step
 from bringup_lint.api.systemd import Unit
 
 
-@rule("error")
+@rule("error", silent="systemd watches the main process only")
 def shell_background_job(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         remains = unit.flag("RemainAfterExit")

@@ -36,7 +36,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
-@rule("info")
+@rule("info", silent="the lines of the program are there, only under the name of the shell")
 def syslogidentifier_missing(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.ros:
         shells = [process for process in robot.units.started(unit) if process.shell]

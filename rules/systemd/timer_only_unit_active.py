@@ -41,7 +41,7 @@ _FIRST = ("OnActiveSec", "OnBootSec", "OnStartupSec", "OnCalendar", "OnClockChan
 _REPEATED = ("OnUnitActiveSec", "OnUnitInactiveSec")
 
 
-@rule("warning")
+@rule("warning", silent="the timer is active and has no next elapse")
 def timer_only_unit_active(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.judged:
         if unit.type != "timer" or unit.fragment is None or unit.uncertain:

@@ -41,7 +41,7 @@ from bringup_lint.api import rule
 _PULLING = ("Requires", "Wants", "BindsTo", "Upholds")
 
 
-@rule("warning", fix="unsafe")
+@rule("warning", fix="unsafe", silent="the service starts together with its timer without a message")
 def timer_requires_service(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.judged:
         if unit.type != "timer":

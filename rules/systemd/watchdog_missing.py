@@ -45,7 +45,7 @@ CRITICAL = regex(
 )
 
 
-@rule("info")
+@rule("info", silent="a program that hangs writes no log")
 def watchdog_missing(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.ros:
         service = robot.units.supervision(unit)

@@ -56,7 +56,7 @@ _MOST_SHOWN = 20
 _READ_AT_EVERY_EVENT = ("ID_MM_DEVICE_IGNORE", "ID_MM_PORT_IGNORE", "NM_UNMANAGED")
 
 
-@rule("warning", fix="unsafe")
+@rule("warning", fix="unsafe", silent="udev removes the link at the change event as the rules say")
 def action_add_only_symlink(robot: Robot) -> Iterator[Finding]:
     jumped: dict[Token, list[Lost]] = {}
     for lost in _all_lost(robot):

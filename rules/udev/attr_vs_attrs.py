@@ -44,7 +44,7 @@ _OF_USB_DEVICE = {
 }
 
 
-@rule("error", fix="unsafe")
+@rule("error", fix="unsafe", silent="a match that fails is not reported")
 def attr_vs_attrs(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.judged:
         if not line.is_for("tty", "video4linux", "input", "hidraw"):

@@ -53,7 +53,7 @@ _PLACE = {
 _INTERFACE = regex(r"(?<!\d)(\d+-[\d.]+):\d+\.\d+")
 
 
-@rule("error", fix="unsafe")
+@rule("error", fix="unsafe", silent="a match that fails is not reported")
 def attrs_different_parents(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.judged:
         if line.impossible_parents is None:

@@ -38,7 +38,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("error")
+@rule("error", symptoms=["appeared twice with different sysfs paths"])
 def duplicate_symlink(robot: Robot) -> Iterator[Finding]:
     for rules in robot.udev.sets:
         seen = set()

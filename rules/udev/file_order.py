@@ -44,7 +44,7 @@ from bringup_lint.api.udev import UdevRule
 _MOST_SHOWN = 20
 
 
-@rule("warning")
+@rule("warning", silent="a match that fails is not reported")
 def file_order(robot: Robot) -> Iterator[Finding]:
     causes: dict[tuple[str, str], list[tuple[UdevRule, TooEarly]]] = {}
     for line, early in robot.udev.too_early:

@@ -36,7 +36,7 @@ from bringup_lint.api import rule
 _LEFTOVER = regex(r"~$|\.(?:bak|orig|rej|swp|save|old|disabled|off|dpkg-\w+|rpm\w+|ucf-\w+|\d+)$", re.I)
 
 
-@rule("warning")
+@rule("warning", silent="udev does not read the file and does not report it")
 def file_suffix(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("udev-misnamed"):
         yield finding(

@@ -44,7 +44,7 @@ _KEYS = {
 _NUMBER = regex(r"(?:0[xX])?([0-9a-fA-F]{1,4})")
 
 
-@rule("error", fix="unsafe")
+@rule("error", fix="unsafe", silent="a match that fails is not reported")
 def idvendor_format(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.judged:
         for token in line.line.tokens:

@@ -39,7 +39,7 @@ _OF_BUS = {"busnum": "bus number", "devnum": "device number"}
 _IDENTIFIED = ("SYMLINK", "NAME", "ENV", "RUN", "ATTR")
 
 
-@rule("warning")
+@rule("warning", silent="udev gives the link to the device that has the number")
 def kernel_hardcoded(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.matching:
         if not any(line.line.assignments(key) for key in _IDENTIFIED):

@@ -60,7 +60,7 @@ _BROAD = {
 _DECIDING = ("PROGRAM", "IMPORT", "RESULT", "TEST", "OPTIONS", "GOTO")
 
 
-@rule("error")
+@rule("error", symptoms=["appeared twice with different sysfs paths"])
 def match_too_broad(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.judged:
         if any(line.line.first(key) for key in _DECIDING) or not line.subjects <= _BROAD:

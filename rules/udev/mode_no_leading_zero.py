@@ -33,7 +33,7 @@ from bringup_lint.api import fix
 from bringup_lint.api import rule
 
 
-@rule("info", fix="safe")
+@rule("info", fix="safe", silent="udev reads the number as octal in both forms")
 def mode_no_leading_zero(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.judged:
         for token in line.line.assignments("MODE"):

@@ -41,7 +41,7 @@ from bringup_lint.api.udev import UdevRule
 _MOST_SHOWN = 20
 
 
-@rule("warning", fix="unsafe", tags=["CWE-732"])
+@rule("warning", fix="unsafe", silent="udev sets the mode as it is told", tags=["CWE-732"])
 def mode_world_writable(robot: Robot) -> Iterator[Finding]:
     files: dict[str, list[tuple[UdevRule, Token]]] = {}
     for line, token in robot.udev.open_to_all:

@@ -35,7 +35,7 @@ from bringup_lint.api import rule
 _RESULT = regex(r"(?<![%$])(?:%c|\$result)(?![a-z])")
 
 
-@rule("warning")
+@rule("warning", silent="an empty result is not reported")
 def result_before_program(robot: Robot) -> Iterator[Finding]:
     for rules in robot.udev.sets:
         for rule_line in rules.rules:

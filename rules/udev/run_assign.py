@@ -32,7 +32,7 @@ from bringup_lint.api import fix
 from bringup_lint.api import rule
 
 
-@rule("info", fix="unsafe")
+@rule("info", fix="unsafe", silent="udev drops the other programs without a message")
 def run_assign(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.judged:
         for token in line.line.assignments("RUN"):

@@ -36,7 +36,7 @@ from bringup_lint.api import rule
 _PORT = {("KERNELS", ""), ("ENV", "ID_PATH"), ("ENV", "ID_PATH_TAG"), ("DEVPATH", "")}
 
 
-@rule("warning")
+@rule("warning", symptoms=["appeared twice with different sysfs paths"])
 def serial_generic(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.matching:
         if line.subjects & _PORT:

@@ -33,7 +33,7 @@ from bringup_lint.api import fix
 from bringup_lint.api import rule
 
 
-@rule("info", fix="safe")
+@rule("info", fix="safe", silent="udev removes the prefix without a message")
 def symlink_abs_path(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.judged:
         for link in line.links:

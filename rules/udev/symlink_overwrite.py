@@ -35,7 +35,7 @@ from bringup_lint.api import fix
 from bringup_lint.api import rule
 
 
-@rule("warning", fix="unsafe")
+@rule("warning", fix="unsafe", silent="udev drops the other links without a message")
 def symlink_overwrite(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.judged:
         for token in line.line.assignments("SYMLINK"):

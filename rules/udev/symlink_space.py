@@ -46,7 +46,7 @@ class Torn(NamedTuple):
     second: Located
 
 
-@rule("warning")
+@rule("warning", silent="udev makes both links without a message")
 def symlink_space(robot: Robot) -> Iterator[Finding]:
     files: dict[Source, list[Torn]] = {}
     for line in robot.udev.judged:

@@ -56,7 +56,7 @@ NUMBERED = regex(r"(?:%n|\$number)$")
 _DECIDING = ("PROGRAM", "IMPORT", "RESULT", "TEST")
 
 
-@rule("warning")
+@rule("warning", symptoms=["appeared twice with different sysfs paths"])
 def symlink_vidpid_only(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.matching:
         if not line.usb_ids or not (line.is_serial or line.is_for("video4linux")):

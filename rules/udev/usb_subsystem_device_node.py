@@ -36,7 +36,7 @@ from bringup_lint.api.udev import UdevRule
 _NODES = {"ttyUSB": "tty", "ttyACM": "tty", "video": "video4linux"}
 
 
-@rule("warning")
+@rule("warning", silent="udev makes the link as it is told")
 def usb_subsystem_device_node(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.judged:
         device = line.usb_device

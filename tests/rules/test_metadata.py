@@ -72,6 +72,15 @@ def test_function_is_typed() -> None:
     assert other_than(is_typed) == []
 
 
+def test_each_rule_knows_a_log_line_or_says_why_there_is_none() -> None:
+    assert other_than(lambda rule: bool(rule.meta.symptoms) != bool(rule.meta.silent)) == []
+
+
+def test_the_reason_for_silence_continues_a_sentence() -> None:
+    reasons = [rule.meta.silent for rule in rules() if rule.meta.silent]
+    assert [reason for reason in reasons if reason.endswith(".") or not 10 <= len(reason) <= 100] == []
+
+
 def test_cwe_tags_are_well_formed() -> None:
     tags = {tag for rule in rules() for tag in rule.meta.tags if tag.upper().startswith("CWE")}
     assert [tag for tag in tags if not re.fullmatch(r"CWE-\d+", tag)] == []

@@ -23,6 +23,8 @@ def prose(doc: RuleDoc) -> str:
         parts.append(f"<h5>{text(heading)}</h5>{''.join(_blocks(body))}")
     if doc.symptoms:
         parts.append(f"<h5>{LOG_LINES}</h5><pre>{lines(chr(10).join(doc.symptoms))}</pre>")
+    elif doc.silent:
+        parts.append(f"<h5>{LOG_LINES}</h5><p>None: {text(doc.silent)}.</p>")
     return "".join(parts)
 
 
