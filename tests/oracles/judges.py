@@ -31,6 +31,7 @@ from tests.oracles import verify
 Judge = Callable[[Path], Counter[str]]
 _OF_THE_HOST = re.compile(r"No such file or directory|^reading config file|^considering log")
 """What depends on the files of the machine that runs the tests."""
+_ENDPOINTS = frozenset(["create_publisher", "create_subscription", "create_client", "create_service"])
 
 
 def said(*command: str) -> Counter[str]:
@@ -152,6 +153,35 @@ def bash(path: Path) -> Counter[str]:
     return Counter(re.sub(r"\d+", "0", line) for line in run.stderr.decode("utf-8", "replace").splitlines())
 
 
+def crontab(path: Path) -> Counter[str]:
+    """What Debian's crontab says of a table that it would install; the user of a system's table is a word to it."""
+    run = subprocess.run(["crontab", "-n", str(path)], capture_output=True, text=True, check=False)
+    lines = [] if run.returncode == 0 else run.stderr.replace(str(path), "").splitlines()
+    return Counter(re.sub(r"\d+", "0", line) for line in lines)
+
+
+def endpoints(text: str) -> Iterator[str]:
+    """The names that a node writes down for its topics and services."""
+    for call in ast.walk(ast.parse(text)):
+        if not isinstance(call, ast.Call) or not isinstance(call.func, ast.Attribute):
+            continue
+        if call.func.attr in _ENDPOINTS and len(call.args) > 1 and isinstance(call.args[1], ast.Constant):
+            yield str(call.args[1].value)
+
+
+def rclpy(path: Path) -> Counter[str]:
+    """What the real rclpy says of the names of topics and services in a node."""
+    from rclpy.validate_topic_name import validate_topic_name
+
+    said: Counter[str] = Counter()
+    for name in endpoints(path.read_text("utf-8-sig")):
+        try:
+            validate_topic_name(name)
+        except Exception as error:
+            said[type(error).__name__] += 1
+    return said
+
+
 def ini(path: Path) -> Counter[str]:
     """What fail2ban and setuptools read such files with."""
     parser = configparser.RawConfigParser(strict=False)
@@ -189,6 +219,8 @@ READERS: dict[str, tuple[str, Judge]] = {
     "dockerfile": ("hadolint", hadolint),
     "apt-conf": ("apt-config", apt),
     "shell-script": ("bash -n", bash),
+    "cron": ("crontab -n", crontab),
+    "python-node": ("rclpy", rclpy),
     "fail2ban-jail": ("Python's configparser", ini),
     "setup-cfg": ("Python's configparser", ini),
 }
@@ -196,9 +228,9 @@ READERS: dict[str, tuple[str, Judge]] = {
 
 
 DAEMONS = frozenset(["systemd-journald", "systemd-logind", "systemd --test"])
-PROGRAMS = frozenset(["logrotate", "findmnt", "nmcli", "hadolint", "apt-config", "bash"])
+PROGRAMS = frozenset(["logrotate", "findmnt", "nmcli", "hadolint", "apt-config", "bash", "crontab"])
 """Judges that are found on the path, or not at all."""
-STOPS = frozenset(["launch", "netplan generate", "nmcli", "hadolint", "bash -n"])
+STOPS = frozenset(["launch", "netplan generate", "nmcli", "hadolint", "bash -n", "crontab -n"])
 """Tools that say nothing after the first mistake: without it, they come to the next one."""
 
 
@@ -225,7 +257,7 @@ def is_installed(tool: str) -> bool:
         return sshd_server.SSHD is not None and shutil.which("ssh-keygen") is not None
     if tool == "launch":
         return test_launch_grammar.tool() != "launch"
-    if tool == "rcl":
+    if tool in ("rcl", "rclpy"):
         return importlib.util.find_spec("rclpy") is not None
     if tool in DAEMONS:
         return systemd_daemons.can_start_daemons()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import os
+import shutil
 import string
 import subprocess
 import sys
@@ -26,7 +27,10 @@ from bringup_lint.graph.topics.resolved.remapping import remapping
 from bringup_lint.model.node_source import INFINITE
 from bringup_lint.model.node_source import Qos
 from bringup_lint.source import Source
+from tests.conftest import PROJECT
+from tests.lint import lint
 from tests.oracles.answers import Oracle
+from tests.oracles.judges import endpoints
 from tests.oracles.ros_python import rclpy
 
 needs_rclpy = pytest.mark.skipif(rclpy() == "rclpy", reason="needs ros-jazzy-rclpy")
@@ -241,9 +245,9 @@ DELIVERY = """
         return QoSProfile(depth=5, reliability=ReliabilityPolicy[reliability], durability=DurabilityPolicy[durability])
     rclpy.init()
     talker, listener = rclpy.create_node("talker"), rclpy.create_node("listener")
-    heard, topic = [], f"alarm_{os.getpid()}"  # others are tried at the same time
-    publisher = talker.create_publisher(Log, topic, profile(*offered))
-    listener.create_subscription(Log, topic, heard.append, profile(*asked))
+    heard, (said, wanted) = [], (f"{name}_{os.getpid()}" for name in sys.argv[3:5])  # others are tried at the same time
+    publisher = talker.create_publisher(Log, said, profile(*offered))
+    listener.create_subscription(Log, wanted, heard.append, profile(*asked))
     end = time.monotonic() + 3
     while not heard and time.monotonic() < end:
         publisher.publish(Log(msg="battery low"))
@@ -263,8 +267,25 @@ DELIVERY = """
     ],
 )
 def test_data_arrives_only_without_a_conflict(offered: tuple[str, str], asked: tuple[str, str], tmp_path: Path) -> None:
-    heard = run(DELIVERY, [",".join(offered), ",".join(asked)], tmp_path).strip() == "True"
+    heard = run(DELIVERY, [",".join(offered), ",".join(asked), "alarm", "alarm"], tmp_path).strip() == "True"
     assert heard == (not list(conflicts(Qos(NOWHERE, *offered), Qos(NOWHERE, *asked))))
+
+
+@needs_rclpy
+def test_data_arrives_under_a_corrected_name(tmp_path: Path) -> None:
+    tree = shutil.copytree(PROJECT / "fixtures/node/topic_typo/bad_outvoted", tmp_path / "tree")
+    before = names_between(tree)
+    lint("--fix", "--unsafe-fixes", "--select", "node/topic-typo", cwd=tree)
+    profile = "RELIABLE,VOLATILE"
+    heard = [run(DELIVERY, [profile, profile, *names], tmp_path).strip() for names in (before, names_between(tree))]
+    assert heard == ["False", "True"]
+
+
+def names_between(tree: Path) -> list[str]:
+    """What the publisher of the tree and its subscriber call their topic."""
+    return [
+        name for node in ("follow_wire", "base") for name in endpoints((tree / f"mower/mower/{node}.py").read_text())
+    ]
 
 
 @given(st.text(alphabet=string.ascii_lowercase + "/_:=~{}", max_size=14))
