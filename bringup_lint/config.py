@@ -100,6 +100,13 @@ class Config:
     """The file that was read, or None."""
     text: str = ""
     """What the file holds."""
+    found: Config | None = None
+    """The settings of the file alone, when it was found in the tree and not named: they are not the user's own."""
+
+    @property
+    def left_out(self) -> tuple[str, ...]:
+        """The rules or families that the command line leaves out."""
+        return self.ignore[len(self.found.ignore) :] if self.found else self.ignore
 
     def place(self, word: str) -> str:
         """Where the file says a word, for the beginning of a message; empty when it does not."""

@@ -22,6 +22,7 @@ from bringup_lint.finding import Confidence
 from bringup_lint.finding import Finding
 from bringup_lint.finding import Fix
 from bringup_lint.finding import Severity
+from bringup_lint.finding import Suppression
 from bringup_lint.finding import changed
 from bringup_lint.finding.copies import merged
 from bringup_lint.isolation import check
@@ -68,6 +69,7 @@ class Selection:
         self.families = {family.name for family in registry.families}
         self.select = [self.known(name) for name in config.select if name != "all"]
         self.ignore = [self.known(name) for name in config.ignore]
+        self.left_out = [self.known(name) for name in config.left_out]
         self.levels = {self.known(name): level for name, level in config.severity.items()}
         for name in (name for names in config.per_file_ignores.values() for name in names):
             self.known(name)
@@ -100,6 +102,16 @@ class Selection:
             return False
         return not self.select or any(names(name, rule_id) for name in self.select)
 
+    def mutes(self, rule_id: str) -> bool:
+        """Whether nothing but a configuration that was found in the tree keeps a rule from running."""
+        if self.config.found is None or self.runs(rule_id) or any(names(name, rule_id) for name in self.left_out):
+            return False
+        return not self.select or any(names(name, rule_id) for name in self.select)
+
+    def muted_by(self, rule_id: str) -> str:
+        """The name by which the configuration switches off a rule that it mutes."""
+        return next(name for name in (*self.config.ignore, *self.config.severity) if names(self.known(name), rule_id))
+
     def covers(self, name: str) -> bool:
         """Whether all that a name of a rule or family means is selected."""
         return not self.select or any(names(selected, self.known(name)) for selected in self.select)
@@ -124,7 +136,11 @@ def run(
     """Run the selected rules over a robot. Raises ConfigError for names that mean nothing, RuleError for a bad rule,
     and what ``between`` raises, which is called between the rules to end a run that nobody waits for."""
     selection = Selection(registry, config)
-    rules = {rule_id: registry[rule_id] for rule_id in registry.ids_for(robot) if selection.runs(rule_id)}
+    asked = registry.ids_for(robot)
+    rules = {rule_id: registry[rule_id] for rule_id in asked if selection.runs(rule_id)}
+    muted = {rule_id: registry[rule_id] for rule_id in asked if selection.mutes(rule_id)}
+    if not ignores:
+        rules, muted = {**rules, **muted}, {}
     checked = check(rules.values(), robot, registry.purposes, between)
     failures = [*checked.failures, *unread(robot)]
     findings = [*checked.findings, *failures]
@@ -132,6 +148,9 @@ def run(
     steps = Steps()
     if ignores:
         findings = _suppressed(findings, robot, rules, selection, config, steps)
+    if muted:
+        findings += _muted(check(muted.values(), robot, registry.purposes, between).findings, selection, config)
+        rules.update(muted)
     graded = list(
         steps.each(findings, "grading", lambda found: _graded(found, rules.get(found.rule), selection)),
     )
@@ -148,6 +167,17 @@ def run(
             quiet.add((found.rule, found.source.name))
     said = dict.fromkeys(failure.message for failure in (*failures, *steps.failures))
     return Outcome(tuple(shown), rules, tuple(said), hidden, unsaid, frozenset(quiet))
+
+
+def _muted(findings: Iterable[Finding], selection: Selection, config: Config) -> Iterator[Finding]:
+    """What rules found that a configuration switches off: it is counted, so that nobody silences it unseen."""
+    source = Source(display_name(str(config.path)), config.text)
+    for found in findings:
+        if selection.mutes(found.rule):
+            name = selection.muted_by(found.rule)
+            start = max(config.text.find(name), 0)
+            where, reason = source.span(start, start + len(name)), f"'{name}' is switched off in {source.basename}"
+            yield changed(found, suppression=Suppression(where, reason, external=True))
 
 
 def _suppressed(

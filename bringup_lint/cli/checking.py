@@ -276,6 +276,7 @@ def configuration(paths: tuple[str, ...], options: dict[str, Any]) -> tuple[Conf
     named = options["config_path"]
     path = named or (None if options["isolated"] else find(_start(paths, options["root"])))
     config = read(path, named=bool(named)) if path else Config()
+    found = config if path and not named else None
     rule_folders = list(options["rule_folders"])
     if config.rules and named:
         rule_folders += [config.folder / folder for folder in config.rules]
@@ -290,6 +291,7 @@ def configuration(paths: tuple[str, ...], options: dict[str, Any]) -> tuple[Conf
         "target_ros": options["target_ros"],
         "target_systemd": options["target_systemd"],
         "baseline": options["baseline"] and str(options["baseline"].absolute()),
+        "found": found,
     }
     return replace(config, **{key: value for key, value in given.items() if value}), rule_folders
 
@@ -311,6 +313,7 @@ def _folders(paths: Iterable[str], root: str | None) -> list[str]:
 def read_robot(paths: tuple[str, ...], config: Config, options: dict[str, Any]) -> Robot:
     """Read the paths, or standard input, into a robot."""
     from bringup_lint.discover.exclude import exclusion
+    from bringup_lint.discover.exclude import noting
     from bringup_lint.discover.tree import display_name
     from bringup_lint.discover.walk import discover
     from bringup_lint.discover.walk import discover_text
@@ -324,9 +327,13 @@ def read_robot(paths: tuple[str, ...], config: Config, options: dict[str, Any]) 
             raise ConfigError(why)
         deploy = {str(config.folder / path): place for path, place in config.deploy.items()}
         excluded = exclusion(config.folder, config.exclude, _folders(paths, options["root"]))
+        met: set[str] = set()
+        if config.found and config.found.exclude:
+            excluded = noting(excluded, met)
         if options.get("tracked"):
             excluded = _untracked_too(excluded)
         tree = discover(paths, root=options["root"], deploy=deploy, excluded=excluded)
+        tree.excluded = met
     now = options.get("now")
     purposes = {display_name(str(config.folder / path)): name for path, name in config.purpose.items()}
     today = now.date() if now else date.today()

@@ -71,7 +71,7 @@ verdict_options = _together(
     click.option("--fail-on", type=click.Choice(SEVERITIES), help="Lowest severity that fails. [default: warning]"),
     click.option("--exit-zero", is_flag=True, help="Exit with 0 whatever is found."),
 )
-ignores_option = click.option("--no-ignores", is_flag=True, help="Show what comments in the files suppress.")
+ignores_option = click.option("--no-ignores", is_flag=True, help="Show what comments and the configuration suppress.")
 changes_options = _together(
     click.option("--since", metavar="REV", help="Show what the changes since a git revision have a part in."),
     click.option("--changed", is_flag=True, help="PATHs are changed files: show what they have a part in."),

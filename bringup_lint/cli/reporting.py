@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -41,7 +42,24 @@ def report_of(
         drawn=drawn,
         told=told,
     )
-    return replace(report, width=terminal_width())
+    return replace(report, width=terminal_width(), narrowed=tuple(_narrowed(outcome, robot, config)))
+
+
+def _narrowed(outcome: Outcome, robot: Robot, config: Config) -> Iterator[str]:
+    """What a configuration that was found in the tree keeps from being judged, or judged as a part of the robot."""
+    found = config.found
+    if found is None:
+        return
+    if excluded := len(robot.tree.excluded):
+        yield f"{counted(excluded, 'path')} excluded by {_name(found)}"
+    if found.select and config.select == found.select:
+        yield f"{counted(len(outcome.unsaid), 'rule')} not selected by {_name(found)}"
+    if others := sum(purpose != "robot" for purpose in found.purpose.values()):
+        yield f"purpose of {counted(others, 'path')} set by {_name(found)}"
+
+
+def _name(config: Config) -> str:
+    return config.path.name if config.path else ""
 
 
 def known_to(config: Config) -> frozenset[str]:

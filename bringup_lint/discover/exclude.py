@@ -30,3 +30,15 @@ def exclusion(folder: Path | str, patterns: Sequence[str], named: Iterable[str] 
         return not relative.startswith("..") and rules.match(relative)
 
     return excluded
+
+
+def noting(excluded: Callable[[str], bool], met: set[str]) -> Callable[[str], bool]:
+    """The same test, which keeps the paths that it leaves out."""
+
+    def noted(path: str) -> bool:
+        if not excluded(path):
+            return False
+        met.add(path)
+        return True
+
+    return noted

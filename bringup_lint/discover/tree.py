@@ -60,6 +60,8 @@ class Tree:
     """The absolute folders that hold the tree. What lies elsewhere is not looked at."""
     closed: list[str] = field(default_factory=list)
     """What was met on the way through a root file system and another user could read."""
+    excluded: Collection[str] = ()
+    """What a configuration that was found in the tree leaves out: folders with a slash at the end, and files."""
     unknown: frozenset[str] = frozenset()
     """The names of sources that are taken for empty, because something failed on them."""
     deploy: dict[str, str] = field(default_factory=dict)

@@ -40,6 +40,8 @@ def _summary(report: Report) -> dict[str, Any]:
     return {
         **{str(severity): counts[severity] for severity in reversed(Severity)},
         "suppressed": sum(finding.suppression is not None for finding in report.findings),
+        "suppressed_by": dict(report.silenced),
+        "narrowed": list(report.narrowed),
         "known": len(report.known),
         "below": {str(severity): report.below.get(severity, 0) for severity in reversed(Severity)},
         "files": report.files,

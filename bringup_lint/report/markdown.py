@@ -15,6 +15,7 @@ from bringup_lint.plural import counted
 from bringup_lint.plural import of_severity
 from bringup_lint.report.columns import printable
 from bringup_lint.report.model import Report
+from bringup_lint.report.summary import suppressed
 from bringup_lint.report.unicode import sound
 
 ROWS = 60
@@ -72,12 +73,13 @@ def _what(finding: Finding) -> str:
 
 
 def _notes(report: Report) -> Iterator[str]:
-    suppressed = sum(finding.suppression is not None for finding in report.findings)
-    notes = [f"{suppressed} suppressed"] if suppressed else []
+    silenced = suppressed(report)
+    notes = [silenced] if silenced else []
+    notes += report.narrowed
     notes += [f"{len(report.known)} known to the baseline"] if report.known else []
     notes += [f"{report.elsewhere} more in which the change has no part"] if report.elsewhere else []
     if notes:
-        yield " · ".join(notes)
+        yield " · ".join(map(escaped, notes))
     for told in report.notifications:
         yield f"**{told.level}**: {escaped(_cut(told.message, LONGEST))}"
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 from collections.abc import Mapping
 from enum import Enum
@@ -99,6 +100,8 @@ class Report:
     """How many findings of each severity were left out by ``--min-severity``."""
     elsewhere: int = 0
     """How many findings were left out because the change that is judged has no part in them."""
+    narrowed: tuple[str, ...] = ()
+    """What a configuration of the tree keeps from being judged, in words."""
     known: tuple[Finding, ...] = ()
     """Findings that were left out because the baseline holds them."""
     stale: tuple[str, ...] = ()
@@ -123,6 +126,15 @@ class Report:
     def shown(self) -> Iterator[Finding]:
         """The findings that no comment suppresses."""
         return (finding for finding in self.findings if finding.suppression is None)
+
+    @property
+    def silenced(self) -> Iterator[tuple[str, int]]:
+        """What suppresses findings, the comments first and then each configuration by its name, and how many."""
+        silencing = [finding.suppression for finding in self.findings if finding.suppression]
+        comments = sum(not each.external for each in silencing)
+        if comments:
+            yield "comments", comments
+        yield from sorted(Counter(each.span.source.basename for each in silencing if each.external).items())
 
     @property
     def worst_first(self) -> list[Finding]:

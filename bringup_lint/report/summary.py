@@ -10,6 +10,7 @@ from bringup_lint.finding import Applicability
 from bringup_lint.finding import Finding
 from bringup_lint.plural import counted
 from bringup_lint.plural import of_severity
+from bringup_lint.report.columns import printable
 from bringup_lint.report.model import Part
 from bringup_lint.report.model import Report
 from bringup_lint.report.paint import Paint
@@ -99,15 +100,20 @@ def _asides(report: Report) -> Iterator[str]:
     for severity, count in sorted(report.below.items(), reverse=True):
         if count:
             yield f"{count} more of severity {severity}: --min-severity {severity}"
-    suppressed = sum(finding.suppression is not None for finding in report.findings)
-    if suppressed:
-        yield f"{suppressed} suppressed: --no-ignores"
+    if said := suppressed(report):
+        yield f"{said}: --no-ignores"
+    yield from report.narrowed
     if report.elsewhere:
         yield f"{report.elsewhere} more in which the change has no part"
     if report.known:
         yield f"{len(report.known)} known to the baseline"
     if report.stale:
         yield f"{len(report.stale)} gone, but still in the baseline: --prune-baseline"
+
+
+def suppressed(report: Report) -> str:
+    """How many findings are suppressed, and by what; empty when none is."""
+    return printable(", ".join(f"{number} suppressed by {what}" for what, number in report.silenced))
 
 
 def _filled(asides: Iterator[str], width: int) -> list[str]:

@@ -283,9 +283,8 @@ def test_data_arrives_under_a_corrected_name(tmp_path: Path) -> None:
 
 def names_between(tree: Path) -> list[str]:
     """What the publisher of the tree and its subscriber call their topic."""
-    return [
-        name for node in ("follow_wire", "base") for name in endpoints((tree / f"mower/mower/{node}.py").read_text())
-    ]
+    nodes = (tree / f"mower/mower/{name}.py" for name in ("follow_wire", "base"))
+    return [name for node in nodes for name in endpoints(node.read_text())]
 
 
 @given(st.text(alphabet=string.ascii_lowercase + "/_:=~{}", max_size=14))

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from tests.lint import lint
+from tests.test_engine import own_rule
 
 UNIT = "[Unit]\nAfter=network.target\n[Service]\nExecStart=/usr/bin/ros2 launch a b.launch.py\n"
 
@@ -100,3 +101,64 @@ def test_rule_that_is_off(tree: Path) -> None:
 def test_family_that_is_off(tree: Path) -> None:
     text = '[severity]\nsystemd = "off"\n"systemd/network-target" = "warning"\n'
     assert {rule for rule, _ in rules(tree, text) if rule.startswith("systemd")} == {"systemd/network-target"}
+
+
+SWITCHED_OFF = [
+    'ignore = ["systemd/network-target"]\n',
+    'ignore = ["systemd"]\n',
+    '[severity]\n"systemd/network-target" = "off"\n',
+    '[severity]\n"systemd" = "off"\n',
+]
+
+
+@pytest.mark.parametrize("text", SWITCHED_OFF)
+def test_what_a_found_configuration_switches_off_is_counted(tree: Path, text: str) -> None:
+    (tree / "bringup-lint.toml").write_text(text)
+    asked = ("--select", "systemd/network-target")
+    assert "2 suppressed by bringup-lint.toml: --no-ignores" in lint(*asked, cwd=tree).stdout
+    assert "2 suppressed by bringup-lint.toml" in lint(*asked, "--output-format", "markdown", cwd=tree).stdout
+    summary = json.loads(lint(*asked, "--output-format", "json", cwd=tree).stdout)["summary"]
+    assert (summary["warning"], summary["suppressed_by"]) == (0, {"bringup-lint.toml": 2})
+    results = json.loads(lint(*asked, "--output-format", "sarif", cwd=tree).stdout)["runs"][0]["results"]
+    assert {each["suppressions"][0]["kind"] for each in results} == {"external"}
+    assert lint(*asked, "--output-format", "junit", cwd=tree).stdout.count("<skipped") == 2
+    assert (lint(*asked, cwd=tree).code, lint(*asked, "--no-ignores", cwd=tree).code) == (0, 1)
+
+
+@pytest.mark.parametrize("text", SWITCHED_OFF)
+def test_what_the_user_switches_off_does_not_run(tree: Path, text: str) -> None:
+    (tree / "bringup-lint.toml").write_text(text)
+    for arguments in (("--config", "bringup-lint.toml"), ("--ignore", "systemd")):
+        run = lint("--select", "systemd/network-target", "--output-format", "json", *arguments, cwd=tree)
+        assert json.loads(run.stdout)["findings"] == []
+
+
+def test_a_rule_that_fails_can_be_switched_off(tree: Path) -> None:
+    own_rule(tree, body="raise KeyError(word)")
+    (tree / "own/own.service").write_text("[Service]\nExecStart=/bin/legacy\n")
+    (tree / "bringup-lint.toml").write_text('ignore = ["site/no-legacy"]\n')
+    asked = ("--rules", "own", "--select", "site/no-legacy")
+    assert lint(*asked, "--isolated", cwd=tree).code == 3
+    run = lint(*asked, cwd=tree)
+    assert (run.code, "suppressed" in run.stdout, run.stderr) == (0, False, "")
+
+
+def test_what_a_found_configuration_leaves_out_is_said(tree: Path) -> None:
+    text = 'select = ["systemd"]\nexclude = ["older/"]\n[purpose]\n"own/" = "archive"\n'
+    (tree / "bringup-lint.toml").write_text(text)
+    said = lint(cwd=tree).stdout
+    assert "1 path excluded by bringup-lint.toml" in said
+    assert "rules not selected by bringup-lint.toml" in said
+    assert "purpose of 1 path set by bringup-lint.toml" in said
+    assert "bringup-lint.toml" not in lint("--config", "bringup-lint.toml", cwd=tree).stdout
+    narrowed = json.loads(lint("--output-format", "json", cwd=tree).stdout)["summary"]["narrowed"]
+    assert len(narrowed) == 3
+    run = json.loads(lint("--output-format", "sarif", cwd=tree).stdout)["runs"][0]
+    assert run["properties"]["narrowed"] == narrowed
+
+
+def test_the_summary_says_what_silences(tree: Path) -> None:
+    (tree / "bringup-lint.toml").write_text('ignore = ["systemd/network-target"]\n')
+    (tree / "own/own.service").write_text(f"# bringup-lint: ignore-file[systemd/root-user]: known\n{UNIT}")
+    said = lint(cwd=tree).stdout
+    assert "1 suppressed by comments, 2 suppressed by bringup-lint.toml: --no-ignores" in said

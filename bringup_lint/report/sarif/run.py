@@ -61,6 +61,7 @@ def run(report: Report) -> dict[str, Any]:
             "target": report.target._asdict(),
             "files": report.files,
             "kinds": dict(sorted(report.kinds.items())),
+            **({"narrowed": list(report.narrowed)} if report.narrowed else {}),
         },
     }
 
