@@ -42,6 +42,7 @@ from bringup_lint.api.docker import commands_of
 
 SHELLS = frozenset(f"{folder}/{shell}" for folder in ("/bin", "/usr/bin") for shell in ("sh", "bash", "dash"))
 PACKAGE_TOOLS = frozenset(("apt", "apt-get", "dpkg"))
+PLACERS = frozenset(("ln", "cp", "mv", "install"))
 
 
 @rule("error", symptoms=["exec /ros_entrypoint.sh: no such file or directory"])
@@ -52,6 +53,8 @@ def rm_shell_entrypoint(robot: Robot) -> Iterator[Finding]:
             for command in commands_of(stage):
                 if command.name == "rm":
                     removed |= {word.rpartition("/")[2]: word for word in command.words if word in SHELLS}
+                elif command.name in PLACERS and command.words[-1] in SHELLS:
+                    removed.pop(command.words[-1].rpartition("/")[2], None)
                 elif command.name in PACKAGE_TOOLS and (sh := removed.get("sh", removed.get("dash"))):
                     yield finding(
                         sh,
