@@ -87,6 +87,8 @@ class Element:
 class Document:
     source: Source
     root: Element | None = None
+    others: list[Element] = field(default_factory=list)
+    """Elements after the root and outside it, for libraries that choose theirs by its name."""
     declaration: Span | None = None
     doctype: Span | None = None
     instructions: list[Span] = field(default_factory=list)

@@ -74,6 +74,8 @@ _SIZE = regex(r"[0-9]+ *(?:[a-zA-Z]+)?")
 def parse(source: Source, version: str = DEFAULT_VERSION) -> Profiles:
     """Read a profiles file as one version of the library does."""
     document = parse_xml(source)
+    last = document.others[-1] if document.others else document.root
+    document.root = _root(document)
     profiles = Profiles(source, document, version)
     for problem in document.problems:
         if problem.code == "stray-end-tag" and _is_after_root(document, problem):
@@ -82,7 +84,7 @@ def parse(source: Source, version: str = DEFAULT_VERSION) -> Profiles:
         if problem.code == "late-declaration":
             drops = bool(source.text[: problem.span.start].strip(" \t\r\n\ufeff"))
         if problem.code == "text-outside-root":
-            drops = document.root is None or problem.span.start > document.root.span.start
+            drops = last is None or problem.span.start > last.span.start
         if drops or problem.code == "doctype":
             profiles.remarks.append(Remark(Code.XML, problem.where, problem.detail, drops, xml=problem.code))
     for span in document.instructions:
@@ -90,6 +92,15 @@ def parse(source: Source, version: str = DEFAULT_VERSION) -> Profiles:
     if document.root is not None:
         _Reader(profiles).document(document.root)
     return profiles
+
+
+def _root(document: Document) -> Element | None:
+    """The first element at the top that the library knows: it asks for ``dds``, then for each of the others, by name
+    and passes over the rest, such as a licence in an element of its own."""
+    if document.root is None:
+        return None
+    tops = [document.root, *document.others]
+    return next((top for name in ROOTS for top in tops if top.name == name), document.root)
 
 
 def _is_after_root(document: Document, problem: Problem) -> bool:

@@ -234,6 +234,7 @@ class _Reader:
             self.document.root = element
         else:
             self.report("second-root", tag.name.span.start, tag.name.span.end, tag.name)
+            self.document.others.append(element)
         self.open.append(element)
         self.declare(tag)
         if tag.closed:

@@ -68,6 +68,8 @@ def _is_fastdds(path: str, head: Head) -> bool:
         return below in _FASTDDS_TOP or (eprosima and below != "staticdiscovery")
     if root == "profiles":
         return below in _FASTDDS_PROFILES or eprosima
+    if eprosima and below == "profiles":
+        return True
     if root.lower() in ("dds", "profiles", "fastdds", "fastrtps", "participant"):
         return eprosima or (below in _FASTDDS_TOP | _FASTDDS_PROFILES and _fast_name(path))
     return False
