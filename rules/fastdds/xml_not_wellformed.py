@@ -33,30 +33,44 @@ Never for an error: the library ignores the whole file. A DOCTYPE is harmless if
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Fix
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import fix
+from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.schema import Code
+from bringup_lint.api.schema import Remark
+
+MOST = 5
+"""As many further places as a reader looks at: what is after the first error is often its consequence."""
 
 
 @rule("error", fix="unsafe", symptoms=["XMLPARSER Error", "Error opening", "Error parsing XML buffer"])
 def xml_not_wellformed(robot: Robot) -> Iterator[Finding]:
-    for _, remark in robot.dds.fastdds_remarks(Code.XML, Code.INSTRUCTION):
-        if not remark.fatal:
+    fatal: dict[Source, list[Remark]] = {}
+    for profiles, remark in robot.dds.fastdds_remarks(Code.XML, Code.INSTRUCTION):
+        if remark.fatal:
+            fatal.setdefault(profiles.source, []).append(remark)
+        else:
             message = "Fast DDS skips the DOCTYPE: its declarations have no effect"
             yield finding(remark.where, message, advice="delete the DOCTYPE", severity="warning")
-            continue
-        why = remark.xml_problem or "processing instruction"
-        change = None
-        span = remark.span
-        if remark.xml == "late-declaration":
-            start = Span(span.source, 0, 0)
-            change = fix("move the declaration to the front", (span, ""), (start, f"{span.text}\n"))
+    for first, *others in fatal.values():
         yield finding(
-            remark.where,
-            f"Fast DDS cannot parse the file ({why}): the whole file is ignored",
+            first.where,
+            f"Fast DDS cannot parse the file ({problem(first)}): the whole file is ignored",
             advice="repair the XML",
-            fix=change,
+            related=[note(each.where, problem(each)) for each in others[:MOST]],
+            fix=moved(first.span) if first.xml == "late-declaration" else None,
         )
+
+
+def problem(remark: Remark) -> str:
+    return remark.xml_problem or "processing instruction"
+
+
+def moved(declaration: Span) -> Fix:
+    start = Span(declaration.source, 0, 0)
+    return fix("move the declaration to the front", (declaration, ""), (start, f"{declaration.text}\n"))
