@@ -98,11 +98,17 @@ def remap(rules: Iterable[Remapping], full: str, node: str | None, namespace: st
 
 
 def refused_sides(started: Started) -> Iterator[Located]:
-    """The sides of a node's remappings for which rcl refuses the rule, so that the process ends."""
+    """The sides of a node's remappings for which rcl refuses the rule, so that the process ends. A default from
+    elsewhere in the file may be what a node under a condition is not started with."""
     for pair in started.remappings:
         sides = [side for value in pair if (side := literal_text(value)) is not None]
         if len(sides) < 2 or remapping(f"{sides[0]}:={sides[1]}") is not None:
             continue
         for side in sides:
-            if not is_remapped_name(_PREFIX.sub("", side)):
+            own = started.by_default is True or _is_inside(side.span, started.span)
+            if own and not is_remapped_name(_PREFIX.sub("", side)):
                 yield side
+
+
+def _is_inside(inner: Span, outer: Span) -> bool:
+    return inner.source is outer.source and outer.start <= inner.start and inner.end <= outer.end
