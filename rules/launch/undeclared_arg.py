@@ -42,6 +42,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.launch import Expansion
+from bringup_lint.api.launch import LaunchFile
 from bringup_lint.api.launch import Used
 from bringup_lint.api.launch import Value
 from bringup_lint.api.launch import literal
@@ -99,14 +100,19 @@ def undeclared(robot: Robot, expansion: Expansion, uses: list[Used], missing: se
 
 
 def grade(robot: Robot, expansion: Expansion, used: Used, missing: set[str]) -> str | None:
-    """A file is meant to be included if it reads many configurations of others, if another file mentions it, or if it
-    only hands the configuration on to what it includes, as files in XML do for a scope around them."""
-    if len(missing) > 2 or robot.launch.is_named_elsewhere(expansion.entry):
+    """A file gets its arguments from others if it is a test, if it reads many configurations, if another file mentions
+    it, or if it only hands the configuration on to what it includes, as files in XML do for a scope around them."""
+    if len(missing) > 2 or robot.launch.is_named_elsewhere(expansion.entry) or is_test(expansion.entry):
         return "info"
     if used.file.format != "python" and handed_on(expansion, used):
         return "info"
     certain = used.file is expansion.entry and not used.conditions and used.file.format == "python"
     return None if certain else "warning"
+
+
+def is_test(file: LaunchFile) -> bool:
+    """Whether launch_test runs the file: its CMakeLists.txt passes arguments with it."""
+    return file.entry is not None and file.entry.text == "generate_test_description"
 
 
 def handed_on(expansion: Expansion, used: Used) -> bool:
