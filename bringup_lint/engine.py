@@ -143,7 +143,7 @@ def run(
         rules, muted = {**rules, **muted}, {}
     checked = check(rules.values(), robot, registry.purposes, between)
     failures = [*checked.failures, *unread(robot)]
-    findings = [*checked.findings, *failures]
+    findings = [*(_in_test_data(found, robot, registry) for found in checked.findings), *failures]
     findings += [too_slow(source, "Not judged: to parse it", budget.FILE) for source in robot.unfinished]
     steps = Steps()
     if ignores:
@@ -178,6 +178,14 @@ def _muted(findings: Iterable[Finding], selection: Selection, config: Config) ->
             start = max(config.text.find(name), 0)
             where, reason = source.span(start, start + len(name)), f"'{name}' is switched off in {source.basename}"
             yield changed(found, suppression=Suppression(where, reason, external=True))
+
+
+def _in_test_data(found: Finding, robot: Robot, registry: Registry) -> Finding:
+    """The finding, lowered where its place is what tests read: that is often wrong on purpose, and on no robot."""
+    lowered = registry.in_test_data(found.rule)
+    if lowered is None or not robot.files.is_test_data(found.span):
+        return found
+    return changed(found, own_severity=min(found.own_severity or lowered, lowered))
 
 
 def _suppressed(

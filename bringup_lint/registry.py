@@ -100,6 +100,8 @@ class Family:
     None when it silences them."""
     deployment: frozenset[str] = frozenset()
     """The rule files that judge how a robot is deployed; the others hold for every file, whatever it is for."""
+    test_data: Severity | None = None
+    """The severity to which all findings in files that tests read are lowered."""
     joins: dict[str, frozenset[str]] = field(default_factory=dict)
     """Rule file -> kinds of other families that give this rule something to say."""
     indexed: tuple[str, ...] | None = None
@@ -166,6 +168,7 @@ def _described_family(path: Path, data: Mapping[str, Any], indexed: tuple[str, .
         regex(data["mentions"]) if "mentions" in data else None,
         _purposes(data.get("purpose", {})),
         frozenset(data.get("purpose", {}).get("rules", ())),
+        Severity.INFO if data.get("purpose", {}).get("test_data") == "info" else None,
         {stem: _kinds(kinds) for stem, kinds in data.get("joins", {}).items()},
         indexed,
     )
@@ -305,6 +308,11 @@ class Registry:
         name = rule_id.partition("/")[2]
         found = self.family_of.get(rule_id)
         return found.purposes if found is not None and name.replace("-", "_") in found.deployment else {}
+
+    def in_test_data(self, rule_id: str) -> Severity | None:
+        """To which severity findings of a rule are lowered in files that tests read (``family.toml``: test_data)."""
+        found = self.family_of.get(rule_id)
+        return found.test_data if found is not None else None
 
     def get(self, rule_id: str) -> Rule | None:
         return self[rule_id] if rule_id in self.family_of else None

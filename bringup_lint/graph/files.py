@@ -142,6 +142,10 @@ class Files:
         own = self._purposes.of(_source_of(place))
         return by_names(names) if own is Purpose.ROBOT and self.tree.root is None else own
 
+    def is_test_data(self, place: Source | Located | Span) -> bool:
+        """Whether a place is in a file that tests read."""
+        return self._purposes.is_test_data(_source_of(place))
+
     @cached_property
     def variants(self) -> Variants:
         """The robots and variants that the tree holds."""

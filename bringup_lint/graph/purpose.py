@@ -54,8 +54,13 @@ PATHS: tuple[tuple[Purpose, re.Pattern[str]], ...] = (
     (Purpose.CI, _folder(r"(?:self[_-]?hosted|actions|github|gitlab|ci)[_-]runners?")),
     (Purpose.ARCHIVE, _folder(r"(?:[^/]+[_-])?(?:old|archived?|deprecated|obsolete|unused|attic|backups?)|legacy")),
     (Purpose.ARCHIVE, regex(r"[_-](?:old|deprecated|archived)(?=(?:\.[a-z]+){0,3}$)|\.(?:old|bak|orig)$", re.I)),
-    (Purpose.TEST, _folder(r"tests?|testing|test_?data|test[_-][^/]*|[^/]*[_-]tests?|fixtures?|attack[^/]*")),
-    (Purpose.TEST, regex(r"(?:^|/)(?:test_[^/]*|attack[^/]*|[^/]*[_.-](?:tests?|testing))\.[a-z.]+$", re.I)),
+    (
+        Purpose.TEST,
+        _folder(
+            r"tests?|testing|test_?data|test[_-][^/]*|[^/]*[_-]tests?|[^/]*fixtures?|fuzz(?:ing)?|e2e|unittests?|attack[^/]*"
+        ),
+    ),
+    (Purpose.TEST, regex(r"(?:^|/)(?:test[_-][^/]*|attack[^/]*|[^/]*[_.-](?:tests?|testing))\.[a-z.]+$", re.I)),
     (Purpose.TEST, _word("mitm|attacker|adversary")),
     (Purpose.DEVELOPMENT, _folder(r"\.?devcontainer|\.vscode")),
     (Purpose.DEVELOPMENT, _word("dev|devel|develop|development|devcontainer|laptop|workstation|wsl2?")),
@@ -78,6 +83,9 @@ SOURCES: tuple[tuple[Purpose, re.Pattern[str]], ...] = (
 )
 """The same for the path of a node's source in its package, where more folders hold what no robot runs."""
 
+
+_TEST_DATA = _folder(r"tests?|test_?data|[^/]*fixtures?|fuzz(?:ing)?|e2e|unittests?")
+"""Folders for what tests read, which is often wrong on purpose."""
 
 _VERSION = regex(r"[vV]?\d{1,4}\.\d{1,4}\.\d{1,4}")
 
@@ -118,6 +126,12 @@ class Purposes:
     @cached_property
     def _known(self) -> dict[Source, Purpose]:
         return {}
+
+    def is_test_data(self, source: Source) -> bool:
+        """Whether a file lies where tests keep what they read. The configuration may say that it is the robot's."""
+        if self.of(source) is Purpose.ROBOT:
+            return False
+        return self._configured(source) is None and bool(_TEST_DATA.search(self._path(source)))
 
     def _find(self, source: Source) -> Purpose:
         own = self._configured(source)

@@ -86,6 +86,16 @@ def test_the_configuration_decides_first(tmp_path: Path) -> None:
     assert lint("--select", "compose/privileged", "--output-format", "concise", ".", cwd=tmp_path).stdout == ""
 
 
+def test_what_tests_read_is_wrong_on_purpose(tmp_path: Path) -> None:
+    unit = tmp_path / "test" / "units" / "robot.service"
+    unit.parent.mkdir(parents=True)
+    unit.write_text("[Service]\nExecStart=/bin/true\nRestrt=always\n")
+    arguments = ("--select", "systemd/unknown-key", "--output-format", "concise", ".")
+    assert "info[systemd/unknown-key]" in lint(*arguments, cwd=tmp_path).stdout
+    (tmp_path / "bringup-lint.toml").write_text('[purpose]\n"test" = "robot"\n')
+    assert "error[systemd/unknown-key]" in lint(*arguments, cwd=tmp_path).stdout
+
+
 def test_a_purpose_that_does_not_exist_is_a_usage_error(tmp_path: Path) -> None:
     (tmp_path / "bringup-lint.toml").write_text('[purpose]\n"docker" = "lab"\n')
     run = lint(".", cwd=tmp_path)
