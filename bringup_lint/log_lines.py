@@ -178,8 +178,11 @@ def _score(line: str, symptom: str, weights: Weights) -> float:
 
 
 def _holds(line: str, pattern: str) -> bool:
-    """Whether a line holds the parts of a pattern between its ``*``, in their order; a number at its end is whole."""
-    at = 0
+    """Whether a line holds the parts of a pattern between its ``*``, in their order; the word at its start and a number
+    at its end are whole."""
+    at = _start(line, pattern)
+    if at < 0:
+        return False
     *parts, last = pattern.split("*")
     for part in parts:
         at = line.find(part, at)
@@ -191,6 +194,15 @@ def _holds(line: str, pattern: str) -> bool:
         if not (last[-1:].isdigit() and line[at : at + 1].isdigit()):
             return True
     return False
+
+
+def _start(line: str, pattern: str) -> int:
+    """The first place where a pattern can begin, or -1: not inside of a word."""
+    first = pattern.partition("*")[0]
+    at = line.find(first)
+    while at > 0 and first[:1].isalnum() and line[at - 1].isalnum():
+        at = line.find(first, at + 1)
+    return at
 
 
 @cache

@@ -46,6 +46,7 @@ from bringup_lint.api import rule
         "RTNETLINK answers: Invalid argument",
         "No valid settings found in the [Match] section",
         "RTNETLINK answers: Operation not supported",
+        "Network is down",
     ],
 )
 def not_configured(robot: Robot) -> Iterator[Finding]:

@@ -56,6 +56,10 @@ _RANK = ("literal", "unit", "host", "default", "script", "argument")
         "could not open port /dev/tty*: [Errno 2] No such file or directory",
         "could not open port /dev/tty",
         "Could not open device /dev/tty",
+        "cannot bind to the specified [serial port:/dev/tty",
+        "cannot bind to the specified serial port /dev/",
+        "Serial port not found. | device: /dev/tty",
+        "IO Exception (2): No such file or directory",
     ],
 )
 def unstable_path(robot: Robot) -> Iterator[Finding]:

@@ -45,6 +45,7 @@ from bringup_lint.api.ros import highest_port
         "failed to create domain",
         "Failed to create unicast sockets for domain * resulting port numbers * are out of range",
         "resulting port number * is out of range",
+        "port must be 0-65535",
     ],
 )
 def ros_domain_id_out_of_range(robot: Robot) -> Iterator[Finding]:

@@ -45,7 +45,16 @@ ELSEWHERE = ("ZENOH_ROUTER_CHECK_ATTEMPTS", "ZENOH_SESSION_CONFIG_URI", "ZENOH_C
 ROUTER = regex(r"zenohd\b|zenoh[-_]router")
 
 
-@rule("error", confidence="medium", symptoms=["Unable to connect to a Zenoh router", "Have you started a router"])
+@rule(
+    "error",
+    confidence="medium",
+    symptoms=[
+        "Unable to connect to a Zenoh router",
+        "Have you started a router",
+        "Scouting delay elapsed before start conditions are met",
+        "orchestrator: Unable to connect to",
+    ],
+)
 def zenoh_router_missing(robot: Robot) -> Iterator[Finding]:
     if at_least(robot.target.ros, "humble") is False or any(ROUTER.search(source.said) for source in robot.sources):
         return

@@ -47,7 +47,12 @@ from bringup_lint.api.systemd import Unit
 @rule(
     "error",
     confidence="medium",
-    symptoms=["Failed init_port fastrtps_port", "open_and_lock_file failed", "RTPS_TRANSPORT_SHM * Permission denied"],
+    symptoms=[
+        "Failed init_port fastrtps_port",
+        "open_and_lock_file failed",
+        "RTPS_TRANSPORT_SHM * Permission denied",
+        "Failed to create segment",
+    ],
 )
 def shm_across_users(robot: Robot) -> Iterator[Finding]:
     for units in robot.units.running_together:

@@ -48,7 +48,7 @@ MOST = 5
 """As many further places as a reader looks at: what is after the first error is often its consequence."""
 
 
-@rule("error", fix="unsafe", symptoms=["XMLPARSER Error", "Error opening", "Error parsing XML buffer"])
+@rule("error", fix="unsafe", symptoms=["XMLPARSER Error", "Error opening '*.xml'", "Error parsing XML buffer"])
 def xml_not_wellformed(robot: Robot) -> Iterator[Finding]:
     fatal: dict[Source, list[Remark]] = {}
     for profiles, remark in robot.dds.fastdds_remarks(Code.XML, Code.INSTRUCTION):

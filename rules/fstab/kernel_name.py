@@ -35,7 +35,14 @@ from bringup_lint.api import rule
 KERNEL_NAME = regex(r"/dev/[sh]d[a-z]\d*")
 
 
-@rule("info", symptoms=["Timed out waiting for device /dev/sd"])
+@rule(
+    "info",
+    symptoms=[
+        "Timed out waiting for device /dev/sd",
+        "Timed out waiting for device dev-sd",
+        "special device /dev/sd* does not exist",
+    ],
+)
 def kernel_name(robot: Robot) -> Iterator[Finding]:
     for fstab in robot.fstabs:
         for mount in fstab.mounts:

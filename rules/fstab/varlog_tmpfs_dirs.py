@@ -36,7 +36,15 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("error", symptoms=["Failed at step STDOUT spawning", "Failed to set up mount namespacing", "status=209/STDOUT"])
+@rule(
+    "error",
+    symptoms=[
+        "Failed at step STDOUT spawning",
+        "Failed to set up mount namespacing",
+        "status=209/STDOUT",
+        "Failed to set up standard output: No such file or directory",
+    ],
+)
 def varlog_tmpfs_dirs(robot: Robot) -> Iterator[Finding]:
     for mount, path, where, unit in robot.mounts.missing_directories:
         yield finding(

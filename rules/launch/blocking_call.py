@@ -48,7 +48,7 @@ SECONDS = 2.0
 """A pause from which a launch that is stopped meanwhile is noticeably late."""
 
 
-@rule("warning", symptoms=["Caught exception in launch (see debug for traceback): Command"])
+@rule("warning", symptoms=["Command '*' returned non-zero exit status"])
 def blocking_call(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         waits = [each for each in file.waits if each.seconds is None or each.seconds >= SECONDS]

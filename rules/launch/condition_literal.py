@@ -37,7 +37,9 @@ from bringup_lint.api import rule
 MEANT = {"yes": "true", "on": "true", "y": "true", "no": "false", "off": "false", "n": "false"}
 
 
-@rule("error", fix="safe", symptoms=["Caught exception in launch", "InvalidConditionExpressionError"])
+@rule(
+    "error", fix="safe", symptoms=["invalid condition expression, expected one of", "InvalidConditionExpressionError"]
+)
 def condition_literal(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         defaults = {

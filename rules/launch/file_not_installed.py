@@ -47,7 +47,9 @@ STARTED = (".launch.py", "_launch.py", ".launch.xml", "_launch.xml", ".launch.ya
 """How the names of launch files end."""
 
 
-@rule("error", symptoms=["FileNotFoundError", "Parameter file path is not a file"])
+@rule(
+    "error", symptoms=["FileNotFoundError", "Parameter file path is not a file", "No such file or directory: '*/share/"]
+)
 def file_not_installed(robot: Robot) -> Iterator[Finding]:
     missing: dict[tuple[str, str], list[Missing]] = {}
     for file in robot.launch.judged:

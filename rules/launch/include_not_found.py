@@ -36,7 +36,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.spelling import nearest
 
 
-@rule("error", symptoms=["FileNotFoundError", "Caught exception in launch"])
+@rule("error", symptoms=["FileNotFoundError"])
 def include_not_found(robot: Robot) -> Iterator[Finding]:
     for reference, package in robot.launch.missing("include"):
         known = [os.path.basename(each.source.name) for each in robot.launch.files_of(package)]

@@ -49,7 +49,10 @@ OLD = ("foxy", "galactic", "humble", "iron")
 """Their Python reads f-strings as old as ours does; from Jazzy on, quotes may be nested in them."""
 
 
-@rule("error", symptoms=["Caught exception in launch", "invalid syntax", "mismatched tag"])
+@rule(
+    "error",
+    symptoms=["invalid syntax", "mismatched tag", "The launch file may have a syntax error, or its format is unknown"],
+)
 def syntax(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         for problem in file.problems[:1]:

@@ -41,7 +41,11 @@ from bringup_lint.api import rule
 from bringup_lint.api.yaml import first_key
 
 
-@rule("info", fix="unsafe", symptoms=["Timeout occurred while waiting for network connectivity"])
+@rule(
+    "info",
+    fix="unsafe",
+    symptoms=["Timeout occurred while waiting for network connectivity", "systemd-networkd-wait-online.service"],
+)
 def not_optional_unplugged(robot: Robot) -> Iterator[Finding]:
     waiting = robot.waiting_for_network
     plan = robot.netplan.only_plan

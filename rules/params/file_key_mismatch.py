@@ -40,7 +40,14 @@ from bringup_lint.api import rule
 from bringup_lint.api.params import unreached
 
 
-@rule("error", fix="unsafe", symptoms=["ParameterUninitializedException: The parameter '*' is not initialized"])
+@rule(
+    "error",
+    fix="unsafe",
+    symptoms=[
+        "ParameterUninitializedException: The parameter '*' is not initialized",
+        "parameter '*' is not initialized",
+    ],
+)
 def file_key_mismatch(robot: Robot) -> Iterator[Finding]:
     for found in unreached(robot.params):
         tail = found.name.rpartition("/")[2]

@@ -38,11 +38,13 @@ from bringup_lint.api import rule
 @rule(
     "error",
     symptoms=[
+        "/usr/bin/env: '*\\r': No such file or directory",
         "203/EXEC",
         "Failed to execute *.sh: No such file or directory",
         "exec /*.sh: no such file or directory",
         "bad interpreter: No such file or directory",
         "/bin/bash^M",
+        "cannot execute: required file not found",
     ],
 )
 def crlf_shebang(robot: Robot) -> Iterator[Finding]:

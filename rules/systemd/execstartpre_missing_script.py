@@ -68,6 +68,8 @@ TEXTS = {
         "Unable to locate executable",
         "Failed at step EXEC spawning",
         "Exec format error",
+        "bash: *: No such file or directory",
+        "sh: *: not found",
     ],
 )
 def execstartpre_missing_script(robot: Robot) -> Iterator[Finding]:

@@ -54,6 +54,8 @@ from bringup_lint.api import rule
         "could not open port /dev/*: [Errno 13] Permission denied",
         "/dev/*: Permission denied",
         "Permission denied: '/dev/",
+        "/dev/*Permission denied",
+        "IO Exception (13): Permission denied",
     ],
 )
 def group_missing_for_device(robot: Robot) -> Iterator[Finding]:
