@@ -60,6 +60,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.params.params import Params
     from bringup_lint.graph.plugins.controllers import UntypedController
     from bringup_lint.graph.plugins.unknown import UnknownPlugin
+    from bringup_lint.graph.plugins.untyped import UntypedPlugin
     from bringup_lint.graph.provenance import Provenance
     from bringup_lint.graph.runners.runners import Runners
     from bringup_lint.graph.secrets.in_clear import Secret
@@ -359,6 +360,14 @@ class Robot:
         from bringup_lint.graph.plugins.unknown import Plugins
 
         return Plugins(self.files, self.launch.workspace, lambda: self.params).unknown
+
+    @cached_property
+    def untyped_plugins(self) -> list[list[UntypedPlugin]]:
+        """Plugins that parameter files tell a server of Navigation2 to load, without their class; those of one file
+        together."""
+        from bringup_lint.graph.plugins.untyped import untyped_plugins
+
+        return list(untyped_plugins(self.params))
 
     @cached_property
     def untyped_controllers(self) -> list[UntypedController]:

@@ -14,7 +14,10 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.edits import tried_shutdown
     from bringup_lint.graph.nodes.questions.asyncio_waits import awaits_asyncio
     from bringup_lint.graph.nodes.questions.blocking_calls import UNTIL_TIMEOUT
+    from bringup_lint.graph.nodes.questions.callback_fit import Unfit
+    from bringup_lint.graph.nodes.questions.callback_fit import unfit_callbacks
     from bringup_lint.graph.nodes.questions.early_results import early_results
+    from bringup_lint.graph.nodes.questions.late_attributes import late_attributes
     from bringup_lint.graph.nodes.questions.message_fields import NoField
     from bringup_lint.graph.nodes.questions.message_fields import consequence
     from bringup_lint.graph.nodes.questions.message_fields import converted
@@ -71,6 +74,7 @@ __all__ = [
     "NodeSource",
     "Purpose",
     "Timer",
+    "Unfit",
     "asked_in_vain",
     "awaits_asyncio",
     "consequence",
@@ -87,6 +91,7 @@ __all__ = [
     "import_edits",
     "is_called_nowhere",
     "is_checked",
+    "late_attributes",
     "lowered",
     "misfits",
     "missing_attributes",
@@ -107,6 +112,7 @@ __all__ = [
     "taken_attributes",
     "tried_shutdown",
     "undefined",
+    "unfit_callbacks",
     "unhandled_shutdown",
     "unhandled_transforms",
     "unread_parameters",

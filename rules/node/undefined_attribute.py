@@ -4,7 +4,8 @@
 `self.x` in a Python node when no code sets `x` and neither its base classes nor rclpy define it; and assignments to
 `self.subscriptions`, `self.publishers`, `self.clients`, `self.services`, `self.timers` and the other properties of
 `rclpy.node.Node` that cannot be set; and `get_parameter('x').double_value` or `.as_double()`, which are those of
-ParameterValue and of C++. Classes with bases that are not in the tree are left out.
+ParameterValue and of C++; and attributes that only a subscription sets and that a timer or another subscription uses
+without asking whether the message came. Classes with bases that are not in the tree are left out.
 
 ## Why it matters on a robot
 Python looks an attribute up when the line runs: in the callback for a fault or an emergency stop, perhaps weeks later,
@@ -65,6 +66,18 @@ def undefined_attribute(robot: Robot) -> Iterator[Finding]:
             f"AttributeError: '{name}' is a property of rclpy's Node that cannot be set so, and the node exits",
             advice=f"choose another name, such as self.own_{name}",
             severity=nodes.lowered(robot.nodes.purpose(taken.file.source), "error"),
+        )
+    for late, *more in nodes.late_attributes(robot.nodes):
+        name = late.place.attr
+        yield finding(
+            late.file.span_of(late.place),
+            f"AttributeError when {late.user.name}() runs before {late.setter.name}() sets self.{name}: the node exits",
+            advice=f"set self.{name} = None in __init__(), and return while it is None",
+            related=[
+                note(late.file.span_of(late.set_at), "only here is it set, when a message comes"),
+                *(note(each.file.span_of(each.place), f"self.{each.place.attr} likewise") for each in more),
+            ],
+            severity=nodes.lowered(robot.nodes.purpose(late.file.source), "warning"),
         )
     for file in robot.nodes.programs:
         reads = list(nodes.untyped_reads(robot.nodes.syntax(file)))

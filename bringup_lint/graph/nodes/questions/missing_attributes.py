@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 _DYNAMIC = regex(r"__getattr|\bsetattr\b|__dict__|\bvars\(|\bexec\(|__slots__|\bpatch\.object|__setattr__")
 _PLAIN_BASES = frozenset({"abc.ABC", "ABC", "object"})
-_CAUGHT = frozenset({"AttributeError", "Exception", "BaseException"})
+CAUGHT = frozenset({"AttributeError", "Exception", "BaseException"})
 _POOLS = ("concurrent.futures.ThreadPoolExecutor", "concurrent.futures.ProcessPoolExecutor")
 
 Heirs = dict[Union[NodeClass, str], list[NodeClass]]
@@ -52,10 +52,10 @@ def missing_attributes(nodes: Nodes) -> Iterator[list[MissingAttribute]]:
     """The first use of each attribute that no code of the tree sets, of classes whose bases are all known; those of one
     method together."""
     of_ros = {row["name"] for row in table("ros/node_attributes")} | set(dir(object))
-    foreign = _set_elsewhere(nodes)
-    heirs = _heirs(nodes)
+    foreign = set_elsewhere(nodes)
+    heirs = heirs_of(nodes)
     for file, node in nodes.with_callbacks:
-        family = _family(nodes, node, heirs)
+        family = family_of(nodes, node, heirs)
         if node.node is None or family is None:
             continue
         known = of_ros | foreign | {name for each in family for name in _names(each)}
@@ -73,11 +73,11 @@ def _unknown(
 ) -> Iterator[MissingAttribute]:
     syntax = nodes.syntax(file)
     seen: set[str] = set()
-    for place in sorted(_own_uses(syntax, node), key=lambda each: (each.lineno, each.col_offset)):
+    for place in sorted(own_uses(syntax, node), key=lambda each: (each.lineno, each.col_offset)):
         name = place.attr
         if name in known or name in texts or name in seen or name.startswith("__"):
             continue
-        if syntax.catches(place, _CAUGHT) or syntax.is_dead(place):
+        if syntax.catches(place, CAUGHT) or syntax.is_dead(place):
             continue
         seen.add(name)
         function = syntax.function(place)
@@ -92,14 +92,14 @@ def taken_attributes(nodes: Nodes) -> Iterator[TakenAttribute]:
     for file, node in nodes.with_callbacks:
         if node.node is None:
             continue
-        own = {name for each in node.lineage if each.node is not None for name in _of_body(each.node)}
+        own = {name for each in node.lineage if each.node is not None for name in set_in_body(each.node)}
         for place, value in _assignments(nodes.syntax(file), node):
             pool = file.named(value, nodes.syntax(file).function(place)) if place.attr == "executor" else None
             if place.attr not in own and (place.attr in read_only or pool in _POOLS):
                 yield TakenAttribute(file, place)
 
 
-def _family(nodes: Nodes, node: NodeClass, heirs: Heirs) -> list[NodeClass] | None:
+def family_of(nodes: Nodes, node: NodeClass, heirs: Heirs) -> list[NodeClass] | None:
     """A class, all that it builds on and all that builds on it; None when not all of that is known."""
     lineage = list(node.lineage)
     for each in lineage:
@@ -115,7 +115,7 @@ def _family(nodes: Nodes, node: NodeClass, heirs: Heirs) -> list[NodeClass] | No
     return [*lineage, *heirs.get(node, ()), *named]
 
 
-def _heirs(nodes: Nodes) -> Heirs:
+def heirs_of(nodes: Nodes) -> Heirs:
     """A class, or the name of one -> those that build on it."""
     found: Heirs = {}
     for file in nodes.sources:
@@ -130,13 +130,13 @@ def _names(node: NodeClass) -> Iterator[str]:
     """What a class defines, and what its methods set on anything."""
     if node.node is None:
         return
-    yield from _of_body(node.node)
+    yield from set_in_body(node.node)
     for each in walk(node.node):
         if isinstance(each, ast.Attribute) and not isinstance(each.ctx, ast.Load):
             yield each.attr
 
 
-def _of_body(node: ast.ClassDef) -> Iterator[str]:
+def set_in_body(node: ast.ClassDef) -> Iterator[str]:
     """The names that a class body binds."""
     for statement in node.body:
         if isinstance(statement, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)):
@@ -151,7 +151,7 @@ def _of_body(node: ast.ClassDef) -> Iterator[str]:
                 yield each.asname or each.name
 
 
-def _set_elsewhere(nodes: Nodes) -> set[str]:
+def set_elsewhere(nodes: Nodes) -> set[str]:
     """Attributes that code of the tree sets on something else than ``self``."""
     found = set()
     for file in nodes.sources:
@@ -162,7 +162,7 @@ def _set_elsewhere(nodes: Nodes) -> set[str]:
     return found
 
 
-def _own_uses(syntax: Syntax, node: NodeClass) -> Iterator[ast.Attribute]:
+def own_uses(syntax: Syntax, node: NodeClass) -> Iterator[ast.Attribute]:
     """``self.x`` in the methods of a class."""
     if node.node is None:
         return

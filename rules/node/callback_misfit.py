@@ -1,0 +1,103 @@
+"""A callback does not fit its caller.
+
+## What it finds
+In Python nodes:
+
+- `create_timer(0.5, self.blink())`: the method is called at once, and rclpy gets None in its place
+- methods that take another number of arguments than their caller hands over: a subscription one, the message (or two,
+  with its MessageInfo), a service two
+- callbacks of services that return nothing, and callbacks of `add_on_set_parameters_callback` that return nothing
+- actions whose execution ends the goal neither with `succeed()` nor with `abort()` or `canceled()`
+
+## Why it matters on a robot
+Python looks at all this when the callback runs: with the first message, the first call, the first `ros2 param set`. The
+exception leaves `spin()` and the node ends. The client of a service waits forever for a response. A goal that nobody
+ends counts as aborted, although the arm has reached it, and what waits for it starts its recovery.
+
+## Bad
+```python
+self.create_service(Trigger, "home", self.on_home)
+
+def on_home(self, request, response):
+    response.success = self.home()
+```
+
+## Good
+```python
+self.create_service(Trigger, "home", self.on_home)
+
+def on_home(self, request, response):
+    response.success = self.home()
+    return response
+```
+
+## When to ignore it
+When something replaces the method at run time.
+
+## References
+- rclpy, service.py (`send_response`), subscription.py (`callback`), node.py (`_set_parameters_atomically`) and
+  action/server.py (`_execute_goal`)
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import nodes
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule(
+    "error",
+    symptoms=[
+        "Goal state not set, assuming aborted",
+        "TypeError: '*' takes * positional arguments but * were given",
+        "AttributeError: 'NoneType' object has no attribute 'successful'",
+        "callback should be either be callable with one argument",
+    ],
+)
+def callback_misfit(robot: Robot) -> Iterator[Finding]:
+    for unfit in nodes.unfit_callbacks(robot.nodes):
+        severity = "warning" if unfit.what == "goal" else "error"
+        yield finding(
+            unfit.place,
+            _message(unfit, is_alone=robot.nodes.threads(unfit.node) != "several"),
+            advice=_advice(unfit),
+            related=[] if unfit.place == unfit.callback.span else [note(unfit.callback.span, "it is handed over here")],
+            severity=nodes.lowered(robot.nodes.purpose(unfit.file.source), severity),
+        )
+
+
+def _message(unfit: nodes.Unfit, is_alone: bool) -> str:
+    exits = ", and the node exits" if is_alone else ""
+    match unfit.what:
+        case "called":
+            return f"{unfit.name}() runs here once and gives None: {_of_none(unfit.callback.role)}"
+        case "arguments" if unfit.callback.role == "timer":
+            return f"TypeError when the timer fires: {unfit.name}() needs an argument, and gets none{exits}"
+        case "arguments":
+            return f"{unfit.name}() does not take {unfit.detail} of the {unfit.callback.role}: TypeError{exits}"
+        case "answer" if unfit.callback.role == "parameters":
+            return f"{unfit.name}() returns nothing: setting a parameter raises AttributeError{exits}"
+        case "answer":
+            return f"{unfit.name}() does not return {unfit.detail}: TypeError, the client gets no answer{exits}"
+    return f"{unfit.name}() ends no goal: each one counts as aborted, also those that were reached"
+
+
+def _of_none(role: str) -> str:
+    if role == "timer":
+        return "TypeError when the timer fires, and the node exits"
+    return "the node exits" if role == "subscription" else "TypeError with the first request"
+
+
+def _advice(unfit: nodes.Unfit) -> str:
+    match unfit.what:
+        case "called":
+            return f"hand over self.{unfit.name}, without parentheses"
+        case "arguments":
+            return "change its parameters" if unfit.callback.role != "timer" else "take no argument but self"
+        case "answer":
+            return f"return {unfit.detail}"
+    return "call succeed() of the goal handle before the result is returned"
