@@ -48,19 +48,20 @@ CHMOD = regex(r"\b(?:chmod|--chmod)\b")
 @rule("warning", confidence="medium", symptoms=["exec *: permission denied", "exited with code 126"])
 def script_not_executable(robot: Robot) -> Iterator[Finding]:
     tree = robot.files.tree
+    if not tree.keeps_modes:
+        return
     found: dict[Source, tuple[Located, list[Runner]]] = {}
     for runner, program, script in _started(robot):
         if not tree.is_executable(script.name) and not _is_changed(robot, runner, script):
             found.setdefault(script, (program, []))[1].append(runner)
     for script, (program, runners) in found.items():
-        if tree.keeps_modes:
-            first, *others = runners
-            yield finding(
-                program,
-                f"{script.name} is not executable: {first.name} ends with 'permission denied'",
-                advice=f"make it executable: git update-index --chmod=+x {script.name}",
-                related=[note(other.where, f"{other.name} too") for other in others],
-            )
+        first, *others = runners
+        yield finding(
+            program,
+            f"{script.name} is not executable: {first.name} ends with 'permission denied'",
+            advice=f"make it executable: git update-index --chmod=+x {script.name}",
+            related=[note(other.where, f"{other.name} too") for other in others],
+        )
 
 
 def _started(robot: Robot) -> Iterator[tuple[Runner, Located, Source]]:

@@ -41,7 +41,6 @@ When the robots speak to each other by other means than ROS 2.
 
 from collections.abc import Iterator
 
-from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.fleet import Fleet
 from bringup_lint.api.fleet import FleetFinding
@@ -49,8 +48,6 @@ from bringup_lint.api.fleet import Stated
 from bringup_lint.api.fleet import difference
 from bringup_lint.api.fleet import fleet_finding
 from bringup_lint.api.fleet import names
-
-_PORT = regex(r"(?P<base>\d{1,10}) \+ (?P<gain>\d{1,10}) × domain")
 
 
 @rule("error", silent="robots with different middleware do not see each other, and neither side reports it")
@@ -95,10 +92,14 @@ def _never_meet(key: str, usual: Stated, odd: Stated) -> bool:
 
 def _ports_differ(one: str, other: str, robot: Stated) -> bool:
     """Whether they do in the domain of the robot; where it is not known, in every domain."""
-    first, second = _PORT.fullmatch(one), _PORT.fullmatch(other)
-    if first is None or second is None:
-        return False
-    apart = int(first["base"]) - int(second["base"])
-    gains = int(first["gain"]) - int(second["gain"])
+    (base, gain), (other_base, other_gain) = _port(one), _port(other)
     domain = robot.robot.one("domain")
-    return gains == 0 if domain is None else apart + gains * int(domain.value) != 0
+    if domain is None:
+        return gain == other_gain
+    return base + gain * int(domain.value) != other_base + other_gain * int(domain.value)
+
+
+def _port(value: str) -> tuple[int, int]:
+    """The base and the gain of a port, which a robot states as ``7400 + 250 × domain``."""
+    base, _, gain = value.removesuffix(" × domain").partition(" + ")
+    return int(base), int(gain)

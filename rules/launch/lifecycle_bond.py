@@ -34,6 +34,7 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import launch
 from bringup_lint.api import note
@@ -88,11 +89,10 @@ def lifecycle_bond(robot: Robot) -> Iterator[Finding]:
 def _comment_above(name: Located) -> str:
     """The comment above a line, past one that silences a rule."""
     source = name.span.source
-    starts = source.line_starts
-    for line in range(name.line - 1, 0, -1):
-        said = source.said[starts[line - 1] : starts[line]].strip()
-        if said.startswith("#"):
-            return said
-        if said or not source.line_text(line).strip():
-            break
-    return ""
+    lines = ((_said(source, line), source.line_text(line)) for line in range(name.line - 1, 0, -1))
+    comment = next((said for said, text in lines if said or not text.strip()), "")
+    return comment if comment.startswith("#") else ""
+
+
+def _said(source: Source, line: int) -> str:
+    return source.said[source.line_starts[line - 1] : source.line_starts[line]].strip()

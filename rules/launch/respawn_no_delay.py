@@ -39,6 +39,9 @@ from bringup_lint.api import launch
 from bringup_lint.api import note
 from bringup_lint.api import rule
 
+AFTER = {"python": (0, ", respawn_delay=2.0"), "xml": (1, ' respawn_delay="2.0"')}
+"""Characters after the value of respawn, and the delay that is written there. In YAML it is a line of its own."""
+
 
 @rule("warning", fix="unsafe", silent="launch reports only that a process has died and that one has started")
 def respawn_no_delay(robot: Robot) -> Iterator[Finding]:
@@ -80,15 +83,13 @@ def restarted_at_once(robot: Robot) -> Iterator[Hasty]:
             continue
         span = (node.action.options["respawn_delay"] if delay is not None else value).span
         own = span.source is node.file.source and span.start >= node.span.start and span.end <= node.span.end
-        yield Hasty(node.label(), value.span, _edit(span, node.file.format) if own and delay is None else None)
+        form = node.file.format if own and delay is None else ""
+        yield Hasty(node.label(), value.span, _edit(span, form) if form in AFTER else None)
 
 
-def _edit(span: Span, form: str) -> tuple[Span, str] | None:
-    if form == "python":
-        return span.source.span(span.end, span.end), ", respawn_delay=2.0"
-    if form == "xml":
-        return span.source.span(span.end + 1, span.end + 1), ' respawn_delay="2.0"'
-    return None
+def _edit(span: Span, form: str) -> tuple[Span, str]:
+    skipped, text = AFTER[form]
+    return span.source.span(span.end + skipped, span.end + skipped), text
 
 
 def is_container(action: launch.Process) -> bool:

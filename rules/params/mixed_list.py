@@ -45,10 +45,7 @@ _DECIMAL = regex(r"[+-]?(?:0|[1-9][0-9]*)\Z")
 
 @rule("error", fix="safe", symptoms=["Sequence should be of same type"])
 def mixed_list(robot: Robot) -> Iterator[Finding]:
-    for file, problem in robot.params.problems("mixed-list"):
-        parameter = robot.params.at(file, problem.where)
-        if parameter is None:
-            continue
+    for file, parameter in robot.params.refused("mixed-list"):
         items = robot.params.items(parameter)
         if any("$(" in item.text for item in items):
             continue
@@ -57,7 +54,7 @@ def mixed_list(robot: Robot) -> Iterator[Finding]:
         whole = [item for item in items if item.type == "integer"]
         only_pyyaml = robot.params.reader(file) == "pyyaml"
         yield finding(
-            problem.where,
+            parameter.span,
             f"'{parameter.name}' mixes {' and '.join(types)}: "
             + ("the node gets no usable list" if only_pyyaml else "the process that loads the file exits at start"),
             advice=f"write {', '.join(f'{item.text}.0' for item in whole[:3])}" if doubles else "use one type",

@@ -134,10 +134,7 @@ def _entry_asks(entry: Node) -> bool:
 
 
 def _named(robot: Robot, name: str) -> Iterator[Source]:
-    for path in robot.tree.named(name):
-        source = robot.tree.read(path)
-        if source is not None:
-            yield source
+    yield from filter(None, map(robot.tree.read, robot.tree.named(name)))
 
 
 def _module_of_root(task: Task) -> Located | None:

@@ -75,6 +75,7 @@ def _related(robot: Robot, early: TooEarly) -> Iterator[Related]:
     for _, other in early.unit.naming("Wants", ONLINE):
         yield note(other, "pulled in here, but nothing waits for it")
     if early.presumed:
-        for process in robot.units.started(early.unit):
-            if process.script_outside_tree:
-                yield note(process.script_outside_tree, "probably starts ROS 2: the script is not in this tree")
+        outside = (process.script_outside_tree for process in robot.units.started(early.unit))
+        yield from (
+            note(script, "probably starts ROS 2: the script is not in this tree") for script in filter(None, outside)
+        )

@@ -51,19 +51,18 @@ def privatetmp_redundant(robot: Robot) -> Iterator[Finding]:
             continue
         lines = {word.span: line for line in unit.assignments("ReadWritePaths") for word in line.value.words()}
         for word, path, _ in paths(unit, "ReadWritePaths"):
+            line = lines.get(word.span)
             if path in ("/tmp", "/var/tmp"):
                 yield finding(
                     word,
                     f"PrivateTmp= gives {unit.name} its own writable {path}: the entry is redundant",
                     advice="remove the entry",
                     related=[note(private.where, "gives it its own /tmp")],
-                    fix=_without(lines.get(word.span), word) if unit.editable else None,
+                    fix=_without(line, word) if unit.editable and line is not None else None,
                 )
 
 
-def _without(line: Assignment | None, word: Located) -> Fix | None:
+def _without(line: Assignment, word: Located) -> Fix:
     """The line without a word of it."""
-    if line is None:
-        return None
     text = " ".join(other for other in line.value.words() if other.span != word.span)
     return fix("remove the entry", (line.value, text) if text else (line.span, "# ReadWritePaths= was redundant"))

@@ -70,8 +70,6 @@ def stdout_file_no_rotation(robot: Robot) -> Iterator[Finding]:
 
 def _rotated(robot: Robot) -> Iterator[str]:
     """The patterns of all logrotate files."""
-    for path in robot.tree.paths:
-        if "/logrotate.d/" in path or path.endswith("/logrotate.conf"):
-            source = robot.tree.read(path, judged=False)
-            if source is not None:
-                yield from PATTERN.findall(source.said)
+    paths = (path for path in robot.tree.paths if "/logrotate.d/" in path or path.endswith("/logrotate.conf"))
+    for source in filter(None, (robot.tree.read(path, judged=False) for path in paths)):
+        yield from PATTERN.findall(source.said)

@@ -148,3 +148,11 @@ def test_a_list_is_empty_without_the_kinds_of_its_files(path: tuple[str, ...]) -
 def test_no_rule_that_is_left_out_finds_anything_in_fixtures(family: Path) -> None:
     for top in sorted((PROJECT / "fixtures" / family.name).glob("*/*/")):
         check(top, root=(top / "etc").is_dir())
+
+
+def test_no_rule_finds_anything_in_an_empty_tree(tmp_path: Path) -> None:
+    robot = Robot(discover([str(tmp_path)]))
+    paths = {
+        rule_id: path for rule_id, path in Registry.of().paths.items() if not rule_id.startswith(("fleet/", "live/"))
+    }
+    assert [rule_id for rule_id, path in paths.items() if list(load(path, rule_id).check(robot))] == []

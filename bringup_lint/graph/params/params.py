@@ -102,6 +102,13 @@ class Params:
                 if problem.code in codes:
                     yield file, problem
 
+    def refused(self, code: str) -> Iterator[tuple[ParameterFile, Parameter]]:
+        """The parameters of judged files whose values rcl refuses for one reason."""
+        for file, problem in self.problems(code):
+            parameter = self.at(file, problem.where)
+            if parameter is not None:
+                yield file, parameter
+
     @property
     def parameters(self) -> Iterator[tuple[ParameterFile, Parameter]]:
         """Every value of the judged files, in the order of the text."""
