@@ -21,8 +21,10 @@ if TYPE_CHECKING:
     from bringup_lint.model.compose import Service
 
 _ELSEWHERE = regex(r"[$<]|://|^git@|\*\*|\[")
-_MAKERS = regex(r"(?:^|/)(?:[Mm]akefile|[Jj]ustfile|[^/]+\.(?:sh|bash|py|mk|md|rst|ya?ml|bat|ps1|repos))$")
+_MAKERS = regex(r"(?:^|/)(?:[Mm]akefile|[Jj]ustfile|\.gitignore|[^/]+\.(?:sh|bash|py|mk|md|rst|ya?ml|bat|ps1|repos))$")
 _MOST_MAKERS = 500
+_PRUNED = regex(r"(?:^|/)(?:vendor|node_modules)/")
+"""Folders that a package manager fills with a part of what their packages have."""
 
 
 class Lacking(NamedTuple):
@@ -37,7 +39,7 @@ def lacking_sources(files: Files, compose: Compose) -> Iterator[Lacking]:
     known = _builders(compose)
     makers = _Makers(files)
     for file in compose.images.dockerfiles:
-        if not file.source.judged:
+        if not file.source.judged or _PRUNED.search(file.source.name):
             continue
         builders = known.get(file.source.absolute, [])
         for word in _sources(file):
