@@ -20,7 +20,7 @@ from bringup_lint.source import Span
 
 _EXPANSION = regex(
     r"\\(?P<escaped>[\s\S])|\$(?P<name>[A-Za-z_]\w*|[0-9@*#?$!-])|\$\{(?P<braced>[^{}]*)\}"
-    r"|\$\((?P<command>(?:[^()]|\([^()]*\))*)\)|`(?P<ticks>[^`]*)`"
+    r"|\$\((?P<command>(?:[^()]|\((?:[^()]|\([^()]*\))*\))*)\)|`(?P<ticks>[^`]*)`"
 )
 _NAME = regex(r"[A-Za-z_]\w*")
 _ESCAPES = {"n": "\n", "t": "\t", "r": "\r", "\\": "\\", '"': '"', "a": "", "b": "", "e": ""}
