@@ -55,9 +55,10 @@ def widened(mask: Mask | None, sources: Iterable[Source]) -> Mask | None:
 
 
 def _anywhere(secret: str) -> str:
-    """A pattern for a secret in any text. A mere word is left alone in a longer name, such as that of a package."""
+    """A pattern for a secret in any text. A mere word is left alone in a longer name, such as that of a package or an
+    image: who takes the name of a program for a password must still see which image a finding is about."""
     pattern = re.escape(secret)
-    return f"(?<![_-]){pattern}(?![_-])" if _WORD.fullmatch(secret) else pattern
+    return rf"(?<![_/-]){pattern}(?![_/-]|:(?:latest|\d))" if _WORD.fullmatch(secret) else pattern
 
 
 class Mask:
