@@ -2,7 +2,7 @@
 
 ## What it finds
 Nodes and components of one launch graph with the same fully qualified name. Both start by default, and their
-conditions do not exclude each other.
+conditions do not exclude each other. Two static_transform_publisher are a warning: nobody calls them by their name.
 
 ## Why it matters on a robot
 ROS 2 lets both run. Parameters and services reach one of them by chance, and lifecycle managers and monitors see
@@ -37,6 +37,9 @@ from bringup_lint.api import launch
 from bringup_lint.api import note
 from bringup_lint.api import rule
 
+BY_CHANCE = "parameter and service calls reach either of them by chance"
+ALIKE = "logs and lists of nodes do not show which is which"
+
 
 @rule("error", symptoms=["Publisher already registered for node name"])
 def node_duplicate_name(robot: Robot) -> Iterator[Finding]:
@@ -50,12 +53,19 @@ def node_duplicate_name(robot: Robot) -> Iterator[Finding]:
             if other is node or launch.exclusive(other, node):
                 continue
             places = [note(span, "included here") for span in (*other.chain, *node.chain)]
+            is_called = not (sends_only(other) and sends_only(node))
             yield finding(
                 launch.literal_text(node.name) or node.span,
-                f"Two nodes are called {name}: parameter and service calls reach either of them by chance",
+                f"Two nodes are called {name}: " + (BY_CHANCE if is_called else ALIKE),
                 advice="give each node its own name or namespace",
+                severity=None if is_called else "warning",
                 related=[note(other.span, "the other node"), *places],
             )
+
+
+def sends_only(node: launch.Started) -> bool:
+    """Whether nobody calls the node by its name: it sends its transform, and that is all."""
+    return launch.literal(node.executable) == "static_transform_publisher"
 
 
 def loops(node: launch.Started) -> bool:
