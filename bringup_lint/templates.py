@@ -35,11 +35,36 @@ _MARK = regex(r"[{@<]|__")
 """What every placeholder holds."""
 
 
+_SHELL = regex(r"\A#![^\n]*\b(?:ba|da|z|k)?sh\b")
+_SHELL_SUFFIXES = (".sh", ".bash", ".zsh")
+_COMMENT = regex(r"^[ \t]*#[^\n]*", re.M)
+_FILLED = regex(r"\bs(?P<mark>[|/#,:;%!~+])\^?[\"'\\]{0,2}(?P<token>@[A-Za-z_]\w*@|\{\{[ \t]*\w+[ \t]*\}\})")
+"""A placeholder that a command of sed looks for."""
+_GO = regex(
+    r"\{\{-?[ \t]*(?:\.|(?:json|range|index|if|with|end|else|len|printf?|println|join)\b)(?:(?!\{\{|\}\}).)*\}\}"
+)
+"""What docker and its likes take after --format."""
+_FORMATS = regex(r"\b(?:docker|podman|kubectl|crictl|nerdctl)\b")
+
+
+def _of_others(name: str, text: str) -> str:
+    """The text of a script without the placeholders that it fills in itself, or hands to a program."""
+    if _suffix(name) not in _SHELL_SUFFIXES and not _SHELL.match(text):
+        return text
+    if not _MARK.search(text):
+        return text
+    text = _COMMENT.sub("", text)
+    for token in {match["token"] for match in _FILLED.finditer(text)}:
+        text = text.replace(token, "")
+    return _GO.sub("", text) if _FORMATS.search(text) else text
+
+
 def template_language(name: str, text: str) -> str:
     """The template language of a file, from its name or the placeholders in it; empty when the text is final."""
     named = TEMPLATE_SUFFIXES.get(_suffix(name))
     if named is not None:
         return named
+    text = _of_others(name, text)
     for language, mark, pattern in _PLACEHOLDERS[:-1]:
         if mark in text and pattern.search(text):
             return language

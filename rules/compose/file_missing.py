@@ -1,10 +1,12 @@
 """A compose file names a file or folder that does not exist.
 
 ## What it finds
-Build contexts, Dockerfiles, env files and bind-mounted configuration files with a path relative to compose.yaml or
+Build contexts, Dockerfiles (the default one of a context, too), env files, bind-mounted configuration files and folders
+that are mounted read-only, or for `config`, `launch`, `src` and the like, with a path relative to compose.yaml or
 docker-compose.yml, and bind-mounted files below `/tmp`, such as `/tmp/.docker.xauth`, of which no script and no
 document of the tree speaks. Files that git ignores, files of which the tree has a copy or a template, files that a
-shell script names, and paths that exist below a folder above are not reported. A mount is a warning, and the build of
+shell script names, and paths that exist below a folder above are not reported. A mount is a warning, a folder of which
+nothing names a file is info, and the build of
 an image that may be pulled instead is info.
 
 ## Why it matters on a robot
@@ -33,11 +35,13 @@ When a step before the start puts the file there.
 - https://docs.docker.com/engine/storage/bind-mounts/
 """
 
+import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.compose import MissingFile
 from bringup_lint.api.compose import missing_files
@@ -55,24 +59,37 @@ from bringup_lint.api.compose import missing_files
 def file_missing(robot: Robot) -> Iterator[Finding]:
     for missing in missing_files(robot.files, robot.compose):
         effect = "docker compose ends" if missing.fatal else "the image cannot be built here"
-        if missing.what == "mount":
+        if missing.what.startswith("mount"):
             effect = "docker mounts an empty folder in its place"
         lacks = "is made by nothing of this tree" if missing.path.startswith("/tmp/") else "does not exist"
+        what = missing.what
+        if what == "default Dockerfile":
+            what, lacks = "build context", "holds no Dockerfile"
         yield finding(
             missing.path,
-            f"The {missing.what} '{missing.path}' of service '{missing.service.name}' {lacks}: {effect}",
+            f"The {what} '{missing.path}' of service '{missing.service.name}' {lacks}: {effect}",
             advice=_advice(missing),
-            severity=_severity(missing),
+            severity=_severity(robot, missing),
         )
 
 
 def _advice(missing: MissingFile) -> str:
+    if missing.what == "default Dockerfile":
+        return "name the file with dockerfile:, relative to the context"
     if missing.path.startswith("/tmp/"):
         return "let a script or a unit make it before the start"
     return "write the path relative to the folder of the compose file"
 
 
-def _severity(missing: MissingFile) -> str | None:
+def _severity(robot: Robot, missing: MissingFile) -> str | None:
     if missing.fatal:
         return None
-    return "warning" if missing.what == "mount" else "info"
+    if missing.what == "mounted folder" and not _is_read(robot, missing):
+        return "info"
+    return "warning" if missing.what.startswith("mount") else "info"
+
+
+def _is_read(robot: Robot, missing: MissingFile) -> bool:
+    """Whether something of the tree names a file below the folder in the container."""
+    targets = [volume.target for volume in missing.service.volumes if volume.source is missing.path]
+    return any(target and robot.mentions(regex(re.escape(f"{target.rstrip('/')}/"))) for target in targets)

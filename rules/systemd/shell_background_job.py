@@ -5,7 +5,8 @@
 shell text or script of ExecStart=, and `python3 ... &`, `node ... &` or `bash -c '...' &` in the shell text itself.
 It is an error when nothing keeps the shell running after the job, and a warning otherwise. All jobs of a service are
 one finding. Jobs that a service with RemainAfterExit= leaves running are a warning, and so are two and more of
-Type=forking without PIDFile=. Other services with Type=oneshot are exempt, and shells with `wait -n`.
+Type=forking without PIDFile=. With Type=oneshot a job is reported where nothing keeps the shell running after it.
+Shells with `wait -n` are exempt.
 
 ## Why it matters on a robot
 The shell is the main process. When it exits, systemd considers the service finished and kills the job. When
@@ -53,10 +54,9 @@ def shell_background_job(robot: Robot) -> Iterator[Finding]:
         if remains.unknown:
             continue
         leaves = bool(remains) or unit.get("Type") == "forking"
-        if unit.get("Type") == "oneshot" and not leaves:
-            continue
+        once = unit.get("Type") == "oneshot" and not leaves
         for process in robot.units.started(unit):
-            jobs = list(background_jobs(process))
+            jobs = [job for job in background_jobs(process) if job.ends or not once]
             if jobs and not leaves:
                 yield _finding(unit, process, jobs)
             elif leaves and not unit.has("PIDFile"):

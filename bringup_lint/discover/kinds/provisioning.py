@@ -11,6 +11,8 @@ from bringup_lint.pattern import regex
 _YAML = regex(r"\.ya?ml$")
 _FOLDER = regex(r"/(?:tasks|handlers|playbooks|ansible|roles)/")
 _TASKS = regex(r"^[ \t]*-[ \t]+(?:name|hosts|become|ansible\.builtin\.\w+)[ \t]*:", re.M)
+_PLAY = regex(r"^(?:-[ \t]+|[ \t]{2,6})hosts[ \t]*:[^\n]", re.M)
+_PLAYS = regex(r"^[ \t]{2,6}(?:roles|(?:pre_|post_)?tasks)[ \t]*:", re.M)
 _USER_DATA = regex(r"#cloud-config\b")
 _NETWORK = regex(r"^network:", re.M)
 """User data with a network configuration is read as that."""
@@ -18,7 +20,11 @@ _NETWORK = regex(r"^network:", re.M)
 
 def _is_ansible(path: str, head: Head) -> bool:
     path = f"/{path}"
-    return bool(_YAML.search(path) and _FOLDER.search(path)) and bool(_TASKS.search(head()))
+    if not _YAML.search(path):
+        return False
+    if _FOLDER.search(path):
+        return bool(_TASKS.search(head()))
+    return bool(_PLAY.search(head()) and _PLAYS.search(head()))
 
 
 def _is_cloud_init(path: str, head: Head) -> bool:

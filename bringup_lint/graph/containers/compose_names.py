@@ -30,11 +30,16 @@ _EXTENSION = regex(r"\.(?:xml|ya?ml|json|toml|conf|cfg|ini|sh|bash|py|properties
 
 _TEMPORARY = regex(r"/tmp/(?:[\w.-]+/)*[\w.-]*(?:\.xauth|\.Xauthority|\.(?:xml|ya?ml|json|conf|cfg|ini))")
 """A file that is gone after each boot."""
+_GIVEN = regex(
+    r"\./(?:[\w.-]+/)*(?:configs?|conf|params?|launch|scripts?|src|urdf|description|rviz|behavior_trees|maps)/?"
+)
+"""A folder of files that a container is to read, not of those that it writes."""
+_DOCKERFILES = ("Dockerfile", "dockerfile", "Containerfile")
 
 
 class MissingFile(NamedTuple):
     what: str
-    """``build context``, ``Dockerfile``, ``env_file`` or ``mount``."""
+    """``build context``, ``Dockerfile``, ``default Dockerfile``, ``env_file``, ``mount`` or ``mounted folder``."""
     service: Service
     path: Located
     fatal: bool
@@ -79,6 +84,8 @@ def _built(files: Files, service: Service) -> Iterator[MissingFile]:
         path = build.dockerfile
         if not files.tree.exists(_beside(service, build.context or ".", path)):
             yield MissingFile("Dockerfile", service, path, fatal)
+    elif build.dockerfile is None and build.context is not None and _lacks_dockerfile(files, service, build.context):
+        yield MissingFile("default Dockerfile", service, build.context, fatal)
 
 
 def _read(service: Service) -> Iterator[MissingFile]:
@@ -93,6 +100,23 @@ def _read(service: Service) -> Iterator[MissingFile]:
             yield MissingFile("mount", service, volume.source, False)
         elif volume.source is not None and _TEMPORARY.fullmatch(volume.source):
             yield MissingFile("mount", service, volume.source, False)
+        elif volume.source is not None and _is_read(volume.source, read_only=volume.read_only):
+            yield MissingFile("mounted folder", service, volume.source, False)
+
+
+def _is_read(source: str, *, read_only: bool) -> bool:
+    """Whether a folder is mounted for what it holds."""
+    return bool(_GIVEN.fullmatch(source)) or (read_only and source.startswith("./") and not _EXTENSION.search(source))
+
+
+def _lacks_dockerfile(files: Files, service: Service, context: Located) -> bool:
+    """Whether a context of the tree certainly holds no Dockerfile."""
+    folder = _beside(service, context)
+    if re.search(r"://|^git@|^[/~]|^[\w-]+:", context) or is_variable(context) or not files.tree.holds(f"{folder}/x"):
+        return False
+    if any(folder.startswith(each) for each in files.tree.submodules):
+        return False
+    return not any(files.tree.exists(os.path.join(folder, name)) for name in _DOCKERFILES)
 
 
 def _is_folder(files: Files, service: Service, context: Located) -> bool:
@@ -107,6 +131,8 @@ def _beside(service: Service, *parts: str) -> str:
 def _is_missing(files: Files, service: Service, found: MissingFile) -> bool:
     if _TEMPORARY.fullmatch(found.path):
         return not _is_named(files, os.path.basename(found.path))
+    if found.what == "default Dockerfile":
+        return not any("Dockerfile" in source.text for source in files.sources if source.kind == "shell-script")
     if is_variable(found.path) or found.path.startswith(("/", "~")):
         return False
     context = service.build.context if found.what == "Dockerfile" and service.build else None

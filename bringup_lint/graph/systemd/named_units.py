@@ -134,12 +134,33 @@ class NamedUnits:
     def meant(self, name: str, near: Unit) -> str | None:
         """The one unit of the tree whose name a misspelt one nearly is. Units that differ in a number are
         no misspellings."""
+        return self._nearly(name, near.manager, near.name)
+
+    def _nearly(self, name: str, manager: str, besides: str = "") -> str | None:
         stem, _, kind = name.rpartition(".")
         if len(stem) < 6:
             return None
-        own = [other for other in self._stems((near.manager, kind)) if other != near.stem or kind != near.type]
+        own = [other for other in self._stems((manager, kind)) if f"{other}.{kind}" != besides]
         found = [other for other in nearest(stem, own) if _DIGITS.sub("", other) != _DIGITS.sub("", stem)]
         return f"{found[0]}.{kind}" if len(found) == 1 else None
+
+    def lacks(self, name: str, manager: str) -> bool:
+        """Whether a command names a unit that looks like one of the robot's own, and that nothing provides."""
+        if not is_unit_name(name) or "%" in name or GENERATED.search(name) or self.is_distribution_unit(name):
+            return False
+        if self.candidates(name, manager) or (manager, name) in self.alias_links or self.is_made_by_script(name):
+            return False
+        family = _family(name)
+        related = len(family) > 2 and "-" in name and family in self._families(manager)
+        return related or self._nearly(name, manager) is not None
+
+    def like(self, name: str, manager: str) -> list[Unit]:
+        """The units of the tree that a missing name may mean: nearly the same, else of its first word."""
+        nearly = self._nearly(name, manager)
+        own = [unit for unit in self.all if unit.manager == manager and unit.fragment is not None]
+        return [unit for unit in own if unit.name == nearly] or [
+            unit for unit in own if _family(unit.name) == _family(name) and unit.type == name.rpartition(".")[2]
+        ]
 
     @memo
     def _stems(self, kind: tuple[str, str]) -> list[str]:

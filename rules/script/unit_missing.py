@@ -1,0 +1,100 @@
+"""A script enables or starts a unit that nothing installs.
+
+## What it finds
+`systemctl enable`, `reenable`, `start` and `restart` of a unit that looks like one of the robot's own (the same first
+word as another unit of the tree, or nearly the name of one) and that neither a file of the tree nor a script provides.
+
+Not reported: units of Debian and Ubuntu, names that a variable gives, and commands whose failure is expected (`||`,
+`2>/dev/null`, `if systemctl ...`).
+
+## Why it matters on a robot
+systemctl ends with "Unit file does not exist". With `set -e` the set-up stops in the middle, and without it the message
+scrolls past: after the next boot the unit that was meant does not run.
+
+## Bad
+```sh
+cp rover-base.service /etc/systemd/system/
+systemctl enable --now rover-bringup.service    # the unit is called rover-base.service
+```
+
+## Good
+```sh
+cp rover-base.service /etc/systemd/system/
+systemctl enable --now rover-base.service
+```
+
+## When to ignore it
+When a package or another repository installs the unit.
+
+## References
+- systemctl(1), "enable" and "start"
+"""
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Located
+from bringup_lint.api import Robot
+from bringup_lint.api import Source
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import regex
+from bringup_lint.api import rule
+from bringup_lint.api.shell import Run
+
+VERBS = ("enable", "reenable", "start", "restart")
+VALUED = ("-H", "--host", "-M", "--machine", "-t", "--type", "-p", "--property", "--root", "-n", "--lines")
+PLAIN = regex(r"[\w.@:\\-]+")
+TYPED = regex(r"\.(?:service|target|timer|socket|path|mount|automount|slice|swap|device|scope)$")
+MOST = 20
+
+
+class Named(NamedTuple):
+    """A unit that a command names."""
+
+    word: Located
+    verb: str
+    name: str
+    manager: str
+
+
+@rule(
+    "warning",
+    confidence="medium",
+    symptoms=["Failed to enable unit: Unit file * does not exist.", "Failed to start *: Unit * not found."],
+)
+def unit_missing(robot: Robot) -> Iterator[Finding]:
+    found: dict[tuple[Source, str], list[Named]] = {}
+    for source, run in robot.scripts.run("systemctl"):
+        for named in _named(run):
+            if robot.units.lacks(named.name, named.manager):
+                found.setdefault((source, named.name), []).append(named)
+    for first, *others in found.values():
+        like = robot.units.like(first.name, first.manager)
+        yield finding(
+            first.word,
+            f"systemctl {first.verb} fails: nothing in this tree installs {first.name}",
+            advice=f"did you mean {like[0].name}?"
+            if len(like) == 1
+            else "correct the name, or install the unit before",
+            related=[
+                *(note(other.word, f"systemctl {other.verb} fails, too") for other in others[:MOST]),
+                *(note(unit.where, "a unit that the tree has") for unit in like[:2]),
+            ],
+        )
+
+
+def _named(run: Run) -> Iterator[Named]:
+    """The units that a command needs, where nothing shows that it may fail."""
+    if run.command.ends in ("||", "&&", "|") or any(each.descriptor == "2" for each in run.command.redirects):
+        return
+    words = [word for at, word in enumerate(run.words) if at and run.words[at - 1] not in VALUED]
+    plain = [word for word in words if not word.startswith("-")]
+    if not plain or plain[0] not in VERBS or any(word.startswith(("--root", "-H", "-M")) for word in words):
+        return
+    manager = "user" if "--user" in words else "system"
+    for word in plain[1:]:
+        text = run.text(word)
+        if PLAIN.fullmatch(text):
+            yield Named(word, str(plain[0]), text if TYPED.search(text) else f"{text}.service", manager)

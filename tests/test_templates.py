@@ -1,0 +1,38 @@
+"""Which files a tool still fills in."""
+
+import pytest
+
+from bringup_lint.templates import template_language
+
+SCRIPT = "#!/bin/bash\n"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        'sed "s|@PILOT@|$USER|g" helm.service.in > helm.service\n',
+        "sed -e s/@PILOT@/$USER/ -e 's#{{ port }}#/dev/sonar#' helm.in\n",
+        "docker ps --format '{{.Names}}\\t{{.Status}}'\n",
+        'docker inspect -f "{{range .Mounts}}{{ .Source }}{{end}}" helm\n',
+        "# Fills in @PILOT@.\n",
+    ],
+)
+def test_script_that_fills_in_others(text: str) -> None:
+    assert template_language("install.sh", SCRIPT + text) == ""
+
+
+@pytest.mark.parametrize(
+    ("text", "language"),
+    [
+        ("export ROS_DOMAIN_ID={{ boat_number }}\n", "jinja"),
+        ("USER_NAME=@PILOT@\n", "configure"),
+        ("sed s/@PILOT@/$USER/ helm.in\nPORT=@PORT@\n", "configure"),
+        ("echo '{{.Names}}'\n", "jinja"),
+    ],
+)
+def test_script_that_is_filled_in(text: str, language: str) -> None:
+    assert template_language("install.sh", SCRIPT + text) == language
+
+
+def test_other_files_fill_in_nothing() -> None:
+    assert template_language("helm.service", "# s/@PILOT@/x/\nUser=@PILOT@\n") == "configure"
