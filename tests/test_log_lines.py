@@ -202,6 +202,10 @@ def test_other_causes_name_rules_that_exist() -> None:
     assert named and named <= ids
 
 
+def test_other_causes_name_their_source() -> None:
+    assert [row["pattern"] for row in table("logs/other_causes") if not row["source"]] == []
+
+
 def pasted() -> Iterator[tuple[str, str]]:
     for line in (PROJECT / "tests/log_lines.tsv").read_text("utf-8").splitlines():
         if not line.startswith("#"):
