@@ -6,7 +6,6 @@ import os
 from bisect import bisect_right
 from collections.abc import Callable
 from collections.abc import Iterator
-from functools import cached_property
 from typing import TypeVar
 from typing import cast
 
@@ -28,7 +27,7 @@ class Position(NamedTuple):
     column: int
 
 
-@dataclass(eq=False)
+@dataclass(eq=False, slots=True)
 class Source:
     """One file as it was read; nothing ever reads it from disk again."""
 
@@ -57,6 +56,10 @@ class Source:
     """Where the text comes from when another file of the tree writes this one."""
     models: dict[object, object] | None = field(default=None, init=False)
     """Parser -> the model that it made of this text, where a source outlives a run; None where it does not."""
+    _made: dict[object, object] | None = field(default=None, init=False)
+    _said: str | None = field(default=None, init=False)
+    _line_starts: list[int] | None = field(default=None, init=False)
+    _absolute: str | None = field(default=None, init=False)
 
     def kept(self, key: object, make: Callable[[], Made]) -> Made:
         """What ``make`` makes of this text alone; made once where the source outlives a run."""
@@ -70,21 +73,27 @@ class Source:
     def once(self, key: object, make: Callable[[], Made]) -> Made:
         """What ``make`` makes of this text alone, for all that ask in this run."""
         made = self._made if self.models is None else self.models
+        if made is None:
+            made = self._made = {}
         if key not in made:
             made[key] = make()
         return cast("Made", made[key])
 
-    @cached_property
-    def _made(self) -> dict[object, object]:
-        return {}
-
-    @cached_property
+    @property
     def said(self) -> str:
         """The text as rules search it: blanks are written over the comments that silence them, and offsets stay."""
-        return without_marks(self.text)
+        if self._said is None:
+            self._said = without_marks(self.text)
+        return self._said
 
-    @cached_property
+    @property
     def line_starts(self) -> list[int]:
+        """The offset of the first character of each line."""
+        if self._line_starts is None:
+            self._line_starts = self._starts()
+        return self._line_starts
+
+    def _starts(self) -> list[int]:
         starts = [0]
         find = self.text.find
         at = find("\n")
@@ -103,10 +112,12 @@ class Source:
         end = starts[line] if line < len(starts) else len(self.text)
         return self.text[starts[line - 1] : end].rstrip("\r\n")
 
-    @cached_property
+    @property
     def absolute(self) -> str:
         """The absolute path of the file, from the folder in which the run began."""
-        return os.path.abspath(self.name)
+        if self._absolute is None:
+            self._absolute = os.path.abspath(self.name)
+        return self._absolute
 
     def span(self, start: int, end: int) -> Span:
         return Span(self, start, end)

@@ -169,11 +169,11 @@ class Files:
 
 
 def _model(parse: Callable[[Source], Model], source: Source) -> Model:
-    """The model of a source; the one of an earlier run where the source outlives a run. Only a function of a module is
-    known again: one with a context may answer otherwise the next time."""
+    """The model of a source, made once for all layers; the one of an earlier run where the source outlives a run. Only
+    a function of a module is known again: one with a context may answer otherwise the next time."""
     if not isinstance(parse, FunctionType) or parse.__closure__ or parse.__name__ == "<lambda>":
         return parse(source)
-    return source.kept(parse, lambda: parse(source))
+    return source.once(parse, lambda: parse(source))
 
 
 def _source_of(place: Source | Located | Span) -> Source:

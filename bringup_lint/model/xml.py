@@ -100,6 +100,12 @@ class Document:
         """All elements, in document order."""
         return iter(()) if self.root is None else self.root.walk()
 
+    def let_go(self) -> None:
+        """Take the elements apart when nobody asks for them any more: as long as children know their parents, they wait
+        for a search for garbage."""
+        for element in self.elements:
+            element.parent = None
+
 
 def local_part(name: Located) -> Located:
     """A name without its namespace prefix."""

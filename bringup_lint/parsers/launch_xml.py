@@ -32,6 +32,7 @@ def parse(source: Source) -> LaunchFile:
     file.entry = root.tag
     file.tag = tag(root)
     file.actions = Builder(file).actions(entity(child, 0) for child in root.children)
+    document.let_go()
     return file
 
 

@@ -30,7 +30,10 @@ def render(report: Report) -> str:
     width = max(report.width, NARROW)
     blocks = () if report.part is Part.STATISTICS else ("\n".join(lines) for lines in _blocks(report, width, paint))
     last = () if report.part is Part.FINDINGS else (ending(report, min(width, WIDE), paint),)
-    return "".join(f"{text}\n" for text in ["\n\n".join([*blocks, *last])] if text)
+    told = [*blocks, *last]
+    if told:
+        told[-1] += "\n"
+    return "\n\n".join(told)
 
 
 def _blocks(report: Report, width: int, paint: Paint) -> Iterator[Iterator[str]]:

@@ -16,3 +16,16 @@ def test_a_source_that_joins_later_is_searched_for_what_was_asked_before() -> No
     assert not files.mentions(REBOOTS)
     files.join(Source("b.sh", "reboot\n", kind="shell-script"))
     assert files.mentions(REBOOTS)
+
+
+class Model:
+    pass
+
+
+def read(source: Source) -> Model:
+    return Model()
+
+
+def test_what_several_layers_ask_for_is_parsed_once() -> None:
+    files = Files(Tree(sources=[Source("a.py", kind="python-node"), Source("b.py", kind="python-node")]))
+    assert files.parsed(read, files.sources) == files.parsed(read, files.sources)

@@ -45,13 +45,16 @@ def parse(source: Source) -> LaunchFile:
     positions = Positions(source, byte_order_mark(source))
     if MENTIONED.search(source.text):
         file.waits += waits(tree, positions)
-    state = State(file, positions, Frame({}), Evaluator(evaluate, condition, call, run))
+    module = Frame({})
+    state = State(file, positions, module, Evaluator(evaluate, condition, call, run))
     try:
         _describe(state, tree)
     except budget.Exhausted:
         file.actions += (Other(span=source.whole, why="the file is too long to follow"),)
     except RecursionError:
         file.actions += (Other(span=source.whole, why="nested too deeply"),)
+    finally:
+        module.names.clear()  # its functions know it: without this, the syntax tree would wait for a search for garbage
     return file
 
 

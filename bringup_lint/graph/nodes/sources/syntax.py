@@ -30,9 +30,10 @@ class Syntax:
                 self.calls.append(node)
             for name in fields_of(node):
                 value = getattr(node, name, None)
+                place = (node, name)
                 for child in value if isinstance(value, list) else (value,):
                     if isinstance(child, ast.AST):
-                        self._above[child] = (node, name)
+                        self._above[child] = place
                         stack.append(child)
         self.calls.sort(key=lambda call: (call.lineno, call.col_offset))
 
