@@ -59,6 +59,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.observed.observed import Observed
     from bringup_lint.graph.params.params import Params
     from bringup_lint.graph.plugins.controllers import UntypedController
+    from bringup_lint.graph.plugins.joints import UnknownJoint
     from bringup_lint.graph.plugins.unknown import UnknownPlugin
     from bringup_lint.graph.plugins.untyped import UntypedPlugin
     from bringup_lint.graph.provenance import Provenance
@@ -368,6 +369,13 @@ class Robot:
         from bringup_lint.graph.plugins.untyped import untyped_plugins
 
         return list(untyped_plugins(self.params))
+
+    @cached_property
+    def unknown_joints(self) -> list[UnknownJoint]:
+        """Joints and interfaces that controllers are told to use, and that no description of the tree has."""
+        from bringup_lint.graph.plugins.joints import unknown_joints
+
+        return list(unknown_joints(self.files, self.params))
 
     @cached_property
     def untyped_controllers(self) -> list[UntypedController]:
