@@ -34,6 +34,8 @@ PURPOSES = ("robot", "development", "simulation", "test", "ci", "example", "arch
 OLDEST_SYSTEMD, NEWEST_SYSTEMD = 245, 257
 SIZE_LIMIT = 1024 * 1024
 """Bytes of a configuration file."""
+MOST = 1000
+"""Entries of a list or table in a configuration that was found: each is compared with all files or rules."""
 _TABLE = regex(r"^[ \t]*\[[ \t]*tool[ \t]*(?:\]|\.[ \t]*[\"']?bringup[-_]lint)", re.M)
 
 
@@ -152,6 +154,8 @@ def read(path: Path, *, named: bool = True) -> Config:
             values[key.replace("-", "_")] = _checked(OPTIONS[key].type, value)
         except ValueError as error:
             raise ConfigError(f"{_place(path, text, key)}: {key} {error}") from error
+        if not named and _size(values[key.replace("-", "_")]) > MOST:
+            raise ConfigError(f"{_place(path, text, key)}: {key} has more than {MOST} entries; name the file: --config")
     config = Config(**values, path=path, text=text)
     for word, why in _without_effect(config, named):
         raise ConfigError(f"{_place(path, text, word)}: {why}")
@@ -180,6 +184,13 @@ def _is_inside(path: Path, folder: Path) -> bool:
     except ValueError:
         return False
     return real == top or real.startswith(top.rstrip("/") + "/")
+
+
+def _size(value: object) -> int:
+    """How many entries a list or table has, with those of the lists in it."""
+    if isinstance(value, dict):
+        return sum(max(_size(each), 1) for each in value.values())
+    return len(value) if isinstance(value, tuple) else 0
 
 
 def _table(path: Path, text: str, data: dict[str, Any]) -> dict[str, Any]:

@@ -67,11 +67,11 @@ class Selection:
         self.registry = registry
         self.config = config
         self.families = {family.name for family in registry.families}
-        self.select = [self.known(name) for name in config.select if name != "all"]
-        self.ignore = [self.known(name) for name in config.ignore]
+        self.select = [self.known(name) for name in dict.fromkeys(config.select) if name != "all"]
+        self.ignore = [self.known(name) for name in dict.fromkeys(config.ignore)]
         self.left_out = [self.known(name) for name in config.left_out]
         self.levels = {self.known(name): level for name, level in config.severity.items()}
-        for name in (name for names in config.per_file_ignores.values() for name in names):
+        for name in dict.fromkeys(name for names in config.per_file_ignores.values() for name in names):
             self.known(name)
 
     def known(self, name: str) -> str:

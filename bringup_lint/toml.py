@@ -5,9 +5,18 @@ from __future__ import annotations
 import sys
 from typing import Any
 
+from bringup_lint.pattern import regex
+
+_LONGEST = 50
+_PART = r"""(?:(?<![\w-])[\w-]+|"[^"\n]*"|'[^'\n]*')[ \t]*\.[ \t]*"""
+_LONG_KEY = regex(rf"(?:{_PART}){{{_LONGEST}}}")
+
 
 def read_toml(text: str) -> dict[str, Any]:
-    """Raises ValueError with line and column."""
+    """Raises ValueError, mostly with line and column. The time that the reader takes grows with the square of the
+    parts of a dotted key."""
+    if _LONG_KEY.search(text):
+        raise ValueError(f"a key of more than {_LONGEST} parts")
     if sys.version_info >= (3, 11):
         import tomllib
     else:

@@ -44,10 +44,13 @@ class Domain:
     elements: list[tuple[Item, Element]] = field(default_factory=list)
     """Every recognised element, in document order."""
     remarks: list[Remark] = field(default_factory=list)
+    firsts: dict[str, Setting] = field(default_factory=dict)
+    """Path of a setting -> where it is given first."""
     _by_owner: dict[int, list[Setting]] = field(default_factory=dict)
 
     def add(self, setting: Setting) -> None:
         self.settings.append(setting)
+        self.firsts.setdefault(setting.path, setting)
         self._by_owner.setdefault(id(setting.owner), []).append(setting)
 
     def get(self, path: str) -> Setting | None:
@@ -85,6 +88,13 @@ class Configuration:
     domains: list[Domain] = field(default_factory=list)
     remarks: list[Remark] = field(default_factory=list)
     """What concerns the document as a whole: XML, root."""
+    _domains_of: dict[int, Domain] = field(default_factory=dict)
+
+    def domain_of(self, remark: Remark) -> Domain | None:
+        """The block that a remark is about; asked when all of them are made."""
+        if not self._domains_of:
+            self._domains_of = {id(each): domain for domain in self.domains for each in domain.remarks}
+        return self._domains_of.get(id(remark))
 
     @property
     def all_remarks(self) -> list[Remark]:

@@ -136,11 +136,8 @@ def matches(key: str, fqn: str) -> bool:
     names = fqn.lstrip("/").split("/")
     reachable = {0}
     for token in tokens:
-        following: set[int] = set()
-        for at in reachable:
-            if token == "**":
-                following.update(range(at, len(names) + 1))
-            elif at < len(names) and token in ("*", names[at]):
-                following.add(at + 1)
-        reachable = following
+        if token == "**" and reachable:
+            reachable = set(range(min(reachable), len(names) + 1))
+        else:
+            reachable = {at + 1 for at in reachable if at < len(names) and token in ("*", names[at])}
     return len(names) in reachable

@@ -12,13 +12,15 @@ from collections.abc import Mapping
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
 from bringup_lint.dataclass import replace
-from bringup_lint.discover.exclude import exclusion
+from bringup_lint.discover.gitignore import Patterns
 from bringup_lint.finding import Finding
 from bringup_lint.finding import Suppression
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 
 UNUSED = "lint/unused-ignore"
+COMPARED = 2_000_000
+"""Pairs of an entry and a file up to which entries without effect are looked for."""
 
 
 @dataclass(eq=False)
@@ -27,8 +29,7 @@ class Entry:
 
     pattern: str
     name: str
-    matches: Callable[[str], bool]
-    """Whether an absolute path is meant."""
+    patterns: Patterns
     where: Span
     """The pattern in the configuration."""
     used: bool = False
@@ -40,6 +41,8 @@ class FileIgnores:
 
     entries: tuple[Entry, ...] = ()
     is_name_of: Callable[[str, str], bool] = lambda name, rule: name == rule
+    folder: str = ""
+    """The absolute folder that patterns are relative to."""
     matched: dict[tuple[int, str], bool] = field(default_factory=dict)
 
     def apply(self, finding: Finding) -> Finding:
@@ -70,9 +73,12 @@ class FileIgnores:
         configuration = {os.path.abspath(entry.where.path) for entry in self.entries}
         if not configuration <= set(walked):
             return
+        below = {path: name for path in walked if (name := self._below(path))}
+        if len(below) * len(self.entries) > COMPARED:
+            return
         context = {os.path.abspath(source.name) for source in sources if not source.judged}
         for entry in self.entries:
-            meant = {path for path in walked if entry.matches(path)}
+            meant = {path for path, name in below.items() if entry.patterns.match(name)}
             if not meant:
                 yield _complaint(entry, f"The pattern '{entry.pattern}' matches no file")
             elif not entry.used and ran(entry.name) and not meant & context:
@@ -81,8 +87,14 @@ class FileIgnores:
     def _matches(self, entry: Entry, path: str) -> bool:
         key = (id(entry), path)
         if key not in self.matched:
-            self.matched[key] = entry.matches(os.path.abspath(path))
+            name = self._below(os.path.abspath(path))
+            self.matched[key] = bool(name) and entry.patterns.match(name)
         return self.matched[key]
+
+    def _below(self, path: str) -> str:
+        """An absolute path as the patterns see it; empty where they see it not."""
+        top = f"{self.folder.rstrip('/')}/"
+        return path[len(top) :] if path.startswith(top) else ""
 
 
 def file_ignores(
@@ -94,9 +106,9 @@ def file_ignores(
     for pattern, names in table.items():
         start = max(configuration.text.find(pattern), 0)
         where = configuration.span(start, start + len(pattern))
-        matches = exclusion(folder, [pattern])
-        entries += [Entry(pattern, name, matches, where) for name in names]
-    return FileIgnores(tuple(entries), is_name_of)
+        patterns = Patterns.of([pattern])
+        entries += [Entry(pattern, name, patterns, where) for name in dict.fromkeys(names)]
+    return FileIgnores(tuple(entries), is_name_of, folder)
 
 
 def _complaint(entry: Entry, message: str) -> Finding:

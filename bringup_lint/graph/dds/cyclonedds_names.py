@@ -82,10 +82,9 @@ def _ends(source: Source) -> dict[int, int]:
 
 def first_of(configuration: Configuration, remark: Remark) -> Located | None:
     """The first name of a setting that is given twice."""
-    for domain in configuration.domains:
-        if remark in domain.remarks and remark.item is not None:
-            return next((each.name for each in domain.settings if each.path == remark.item.path), None)
-    return None
+    domain = configuration.domain_of(remark)
+    first = domain.firsts.get(remark.path) if domain and remark.item else None
+    return first.name if first else None
 
 
 def interfaces_instead(configuration: Configuration, remark: Remark) -> Fix | None:

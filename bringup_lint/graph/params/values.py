@@ -23,6 +23,8 @@ from bringup_lint.source import Span
 
 TAB = regex(r"^[ \t]*\t[ \t]*", re.M)
 WIDTHS = (2, 4, 8)
+WILDCARDS = 16
+"""The last blocks with a wildcard that are compared with those for one node; a file has one or two."""
 
 
 class Item(NamedTuple):
@@ -79,22 +81,27 @@ def winners(file: ParameterFile) -> dict[tuple[str, str], Value | None]:
 
 
 def taken_back(file: ParameterFile) -> Iterator[tuple[Parameter, Parameter]]:
-    """Values of a block for one node that a later block with a wildcard replaces by others."""
-    order = list(file.nodes)
+    """Values of a block for one node that a later block with a wildcard replaces by others, each with the last one."""
     lasting: dict[str, dict[str, Parameter]] = {}
     for block in file.blocks:
         for parameter in block.parameters:
             lasting.setdefault(block.name, {})[parameter.name] = parameter
-    for at, general in enumerate(order):
-        if "*" not in general or general not in lasting:
-            continue
-        for specific in order[:at]:
-            if "*" in specific or specific not in lasting or not matches(general, specific):
-                continue
-            for name, lost in lasting[specific].items():
-                wins = lasting[general].get(name)
-                if wins is not None and wins.value != lost.value:
-                    yield lost, wins
+    later: list[str] = []
+    for key in reversed([key for key in file.nodes if key in lasting]):
+        if "*" in key:
+            later = [*later, key][:WILDCARDS]
+        else:
+            yield from _replaced(lasting[key], [lasting[general] for general in later if matches(general, key)])
+
+
+def _replaced(
+    specific: dict[str, Parameter], later: list[dict[str, Parameter]]
+) -> Iterator[tuple[Parameter, Parameter]]:
+    """The values that differ from those of the first of the later blocks that holds them."""
+    for name, lost in specific.items():
+        wins = next((block[name] for block in later if name in block), None)
+        if wins is not None and wins.value != lost.value:
+            yield lost, wins
 
 
 def indenting_tabs(file: ParameterFile) -> Iterator[Span]:
