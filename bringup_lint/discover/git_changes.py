@@ -17,6 +17,7 @@ from bringup_lint.discover import disk
 from bringup_lint.discover.git_index import index_of
 from bringup_lint.discover.reading import Unreadable
 from bringup_lint.discover.reading import read_bytes
+from bringup_lint.extras import installed_by
 
 if TYPE_CHECKING:
     from dulwich.objects import Blob
@@ -99,7 +100,7 @@ def _opened(top: str) -> Repo:
     try:
         from dulwich.repo import Repo
     except ImportError as error:
-        raise UnknownRevision("dulwich is not installed: pip install 'bringup-lint[git]'") from error
+        raise UnknownRevision(f"dulwich is not installed: {installed_by('git')}") from error
     index = index_of(top)
     if index is None:
         raise UnknownRevision(f"{top}: its git directory lies elsewhere")

@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from bringup_lint.config import ConfigError
+from bringup_lint.extras import installed_by
 from bringup_lint.fleet.check import Job
 from bringup_lint.fleet.members import Member
 from bringup_lint.fleet.summary import Summary
@@ -39,7 +40,7 @@ def _client(address: str) -> Any:
         from distributed import Client
         from distributed import LocalCluster
     except ImportError as error:
-        raise ConfigError("--scheduler needs dask.distributed: pip install 'bringup-lint[fleet]'") from error
+        raise ConfigError(f"--scheduler needs dask.distributed: {installed_by('fleet')}") from error
     try:
         if address == "local":
             return Client(LocalCluster(threads_per_worker=1, processes=True, dashboard_address=None))

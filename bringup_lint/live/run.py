@@ -14,6 +14,7 @@ from itertools import repeat
 from math import ceil
 from typing import Any
 
+from bringup_lint.extras import installed_by
 from bringup_lint.live import observe
 from bringup_lint.pattern import regex
 
@@ -120,7 +121,7 @@ def _answer(process: subprocess.Popen[str], limit: float) -> dict[str, Any]:
     reason = _reason(f"{errors}\n{output}")
     if process.returncode == observe.NO_RCLPY:
         distro = os.environ.get("ROS_DISTRO", "jazzy")
-        how = f"pip install 'bringup-lint[live]', or: source /opt/ros/{distro}/setup.bash"
+        how = f"{installed_by('live')}, or: source /opt/ros/{distro}/setup.bash"
         raise _NoRclpy(f"the running graph cannot be looked at without rclpy ({reason}); {how}")
     if process.returncode < 0:
         raise LiveError(f"the middleware crashed with signal {-process.returncode}: {reason}")

@@ -82,7 +82,8 @@ def test_without_rclpy_it_says_how_to_get_it(stub: Path) -> None:
     *_, line = run.stderr.splitlines()
     assert line == (
         "bringup-lint: the running graph cannot be looked at without rclpy (No module named 'rclpy'); "
-        "pip install 'bringup-lint[live]', or: source /opt/ros/jazzy/setup.bash"
+        "pip install 'bringup-lint[live] @ git+https://github.com/bringup-lint/bringup-lint', "
+        "or: source /opt/ros/jazzy/setup.bash"
     )
 
 

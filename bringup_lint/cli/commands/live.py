@@ -78,8 +78,8 @@ def command(ctx: click.Context, paths: tuple[str, ...], **options) -> None:
     """Compare the running ROS graph with the files.
 
     Joins a domain for some seconds as a hidden node that publishes nothing, and says where what runs is not what the
-    files under PATH (by default the current folder) say. Needs rclpy: pip install 'bringup-lint[live]', or a sourced
-    ROS.
+    files under PATH (by default the current folder) say. Needs rclpy: a sourced ROS, or the
+    extra live.
     """
     from bringup_lint.live.run import LiveError
     from bringup_lint.registry import RuleError

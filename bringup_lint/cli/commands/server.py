@@ -10,6 +10,7 @@ import click
 
 from bringup_lint.cli.reporting import known_to
 from bringup_lint.cli.streams import complain
+from bringup_lint.extras import installed_by
 
 if TYPE_CHECKING:
     from bringup_lint.server.worker import Worker
@@ -20,12 +21,12 @@ if TYPE_CHECKING:
 def command(stdio: bool) -> int:
     """Speak the language server protocol with an editor, over standard input and output.
 
-    Needs pygls: install bringup-lint[lsp].
+    Needs pygls, which the extra lsp brings.
     """
     try:
         import pygls  # noqa: F401
     except ImportError:
-        complain("the language server needs pygls: pip install 'bringup-lint[lsp]'")
+        complain(f"the language server needs pygls: {installed_by('lsp')}")
         return 2
     if sys.stdin is None:
         complain("the language server talks over standard input, which is closed")
