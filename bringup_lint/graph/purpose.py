@@ -57,7 +57,7 @@ PATHS: tuple[tuple[Purpose, re.Pattern[str]], ...] = (
     (
         Purpose.TEST,
         _folder(
-            r"tests?|testing|test_?data|test[_-][^/]*|[^/]*[_-]tests?|[^/]*fixtures?|fuzz(?:ing)?|e2e|unittests?|attack[^/]*"
+            r"tests?|testing|test_?data|test[_-][^/]*|[^/]*[_-]tests?|[^/]*fixtures?|fuzz(?:ing)?|e2e|unittests?|test(?:files|cases)[^/]*|attack[^/]*"
         ),
     ),
     (Purpose.TEST, regex(r"(?:^|/)(?:test[_-][^/]*|attack[^/]*|[^/]*[_.-](?:tests?|testing))\.[a-z.]+$", re.I)),
@@ -84,7 +84,7 @@ SOURCES: tuple[tuple[Purpose, re.Pattern[str]], ...] = (
 """The same for the path of a node's source in its package, where more folders hold what no robot runs."""
 
 
-_TEST_DATA = _folder(r"tests?|test_?data|[^/]*fixtures?|fuzz(?:ing)?|e2e|unittests?")
+_TEST_DATA = _folder(r"tests?|test[_-]?data|test[_-]?(?:files|cases)[^/]*|[^/]*fixtures?|fuzz(?:ing)?|e2e|unittests?")
 """Folders for what tests read, which is often wrong on purpose."""
 
 _VERSION = regex(r"[vV]?\d{1,4}\.\d{1,4}\.\d{1,4}")
