@@ -48,6 +48,8 @@ def socket_missing_service(robot: Robot) -> Iterator[Finding]:
         accept = unit.flag("Accept")
         named = unit.get("Service", "Socket")
         target = str(named or (f"{unit.stem}@.service" if accept else f"{unit.stem}.service"))
+        if target.startswith("systemd-"):
+            continue
         if (named is not None and unit.is_opaque(named)) or robot.units.exists(target, unit) is not False:
             continue
         yield finding(
