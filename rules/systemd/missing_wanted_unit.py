@@ -6,6 +6,8 @@ has.
 
 - It is a warning for names that look like the robot's own, unless a script of the repository creates the
   unit.
+- It is an info for names of which four or more that begin with the same word are missing: another package
+  brings them.
 - It is an info for other names, which may be optional, and only in a complete root file system.
 
 ## Why it matters on a robot
@@ -31,6 +33,7 @@ When the unit is optional and comes from a package that some robots do not have.
 - systemd.unit(5), "Wants=", "After="
 """
 
+from collections import Counter
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -42,6 +45,8 @@ from bringup_lint.api import rule
 from bringup_lint.api.systemd import Unit
 
 KEYS = ("Wants", "Upholds", "After", "Before", "PartOf")
+OF_A_PACKAGE = 4
+"""So many missing units with the same first word are no misspellings: another package brings them."""
 
 
 def renamed(unit: Unit, name: str, meant: str) -> Iterator[tuple[Located, str]]:
@@ -61,25 +66,30 @@ def renamed(unit: Unit, name: str, meant: str) -> Iterator[tuple[Located, str]]:
     ],
 )
 def missing_wanted_unit(robot: Robot) -> Iterator[Finding]:
-    units = robot.units
-    for unit in units.judged:
+    found = list(missing(robot))
+    known = {(word.partition("-")[0], str(word)) for _, _, word in found if "-" in word}
+    shared = Counter(package for package, _ in known)
+    for unit, key, word in found:
+        meant = robot.units.meant(word, unit)
+        elsewhere = not meant and shared[word.partition("-")[0]] >= OF_A_PACKAGE
+        yield finding(
+            word,
+            f"{key}={word} has no effect: there is no such unit" + ("" if robot.tree.complete else " in this tree"),
+            advice=f"did you mean {meant}?" if meant else "correct the name, or remove the line",
+            fix=fix(f"write {meant}", *renamed(unit, word, meant), safe=False) if meant else None,
+            severity=None if robot.units.is_own(word, unit) and not elsewhere else "info",
+            confidence="high" if robot.tree.complete else "medium",
+        )
+
+
+def missing(robot: Robot) -> Iterator[tuple[Unit, str, Located]]:
+    """The units, each once for the unit that names it, that do not exist: who names it, and under which key."""
+    for unit in robot.units.judged:
         required = {word for key in ("Requires", "Requisite", "BindsTo") for word in unit.words(key)}
         seen = set()
         for key in KEYS:
-            for line in unit.assignments(key):
-                if line.opaque:
-                    continue
-                for word in line.value.words():
-                    if word in required or word in seen or not units.is_missing(word, unit):
-                        continue
+            words = (word for line in unit.assignments(key) if not line.opaque for word in line.value.words())
+            for word in words:
+                if word not in required and word not in seen and robot.units.is_missing(word, unit):
                     seen.add(word)
-                    meant = units.meant(word, unit)
-                    yield finding(
-                        word,
-                        f"{key}={word} has no effect: there is no such unit"
-                        + ("" if robot.tree.complete else " in this tree"),
-                        advice=f"did you mean {meant}?" if meant else "correct the name, or remove the line",
-                        fix=fix(f"write {meant}", *renamed(unit, word, meant), safe=False) if meant else None,
-                        severity=None if units.is_own(word, unit) else "info",
-                        confidence="high" if robot.tree.complete else "medium",
-                    )
+                    yield unit, key, word
