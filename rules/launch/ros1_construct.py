@@ -57,17 +57,26 @@ def ros1_construct(robot: Robot) -> Iterator[Finding]:
             related=[note(each, f"'{each}' is ROS 1 syntax, too: write {instead(each)}") for each in others],
             fix=fix("write it as ROS 2 does", *edits) if edits else None,
         )
+    for first, *rest in left_behind(robot).values():
+        yield finding(
+            first.ros1[0],
+            f"'{first.ros1[0]}' is ROS 1 syntax in a ROS 2 package: ros2 launch rejects this file",
+            advice="migrate the file, or remove it",
+            severity="warning",
+            related=[note(each.ros1[0], "ROS 1 syntax, too") for each in rest],
+        )
+
+
+def left_behind(robot: Robot) -> dict[str, list[LaunchFile]]:
+    """The launch files of ROS 1 in packages of ROS 2, by package and folder."""
+    found: dict[str, list[LaunchFile]] = {}
     for file in robot.launch.ros1:
         package = robot.launch.workspace.owner(file.source)
         if "ros1" in file.source.name.lower() or is_for_both(robot, file):
             continue
         if package is not None and not package.manifest.is_ros1 and package.manifest.build_type and file.ros1:
-            yield finding(
-                file.ros1[0],
-                f"'{file.ros1[0]}' is ROS 1 syntax in a ROS 2 package: ros2 launch rejects this file",
-                advice="migrate the file, or remove it",
-                severity="warning",
-            )
+            found.setdefault(file.source.name.rpartition("/")[0], []).append(file)
+    return found
 
 
 def is_for_both(robot: Robot, file: LaunchFile) -> bool:
