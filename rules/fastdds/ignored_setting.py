@@ -29,11 +29,15 @@ If the file is shared with a DDS tool that does read the setting.
 - Fast DDS 2.14.5, tested with the real library
 """
 
+from collections.abc import Iterable
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
+from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.dds import transport_type
 from bringup_lint.api.schema import Code
@@ -47,10 +51,21 @@ def ignored_setting(robot: Robot) -> Iterator[Finding]:
             f"{remark.word} is not supported in XML: it has no effect, and every start logs an error",
             advice="delete it",
         )
-    for _, remark in robot.dds.fastdds_remarks(Code.PASSED_OVER):
-        kind = transport_type(remark.word)
+    for words in passed_over(robot):
+        first, *others = words
+        also = f" (nor {len(others)} more)" if others else ""
         yield finding(
-            remark.word,
-            f"A {kind} transport does not read {remark.word}: it has no effect",
+            first,
+            f"A {transport_type(first)} transport does not read {first}{also}: it has no effect",
             advice="delete it, or choose another type",
+            related=[note(word, "not read either") for word in others],
         )
+
+
+def passed_over(robot: Robot) -> Iterable[list[Located]]:
+    """The settings that a transport does not read, for each transport."""
+    found: dict[tuple[Source, int], list[Located]] = {}
+    for profiles, remark in robot.dds.fastdds_remarks(Code.PASSED_OVER):
+        transport = profiles.source.text.rfind("<transport_descriptor>", 0, remark.span.start)
+        found.setdefault((profiles.source, transport), []).append(remark.word)
+    return found.values()

@@ -39,10 +39,12 @@ def two_default_profiles(robot: Robot) -> Iterator[Finding]:
     for profiles in robot.dds.profile_files:
         for kind in ("participant", "data_writer", "data_reader", "topic"):
             marks = [each.default for each in profiles.of_kind(kind) if each.is_default and each.default is not None]
-            for mark in marks[1:]:
+            if len(marks) > 1:
+                first, second, *others = marks
                 yield finding(
-                    mark,
-                    f"Two {kind} profiles are the default: only one is used, and no message says which",
+                    second,
+                    f"{'Two' if not others else len(marks)} {kind} profiles are the default: "
+                    "only one is used, and no message says which",
                     advice="keep one",
-                    related=[note(marks[0], "the first one")],
+                    related=[note(first, "the first one")] + [note(other, "another one") for other in others],
                 )
