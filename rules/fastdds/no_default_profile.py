@@ -42,6 +42,8 @@ def no_default_profile(robot: Robot) -> Iterator[Finding]:
         participants = profiles.of_kind("participant")
         if not participants or any(profile.is_default for profile in participants) or profiles.dropped:
             continue
+        if any(map(robot.dds.is_chosen_by_name, participants)):
+            continue
         first = participants[0]
         change = None
         if len(participants) == 1:

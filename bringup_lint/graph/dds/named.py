@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
@@ -26,11 +27,24 @@ _UNKNOWN_FOLDER = regex(r"^.*(?:\)|\}|\$[A-Za-z_]\w*|^\.{0,2})(?=/)")
 """The folders of a path that only the running system knows."""
 LIMIT = 200
 """Values that are followed at most."""
+_CHOOSING = regex(r"\.(?:ya?ml|json5?|[ch]pp|cc|cxx|hxx)$")
 
 
 def is_named(files: Files, kind: str) -> bool:
     """Whether a variable that names a file of the kind appears in the tree."""
     return any(name in source.text for name in _VARIABLES[kind] for source in files.sources)
+
+
+def is_chosen(files: Files, name: str) -> bool:
+    """Whether something of the tree chooses a profile by its name, so that it needs not be the default."""
+    paths = [path for path in files.tree.paths if _CHOOSING.search(path)][:LIMIT]
+    for source in (files.tree.read(path, judged=False) for path in paths):
+        text = source.text if source is not None else ""
+        for match in re.finditer(rf"\b{re.escape(name)}\b", text):
+            before = text[max(0, match.start() - 80) : match.start()].rpartition("\n")[2].lower()
+            if "profile" in before and before.rstrip(" \"'").endswith((":", "=", "(", ",")):
+                return True
+    return False
 
 
 def named_files(files: Files, ros: RosEnvironment, kind: str, read: Iterable[Source]) -> list[Source]:
