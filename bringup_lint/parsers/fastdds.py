@@ -33,6 +33,8 @@ from bringup_lint.source import Span
 
 DEFAULT_VERSION = "2.14"
 """What Jazzy ships."""
+OTHER_VERSIONS = ("3.6", "2.6")
+"""Versions that take what the usual one refuses."""
 ROOTS = ("dds", "profiles", "types", "log", "library_settings")
 PROFILE_KINDS = {
     "participant": "participant",
@@ -92,6 +94,15 @@ def parse(source: Source, version: str = DEFAULT_VERSION) -> Profiles:
     if document.root is not None:
         _Reader(profiles).document(document.root)
     return profiles
+
+
+def fitting(source: Source) -> Profiles:
+    """Read a profiles file as a version of the library does that takes it, where the robot's is not known."""
+    usual = parse(source)
+    if not usual.dropped:
+        return usual
+    others = (parse(source, version) for version in OTHER_VERSIONS)
+    return next((other for other in others if not other.dropped), usual)
 
 
 def _root(document: Document) -> Element | None:

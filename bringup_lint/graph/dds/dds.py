@@ -21,6 +21,7 @@ from bringup_lint.graph.dds.library import SERIES
 from bringup_lint.graph.dds.library import Library
 from bringup_lint.graph.dds.library import cyclonedds_of
 from bringup_lint.graph.dds.library import fastdds_of
+from bringup_lint.graph.dds.named import is_chosen
 from bringup_lint.graph.dds.named import is_named
 from bringup_lint.graph.dds.named import named_files
 from bringup_lint.graph.dds.selection import URI
@@ -31,6 +32,7 @@ from bringup_lint.graph.dds.selection import selections
 from bringup_lint.graph.dds.selection import sharing_memory
 from bringup_lint.model.cyclonedds import Configuration
 from bringup_lint.model.cyclonedds import Domain
+from bringup_lint.model.fastdds import Profile
 from bringup_lint.model.fastdds import Profiles
 from bringup_lint.model.schema import Code
 from bringup_lint.model.schema import Remark
@@ -104,7 +106,12 @@ class Dds:
     def profile_files(self) -> list[Profiles]:
         """The Fast DDS profile files."""
         version = SERIES.get(self.fastdds.version, self.fastdds.version)
-        return self.files.parsed(partial(fastdds.parse, version=version), self._sources("fastdds"))
+        read = partial(fastdds.parse, version=version)
+        return self.files.parsed(read if self.fastdds.known else fastdds.fitting, self._sources("fastdds"))
+
+    def is_chosen_by_name(self, profile: Profile) -> bool:
+        """Whether a program that is no ROS node chooses the profile by its name."""
+        return profile.name is not None and is_chosen(self.files, str(profile.name))
 
     def remarks(self, *codes: Code) -> Iterator[tuple[Configuration, Remark]]:
         """What the library would say about the Cyclone DDS files, by code."""
