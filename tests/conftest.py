@@ -6,11 +6,14 @@ import gc
 import os
 import sys
 from pathlib import Path
+from typing import Any
 
 import pytest
 from hypothesis import settings
 
 PROJECT = Path(__file__).parent.parent
+TOGETHER = ("tests/architecture/", "tests/packaging/", "tests/docs/test_rule_api.py", "tests/docs/test_site.py")
+"""Tests that share what takes long to make: one process runs all of a place."""
 
 pytest_plugins = ["tests.browser"]
 
@@ -27,6 +30,24 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--update-expected", action="store_true", help="rewrite expected outputs; read the diff")
 
 
+def pytest_configure(config: pytest.Config) -> None:
+    """Campaigns take part where they may renew what is expected."""
+    if config.getoption("--update-expected") and config.option.markexpr == "not campaign":
+        config.option.markexpr = ""
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> object:
+    """In place of ``--dist loadgroup``, whose groups pytest 9.2 no longer shows to xdist 3.8."""
+    from xdist.scheduler import LoadScopeScheduling
+
+    class Scheduling(LoadScopeScheduling):
+        def _split_scope(self, nodeid: str) -> str:
+            return next((place for place in TOGETHER if nodeid.startswith(place)), nodeid)
+
+    return Scheduling(config, log)
+
+
 def pytest_sessionstart(session: pytest.Session) -> None:
     """Make the index of the rules, so that all tests run with it, also where Python writes no byte code."""
     from bringup_lint.registry import builtin_folder
@@ -39,7 +60,7 @@ def pytest_sessionstart(session: pytest.Session) -> None:
 
 
 def pytest_itemcollected(item: pytest.Item) -> None:
-    if item.get_closest_marker("corpus"):
+    if item.get_closest_marker("corpus") or item.get_closest_marker("campaign"):
         item.add_marker("slow")
 
 

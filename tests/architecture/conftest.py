@@ -1,4 +1,4 @@
-"""One process runs the tests of the architecture, which all look at the syntax of all files."""
+"""The tests of the architecture look at the syntax of all files."""
 
 from __future__ import annotations
 
@@ -7,11 +7,6 @@ from collections.abc import Iterator
 import pytest
 
 from tests.architecture.imports import syntax
-
-
-def pytest_itemcollected(item: pytest.Item) -> None:
-    if not item.get_closest_marker("slow"):
-        item.add_marker(pytest.mark.xdist_group("architecture"))
 
 
 @pytest.fixture(scope="package", autouse=True)

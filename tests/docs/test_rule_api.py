@@ -2,12 +2,8 @@
 
 from __future__ import annotations
 
-import pytest
-
 from tests.docs.rule_api import PAGE
 from tests.docs.rule_api import page
-
-pytestmark = pytest.mark.xdist_group("rule-api")
 
 
 def test_page_is_current(update_expected: bool) -> None:

@@ -15,7 +15,7 @@ from tests.conftest import PROJECT
 
 pytest.importorskip("mkdocs")
 pytest.importorskip("material")
-pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("site")]
+pytestmark = pytest.mark.slow
 
 
 @pytest.fixture(scope="module")

@@ -19,14 +19,17 @@ from tests.conftest import PROJECT
 from tests.packaging.test_packaging import checked
 from tests.packaging.test_packaging import git
 from tests.packaging.test_packaging import head
+from tests.packaging.test_packaging import hook_cache
 from tests.packaging.test_packaging import repository
 from tests.packaging.test_packaging import run
 
-__all__ = ["repository"]
+__all__ = ["hook_cache", "repository"]
 
-pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("packaging")]
+pytestmark = pytest.mark.slow
 
 ACTION = yaml.safe_load((PROJECT / "action.yml").read_text())
+INSTALL, *CHECK = [step for step in ACTION["runs"]["steps"] if "run" in step]
+"""The steps of the action that are commands."""
 NETPLAN = "etc/netplan/10-mower.yaml"
 DDS = "etc/mower/dds.xml"
 
@@ -48,14 +51,12 @@ def mower(tmp_path: Path) -> Path:
 class Runner:
     """The steps of the action with ``run``, with the environment that GitHub's runner sets."""
 
-    def __init__(self, action: Path, workspace: Path, folder: Path, **inputs: str) -> None:
+    def __init__(self, action: Path, temporary: Path, workspace: Path, folder: Path, **inputs: str) -> None:
         self.workspace = workspace
         self.outputs: dict[str, str] = {}
         defaults = {name: str(each["default"]) for name, each in ACTION["inputs"].items()}
         self.inputs = {**defaults, "since": "", **inputs}
         self.files = {name: folder / name.lower() for name in ("GITHUB_OUTPUT", "GITHUB_STEP_SUMMARY")}
-        temporary = folder / "temporary"
-        temporary.mkdir()
         for file in self.files.values():
             file.touch()
         libraries = os.pathsep.join(path for path in sys.path if path.endswith("-packages"))
@@ -88,17 +89,25 @@ class Runner:
         self.outputs = dict(line.split("=", 1) for line in lines)
         return done
 
-    def all(self) -> list[subprocess.CompletedProcess[str]]:
-        return [self.step(step) for step in ACTION["runs"]["steps"] if "run" in step]
+    def check(self) -> list[subprocess.CompletedProcess[str]]:
+        return [self.step(step) for step in CHECK]
+
+
+@pytest.fixture(scope="session")
+def temporary(repository: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The folder of the runner, with what the first step of the action installs."""
+    folder = tmp_path_factory.mktemp("runner")
+    installed = Runner(repository, folder, folder, folder).step(INSTALL)
+    assert installed.returncode == 0, installed.stderr
+    return folder
 
 
 @pytest.mark.skipif(not shutil.which("git"), reason="no git")
-def test_action(repository: Path, mower: Path, tmp_path: Path) -> None:
+def test_action(repository: Path, temporary: Path, mower: Path, tmp_path: Path) -> None:
     pytest.importorskip("dulwich")
     base = checked("git", "rev-parse", "HEAD~1", cwd=mower).strip()
-    runner = Runner(repository, mower, tmp_path, since=base, args="--target-ros jazzy --isolated")
-    install, check, verdict = runner.all()
-    assert install.returncode == 0, install.stderr
+    runner = Runner(repository, temporary, mower, tmp_path, since=base, args="--target-ros jazzy --isolated")
+    check, verdict = runner.check()
     assert check.returncode == 0, check.stderr
     assert verdict.returncode == 1
     assert all(line.startswith(("::error file=", "::warning file=")) for line in check.stdout.splitlines())
@@ -110,11 +119,13 @@ def test_action(repository: Path, mower: Path, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("since", ["", "all", "0" * 40])
-def test_action_without_a_base_shows_everything(repository: Path, mower: Path, tmp_path: Path, since: str) -> None:
+def test_action_without_a_base_shows_everything(
+    repository: Path, temporary: Path, mower: Path, tmp_path: Path, since: str
+) -> None:
     pytest.importorskip("dulwich")
     inputs = {"since": since, "annotations": "false", "summary": "false", "args": "--isolated"}
-    runner = Runner(repository, mower, tmp_path, **inputs)
-    _, check, verdict = runner.all()
+    runner = Runner(repository, temporary, mower, tmp_path, **inputs)
+    check, verdict = runner.check()
     assert "mower.service" in check.stdout and verdict.returncode == 1
     assert ("The base of the change cannot be fetched" in check.stdout) == (since == "0" * 40)
     assert runner.files["GITHUB_STEP_SUMMARY"].read_text() == ""
@@ -199,9 +210,9 @@ class Hooks:
         return run("git", *name, "commit", "-m", "change", cwd=self.folder, **self.home)
 
 
-def test_hook_for_changed_files(repository: Path, mower: Path, tmp_path: Path) -> None:
+def test_hook_for_changed_files(repository: Path, mower: Path, hook_cache: Path) -> None:
     pytest.importorskip("pre_commit")
-    hooks = Hooks(mower, repository, tmp_path / "cache", "bringup-lint-changed")
+    hooks = Hooks(mower, repository, hook_cache, "bringup-lint-changed")
     (mower / "README.txt").write_text("a robot\n")
     git(mower, "add", "README.txt")
     done = hooks.commit()
@@ -218,9 +229,9 @@ def test_hook_for_changed_files(repository: Path, mower: Path, tmp_path: Path) -
     assert "bad.service" not in done.stderr
 
 
-def test_hook_that_fixes(repository: Path, mower: Path, tmp_path: Path) -> None:
+def test_hook_that_fixes(repository: Path, mower: Path, hook_cache: Path) -> None:
     pytest.importorskip("pre_commit")
-    hooks = Hooks(mower, repository, tmp_path / "cache", "bringup-lint-fix")
+    hooks = Hooks(mower, repository, hook_cache, "bringup-lint-fix")
     modem = mower / "etc/netplan/20-modem.yaml"
     modem.write_text(f"# the modem\n{modem.read_text()}")
     git(mower, "add", "-A")

@@ -17,7 +17,7 @@ from bringup_lint.registry import Registry
 from bringup_lint.rule_index.stored import FILE
 from tests.conftest import PROJECT
 
-pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("packaging")]
+pytestmark = pytest.mark.slow
 
 LATIN1 = b"[Service]\nExecStart=/bin/\xff\n"
 RULES = set(Registry.of().paths)
@@ -62,6 +62,12 @@ def robot(tmp_path: Path) -> Path:
     folder.mkdir()
     (folder / "robot.service").write_bytes(LATIN1)
     return folder
+
+
+@pytest.fixture(scope="session")
+def hook_cache(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Where pre-commit keeps what it installs: once for all hooks, as it does for a user."""
+    return tmp_path_factory.mktemp("pre-commit")
 
 
 @pytest.fixture(scope="session")
@@ -129,14 +135,14 @@ def test_plain_checkout(repository: Path, robot: Path) -> None:
     assert "lint/encoding" in done.stdout
 
 
-def test_pre_commit_hook(repository: Path, robot: Path, tmp_path: Path) -> None:
+def test_pre_commit_hook(repository: Path, robot: Path, hook_cache: Path) -> None:
     pytest.importorskip("pre_commit")
     (robot / ".pre-commit-config.yaml").write_text(
         f"repos:\n- repo: {repository}\n  rev: {head(repository)}\n  hooks:\n  - id: bringup-lint\n"
     )
     git(robot, "init", "-q")
     git(robot, "add", "-A")
-    home = {"PRE_COMMIT_HOME": str(tmp_path / "cache")}
+    home = {"PRE_COMMIT_HOME": str(hook_cache)}
     done = run(sys.executable, "-m", "pre_commit", "run", "--all-files", cwd=robot, **home)
     assert done.returncode == 1, done.stdout + done.stderr
     assert "error[lint/encoding]" in done.stdout

@@ -125,7 +125,6 @@ def colcon(workspace: Path, *words: str) -> subprocess.CompletedProcess[str]:
 
 
 @pytest.mark.slow
-@pytest.mark.xdist_group("packaging")
 @pytest.mark.skipif(COLCON is None, reason="colcon is not installed")
 @pytest.mark.skipif(importlib.util.find_spec("ament_package") is None, reason="ament_cmake is not installed")
 def test_colcon_shows_the_findings(workspace: Path) -> None:

@@ -104,6 +104,7 @@ def test_what_looks_alike_stays_readable(text: str) -> None:
     assert found(text + "\n") == []
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("form", FORMS, ids=lambda form: form.pattern.pattern[:60])
 def test_forms_take_linear_time(form: Form) -> None:
     pieces = (

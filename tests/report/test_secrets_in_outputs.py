@@ -17,7 +17,7 @@ from tests.report.planted import Planted
 from tests.report.planted import planted
 
 OUTPUTS = (
-    *(("--output-format", name) for name in FORMATS),
+    ("--output-format", "text"),
     *(("graph", "--format", name) for name in ("dot", "mermaid", "json", "html")),
     ("--diff", "--unsafe-fixes", "--min-severity", "info"),
 )
@@ -51,6 +51,24 @@ def test_output_shows_no_secret(tree: Path, output: tuple[str, ...]) -> None:
     run = lint(*output, cwd=tree)
     assert run.code in (0, 1), run.stderr
     text = run.stdout + run.stderr
+    assert len(text) > 500
+    assert [each for each in planted() if each.secret in text] == []
+
+
+@pytest.fixture(scope="module")
+def folder(tree: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The reports of one run, each in a file with the name of its format."""
+    folder = tmp_path_factory.mktemp("reports")
+    each = [("--output-format", name, "--output-file", str(folder / name)) for name in FORMATS]
+    run = lint(*(word for words in each for word in words), cwd=tree)
+    assert run.code in (0, 1), run.stderr
+    assert run.stdout == ""
+    return folder
+
+
+@pytest.mark.parametrize("name", FORMATS)
+def test_report_shows_no_secret(folder: Path, name: str) -> None:
+    text = (folder / name).read_text("utf-8")
     assert len(text) > 500
     assert [each for each in planted() if each.secret in text] == []
 

@@ -143,7 +143,7 @@ def test_a_list_is_empty_without_the_kinds_of_its_files(path: tuple[str, ...]) -
         assert list(found) == []
 
 
-@pytest.mark.slow
+@pytest.mark.campaign
 @pytest.mark.parametrize("family", sorted((PROJECT / "rules").glob("[a-z]*")), ids=lambda family: family.name)
 def test_no_rule_that_is_left_out_finds_anything_in_fixtures(family: Path) -> None:
     for top in sorted((PROJECT / "fixtures" / family.name).glob("*/*/")):

@@ -17,8 +17,8 @@ from bringup_lint.registry import Registry
 from tests.conftest import PROJECT
 from tests.growth import is_linear
 
-QUICK, ALL = 2, 60
-"""Combinations of a quick run, and of a whole one."""
+ALWAYS, ALL = 2, 60
+"""Combinations that are always tried, and those of a campaign."""
 SMALL = 8 * 1024
 """Bytes of the smaller file."""
 
@@ -43,7 +43,7 @@ def every() -> list[Any]:
 
 
 def tried() -> list[Any]:
-    marks = [() if number < QUICK else (pytest.mark.slow,) for number in range(ALL)]
+    marks = [() if number < ALWAYS else (pytest.mark.campaign,) for number in range(ALL)]
     return [pytest.param(number, marks=mark) for number, mark in enumerate(marks)]
 
 
@@ -65,7 +65,7 @@ GREW = [
 """What once took more than its share."""
 
 
-@pytest.mark.slow
+@pytest.mark.campaign
 @pytest.mark.parametrize(("kind", "unit"), GREW)
 def test_what_grew_too_much_grows_no_more(kind: str, unit: str) -> None:
     name, text = GROWTH.samples()[kind]

@@ -32,7 +32,7 @@ CASES = [
 ]
 """Findings of a fleet are of several robots: ``tests/fleet/test_silence.py`` silences them."""
 EVERY = 12
-"""Of so many fixtures, one is tried in a quick run; all of them in a whole one."""
+"""Of so many fixtures, one is always tried; all of them in a campaign."""
 
 
 def source_of(folder: Path, name: str) -> Source | None:
@@ -79,7 +79,7 @@ def write_configuration(folder: Path, left: dict[str, set[str]]) -> None:
 
 
 def tried() -> list[object]:
-    marks = [() if number % EVERY == 0 else (pytest.mark.slow,) for number in range(len(CASES))]
+    marks = [() if number % EVERY == 0 else (pytest.mark.campaign,) for number in range(len(CASES))]
     return [pytest.param(*case, marks=mark) for case, mark in zip(CASES, marks)]
 
 
