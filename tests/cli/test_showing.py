@@ -59,6 +59,7 @@ def test_settings_are_valid_toml_that_says_the_same(tree: Path) -> None:
 
 
 def test_statistics(tree: Path) -> None:
+    (tree / "test/b.service").rename(tree / "b.service")
     run = lint("--statistics", "--select", "systemd/invalid-value", cwd=tree)
     assert run.code == 1
     assert run.stdout == (
@@ -67,6 +68,7 @@ def test_statistics(tree: Path) -> None:
 
 
 def test_quiet(tree: Path) -> None:
+    (tree / "test/b.service").rename(tree / "b.service")
     loud = lint("--select", "systemd/invalid-value", cwd=tree).stdout
     quiet = lint("--quiet", "--select", "systemd/invalid-value", cwd=tree)
     assert loud == f"{quiet.stdout}\n2 errors in 2 files\n"
