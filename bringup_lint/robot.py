@@ -60,6 +60,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.params.params import Params
     from bringup_lint.graph.plugins.controllers import UntypedController
     from bringup_lint.graph.plugins.joints import UnknownJoint
+    from bringup_lint.graph.plugins.refused import Refused
     from bringup_lint.graph.plugins.unknown import UnknownPlugin
     from bringup_lint.graph.plugins.untyped import UntypedPlugin
     from bringup_lint.graph.provenance import Provenance
@@ -376,6 +377,13 @@ class Robot:
         from bringup_lint.graph.plugins.joints import unknown_joints
 
         return list(unknown_joints(self.files, self.params))
+
+    @cached_property
+    def refused_descriptions(self) -> list[list[Refused]]:
+        """What is wrong with robot descriptions, that of one file together."""
+        from bringup_lint.graph.plugins.refused import refused_descriptions
+
+        return list(refused_descriptions(self.files))
 
     @cached_property
     def untyped_controllers(self) -> list[UntypedController]:

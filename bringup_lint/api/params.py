@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.params.qos_overrides import qos_overrides
     from bringup_lint.graph.params.time import simulated
     from bringup_lint.graph.plugins.joints import UnknownJoint
+    from bringup_lint.graph.plugins.refused import Refused
     from bringup_lint.graph.plugins.unknown import UnknownPlugin
     from bringup_lint.graph.plugins.untyped import UntypedPlugin
     from bringup_lint.graph.topics.questions.undeclared import Undeclared
@@ -34,6 +35,7 @@ __all__ = [
     "Parameter",
     "ParameterFile",
     "QosOverride",
+    "Refused",
     "Undeclared",
     "UnknownJoint",
     "UnknownPlugin",

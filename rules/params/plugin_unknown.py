@@ -5,8 +5,9 @@
 
 - the name belongs to a package of the tree, whose plugin descriptions hold no such class, or
 - the package of Navigation2, ros2_controllers or ros2_control exports the class under another name in the distribution
-  of the robot: `nav2_recoveries/Spin` became `nav2_behaviors/Spin` (Humble) and `nav2_behaviors::Spin` (Jazzy),
-  `fake_components` became `mock_components`.
+  of the robot, or under nearly the same: `nav2_recoveries/Spin` became `nav2_behaviors/Spin` (Humble) and
+  `nav2_behaviors::Spin` (Jazzy), `fake_components` became `mock_components`. Where the distribution is not known, the
+  name must be missing in all of them.
 
 ## Why it matters on a robot
 pluginlib compares names letter by letter. A server of Navigation2 ends when it configures, and the lifecycle manager

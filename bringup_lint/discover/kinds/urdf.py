@@ -1,4 +1,4 @@
-"""Robot descriptions that name the hardware plugins of ros2_control."""
+"""Robot descriptions, in URDF or for xacro."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from bringup_lint.discover.kinds import Kind
 
 
 def _is_description(path: str, head: Head) -> bool:
-    return path.endswith((".urdf", ".xacro")) and "ros2_control" in head()
+    return path.endswith((".urdf", ".xacro")) and ("<robot" in head() or "ros2_control" in head())
 
 
 KINDS = (Kind("urdf", _is_description),)

@@ -39,7 +39,7 @@ class UnknownPlugin(NamedTuple):
     exported: Located | str | None
     """The name that is meant; with its place when a package of the tree exports it."""
     distribution: str | None
-    """The distribution that has no such name; None when a package of the tree should have it."""
+    """The distribution that has no such name; None when a package of the tree should have it, or none has it."""
     loaded: bool
     """A description of the robot, or a parameter file that a launch file loads."""
 
@@ -83,8 +83,8 @@ class Plugins:
         if package in self._workspace.packages or package in self._workspace.ambiguous:
             return self._unknown_in_tree(name, package, match["class"], loaded)
         distribution = self._files.target.ros
-        known = _known(distribution) if distribution is not None else frozenset()
-        if str(name) in known or not known:
+        known = _known(distribution)
+        if str(name) in known:
             return None
         meant = _meant(known, package, match["class"])
         return UnknownPlugin(name, package, meant, distribution, loaded) if meant is not None else None
@@ -98,15 +98,27 @@ class Plugins:
         return UnknownPlugin(name, package, meant, None, loaded)
 
 
-def _known(distribution: str) -> frozenset[str]:
-    """The names that the packages of the table export in a distribution."""
-    return frozenset(row["name"] for row in table("ros/plugins") if distribution in row["distributions"].split())
+def _known(distribution: str | None) -> frozenset[str]:
+    """The names that the packages of the table export in a distribution; in any when it is not known."""
+    rows = (row for row in table("ros/plugins") if distribution is None or distribution in row["distributions"].split())
+    return frozenset(row["name"] for row in rows)
 
 
 def _meant(known: frozenset[str], package: str, cls: str) -> str | None:
-    """The same class in the package itself, or in the one that replaced it."""
+    """The same class in the package itself, or in the one that replaced it; else one of nearly the same name."""
     packages = {package, _RENAMED.get(package, package)}
     packages |= {old for old, new in _RENAMED.items() if new == package}
     cls = cls.replace("JointStateController", "JointStateBroadcaster")
     found = [each for each in known if (match := _NAME.match(each)) and match["package"] in packages]
-    return next((each for each in sorted(found) if each.endswith((f"/{cls}", f":{cls}"))), None)
+    same = next((each for each in sorted(found) if each.endswith((f"/{cls}", f":{cls}"))), None)
+    return same or next(iter(_nearest(package, cls, found)), None)
+
+
+def _nearest(package: str, cls: str, names: list[str]) -> list[str]:
+    """The names of a package whose class is misspelt."""
+    classes = {_class(each): each for each in names if each.startswith(package)}
+    return [classes[each] for each in nearest(cls, classes, 2)]
+
+
+def _class(name: str) -> str:
+    return name.rpartition("/")[2].rpartition(":")[2]

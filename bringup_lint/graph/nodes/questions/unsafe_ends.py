@@ -42,7 +42,7 @@ def unsafe_ends(nodes: Nodes) -> Iterator[UnsafeEnd]:
     """The programs whose spin ends without a stop command, as far as their end is known."""
     for file in nodes.programs:
         ending = nodes.ending(file)
-        made = [node for node in nodes.made(file) if commands(node)]
+        made = [node for node in nodes.made(file) if _sent(nodes, node)]
         if not made or not ending.spins or ending.signals is None:
             continue
         init = uncovered_sigterm(ending, made)
@@ -50,8 +50,25 @@ def unsafe_ends(nodes: Nodes) -> Iterator[UnsafeEnd]:
             continue
         if init is not None and nodes.stopped_by(file) == {"SIGINT"}:
             continue
-        command = commands(made[0])[0]
+        command = _sent(nodes, made[0])[0]
         yield UnsafeEnd(file, command, ending.spins[0].call, init, _is_caught(nodes, ending, made, command))
+
+
+def _sent(nodes: Nodes, node: NodeClass) -> list[Endpoint]:
+    """The commands of a node but those whose publisher nothing uses."""
+    found = commands(node)
+    if not found:
+        return []
+    used = {name for each in node.lineage for name in _loaded(nodes.file_of(each))}
+    return [each for each in found if each.attribute is None or each.attribute.rpartition(".")[2] in used]
+
+
+def _loaded(file: NodeSource) -> Iterator[str]:
+    for each in file.nodes:
+        if isinstance(each, ast.Attribute) and isinstance(each.ctx, ast.Load):
+            yield each.attr
+        elif isinstance(each, ast.Name) and isinstance(each.ctx, ast.Load):
+            yield each.id
 
 
 def _is_caught(nodes: Nodes, ending: Ending, made: list[NodeClass], command: Endpoint) -> bool:

@@ -1,0 +1,128 @@
+"""Robot descriptions that urdfdom, and with it robot_state_publisher, refuses."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.discover.kinds.launch import LAUNCH
+from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.parsers.xml import parse
+from bringup_lint.source import Located
+from bringup_lint.source import Span
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.files import Files
+    from bringup_lint.model.xml import Element
+    from bringup_lint.source import Source
+
+_LIMITED = ("revolute", "prismatic")
+_NEEDED = ("effort", "velocity")
+_OUTER = frozenset({"ros2_control", "transmission", "gazebo", "state", "group_state"})
+"""Elements whose joints only refer to those of the robot."""
+
+
+class Refused(NamedTuple):
+    where: Span
+    what: str
+    """``no-limit``, ``no-attribute``, ``limits``, ``no-link``, ``twice`` or ``roots``."""
+    name: str
+    detail: str = ""
+    other: Span | None = None
+    used: bool = True
+    """A launch file or another description names the file."""
+
+
+def refused_descriptions(files: Files) -> Iterator[list[Refused]]:
+    """What is wrong with the judged descriptions, that of one file together."""
+    for source in files.of_kind("urdf"):
+        root = parse(source).root if source.judged and not source.template else None
+        if root is None or root.local != "robot":
+            continue
+        found = [*_joints(root), *(_tree(root) if _is_plain(source) else ())]
+        if found:
+            used = _is_named(files, source)
+            yield [each._replace(used=used) for each in found]
+
+
+def _is_named(files: Files, source: Source) -> bool:
+    name = re.compile(rf"(?<![\w.-]){re.escape(source.basename)}(?![\w.-])")
+    others = (each for each in files.of_kind(*LAUNCH, "urdf") if each.name != source.name)
+    return any(name.search(each.text) for each in others)
+
+
+def _is_plain(source: Source) -> bool:
+    """Whether the text is the description itself, of which xacro and templates make nothing else."""
+    return source.name.endswith(".urdf") and "xacro" not in source.text and "$" not in source.text
+
+
+def _is_own(element: Element) -> bool:
+    outer = element.parent
+    while outer is not None:
+        if outer.local in _OUTER:
+            return False
+        outer = outer.parent
+    return True
+
+
+def _joints(root: Element) -> Iterator[Refused]:
+    for joint in root.walk():
+        if joint.name != "joint" or joint.get("type") not in _LIMITED or not _is_own(joint):
+            continue
+        if any(":" in child.name for child in joint.children):
+            continue
+        name = str(joint.get("name") or "")
+        limit = joint.find("limit")
+        if limit is None:
+            yield Refused(joint.tag, "no-limit", name, str(joint.get("type")))
+        else:
+            yield from _limit(limit, name)
+
+
+def _limit(limit: Element, name: str) -> Iterator[Refused]:
+    if limit.children:
+        return
+    for attribute in _NEEDED:
+        if limit.get(attribute) is None:
+            yield Refused(limit.tag, "no-attribute", name, attribute)
+            return
+    lower, upper = _number(limit.get("lower")), _number(limit.get("upper"))
+    if lower is not None and upper is not None and lower > upper:
+        yield Refused(limit.tag, "limits", name, f"{limit.get('lower')} > {limit.get('upper')}")
+
+
+def _number(text: Located | None) -> float | None:
+    try:
+        return float(text) if text is not None else None
+    except ValueError:
+        return None
+
+
+def _tree(root: Element) -> Iterator[Refused]:
+    links = [each for each in root.find_all("link") if each.get("name") is not None]
+    joints = [each for each in root.find_all("joint") if each.get("name") is not None]
+    for kind, elements in (("link", links), ("joint", joints)):
+        yield from _twice(kind, elements)
+    names = {str(each.get("name")) for each in links}
+    children = set()
+    for joint in joints:
+        for end in ("parent", "child"):
+            found = joint.find(end)
+            link = found.get("link") if found is not None else None
+            if link is not None and str(link) not in names:
+                yield Refused(link.span, "no-link", str(link), str(joint.get("name")))
+            if link is not None and end == "child":
+                children.add(str(link))
+    roots = [each for each in links if str(each.get("name")) not in children]
+    if len(roots) > 1:
+        yield Refused(roots[1].tag, "roots", str(roots[1].get("name")), str(roots[0].get("name")), roots[0].tag)
+
+
+def _twice(kind: str, elements: list[Element]) -> Iterator[Refused]:
+    first: dict[str, Element] = {}
+    for each in elements:
+        name = str(each.get("name"))
+        if name in first:
+            yield Refused(each.tag, "twice", name, kind, first[name].tag)
+        first.setdefault(name, each)

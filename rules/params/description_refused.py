@@ -1,0 +1,113 @@
+"""A robot description that robot_state_publisher refuses.
+
+## What it finds
+In `.urdf` and `.xacro` files: joints of type `revolute` or `prismatic` without `<limit>`, limits without `effort` or
+`velocity`, and a lower limit above the upper one. In `.urdf` files without xacro also: joints whose parent or child
+link does not exist, links and joints of the same name, and a second link without a parent. A file that no
+launch file and no other description names is reported as info.
+
+## Why it matters on a robot
+urdfdom takes a description as a whole or not at all. robot_state_publisher ends at its start, the controller manager
+and MoveIt get no robot, and no frame of it exists. With reversed limits the file is read, and every goal is out of
+range.
+
+## Bad
+```xml
+<joint name="mast_joint" type="prismatic">
+  <parent link="base_link"/>
+  <child link="mast"/>
+</joint>
+```
+
+## Good
+```xml
+<joint name="mast_joint" type="prismatic">
+  <parent link="base_link"/>
+  <child link="mast"/>
+  <limit lower="0" upper="1.2" effort="900" velocity="0.2"/>
+</joint>
+```
+
+## When to ignore it
+When the file is only a part, which a script completes.
+
+## References
+- urdfdom, urdf_parser/src/joint.cpp and model.cpp
+- https://wiki.ros.org/urdf/XML/joint
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+from bringup_lint.api.params import Refused
+
+
+@rule(
+    "error",
+    symptoms=[
+        "is of type REVOLUTE but it does not specify limits",
+        "joint limit: no effort",
+        "Failed to build tree: parent link [*] of joint [*] not found",
+        "Failed to find root link: Two root links found",
+        "Unable to initialize urdf::model from robot description",
+    ],
+)
+def description_refused(robot: Robot) -> Iterator[Finding]:
+    for first, *others in robot.refused_descriptions:
+        yield finding(
+            first.where,
+            f"{_what(first)}: {_consequence(first)}",
+            advice=_advice(first),
+            related=[
+                *([note(first.other, "the other one")] if first.other is not None else []),
+                *(note(each.where, _what(each)) for each in others[:10]),
+            ],
+            severity=_severity(first),
+        )
+
+
+def _severity(refused: Refused) -> str:
+    """Info for a file that nothing loads."""
+    if not refused.used:
+        return "info"
+    return "warning" if refused.what == "limits" else "error"
+
+
+def _what(refused: Refused) -> str:
+    match refused.what:
+        case "no-limit":
+            return f"The {refused.detail} joint '{refused.name}' has no <limit>"
+        case "no-attribute":
+            return f"The limit of joint '{refused.name}' has no {refused.detail}"
+        case "limits":
+            return f"The lower limit of joint '{refused.name}' is above the upper one ({refused.detail})"
+        case "no-link":
+            return f"Joint '{refused.detail}' names the link '{refused.name}', which does not exist"
+        case "twice":
+            return f"There are two {refused.detail}s called '{refused.name}'"
+    return f"'{refused.name}' is a second link without a parent, beside '{refused.detail}'"
+
+
+def _consequence(refused: Refused) -> str:
+    if refused.what == "limits":
+        return "every goal is out of range"
+    return "robot_state_publisher refuses the whole description"
+
+
+def _advice(refused: Refused) -> str:
+    match refused.what:
+        case "no-limit":
+            return 'add <limit lower="" upper="" effort="" velocity=""/> with the values of the axis'
+        case "no-attribute":
+            return f"add {refused.detail}"
+        case "limits":
+            return "swap them"
+        case "no-link":
+            return "add the link, or correct the name"
+        case "twice":
+            return "rename one of them"
+    return "join it to the others"
