@@ -247,7 +247,7 @@ class Tree:
     def _by_suffix(self, robot_path: str) -> str | None:
         """The one file of the repository that shares the longest tail with the path; None when several do."""
         parts = robot_path.strip("/").split("/")
-        candidates = self._paths.get(parts[-1], [])
+        candidates = [path for path in self._paths.get(parts[-1], []) if not _is_anothers(path, parts)]
         for count in range(len(parts), 0, -1):
             tail = "/" + "/".join(parts[-count:])
             matching = [path for path in candidates if path.endswith(tail)]
@@ -450,3 +450,10 @@ def _relative(path: str, folder: str) -> str:
     if path.startswith(prefix) and len(path) > len(prefix) and os.path.normpath(path) == path:
         return path[len(prefix) :]
     return os.path.relpath(path, folder)
+
+
+def _is_anothers(path: str, wanted: list[str]) -> bool:
+    """Whether a file lies in a folder of snippets of some program, such as ``logrotate.d``, where the wanted one does
+    not."""
+    folder = path.split("/")[-2:-1]
+    return bool(folder) and folder[0].endswith(".d") and folder != wanted[-2:-1]
