@@ -35,7 +35,8 @@ After=drivers.service
 ```
 
 ## When to ignore it
-The info, when the units are alternatives that are never enabled together.
+The info, when conditions of a template exclude each other, and when the units are alternatives that are never
+enabled together.
 
 ## References
 - systemd.unit(5), "Before=, After="
@@ -76,7 +77,7 @@ def ordering_cycle(robot: Robot) -> Iterator[Finding]:
             advice="remove the order that contradicts the layers: drivers first, then the units that use them",
             related=steps[1:],
             chain=steps,
-            severity=None if cycle.root else "info",
+            severity=None if cycle.root and not cycle.uncertain else "info",
         )
 
 

@@ -16,6 +16,7 @@ from bringup_lint.graph.graph import Node
 from bringup_lint.graph.systemd.relations import HARD
 from bringup_lint.graph.systemd.relations import PULLING
 from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.templates import has_control_flow
 
 ROOTS = ("graphical.target", "multi-user.target")
 MOST_VISITS = 500_000
@@ -46,6 +47,12 @@ class Cycle(NamedTuple):
     def against_targets(self) -> bool:
         """One unit alone that waits for a target which waits for it, over other targets at most."""
         return sum(not name.endswith(".target") for name in self.units) == 1
+
+    @property
+    def uncertain(self) -> bool:
+        """Whether lines of it come from a template that decides which of its lines a unit has."""
+        sources = (edge.where.source for edge in self.edges if edge.where)
+        return any(source.template and has_control_flow(source.text) for source in sources)
 
     @property
     def waits(self) -> list[Edge]:
