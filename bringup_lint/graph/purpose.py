@@ -69,6 +69,7 @@ PATHS: tuple[tuple[Purpose, re.Pattern[str]], ...] = (
     (Purpose.DEVELOPMENT, regex(r"(?:^|/)docker/(?:[^/]*[_-])?pc(?:[_-][^/]*)?/", re.I)),
     (Purpose.SIMULATION, SIMULATION),
     (Purpose.EXAMPLE, _word("examples?|demos?|tutorials?|samples?")),
+    (Purpose.EXAMPLE, _folder("docs?")),
 )
 """The first pattern that a path matches decides."""
 
