@@ -43,5 +43,5 @@ def same_host_name(fleet: Fleet) -> Iterator[FleetFinding]:
         yield fleet_finding(
             group,
             f"{len(group)} robots have the host name {name}: {names(group)}; {name}.local is the one that booted first",
-            advice="set a name for each robot, at the first boot from its serial number, say",
+            advice="set a name for each robot at the first boot, for example from its serial number",
         )

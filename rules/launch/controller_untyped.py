@@ -58,7 +58,7 @@ def controller_untyped(robot: Robot) -> Iterator[Finding]:
         names = ", ".join(f"'{one.name}'" for one in (each, *others[:2]))
         yield finding(
             each.manager.span,
-            f"ros2_control_node is given no parameter file: it knows the type of no controller, and {names} "
+            f"ros2_control_node is given no parameter file: it does not know the type of any controller, and {names} "
             f"{'is' if not others else 'are'} not loaded",
             advice="pass the file with the controllers in parameters=",
             related=[note(one.name, "spawned here") for one in (each, *others[:5])],

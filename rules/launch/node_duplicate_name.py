@@ -37,7 +37,7 @@ from bringup_lint.api import launch
 from bringup_lint.api import note
 from bringup_lint.api import rule
 
-BY_CHANCE = "parameter and service calls reach either of them by chance"
+BY_CHANCE = "which of them answers a parameter or service call is left to chance"
 ALIKE = "logs and lists of nodes do not show which is which"
 
 

@@ -38,6 +38,6 @@ def unknown_kind(robot: Robot) -> Iterator[Finding]:
         if problem.code == "unknown-kind":
             yield finding(
                 problem.where,
-                "Nothing was checked: this is no kind of file that bringup-lint reads",
+                "Nothing was checked: bringup-lint does not read this kind of file",
                 advice="name it as on the robot, such as rover.service or udev/rules.d/99-rover.rules, or leave it out",
             )

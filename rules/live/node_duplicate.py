@@ -48,7 +48,8 @@ def node_duplicate(robot: Robot) -> Iterator[Finding]:
         lines = nodes if where.source is not name.span.source else nodes[1:]
         yield finding(
             where,
-            f"{len(nodes)} nodes called {name} run: parameter and service calls reach any of them by chance",
+            f"{len(nodes)} nodes with the name {name} are running: which of them answers a parameter or service "
+            "call is left to chance",
             advice="stop the surplus one; a node that was killed disappears within 20 s",
             related=[
                 *(note(each.where, "started here too") for each in starts[:3]),

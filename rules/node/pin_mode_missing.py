@@ -40,7 +40,7 @@ def pin_mode_missing(robot: Robot) -> Iterator[Finding]:
     for file, call in nodes.without_pin_mode(robot.nodes):
         yield finding(
             file.span_of(call),
-            "Nothing calls GPIO.setmode() before: setup() raises RuntimeError, and the node does not start",
-            advice="call GPIO.setmode(GPIO.BCM) or GPIO.setmode(GPIO.BOARD) first, as the pins are counted",
+            "GPIO.setmode() is never called before setup(), which raises RuntimeError: the node does not start",
+            advice="call GPIO.setmode(GPIO.BCM) or GPIO.setmode(GPIO.BOARD) first, as the program numbers its pins",
             severity=nodes.lowered(robot.nodes.purpose(file.source), "error"),
         )

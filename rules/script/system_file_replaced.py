@@ -60,7 +60,7 @@ def system_file_replaced(robot: Robot) -> Iterator[Finding]:
             folder = FOLDERS[written.path]
             yield finding(
                 written.where,
-                f"This replaces the whole of {written.path}: all that it held is lost",
+                f"This replaces the whole of {written.path}: everything else in it is lost",
                 advice=f"write a file in {folder}" if folder else "use adduser, usermod and groupadd",
                 confidence=None if written.certain else "medium",
             )

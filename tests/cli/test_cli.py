@@ -423,6 +423,6 @@ def test_a_report_says_that_no_file_was_checked(tmp_path: Path) -> None:
     (tmp_path / "notes.rst").write_text("hello\n")
     run = lint("notes.rst", cwd=tmp_path)
     assert run.code == 1
-    assert "this is no kind of file that bringup-lint reads" in " ".join(run.stdout.split())
+    assert "bringup-lint does not read this kind of file" in " ".join(run.stdout.split())
     assert "or leave it out" in " ".join(run.stdout.split())
     assert run.stdout.endswith("1 warning: no file was checked\n")
