@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 import os
+import re
 import sys
 from collections import Counter
 from collections.abc import Callable
@@ -143,8 +144,23 @@ def _diff(old: Source, proposal: Proposal, findings: Iterable[Finding]) -> str:
     mask = mask_of((found for found in about if found.source in (old, new)), (old, new))
     if mask:
         old, new = mask.source(old), mask.source(new)
-    lines = difflib.unified_diff(_lines(old.text), _lines(new.text), fromfile=old.name, tofile=old.name)
+    lines = difflib.unified_diff(
+        _lines(old.text), _lines(new.text), fromfile=_quoted(old.name), tofile=_quoted(old.name)
+    )
     return "".join(line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n" for line in lines)
+
+
+def _quoted(name: str) -> str:
+    """A name as git and patch read it in a header, which it cannot end."""
+    if name.isprintable() and not re.search(r'["\\]', name):
+        return name
+    return '"' + "".join(map(_octal, name)) + '"'
+
+
+def _octal(character: str) -> str:
+    if character in '"\\':
+        return f"\\{character}"
+    return character if character.isprintable() else "".join(f"\\{byte:03o}" for byte in os.fsencode(character))
 
 
 def _lines(text: str) -> list[str]:

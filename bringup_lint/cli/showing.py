@@ -10,10 +10,12 @@ from typing import Any
 
 from bringup_lint.config import OPTIONS
 from bringup_lint.config import Config
+from bringup_lint.report.columns import plain_start
 from bringup_lint.report.columns import printable
 
 if TYPE_CHECKING:
     from bringup_lint.robot import Robot
+    from bringup_lint.source import Source
 
 DEFAULT, COMMAND_LINE = "default", "command line"
 _GIVEN = {"rules": "rule_folders"}
@@ -23,11 +25,15 @@ _GIVEN = {"rules": "rule_folders"}
 def files(robot: Robot) -> str:
     """The files that are judged, a line each: path, kind, and the purpose where it is not the robot."""
     judged = [source for source in robot.sources if source.judged and source.origin is None]
-    width = max((len(printable(source.name)) for source in judged), default=0)
-    rows = ((printable(source.name), source.kind, str(robot.purpose(source).value)) for source in judged)
+    width = max((len(_shown(source)) for source in judged), default=0)
+    rows = ((_shown(source), source.kind, str(robot.purpose(source).value)) for source in judged)
     return "".join(
         f"{name:<{width}}  {kind}{'' if purpose == 'robot' else f', {purpose}'}\n" for name, kind, purpose in rows
     )
+
+
+def _shown(source: Source) -> str:
+    return printable(plain_start(source.name))
 
 
 def settings(config: Config, options: dict[str, Any], robot: Robot) -> str:

@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from itertools import accumulate
 
 from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.pattern import regex
 
 TAB = 4
 _REPLACEMENT = "\ufffd"
+_COMMAND = regex(r"(##(?:vso)?)\[", re.I)
+_START = regex(r"^(\s*)::(?!:)", re.M)
+_BRACKET = "\u2045"
 _ZERO_WIDTH = ("Mn", "Me")
 _UNSAFE = ("Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp")
 
@@ -26,12 +31,33 @@ class Row(NamedTuple):
 
 
 def printable(text: str) -> str:
-    """The text with visible signs for control characters, so that no file can speak to the terminal."""
+    """The text with visible signs for control characters, and without commands of CI runners, so that no file can
+    speak to the terminal or to the runner that reads what is printed."""
+    if "##" in text:
+        text = without_commands(text)
     return text if text.isprintable() else "".join(map(_glyph, text))
+
+
+def without_commands(text: str) -> str:
+    """The text in which no bracket opens a command: GitHub's runner and Azure's agent look for them anywhere in a
+    line (``ActionCommand.TryParse`` of actions/runner, ``Command.TryParse`` of azure-pipelines-agent)."""
+    return _COMMAND.sub(lambda match: f"{match[1]}{_BRACKET}", text)
+
+
+def plain_start(path: str) -> str:
+    """A path at the start of a line, which GitHub's runner does not take for a command."""
+    return f"./{path}" if path.lstrip().startswith("::") else path
+
+
+def plain_starts(text: str) -> str:
+    """Lines of prose of which none begins as a command of GitHub's runner: words of a file can, once wrapped."""
+    return _START.sub("\\1∷", text) if "::" in text else text
 
 
 def laid_out(line: str) -> Row:
     """A line without its line end, tabs expanded."""
+    if "##" in line:
+        line = without_commands(line)
     if line.isascii() and line.isprintable():
         return Row(line, range(len(line) + 1))
     glyphs = []

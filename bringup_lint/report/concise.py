@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from bringup_lint.finding import Finding
 from bringup_lint.finding.place import inside
+from bringup_lint.report.columns import plain_start
 from bringup_lint.report.columns import printable
 from bringup_lint.report.model import Report
 
@@ -14,8 +15,6 @@ def render(report: Report) -> str:
 
 def line(finding: Finding) -> str:
     row, column = finding.source.position(inside(finding.span).start)
-    place = f"{finding.source.name}:{row}:{column}"
-    if place.startswith(("::", "##[")):
-        place = f"./{place}"  # GitHub's and Azure's runners take such a line for a command
+    place = f"{plain_start(finding.source.name)}:{row}:{column}"
     message = " ".join(finding.message.split())
     return printable(f"{place}: {finding.severity}[{finding.rule}] {message}") + "\n"

@@ -9,13 +9,14 @@ from bringup_lint.finding import Finding
 from bringup_lint.finding import Severity
 from bringup_lint.finding.place import place_of
 from bringup_lint.report.model import Report
+from bringup_lint.report.unicode import harmless
 from bringup_lint.report.unicode import sound
 
 SEVERITIES = {Severity.ERROR: "critical", Severity.WARNING: "major", Severity.INFO: "info"}
 
 
 def render(report: Report) -> str:
-    return json.dumps(sound([_issue(finding) for finding in report.shown]), indent=2) + "\n"
+    return harmless(json.dumps(sound([_issue(finding) for finding in report.shown]), indent=2)) + "\n"
 
 
 def _issue(finding: Finding) -> dict[str, Any]:

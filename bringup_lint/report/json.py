@@ -14,6 +14,7 @@ from bringup_lint.finding import Suppression
 from bringup_lint.finding.place import inside
 from bringup_lint.finding.place import place_of
 from bringup_lint.report.model import Report
+from bringup_lint.report.unicode import harmless
 from bringup_lint.report.unicode import sound
 from bringup_lint.source import Span
 
@@ -32,7 +33,7 @@ def render(report: Report) -> str:
         "notifications": [told._asdict() for told in report.notifications],
         "summary": _summary(report),
     }
-    return json.dumps(sound(data), indent=2) + "\n"
+    return harmless(json.dumps(sound(data), indent=2)) + "\n"
 
 
 def _summary(report: Report) -> dict[str, Any]:

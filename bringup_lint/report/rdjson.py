@@ -14,6 +14,7 @@ from bringup_lint.finding import Severity
 from bringup_lint.finding.place import inside
 from bringup_lint.finding.place import is_whole_file
 from bringup_lint.report.model import Report
+from bringup_lint.report.unicode import harmless
 from bringup_lint.report.unicode import sound
 from bringup_lint.source import Source
 from bringup_lint.source import Span
@@ -29,7 +30,7 @@ def render(report: Report) -> str:
         "source": {"name": "bringup-lint", "url": HOME},
         "diagnostics": [_diagnostic(finding, report) for finding in report.shown],
     }
-    return json.dumps(sound(data), indent=2) + "\n"
+    return harmless(json.dumps(sound(data), indent=2)) + "\n"
 
 
 def _diagnostic(finding: Finding, report: Report) -> dict[str, Any]:

@@ -40,7 +40,7 @@ class Bar(NamedTuple):
 
 def rows(line: str, marks: list[Underline], room: int) -> Iterator[tuple[str, list[Underline]]]:
     """The line cut to the room, with its marks in cells; once more for marks too far from the first."""
-    if len(line) <= min(room, FAR) and line.isascii() and line.isprintable():
+    if len(line) <= min(room, FAR) and line.isascii() and line.isprintable() and "##" not in line:
         yield line, marks
         return
     pending = marks or [Underline(0, 0, "", "")]

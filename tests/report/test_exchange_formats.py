@@ -20,6 +20,7 @@ from bringup_lint.finding import Severity
 from bringup_lint.report import Notification
 from bringup_lint.report import Report
 from bringup_lint.report import render
+from bringup_lint.report.columns import printable
 from bringup_lint.report.markdown import NODES
 from bringup_lint.report.markdown import ROWS
 from bringup_lint.source import Source
@@ -146,7 +147,7 @@ def unescaped(text: str, *more: tuple[str, str]) -> str:
 
 def test_github_reads_what_was_said() -> None:
     told, failed = map(parsed, render("github", HOSTILE_REPORT).splitlines())
-    shown = HOSTILE.replace("\r\n", " ")
+    shown = printable(HOSTILE.replace("\r\n", " "))
     assert told.name == "warning"
     assert told.properties["file"].replace("␍␊", " ") == shown
     assert (told.properties["line"], told.properties["col"], told.properties["endColumn"]) == ("2", "1", "6")

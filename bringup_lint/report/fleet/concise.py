@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from bringup_lint.report.columns import plain_start
 from bringup_lint.report.columns import printable
 from bringup_lint.report.fleet.model import FleetReport
 
@@ -15,7 +16,7 @@ def render(report: FleetReport) -> Iterator[str]:
 def _lines(report: FleetReport) -> Iterator[str]:
     for found in report.shown:
         place = found.places[0]
-        yield f"{place.path}:{place.line}: {found.severity}[{found.rule}] {found.message}"
+        yield f"{plain_start(place.path)}:{place.line}: {found.severity}[{found.rule}] {found.message}"
     for robot in report.robots:
         for own in robot.own:
-            yield f"{own.path}:{own.line}:{own.column}: {own.severity}[{own.rule}] {own.message}"
+            yield f"{plain_start(own.path)}:{own.line}:{own.column}: {own.severity}[{own.rule}] {own.message}"

@@ -6,11 +6,12 @@ import json
 from collections.abc import Iterable
 from collections.abc import Iterator
 
+from bringup_lint.report.unicode import harmless
 from bringup_lint.report.unicode import sound
 
 
 def written(data: object) -> str:
-    return json.dumps(sound(data), indent=2)
+    return harmless(json.dumps(sound(data), indent=2))
 
 
 def indented(text: str, indent: str) -> str:

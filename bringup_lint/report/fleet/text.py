@@ -12,6 +12,7 @@ from bringup_lint.fleet.fleet import FleetFinding
 from bringup_lint.fleet.fleet import listed
 from bringup_lint.fleet.summary import Summary
 from bringup_lint.plural import counted
+from bringup_lint.report.columns import plain_starts
 from bringup_lint.report.columns import printable
 from bringup_lint.report.fleet.model import FleetReport
 from bringup_lint.report.paint import Paint
@@ -30,8 +31,8 @@ def render(report: FleetReport) -> Iterator[str]:
     paint = painter(report.colour)
     width = min(max(report.width, 40), 120)
     for found in report.shown:
-        yield "\n".join(_block(found, width, paint)) + "\n\n"
-    yield "\n".join(_robots(report, paint)) + "\n\n"
+        yield plain_starts("\n".join(_block(found, width, paint))) + "\n\n"
+    yield plain_starts("\n".join(_robots(report, paint))) + "\n\n"
     yield "\n".join(_summary(report)) + "\n"
 
 

@@ -9,6 +9,7 @@ from html import escape
 from typing import Any
 
 from bringup_lint.report.columns import printable
+from bringup_lint.report.unicode import harmless
 
 
 def text(value: object) -> str:
@@ -33,7 +34,7 @@ def icon(severity: str) -> str:
 def embedded(data: Any) -> str:
     """JSON that can stand in a script element: no character of it can end the element or a line."""
     written = json.dumps(data, separators=(",", ":"), sort_keys=True)
-    return written.replace("&", "\\u0026").replace("<", "\\u003c").replace(">", "\\u003e")
+    return harmless(written).replace("&", "\\u0026").replace("<", "\\u003c").replace(">", "\\u003e")
 
 
 def hashed(content: str) -> str:

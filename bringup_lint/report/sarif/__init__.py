@@ -6,6 +6,7 @@ import json
 
 from bringup_lint.report.model import Report
 from bringup_lint.report.sarif.run import run
+from bringup_lint.report.unicode import harmless
 from bringup_lint.report.unicode import sound
 
 SCHEMA = "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json"
@@ -13,4 +14,4 @@ SCHEMA = "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sar
 
 def render(report: Report) -> str:
     log = {"$schema": SCHEMA, "version": "2.1.0", "runs": [run(report)]}
-    return json.dumps(sound(log), indent=2) + "\n"
+    return harmless(json.dumps(sound(log), indent=2)) + "\n"

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from html import escape
-
 from bringup_lint.fleet.summary import Summary
+from bringup_lint.report.html.markup import text
 
 
 def found_by(*words: str) -> str:
     """The attribute by which the search of the page finds an entry."""
-    return f'data-words="{escape(" ".join(words).lower(), quote=True)}"'
+    return f'data-words="{text(" ".join(words).lower())}"'
 
 
 def words_of(robot: Summary) -> str:

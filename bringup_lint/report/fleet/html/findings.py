@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from html import escape
 
 from bringup_lint.fleet.fleet import Difference
 from bringup_lint.fleet.fleet import FleetFinding
 from bringup_lint.fleet.fleet import listed
 from bringup_lint.report.fleet.html.entries import found_by
 from bringup_lint.report.fleet.model import FleetReport
+from bringup_lint.report.html.markup import lines
+from bringup_lint.report.html.markup import text
 
 MOST_PLACES = 50
 MOST_NAMES = 20
@@ -25,26 +26,26 @@ def findings(report: FleetReport) -> Iterator[str]:
 
 def _finding(number: int, found: FleetFinding) -> str:
     places = "".join(
-        f"<li>{escape(place.robot)}: <code>{escape(f'{place.path}:{place.line}')}</code></li>"
+        f"<li>{text(place.robot)}: <code>{text(f'{place.path}:{place.line}')}</code></li>"
         for place in found.places[:MOST_PLACES]
     )
     more = len(found.places) - MOST_PLACES
     return (
         f"<details id=f{number} {found_by(found.rule, found.message, *found.robots)}>"
         f"<summary><b class={found.severity}>"
-        f"{found.severity}</b> <code>{escape(found.rule)}</code> {escape(found.message)}</summary>"
-        f"{_difference(found.difference) if found.difference else ''}<p>{escape(found.advice)}</p>"
+        f"{found.severity}</b> <code>{text(found.rule)}</code> {text(found.message)}</summary>"
+        f"{_difference(found.difference) if found.difference else ''}<p>{text(found.advice)}</p>"
         f"<ul>{places}{f'<li>and {more} more</li>' if more > 0 else ''}</ul></details>"
     )
 
 
 def _difference(difference: Difference) -> str:
     return (
-        f"<div class=sides><p>{escape(difference.key)}</p>"
+        f"<div class=sides><p>{text(difference.key)}</p>"
         f"<div>{_side(difference.usual, difference.usual_robots)}</div>"
         f"<div>{_side(difference.odd, difference.odd_robots)}</div></div>"
     )
 
 
 def _side(value: str, robots: tuple[str, ...]) -> str:
-    return f"<pre>{escape(value)}</pre><small>{escape(listed(robots, MOST_NAMES))}</small>"
+    return f"<pre>{lines(value)}</pre><small>{text(listed(robots, MOST_NAMES))}</small>"

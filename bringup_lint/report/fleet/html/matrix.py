@@ -8,7 +8,6 @@ from __future__ import annotations
 from collections import Counter
 from collections import defaultdict
 from collections.abc import Iterator
-from html import escape
 
 from bringup_lint.fleet.fleet import FleetFinding
 from bringup_lint.fleet.summary import Summary
@@ -16,6 +15,7 @@ from bringup_lint.report.fleet.html.entries import found_by
 from bringup_lint.report.fleet.html.entries import role_of
 from bringup_lint.report.fleet.html.entries import words_of
 from bringup_lint.report.fleet.model import FleetReport
+from bringup_lint.report.html.markup import text
 
 _SIGNS = {"error": "E", "warning": "W", "info": "I"}
 _Cells = dict[str, tuple[int, FleetFinding]]
@@ -28,7 +28,7 @@ def matrix(report: FleetReport) -> Iterator[str]:
         for name in found.robots:
             cells[name].setdefault(found.rule, (number, found))
     rules = sorted({found.rule for found in report.shown})
-    heads = "".join(f"<th scope=col><span>{escape(rule.partition('/')[2])}</span></th>" for rule in rules)
+    heads = "".join(f"<th scope=col><span>{text(rule.partition('/')[2])}</span></th>" for rule in rules)
     yield "<thead><tr><th scope=col>robot</th><th scope=col>role</th><th scope=col>by itself</th>"
     yield heads + "</tr></thead>"
     for named in (True, False):
@@ -40,8 +40,8 @@ def matrix(report: FleetReport) -> Iterator[str]:
 def _row(number: int, robot: Summary, cells: _Cells, rules: list[str]) -> str:
     row = "".join(_cell(cells.get(rule)) for rule in rules)
     return (
-        f"<tr {found_by(words_of(robot), *cells)}><th scope=row>{escape(robot.name)}</th>"
-        f"<td>{escape(role_of(robot))}</td><td>{_by_itself(number, robot)}</td>{row}</tr>"
+        f"<tr {found_by(words_of(robot), *cells)}><th scope=row>{text(robot.name)}</th>"
+        f"<td>{text(role_of(robot))}</td><td>{_by_itself(number, robot)}</td>{row}</tr>"
     )
 
 
@@ -49,7 +49,7 @@ def _cell(entry: tuple[int, FleetFinding] | None) -> str:
     if entry is None:
         return "<td></td>"
     number, found = entry
-    sign, title = _SIGNS[str(found.severity)], escape(found.rule, quote=True)
+    sign, title = _SIGNS[str(found.severity)], text(found.rule)
     return f'<td class={found.severity}><a href="#f{number}" title="{title}">{sign}</a></td>'
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterator
-from html import escape
 
 from bringup_lint.fleet.summary import Own
 from bringup_lint.fleet.summary import Summary
@@ -12,6 +11,7 @@ from bringup_lint.plural import counted
 from bringup_lint.report.fleet.html.entries import found_by
 from bringup_lint.report.fleet.html.entries import words_of
 from bringup_lint.report.fleet.model import FleetReport
+from bringup_lint.report.html.markup import text
 
 MOST_RULES = 12
 """Rules that are listed of one robot, the most severe first."""
@@ -30,11 +30,11 @@ def robots(report: FleetReport) -> Iterator[str]:
 
 
 def _robot(number: int, robot: Summary) -> str:
-    failures = "".join(f"<p><b class=error>failed</b> {escape(failure)}</p>" for failure in robot.failures)
+    failures = "".join(f"<p><b class=error>failed</b> {text(failure)}</p>" for failure in robot.failures)
     said = f"{counted(len(robot.own), 'finding')} in {counted(robot.files, 'file')}"
     return (
         f"<details id=r{number} {found_by(words_of(robot))}{' open' * bool(failures)}>"
-        f"<summary><b>{escape(robot.name)}</b> {said} <code>{escape(robot.path)}</code></summary>"
+        f"<summary><b>{text(robot.name)}</b> {said} <code>{text(robot.path)}</code></summary>"
         f"{failures}{_own(robot.own)}</details>"
     )
 
@@ -54,6 +54,6 @@ def _rule(found: list[Own]) -> str:
     first = found[0]
     more = f", and {len(found) - 1} more" if len(found) > 1 else ""
     return (
-        f"<li><b class={first.severity}>{first.severity}</b> <code>{escape(first.rule)}</code> "
-        f"{escape(first.message)} <code>{escape(f'{first.path}:{first.line}')}</code>{more}</li>"
+        f"<li><b class={first.severity}>{first.severity}</b> <code>{text(first.rule)}</code> "
+        f"{text(first.message)} <code>{text(f'{first.path}:{first.line}')}</code>{more}</li>"
     )

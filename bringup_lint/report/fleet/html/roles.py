@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterator
-from html import escape
 
 from bringup_lint.report.fleet.html.entries import found_by
 from bringup_lint.report.fleet.html.entries import role_of
 from bringup_lint.report.fleet.model import FleetReport
+from bringup_lint.report.html.markup import text
 
 
 def roles(report: FleetReport) -> Iterator[str]:
@@ -23,4 +23,4 @@ def roles(report: FleetReport) -> Iterator[str]:
     yield f"<thead><tr>{''.join(f'<th scope=col>{head}</th>' for head in heads)}</tr></thead>"
     for role, row in sorted(counts.items()):
         cells = "".join(f"<td>{count}</td>" for count in row)
-        yield f"<tr {found_by(role)}><th scope=row>{escape(role)}</th>{cells}</tr>"
+        yield f"<tr {found_by(role)}><th scope=row>{text(role)}</th>{cells}</tr>"
