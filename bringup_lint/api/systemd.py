@@ -69,6 +69,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.systemd.unsourced import SourcedBefore
     from bringup_lint.graph.systemd.unsourced import unsourced
     from bringup_lint.model.unit import Assignment
+    from bringup_lint.model.unit import UnitFile
     from bringup_lint.parsers.systemd_values import is_unit_name
     from bringup_lint.parsers.systemd_values.commands import Command
     from bringup_lint.parsers.systemd_values.problems import ValueProblem
@@ -106,6 +107,7 @@ __all__ = [
     "Supervision",
     "TooEarly",
     "Unit",
+    "UnitFile",
     "Units",
     "Unwritable",
     "ValueProblem",

@@ -4,28 +4,17 @@ from __future__ import annotations
 
 import itertools
 import re
-from collections.abc import Iterator
 from functools import cache
 
 from bringup_lint import facts
 from bringup_lint.model.package import Build
 from bringup_lint.model.package import Install
-from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.parsers.cmake_commands import Command
+from bringup_lint.parsers.cmake_commands import commands
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
-from bringup_lint.source import Span
 
-_COMMAND = regex(r"([A-Za-z_]\w*)[ \t]*\(")
-_TOKEN = regex(
-    r"(?P<skip>\s+|\#\[(?P<hash>=*)\[.*?(?:\](?P=hash)\]|\Z)|\#[^\n]*)"
-    r"|\[(?P<eq>=*)\[(?P<bracket>.*?)\](?P=eq)\]"
-    r'|"(?P<quoted>(?:[^"\\]|\\.)*)"'
-    r"|(?P<paren>[()])"
-    r'|(?P<plain>(?:[^\s()\#"\\]|\\.)+)',
-    re.S,
-)
-_SKIP = regex(r"(?:\s+|\#\[(?P<hash>=*)\[.*?(?:\](?P=hash)\]|\Z)|\#[^\n]*)+", re.S)
 _VARIABLE = regex(r"\$\{(\w+)\}")
 _CPP = regex(r"\.(?:cpp|cc|cxx|c\+\+|C)$")
 
@@ -38,55 +27,6 @@ def _names(use: str) -> frozenset[str]:
 
 LOOPED = 2_000
 """Commands that the loops of one file run."""
-
-
-class Command(NamedTuple):
-    name: str
-    arguments: list[Located]
-    conditional: bool
-
-
-def commands(source: Source) -> Iterator[Command]:
-    """The commands in order; inside ``if``, loops and functions they are conditional."""
-    text = source.text
-    at = depth = 0
-    while True:
-        skipped = _SKIP.match(text, at)
-        at = skipped.end() if skipped else at
-        match = _COMMAND.match(text, at)
-        if match is None:
-            next_line = text.find("\n", at)
-            if next_line < 0:
-                return
-            at = next_line + 1
-            continue
-        arguments, at = _arguments(source, match.end())
-        name = match[1].lower()
-        if name in ("endif", "endforeach", "endfunction", "endmacro", "endwhile"):
-            depth -= 1
-        yield Command(name, arguments, depth > 0)
-        if name in ("if", "foreach", "function", "macro", "while"):
-            depth += 1
-
-
-def _arguments(source: Source, at: int) -> tuple[list[Located], int]:
-    arguments: list[Located] = []
-    level = 1
-    text = source.text
-    while at < len(text):
-        match = _TOKEN.match(text, at)
-        if match is None:
-            at += 1
-            continue
-        at = match.end()
-        if match["paren"]:
-            level += 1 if match["paren"] == "(" else -1
-            if level == 0:
-                break
-        for group in ("quoted", "bracket", "plain"):
-            if match[group] is not None:
-                arguments.append(Located(match[group], Span(source, *match.span(group))))
-    return arguments, at
 
 
 def _end_of_loop(given: list[Command], at: int) -> int:

@@ -46,12 +46,8 @@ def lifecycle_autostart_off(robot: Robot) -> Iterator[Finding]:
                 continue
             if value is not None and launch.truth(value) is not False:
                 continue
-            passed = any(
-                isinstance(each, launch.Argument)
-                for source in getattr(manager.node.action, "parameters", ())
-                if isinstance(source, launch.DictValue)
-                for each in launch.walk(source.get("autostart") or launch.Unknown("", manager.node.span))
-            )
+            written = (value for name, value in manager.parameters() if name == "autostart")
+            passed = any(isinstance(each, launch.Argument) for value in written for each in launch.walk(value))
             yield finding(
                 manager.node.span if name is None else name,
                 "Autostart is off"

@@ -50,9 +50,7 @@ def console_autologin(robot: Robot) -> Iterator[Finding]:
             user = autologin(process)
             if user is None or not user.span.source.judged:
                 continue
-            serial = unit.name.startswith("serial-getty@") or any(
-                "tty" in word and "S" in word for word in process.argv
-            )
+            serial = unit.name.startswith("serial-getty@") or any(map(SERIAL.match, process.argv))
             yield finding(
                 user,
                 f"Anyone with access to {'the serial line' if serial else 'the console'} is {user} without a password",

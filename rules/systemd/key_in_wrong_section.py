@@ -38,10 +38,13 @@ Never: systemd ignores the line.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Fix
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Assignment
+from bringup_lint.api.systemd import UnitFile
 from bringup_lint.api.systemd import directives
 from bringup_lint.api.systemd import move_lines
 
@@ -78,18 +81,20 @@ def key_in_wrong_section(robot: Robot) -> Iterator[Finding]:
                 continue
             for assignment in section.assignments:
                 key = assignment.key
-                if directives.directive(section.name, key):
-                    continue
                 homes = [name for name in allowed if directives.directive(name, key)]
-                if not homes:
+                if not homes or section.name in homes:
                     continue
-                change = None
-                home = [each.key for other in file.sections if other.name == homes[0] for each in other.assignments]
-                if not file.source.template and key not in home:
-                    change = fix(f"move it to [{homes[0]}]", *move_lines(file, assignment, homes[0]))
                 yield finding(
                     key,
                     f"{key}= belongs in [{homes[0]}]; in [{section.name}] systemd ignores the line",
                     advice=f"move the line to [{homes[0]}]",
-                    fix=change,
+                    fix=_moved(file, assignment, homes[0]),
                 )
+
+
+def _moved(file: UnitFile, assignment: Assignment, home: str) -> Fix | None:
+    """The line in the section where it belongs, unless that sets the key, too."""
+    there = [each.key for section in file.sections if section.name == home for each in section.assignments]
+    if file.source.template or assignment.key in there:
+        return None
+    return fix(f"move it to [{home}]", *move_lines(file, assignment, home))

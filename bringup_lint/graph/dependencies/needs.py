@@ -17,7 +17,7 @@ from bringup_lint.model.launch_values import Value
 from bringup_lint.model.launch_values import walk
 from bringup_lint.model.python import syntax_of
 from bringup_lint.named_tuple import NamedTuple
-from bringup_lint.parsers import cmake
+from bringup_lint.parsers.cmake_commands import commands
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.source import Span
@@ -117,6 +117,6 @@ def of_builds(files: Files, launch: Launch) -> Iterator[Need]:
         for build in package.builds:
             if build.source.kind != "cmake" or os.path.dirname(build.source.absolute) != package.folder:
                 continue
-            for command in cmake.commands(build.source):
+            for command in commands(build.source):
                 if command.name == "find_package" and not command.conditional and "REQUIRED" in command.arguments:
                     yield Need("library", command.arguments[0], package)
