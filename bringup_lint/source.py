@@ -1,4 +1,4 @@
-"""Text that knows where it stands: Source, Span and Located values."""
+"""Text that knows where it is: Source, Span and Located values."""
 
 from __future__ import annotations
 

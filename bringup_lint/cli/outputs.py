@@ -1,4 +1,4 @@
-"""Pairs of ``--output-format`` and ``--output-file``, in the order in which they stand on the command line."""
+"""Pairs of ``--output-format`` and ``--output-file``, in the order in which they are on the command line."""
 
 from __future__ import annotations
 

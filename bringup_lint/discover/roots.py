@@ -1,4 +1,4 @@
-"""Where a tree stands on the robot: root file systems, overlays, and the vendor's folders beside a checked ``/etc``."""
+"""Where a tree is on the robot: root file systems, overlays, and the vendor's folders beside a checked ``/etc``."""
 
 from __future__ import annotations
 

@@ -46,7 +46,7 @@ _PROGRAMS = frozenset({"", "shell-script"})
 
 @dataclass(eq=False)
 class Tree:
-    """What was walked, what of it was read, and the root it stands on."""
+    """What was walked, what of it was read, and the root it is on."""
 
     root: Path | None = None
     """The root file system, or None in a repository."""

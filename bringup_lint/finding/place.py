@@ -1,4 +1,4 @@
-"""Where a span stands, as people count."""
+"""Where a span is, as people count."""
 
 from __future__ import annotations
 

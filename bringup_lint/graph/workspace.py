@@ -49,7 +49,7 @@ _WILDCARD = regex(r"[*?\[]")
 
 
 class Place(NamedTuple):
-    """A path in terms of what it stands on: ``share`` or ``prefix`` of a package, ``file`` for an absolute path
+    """A path in terms of what it is relative to: ``share`` or ``prefix`` of a package, ``file`` for an absolute path
     beside a file of the tree, or ``""`` for a path as it is written."""
 
     base: str

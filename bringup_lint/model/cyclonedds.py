@@ -38,7 +38,7 @@ class Domain:
     """One ``Domain`` block."""
 
     element: Element | None
-    """None when the groups stand directly below the root."""
+    """None when the groups are directly below the root."""
     id: Located | None = None
     settings: list[Setting] = field(default_factory=list)
     elements: list[tuple[Item, Element]] = field(default_factory=list)

@@ -27,7 +27,7 @@ class Instruction:
     keyword: Located
     value: Located
     flags: tuple[Located, ...] = ()
-    """``--mount=...`` and the like, which stand before the value."""
+    """``--mount=...`` and the like, which are before the value."""
     heredocs: list[Located] = field(default_factory=list)
     """The texts of here-documents."""
 
@@ -50,7 +50,7 @@ class Instruction:
 
 @dataclass(eq=False)
 class Stage:
-    """What stands between one FROM and the next."""
+    """What is between one FROM and the next."""
 
     start: Instruction
     image: Located

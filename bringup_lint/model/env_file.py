@@ -19,7 +19,7 @@ class Entry:
     span: Span
     """The whole entry, without the last line end."""
     quoted: bool = False
-    """Some of the value stands in quotes."""
+    """Some of the value is in quotes."""
 
 
 @dataclass(slots=True)

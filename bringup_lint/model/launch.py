@@ -157,7 +157,7 @@ class SetEnv(Action):
     mode: str = "set"
     """``set``, ``append`` or ``prepend``."""
     separator: Value | None = None
-    """What stands between the old text and the new; a colon when it is not given."""
+    """What is between the old text and the new; a colon when it is not given."""
 
 
 @dataclass(eq=False, slots=True, kw_only=True)

@@ -21,7 +21,7 @@ Scalar = Union[str, int, float, bool, None]
 
 @dataclass(eq=False, slots=True)
 class Literal:
-    """A value that stands in the file. A string value is a ``Located``."""
+    """A value that is in the file. A string value is a ``Located``."""
 
     value: Scalar
     span: Span
@@ -44,7 +44,7 @@ class Concat:
 
 @dataclass(eq=False, slots=True)
 class PathJoin:
-    """Path components; an absolute component forgets what stands before it."""
+    """Path components; an absolute component forgets what is before it."""
 
     parts: tuple[Value, ...]
     span: Span
@@ -290,7 +290,7 @@ def literal(value: Value | None) -> Located | None:
 
 
 def same(first: Value | None, second: Value | None) -> bool:
-    """Whether two values are written alike, wherever they stand."""
+    """Whether two values are written alike, wherever they are."""
     if first is second:
         return True
     if first is None or second is None or type(first) is not type(second):

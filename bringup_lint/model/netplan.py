@@ -63,7 +63,7 @@ class Definition:
     name: Located
     body: Mapping
     renderer: Located | None = None
-    """The ``renderer:`` that stands before it directly below the device type."""
+    """The ``renderer:`` that is before it directly below the device type."""
 
 
 @dataclass(eq=False, slots=True)

@@ -243,7 +243,7 @@ class NodeSource:
     qualified: Callable[[ast.AST], str | None] = field(default=_unread)
     """The dotted name of a name or attribute, through the imports: ``rclpy.spin``."""
     constant: Callable[..., object] = field(default=_unread)
-    """``constant(expression, function)``: the literal value of an expression that stands in a function, or None."""
+    """``constant(expression, function)``: the literal value of an expression that is in a function, or None."""
     named: Callable[..., str | None] = field(default=_unread)
     """``named(expression, function)``: the dotted name of what was imported, or called to make the value, or None."""
 

@@ -1,4 +1,4 @@
-"""A YAML tree whose every node knows where it stands."""
+"""A YAML tree whose every node knows where it is."""
 
 from __future__ import annotations
 
@@ -169,7 +169,7 @@ def _is_merge(key: Scalar) -> bool:
 class Document:
     root: Node | None = None
     complete: bool = True
-    """False when an error broke it off: what is there was read, what is missing may stand in the text."""
+    """False when an error broke it off: what is there was read, what is missing may be in the text."""
 
 
 @dataclass(eq=False, slots=True)

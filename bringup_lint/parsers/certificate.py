@@ -58,7 +58,7 @@ def _read(data: bytes) -> Certificate:
 
 
 def _parts(data: bytes) -> list[tuple[int, bytes]]:
-    """The elements that stand one behind the other: tag and content."""
+    """The elements in their order: tag and content."""
     found, at = [], 0
     while at < len(data):
         tag, length, at = data[at], data[at + 1], at + 2

@@ -31,7 +31,7 @@ def first_text(element: Element) -> Located | None:
 
 
 def hidden_by_comment(element: Element) -> bool:
-    """Whether there is text, but something stands before it."""
+    """Whether there is text, but something is before it."""
     return first_text(element) is None and any(run.strip() for run in element.texts)
 
 

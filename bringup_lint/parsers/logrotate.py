@@ -1,7 +1,7 @@
 """logrotate's configuration, read as logrotate's own state machine reads it (config.c, 3.21).
 
 What it does with an error is part of the meaning: inside a stanza most errors leave out the stanza up to the next
-``}`` that stands at the start of a line, outside they end the reading of the file.
+``}`` that is at the start of a line, outside they end the reading of the file.
 """
 
 from __future__ import annotations

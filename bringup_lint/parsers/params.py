@@ -134,7 +134,7 @@ class _Reader:
         self.inside(value, block, before)
 
     def header(self, value: Node, block: Block, before: Saved) -> None:
-        """What stands after ``ros__parameters``."""
+        """What is after ``ros__parameters``."""
         empty = isinstance(value, Scalar) and value.value == "" and not value.style
         if empty:
             self.problem("empty-block", block.header, f"Cannot have a value before {HEADER}")

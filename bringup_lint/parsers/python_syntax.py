@@ -68,7 +68,7 @@ class Positions:
 
 
 def byte_order_mark(source: Source) -> int:
-    """How many code points stand before the text that ``ast`` is given."""
+    """How many code points are before the text that ``ast`` is given."""
     return 1 if source.text.startswith("\ufeff") else 0
 
 
@@ -98,7 +98,7 @@ def _place(source: Source, error: SyntaxError, shift: int) -> Span:
 
 
 def located(value: str, span: Span) -> Located:
-    """A string constant with its place: between the quotes when what stands there is the value itself."""
+    """A string constant with its place: between the quotes when what is there is the value itself."""
     text = span.source.text
     start, end = span.start, span.end
     size = end - start - len(value)

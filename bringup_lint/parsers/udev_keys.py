@@ -35,7 +35,7 @@ DROPPING = frozenset(
         "bad-option-value",
     }
 )
-"""The problems for which udev ignores the whole line, with all that stands on it."""
+"""The problems for which udev ignores the whole line, with all that is on it."""
 
 
 class Key(NamedTuple):

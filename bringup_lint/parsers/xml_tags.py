@@ -35,7 +35,7 @@ class StartTag(NamedTuple):
 
 
 def start_tag(source: Source, start: int, report: Report) -> StartTag | None:
-    """Read the start tag whose ``<`` stands at ``start``; None when no name follows."""
+    """Read the start tag whose ``<`` is at ``start``; None when no name follows."""
     text = source.text
     name = NAME.match(text, start + 1)
     if name is None:

@@ -207,7 +207,7 @@ def _index(mark: _Mark | None) -> int:
 
 
 def _last(node: Sequence | Mapping) -> Span | None:
-    """The child that ends a block collection; an alias' target stands elsewhere and doesn't count."""
+    """The child that ends a block collection; an alias' target is elsewhere and doesn't count."""
     if isinstance(node, Sequence):
         children = node.items[-1:]
     else:

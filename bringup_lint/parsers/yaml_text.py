@@ -1,4 +1,4 @@
-"""Where the characters of a YAML scalar stand in the text: quotes, escapes, folds and indentation undone."""
+"""Where the characters of a YAML scalar are in the text: quotes, escapes, folds and indentation undone."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ Pieces = list[tuple[int, int]]
 def content(source: Source, start: int, end: int, value: str, style: str, named: bool) -> tuple[Located, Span]:
     """The located value and the whole span of a scalar that libyaml saw between two offsets.
 
-    ``named`` tells that an anchor or a tag stands before it, which the whole span leaves out.
+    ``named`` tells that an anchor or a tag is before it, which the whole span leaves out.
     """
     text = source.text
     if not (style or named) and text[start:end] == value:

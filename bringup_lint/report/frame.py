@@ -116,7 +116,7 @@ def _bar_over(frame: Frame, first: int, last: int) -> Bar | None:
 
 
 def _side(frame: Frame, number: int, paint: Paint, opening: int = 0) -> str:
-    """What stands between the edge and a line: the bar that covers it, which begins at line ``opening``."""
+    """What is between the edge and a line: the bar that covers it, which begins at line ``opening``."""
     if not frame.bars:
         return ""
     bar = _bar_over(frame, number, number)

@@ -78,7 +78,7 @@ def _window(cells: Sequence[int], start: int, end: int, room: int) -> tuple[int,
 
 
 def underlined(marks: list[Underline], room: int, paint: Paint) -> Iterator[str]:
-    """The lines below a line of code: carets or dashes, and what they mean. The label of the last mark stands
+    """The lines below a line of code: carets or dashes, and what they mean. The label of the last mark is
     beside it where there is room, the others below their marks, from right to left."""
     pending = sorted(marks)
     while pending:

@@ -51,7 +51,7 @@ def gateway_deprecated(robot: Robot) -> Iterator[Finding]:
 
 
 def _as_route(interface: Interface, name: Scalar, value: Node) -> Fix | None:
-    """Put a route in the place of the key; only where no other routes stand."""
+    """Put a route in the place of the key; only where no other routes are."""
     if any(True for _ in interface.entries("routes")) or not hasattr(value, "value"):
         return None
     if (

@@ -171,7 +171,7 @@ def document(path: str, inner: str) -> str:
 
 
 def document_below(path: str, inner: str, root: str, base: str) -> str:
-    """The same inside a shared structure, whose items stand under its own name."""
+    """The same inside a shared structure, whose items are under its own name."""
     items = schema(VERSION).items
     while path != base:
         item = items[root + path[len(base) :]]

@@ -123,7 +123,7 @@ ACTS = (
 
 
 def same_place(verdict: Verdict, problems: list[Problem], file: NetplanFile) -> bool:
-    """Whether a problem stands on the line that netplan names, or inside the entry that begins there."""
+    """Whether a problem is on the line that netplan names, or inside the entry that begins there."""
     if not verdict.line or any(problem.where.line == verdict.line for problem in problems):
         return True
     start = file.source.line_starts[min(verdict.line, len(file.source.line_starts)) - 1] + verdict.column - 1

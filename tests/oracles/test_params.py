@@ -119,7 +119,7 @@ def breed(chance: random.Random) -> str:
 
 
 @cache
-def bred() -> list[str]:
+def generated() -> list[str]:
     chance = random.Random(7)
     return [breed(chance) for _ in range(BRED)]
 
@@ -156,7 +156,7 @@ def tables(texts: list[str]) -> list:
 
 
 def test_every_file_gives_the_same_table(answers: Oracle) -> None:
-    texts = [*WORDS["files"], *scalars(), *keys(), *bred()]
+    texts = [*WORDS["files"], *scalars(), *keys(), *generated()]
     given = answers.of("rcl/tables", rclpy(), texts, tables)
     judge_tables(given.pairs)
     assert sum(answer is not None for _, answer in given.pairs) > len(given.pairs) // 5
@@ -178,7 +178,7 @@ def arrived(cases: list[list[str]]) -> list[dict | str]:
 def test_real_nodes_get_what_we_say(answers: Oracle) -> None:
     chance = random.Random(11)
     names = [("n", "/"), ("n", "/x"), ("m", "/x/y")]
-    files = [*WORDS["files"], *keys(), *scalars(), *(text for text in bred() if table(text))][: 330 + STARTED]
+    files = [*WORDS["files"], *keys(), *scalars(), *(text for text in generated() if table(text))][: 330 + STARTED]
     cases = [[text, *chance.choice(names)] for text in files]
     pairs = answers.of("rcl/nodes", rclpy(), cases, arrived).pairs
     assert len(pairs) >= 400

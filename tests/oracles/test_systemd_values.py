@@ -38,7 +38,7 @@ SINGLE = {
     "service-unit",
     "pid-file",
 }
-"""Types whose wrong values can stop the whole file, or that may stand only once in it."""
+"""Types whose wrong values can stop the whole file, or that may be only once in it."""
 HEAD = {
     "Unit": "[Unit]\n",
     "Service": "[Service]\nType=oneshot\nExecStart=/bin/true\n",
@@ -108,7 +108,7 @@ def trials() -> list[Trial]:
 
 
 def ask(trials: list[Trial], folder: Path) -> list[Said]:
-    """Values that can stop a unit stand in a file of their own, the others of a section share one."""
+    """Values that can stop a unit are in a file of their own, the others of a section share one."""
     asked = [Trial(*each) for each in trials]
     texts: dict[str, str] = {}
     places = []

@@ -1,4 +1,4 @@
-"""What is marked as secret is masked wherever it stands."""
+"""What is marked as secret is masked wherever it is."""
 
 from __future__ import annotations
 

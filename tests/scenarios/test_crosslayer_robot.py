@@ -1,4 +1,4 @@
-"""The robots with one defect for each rule that joins layers: mending one removes its finding and changes no other."""
+"""The robots with one defect for each rule that joins layers: fixing one removes its finding and changes no other."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def before(trees: dict[str, Path]) -> dict[str, Counter[Found]]:
 
 
 def findings(tree: Path) -> Counter[Found]:
-    """Rule, file and message of what is found; lines move when something is mended above them."""
+    """Rule, file and message of what is found; lines move when something is fixed above them."""
     run = lint(*ARGUMENTS, cwd=tree)
     assert run.code in (0, 1), run.stderr
     found = [each for each in json.loads(run.stdout)["findings"] if not each["suppressed"]]
@@ -53,7 +53,7 @@ def findings(tree: Path) -> Counter[Found]:
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("name", "rules"), BATCHES, ids=[rules[0] for _, rules in BATCHES])
-def test_mending_a_defect_removes_its_finding_alone(
+def test_fixing_a_defect_removes_its_finding_alone(
     name: str, rules: list[str], trees: dict[str, Path], before: dict[str, Counter[Found]]
 ) -> None:
     """A few at a time; when something else changes than they should, one by one."""

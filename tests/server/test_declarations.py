@@ -70,7 +70,7 @@ LEADS = [
     (DRIVE, "max_speed').value", [(DRIVE, "'max_speed', 0.5")]),
     (CPP, 'arm_rate");', [(CPP, '"arm_rate", 10')]),
 ]
-"""A file, what stands in it from the name on, and the files and texts to which the name leads."""
+"""A file, what is in it from the name on, and the files and texts to which the name leads."""
 
 
 @pytest.fixture

@@ -43,7 +43,7 @@ _OTHER_DDS = {
     "participant_library",
     "rtps",
 }
-"""What stands below ``dds`` in the files of DDS Security and of other vendors."""
+"""What is below ``dds`` in the files of DDS Security and of other vendors."""
 
 
 def _is_cyclonedds(path: str, head: Head) -> bool:

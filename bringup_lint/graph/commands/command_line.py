@@ -32,7 +32,7 @@ class Step:
 
     command: Command
     shell: str = ""
-    """``bash``, ``sh``...; empty when no shell stands between the runner and the program."""
+    """``bash``, ``sh``...; empty when no shell is between the runner and the program."""
     script: Source | None = None
     """The script of the tree that holds the command; None for the command line itself."""
     last: bool = False

@@ -127,7 +127,7 @@ def stays_local(environment: Environment) -> bool:
 
 
 def assign_before(environment: Environment, command: Command) -> None:
-    """Add what stands before a program on its own command line: ``NAME=value program``, ``env NAME=value program``."""
+    """Add what is before a program on its own command line: ``NAME=value program``, ``env NAME=value program``."""
     for word in (*command.assignments, *command.words):
         if not _ASSIGNMENT.match(word) and word not in ("env", "exec"):
             break

@@ -63,7 +63,7 @@ class Compose:
 
     @staticmethod
     def extends_elsewhere(service: Service) -> bool:
-        """Part of the service stands in another file."""
+        """Part of the service is in another file."""
         return service.body.get("extends") is not None and service.base is None
 
     def env_files(self, service: Service) -> list[Source]:

@@ -109,7 +109,7 @@ def rule_node(link: Link) -> Node:
 
 
 def rule_places(udev: Udev) -> Iterator[tuple[Node, Span]]:
-    """Where the rules that make links stand; a fixed link is where its device gets the name."""
+    """Where the rules that make links are; a fixed link is where its device gets the name."""
     for link in udev.links:
         if link.rule.judged:
             yield rule_node(link), link.rule.line.span

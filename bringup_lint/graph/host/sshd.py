@@ -1,4 +1,4 @@
-"""What sshd does with its configuration: the first value of a keyword wins, an Include counts where it stands."""
+"""What sshd does with its configuration: the first value of a keyword wins, an Include counts where it is."""
 
 from __future__ import annotations
 

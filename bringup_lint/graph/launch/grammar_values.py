@@ -140,7 +140,7 @@ def _given_problem(value: object, wanted: type | None, many: bool) -> str | None
 
 
 def _items_problem(items: list[object], wanted: type | None) -> str | None:
-    """Lists are of one type; text with substitutions may stand among others."""
+    """Lists are of one type; text with substitutions may be among others."""
     fixed = [item for item in items if not (isinstance(item, str) and has_substitution(item))]
     if not all(isinstance(item, _SCALARS) for item in fixed):
         return "is a list of lists, maps or nothing: launch takes lists of numbers, truth values or text"

@@ -137,7 +137,7 @@ class Launch:
         return frozenset(id(file) for file in self.files if file.reads_all or _substitutes(file))
 
     def place(self, value: Value) -> Place | None:
-        """A resolved value as a path, in terms of the package or folder it stands on."""
+        """A resolved value as a path, in terms of the package or folder it is relative to."""
         return place(value)
 
     def find(self, value: Value) -> Found | None:
@@ -479,7 +479,7 @@ class Launch:
         return sum(_uses(file.source.text, variable, name) == 1 for variable in variables)
 
     def mentions(self, file: LaunchFile, name: str) -> int:
-        """How often a name stands in a file's text as a word of its own."""
+        """How often a name is in a file's text as a word of its own."""
         return len(re.findall(rf"(?<![\w]){re.escape(name)}(?![\w])", file.source.text))
 
     def text(self, value: Value, file: LaunchFile) -> str | None:

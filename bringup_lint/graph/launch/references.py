@@ -73,7 +73,7 @@ def _base(source: Value) -> Value:
 
 
 def _paths(value: Value, find: Find, optional: bool) -> Iterator[Reference]:
-    """Every path inside a value that stands on a package or on this file."""
+    """Every path inside a value that is relative to a package or to this file."""
     if isinstance(value, (PathJoin, Concat)):
         found = find(value)
         if found is not None:

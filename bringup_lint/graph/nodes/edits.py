@@ -47,7 +47,7 @@ def swap(file: NodeSource, first: ast.stmt, second: ast.stmt) -> Fix | None:
 
 
 def _lines(file: NodeSource, node: ast.stmt) -> Span | None:
-    """The whole lines of a statement; None when something else stands on them."""
+    """The whole lines of a statement; None when something else is on them."""
     span, text = file.span_of(node), file.source.text
     start = text.rfind("\n", 0, span.start) + 1
     end = text.find("\n", span.end)
@@ -57,7 +57,7 @@ def _lines(file: NodeSource, node: ast.stmt) -> Span | None:
 
 
 def _sorts_before(node: ast.Import | ast.ImportFrom, module: str) -> bool:
-    """Whether an import of the same package stands before one of the module in the order of the alphabet."""
+    """Whether an import of the same package is before one of the module in the order of the alphabet."""
     root = module.partition(".")[0]
     if isinstance(node, ast.Import):
         return any(each.name.partition(".")[0] == root for each in node.names)

@@ -128,7 +128,7 @@ class Params:
         return found
 
     def at(self, file: ParameterFile, where: Located | Span) -> Parameter | None:
-        """The parameter whose value stands at a place."""
+        """The parameter whose value is at a place."""
         span = where.span if isinstance(where, Located) else where
         return next((each for each in file.parameters if each.span == span), None)
 

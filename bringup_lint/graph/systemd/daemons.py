@@ -52,7 +52,7 @@ class Daemon:
     name: str
     """``journald``, ``system`` or ``logind``."""
     root: str
-    """What stands before the path on the robot; tells overlays and variants apart."""
+    """What is before the path on the robot; tells overlays and variants apart."""
     files: list[UnitFile] = field(default_factory=list)
     """In the order in which they apply, without those that a higher directory hides."""
     certain: bool = True

@@ -39,7 +39,7 @@ _USER_FOLDER = regex(r"(?:^|/)(?:(?:systemd|units?|services?)[/_-]user|user[_-](
 
 
 class Place(NamedTuple):
-    """Where a file stands: its overlay root or folder, the manager, and its rank in the load path (None:
+    """Where a file is: its overlay root or folder, the manager, and its rank in the load path (None:
     outside)."""
 
     root: str

@@ -85,7 +85,7 @@ class Unit:
 
     @property
     def instance(self) -> str:
-        """What stands between ``@`` and the type; empty for a template and for a plain unit."""
+        """What is between ``@`` and the type; empty for a template and for a plain unit."""
         return self.stem.partition("@")[2]
 
     @cached_property

@@ -10,7 +10,7 @@ from bringup_lint.source import Span
 
 
 def whole_lines(span: Span) -> Span:
-    """The lines that a span stands on, the last line end included."""
+    """The lines that a span is on, the last line end included."""
     text = span.source.text
     start = text.rfind("\n", 0, span.start) + 1
     end = text.find("\n", max(span.end - 1, span.start))

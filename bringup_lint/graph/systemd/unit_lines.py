@@ -20,7 +20,7 @@ from bringup_lint.parsers.systemd_values import check
 from bringup_lint.parsers.systemd_values import is_unit_name
 from bringup_lint.parsers.systemd_values import split_command_line
 from bringup_lint.parsers.systemd_values import split_environment
-from bringup_lint.parsers.systemd_values.words import extract
+from bringup_lint.parsers.systemd_values.word_splitting import extract
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
@@ -109,7 +109,7 @@ def _line(file: UnitFile, assignment: Assignment, known: Directive, version: int
 
 
 def trailing_comment(value: Located, *, names: bool = False) -> Located | None:
-    """What stands behind a blank and ``#`` or ``;``, outside quotes. A ``;`` between unit names separates them."""
+    """What follows a blank and ``#`` or ``;``, outside quotes. A ``;`` between unit names separates them."""
     at = 0
     while at >= 0:
         start = len(value) - len(value[at:].lstrip(" \t"))

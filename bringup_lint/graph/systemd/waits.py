@@ -1,4 +1,4 @@
-"""How long a shell script may wait: the sleeps and polling loops whose bounds stand in it.
+"""How long a shell script may wait: the sleeps and polling loops whose bounds are in it.
 
 The result is what the script may certainly spend waiting when what it waits for is late; whatever cannot be
 read counts as 0.

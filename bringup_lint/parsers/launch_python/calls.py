@@ -88,7 +88,7 @@ def _result(frame: Frame, guards: Guards, span: Span, goes_on: bool) -> Any:
 
 
 def _seen_from(value: Any, span: Span) -> Any:
-    """A path that a function puts together stands, for whoever reads the file, where the function is called."""
+    """A path that a function puts together is, for whoever reads the file, where the function is called."""
     return replace(value, span=span) if isinstance(value, (PathJoin, Concat)) else value
 
 

@@ -1,4 +1,4 @@
-"""What the evaluator carries along: the current frame, the conditions it stands under, and what it has seen."""
+"""What the evaluator carries along: the current frame, the conditions it is under, and what it has seen."""
 
 from __future__ import annotations
 

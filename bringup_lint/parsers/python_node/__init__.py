@@ -112,7 +112,7 @@ class Reading:
             self.name(scope)
 
     def constant(self, node: ast.expr, within: ast.AST | None = None) -> Any:
-        """The literal value of an expression that stands in a function; None when it is not known."""
+        """The literal value of an expression that is in a function; None when it is not known."""
         value = self.values.of(node, self.module.scopes.get(id(within), self.module.scope))
         return None if value is UNKNOWN or isinstance(value, (Symbol, Called, Read)) else value
 

@@ -66,7 +66,7 @@ class Scope:
 
     @property
     def label(self) -> str | None:
-        """The function's name; of a nested one, that of the method it stands in."""
+        """The function's name; of a nested one, that of the method it is in."""
         scope: Scope | None = self
         label = None
         while scope is not None and not isinstance(scope.node, ast.Module):
@@ -104,7 +104,7 @@ class Todo(NamedTuple):
     node: ast.AST
     scope: Scope
     cls: ClassScope | None
-    """The class body in which the node stands directly."""
+    """The class body in which the node is directly."""
     conditional: bool
 
 
@@ -290,7 +290,7 @@ _LEAVES = (ast.Name, ast.Constant, ast.alias)
 
 
 def _children(module: Module, todo: Todo) -> Iterator[Todo]:
-    """What stands inside a statement or expression; parts that need not run are conditional."""
+    """What is inside a statement or expression; parts that need not run are conditional."""
     node = todo.node
     if isinstance(node, ast.If) and todo.scope is module.scope and _is_main_guard(node.test):
         module.main = _called(node.body)

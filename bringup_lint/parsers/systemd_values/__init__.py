@@ -28,9 +28,9 @@ from bringup_lint.parsers.systemd_values.unit_names import is_unit_name
 from bringup_lint.parsers.systemd_values.unit_names import split_name
 from bringup_lint.parsers.systemd_values.unit_names import unescape
 from bringup_lint.parsers.systemd_values.unit_names import unescape_path
-from bringup_lint.parsers.systemd_values.words import Words
-from bringup_lint.parsers.systemd_values.words import nowhere
-from bringup_lint.parsers.systemd_values.words import split_words
+from bringup_lint.parsers.systemd_values.word_splitting import Words
+from bringup_lint.parsers.systemd_values.word_splitting import nowhere
+from bringup_lint.parsers.systemd_values.word_splitting import split_words
 
 __all__ = [
     "Command",

@@ -14,15 +14,15 @@ from bringup_lint.parsers.systemd_values.problems import UNIT
 from bringup_lint.parsers.systemd_values.problems import ValueProblem
 from bringup_lint.parsers.systemd_values.specifiers import check_specifiers
 from bringup_lint.parsers.systemd_values.specifiers import literal
-from bringup_lint.parsers.systemd_values.words import BLANKS
-from bringup_lint.parsers.systemd_values.words import DECODE_RELAXED
-from bringup_lint.parsers.systemd_values.words import extract
+from bringup_lint.parsers.systemd_values.word_splitting import BLANKS
+from bringup_lint.parsers.systemd_values.word_splitting import DECODE_RELAXED
+from bringup_lint.parsers.systemd_values.word_splitting import extract
 from bringup_lint.source import Located
 
 
 @dataclass(frozen=True)
 class Command:
-    """One command. Quotes are gone and escapes decoded; specifiers and variables stand as written."""
+    """One command. Quotes are gone and escapes decoded; specifiers and variables are as written."""
 
     where: Located
     """The whole command, prefixes and all, as written."""

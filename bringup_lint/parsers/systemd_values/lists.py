@@ -15,8 +15,8 @@ from bringup_lint.parsers.systemd_values.problems import WORD
 from bringup_lint.parsers.systemd_values.problems import ValueProblem
 from bringup_lint.parsers.systemd_values.specifiers import check_specifiers
 from bringup_lint.parsers.systemd_values.specifiers import literal
-from bringup_lint.parsers.systemd_values.words import BLANKS
-from bringup_lint.parsers.systemd_values.words import split_words
+from bringup_lint.parsers.systemd_values.word_splitting import BLANKS
+from bringup_lint.parsers.systemd_values.word_splitting import split_words
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 

@@ -18,9 +18,9 @@ from bringup_lint.parsers.systemd_values.specifiers import check_specifiers
 from bringup_lint.parsers.systemd_values.specifiers import literal
 from bringup_lint.parsers.systemd_values.unit_names import escape_path
 from bringup_lint.parsers.systemd_values.unit_names import is_unit_name
-from bringup_lint.parsers.systemd_values.words import DROP
-from bringup_lint.parsers.systemd_values.words import KEEP
-from bringup_lint.parsers.systemd_values.words import split_words
+from bringup_lint.parsers.systemd_values.word_splitting import DROP
+from bringup_lint.parsers.systemd_values.word_splitting import KEEP
+from bringup_lint.parsers.systemd_values.word_splitting import split_words
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 

@@ -12,12 +12,12 @@ from bringup_lint.parsers.systemd_values.problems import ValueProblem
 from bringup_lint.parsers.systemd_values.specifiers import check_specifiers
 from bringup_lint.parsers.systemd_values.specifiers import literal
 from bringup_lint.parsers.systemd_values.specifiers import specifiers
-from bringup_lint.parsers.systemd_values.words import BLANKS
-from bringup_lint.parsers.systemd_values.words import DECODE
-from bringup_lint.parsers.systemd_values.words import DROP
-from bringup_lint.parsers.systemd_values.words import KEEP
-from bringup_lint.parsers.systemd_values.words import extract
-from bringup_lint.parsers.systemd_values.words import split_words
+from bringup_lint.parsers.systemd_values.word_splitting import BLANKS
+from bringup_lint.parsers.systemd_values.word_splitting import DECODE
+from bringup_lint.parsers.systemd_values.word_splitting import DROP
+from bringup_lint.parsers.systemd_values.word_splitting import KEEP
+from bringup_lint.parsers.systemd_values.word_splitting import extract
+from bringup_lint.parsers.systemd_values.word_splitting import split_words
 from bringup_lint.source import Located
 
 ABSOLUTE = "an absolute path"

@@ -13,7 +13,7 @@ WORD = "word"
 UNIT = "unit"
 """The unit does not load."""
 NOTHING = "nothing"
-"""The value is taken as it stands, with a message in the log."""
+"""The value is taken as it is, with a message in the log."""
 
 
 @dataclass(frozen=True, slots=True)

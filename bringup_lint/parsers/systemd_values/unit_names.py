@@ -39,7 +39,7 @@ def is_unit_name(text: str) -> bool:
 
 
 def escape(text: str) -> str:
-    """A string as it stands in a unit name: ``/`` becomes ``-``, other characters become ``\\xNN``."""
+    """A string as it is in a unit name: ``/`` becomes ``-``, other characters become ``\\xNN``."""
     out = []
     for at, char in enumerate(text):
         if char == "/":

@@ -94,7 +94,7 @@ def _told(finding: Finding) -> dict[str, Any]:
 
 
 def _places(drawn: Iterable[Mapping[str, Any]], findings: Iterable[Mapping[str, Any]]) -> dict[int, int]:
-    """Where each finding of the picture stands among the findings of the page."""
+    """Where each finding of the picture is among the findings of the page."""
     known = {key: index for index, key in enumerate(_keys(findings))}
     found = ((index, known.get(key)) for index, key in enumerate(_keys(map(_plain, drawn))))
     return {index: place for index, place in found if place is not None}

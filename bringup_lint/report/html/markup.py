@@ -32,7 +32,7 @@ def icon(severity: str) -> str:
 
 
 def embedded(data: Any) -> str:
-    """JSON that can stand in a script element: no character of it can end the element or a line."""
+    """JSON that can be in a script element: no character of it can end the element or a line."""
     written = json.dumps(data, separators=(",", ":"), sort_keys=True)
     return harmless(written).replace("&", "\\u0026").replace("<", "\\u003c").replace(">", "\\u003e")
 

@@ -61,7 +61,7 @@ class Places:
 
 
 def region(span: Span) -> dict[str, Any]:
-    """Where a finding stands. A whole file is its first line, since services want a line."""
+    """Where a finding is. A whole file is its first line, since services want a line."""
     if is_whole_file(span):
         return {"startLine": 1}
     place = place_of(span)

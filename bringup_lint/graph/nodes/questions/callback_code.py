@@ -18,7 +18,7 @@ DEPTH = 3
 
 
 def code_of(ending: Ending, cls: NodeClass, callback: Callback) -> tuple[str, list[ast.AST]]:
-    """The name and the statements of a callback that stands in the file of its class."""
+    """The name and the statements of a callback that is in the file of its class."""
     if callback.function is not None:
         return "a lambda", [callback.function.body]
     if callback.name is None:

@@ -107,7 +107,7 @@ def _is_stop(syntax: Syntax, block: Sequence[ast.AST], cls: NodeClass | None) ->
 
 
 class PublishAfterDeactivate(NamedTuple):
-    """``deactivate`` stands before ``publish`` in a transition of a lifecycle node."""
+    """``deactivate`` is before ``publish`` in a transition of a lifecycle node."""
 
     method: Function
     deactivate: ast.stmt

@@ -142,7 +142,7 @@ def _raises_at(ending: Ending, block: list[ast.stmt]) -> int | None:
 
 
 def _guarded(ending: Ending, call: ast.AST, block: list[ast.stmt]) -> bool:
-    """Whether a condition, ``with`` or ``try`` stands between a block and a call in it."""
+    """Whether a condition, ``with`` or ``try`` is between a block and a call in it."""
     outer = next(ending.syntax.above(block[0]))[0]
     return ending.guarded(call, outer)
 
@@ -196,7 +196,7 @@ def _is_context(node: ast.expr) -> bool:
 
 
 def class_around(ending: Ending, node: ast.AST) -> NodeClass | None:
-    """The class of nodes in which a piece of syntax stands."""
+    """The class of nodes in which a piece of syntax is."""
     for outer, _ in ending.syntax.above(node):
         if isinstance(outer, ast.ClassDef):
             return next((each for each in ending.file.classes if each.node is outer), None)

@@ -61,7 +61,7 @@ class Spin(NamedTuple):
 
 
 class Handler(NamedTuple):
-    """``signal.signal(...)``. ``first``: it surely stands before ``rclpy.init``; None: the order is not known."""
+    """``signal.signal(...)``. ``first``: it surely is before ``rclpy.init``; None: the order is not known."""
 
     call: ast.Call
     signals: frozenset[str]
@@ -207,7 +207,7 @@ class Ending:
         return frozenset() if "" in names else frozenset(name.rpartition(".")[2] for name in names)
 
     def guarded(self, node: ast.AST, until: ast.AST) -> bool:
-        """Whether a condition, a ``with`` or an inner ``try`` stands between a node and an outer one."""
+        """Whether a condition, a ``with`` or an inner ``try`` is between a node and an outer one."""
         for outer, name in self.syntax.within(node):
             if outer is until:
                 return False

@@ -68,7 +68,7 @@ class Syntax:
         return None
 
     def is_dead(self, node: ast.AST) -> bool:
-        """Whether a statement that always leaves the block stands before a node."""
+        """Whether a statement that always leaves the block is before a node."""
         inner = node
         for outer, name in self.above(node):
             block = getattr(outer, name)

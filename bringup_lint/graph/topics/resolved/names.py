@@ -61,7 +61,7 @@ def full_complaint(name: str) -> str | None:
 
 
 def refusal(name: str) -> str | None:
-    """Why a topic or service name is refused wherever the node stands; None when it is not."""
+    """Why a topic or service name is refused wherever the node is; None when it is not."""
     if complaint(name):
         return complaint(name)
     unknown = unknown_substitution(name)

@@ -188,7 +188,7 @@ class Words(NamedTuple):
     words: tuple[Located, ...]
     problems: tuple[ValueProblem, ...]
     broken: bool
-    """The last word could not be read; what stands before it counts."""
+    """The last word could not be read; what is before it counts."""
 
 
 def split_words(
@@ -227,6 +227,6 @@ def _collect(value: Located, separators: str, quotes: bool, escapes: str, coales
 
 
 def nowhere(text: str) -> Located:
-    """A value that stands in no file, for callers that only have a string."""
+    """A value that is in no file, for callers that only have a string."""
     source = Source("", text)
     return Located(text, Span(source, 0, len(text)))
