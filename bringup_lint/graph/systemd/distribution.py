@@ -23,21 +23,26 @@ RELEASES = (249, 252, 255)
 def distribution_edges(units: Iterable[Unit], systemd: int) -> Iterator[Edge]:
     """The edges of the release nearest to the target's, without those of units that the tree brings
     itself."""
-    yield from _edges(min(RELEASES, key=lambda known: abs(known - systemd)), frozenset(_own(units)))
+    known = list(units)
+    release = min(RELEASES, key=lambda release: abs(release - systemd))
+    yield from _edges(release, frozenset(_own(known)), frozenset(_installed_anew(known)))
 
 
 @lru_cache(4)
-def _edges(version: int, own: frozenset[str]) -> tuple[Edge, ...]:
-    """The edges of a release without those of ``own`` units, kept for the next run of the same process."""
-    return tuple(_of_release(version, own))
+def _edges(version: int, own: frozenset[str], anew: frozenset[str]) -> tuple[Edge, ...]:
+    """The edges of a release without those of ``own`` units, and without the installation of those that the tree
+    installs ``anew``, kept for the next run of the same process."""
+    return tuple(_of_release(version, own, anew))
 
 
-def _of_release(version: int, own: frozenset[str]) -> Iterator[Edge]:
+def _of_release(version: int, own: frozenset[str], anew: frozenset[str]) -> Iterator[Edge]:
     from bringup_lint.facts import table
 
     shipped = {row["unit"]: row for row in table("systemd/units") if _ships(row, version) and not row["alias_of"]}
     for row in table("systemd/unit_edges"):
         name = row["unit"]
+        if name in anew and row["relation"] in INSTALLED:
+            continue
         if name in shipped and name not in own and _ships(row, version):
             for edge in _stated(row, optional=shipped[name]["package"] != "systemd"):
                 yield edge._replace(origin=Origin.DISTRIBUTION)
@@ -54,6 +59,14 @@ def _own(units: Iterable[Unit]) -> set[str]:
         if unit.manager == "system" and (unit.fragment or unit.masked)
         for name in (unit.name, *unit.aliases)
     }
+
+
+def _installed_anew(units: Iterable[Unit]) -> Iterator[str]:
+    """The units of which a drop-in resets what pulls them in."""
+    for unit in units:
+        lines = (line for key in INSTALLED for line in unit.assignments(key, "Install"))
+        if unit.fragment is None and any(not line.value for line in lines):
+            yield unit.name
 
 
 def _stated(row: dict[str, str], *, optional: bool) -> Iterator[Edge]:
