@@ -44,7 +44,7 @@ def _folder(words: str) -> re.Pattern[str]:
 
 SIMULATION = _word(
     "sim|sims|simulation|simulations|simulator|simulated|gazebo|gz|ign|ignition|webots|isaac_?sim|mujoco|airsim|carla"
-    "|awsim|loopback|mock|fake|replay|playback|rosbag2?|xil|sitl|hitl"
+    "|awsim|netem|loopback|mock|fake|replay|playback|rosbag2?|xil|sitl|hitl"
 )
 """Words for simulators and for recorded or made-up data."""
 

@@ -61,6 +61,8 @@ BUILD = regex(
     r"""|idf\.py|pio|platformio|arduino-cli|cargo(?!["',\s\[\]]{1,9}run\b)|pytest|ctest|mkdocs|sphinx-build)(?:["']|\s|$)"""
 )
 """A command line, or the start of its list, that builds or tests something and then ends."""
+DAEMONS = regex(r"(?:^|[\s\"'/\[])(?:mosquitto|nginx|apache2|httpd|chronyd|avahi-daemon)(?=[\s\"',\]]|$)")
+"""Daemons that root starts and that become another user by themselves."""
 SYSTEMD = regex(r"/(?:s?bin/init|lib/systemd/systemd)\b")
 
 
@@ -69,7 +71,7 @@ def root_user(robot: Robot) -> Iterator[Finding]:
     bases = {id(stage.base) for file in robot.dockerfiles for stage in file.stages}
     for file in robot.dockerfiles:
         stage = file.final
-        if stage is None or DROPS.search(file.source.said) or _starts_systemd(stage) or id(stage) in bases:
+        if stage is None or DROPS.search(file.source.said) or _needs_root(stage) or id(stage) in bases:
             continue
         if _builds(stage):
             continue
@@ -112,10 +114,10 @@ def _builds(stage: Stage) -> bool:
     return bool(starts) and any(BUILD.match(line) for line in (" ".join(starts), starts[-1]))
 
 
-def _starts_systemd(stage: Stage) -> bool:
-    """systemd as the first process has to be root."""
+def _needs_root(stage: Stage) -> bool:
+    """Whether the first process is systemd, or a daemon that drops root itself."""
     starts = (stage.last("ENTRYPOINT"), stage.last("CMD"))
-    return any(each is not None and SYSTEMD.search(each.value) for each in starts)
+    return any(each is not None and (SYSTEMD.search(each.value) or DAEMONS.search(each.value)) for each in starts)
 
 
 def _serves_logins(stage: Stage) -> bool:
