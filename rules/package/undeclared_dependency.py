@@ -123,6 +123,8 @@ def _end(need: Need) -> str:
     file = need.name.span.source.basename
     if need.use == "module":
         return f"{file} ends with \"No module named '{need.name}'\""
+    if need.use == "library":
+        return f"the build stops at find_package({need.name})"
     return f"{file} ends with \"package '{need.name}' not found\""
 
 
