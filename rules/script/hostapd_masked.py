@@ -49,11 +49,9 @@ UNMASKS = regex(r"^[^#\n]*\bunmask\b[^\n]*\bhostapd\b|\bcreate_ap\b|\bmasked:[ \
 
 @rule("warning", symptoms=["Unit file /etc/systemd/system/hostapd.service is masked", "hostapd.service is masked"])
 def hostapd_masked(robot: Robot) -> Iterator[Finding]:
-    if robot.mentions(UNMASKS):
-        return
     for source, run in robot.scripts.run(*INSTALLERS):
         word = _installed(run)
-        if word is not None and SETS_UP.search(source.text):
+        if word is not None and SETS_UP.search(source.text) and not robot.mentions(UNMASKS):
             yield finding(
                 word,
                 "The package masks hostapd.service when it is installed: the access point never starts",

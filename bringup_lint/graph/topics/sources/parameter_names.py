@@ -19,6 +19,7 @@ from bringup_lint.facts.ros.parameters import declared_by
 from bringup_lint.facts.ros.parameters import hands_parameters
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import literal_text
+from bringup_lint.graph.memo import memo
 from bringup_lint.graph.nodes.nodes import Nodes
 from bringup_lint.graph.nodes.resolved.programs import Program
 from bringup_lint.graph.workspace import Package
@@ -145,13 +146,18 @@ class ParameterNames:
         found: set[str] = set()
         todo = list(made)
         while todo:
-            source = self._source(todo.pop())
-            names = _LOCAL.findall(source.text) if source is not None else []
-            new = {path for name in names for path in by_stem.get(_stem(name), [])} - found - made
+            new = {path for name in self._includes(todo.pop()) for path in by_stem.get(_stem(name), [])} - found - made
             found |= new
             todo += new
         return found
 
+    @memo
+    def _includes(self, path: str) -> list[str]:
+        """The headers that a file includes, as it names them."""
+        source = self._source(path)
+        return _LOCAL.findall(source.text) if source is not None else []
+
+    @memo
     def _is_program(self, path: str) -> bool:
         """Whether a file is the main one of a program, or registers a component."""
         source = self._source(path) if not path.endswith(_HEADERS) else None
