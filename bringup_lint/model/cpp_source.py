@@ -41,6 +41,16 @@ class Waiting(NamedTuple):
     """The callback that runs it."""
 
 
+class DeafLoop(NamedTuple):
+    """A loop that asks neither rclcpp nor anything else whether the program is to end."""
+
+    span: Span
+    function: str
+    """``main``, or the class that is made."""
+    is_forever: bool
+    """It has no condition at all."""
+
+
 class Read(NamedTuple):
     """``get_parameter`` of a literal name."""
 
@@ -79,4 +89,5 @@ class CppNode:
     """Literal paths below ``/dev`` that a call opens."""
     threads: list[Located] = field(default_factory=list)
     """Variables and members to which it gives a thread, each where it does."""
+    deaf_loops: list[DeafLoop] = field(default_factory=list)
     problems: list[Problem] = field(default_factory=list)

@@ -1,8 +1,9 @@
-"""YAML reads text as a boolean, or a boolean as text.
+"""YAML reads text as a boolean or number, or one of these as text.
 
 ## What it finds
-Two mistakes with parameters that the sources of the workspace declare with a type. `on`, `off`, `yes`, `no`, `y`,
-`n`, `true` or `false` without quotes for a string. Such a word with quotes for a boolean.
+Mistakes with parameters that the sources of the workspace declare with a type: `on`, `off`, `yes`, `no`, `y`, `n`,
+`true` or `false` without quotes for a string, or with quotes for a boolean; a number without quotes for a string; and
+text for a number, such as `"18"` or `0,8`.
 
 ## Why it matters on a robot
 ROS does not convert the value: the node exits with InvalidParameterTypeException at start.
@@ -35,9 +36,13 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
 _WORDS = {"true": "true", "yes": "true", "on": "true", "false": "false", "no": "false", "off": "false"}
+
+_DIGIT = regex(r"[0-9]")
+_NUMBERS = {"integer": "an integer", "double": "a double"}
 
 
 @rule(
@@ -47,6 +52,8 @@ _WORDS = {"true": "true", "yes": "true", "on": "true", "false": "false", "no": "
         "InvalidParameterTypeException",
         "is of type {string}, setting it to {bool} is not allowed",
         "is of type {bool}, setting it to {string} is not allowed",
+        "is of type {string}, setting it to {integer} is not allowed",
+        "is of type {integer}, setting it to {string} is not allowed",
     ],
 )
 def bool_like_string(robot: Robot) -> Iterator[Finding]:
@@ -61,6 +68,24 @@ def bool_like_string(robot: Robot) -> Iterator[Finding]:
                 advice=f"write {text}",
                 related=[note(declared.place, "declared as a string here")],
                 fix=fix("put it in quotes", (parameter.span, text)),
+            )
+        elif value.type in _NUMBERS and declared.type == "string":
+            yield finding(
+                parameter.span,
+                f"'{parameter.name}: {parameter.text}' is a number, but the node expects a string: it exits with "
+                "InvalidParameterTypeException",
+                advice=f'write "{parameter.text}"',
+                related=[note(declared.place, "declared as a string here")],
+                fix=fix("put it in quotes", (parameter.span, f'"{parameter.text}"')),
+            )
+        elif value.type == "string" and declared.type in _NUMBERS and _DIGIT.search(str(value.data)):
+            wanted = _NUMBERS[declared.type]
+            yield finding(
+                parameter.span,
+                f"'{parameter.name}: {parameter.text}' is text, but the node expects {wanted}: it exits with "
+                "InvalidParameterTypeException",
+                advice=f"write {wanted} without quotes, with a point before its decimals",
+                related=[note(declared.place, f"declared as {wanted} here")],
             )
         elif value.type == "string" and declared.type == "bool" and str(value.data).lower() in _WORDS:
             plain = _WORDS[str(value.data).lower()]

@@ -52,6 +52,13 @@ def _is_absent(tree: Tree, build: Source, written: str, path: str) -> bool:
     name = os.path.basename(path)
     if _NOT_PLAIN.search(written) or _LARGE.search(written) or tree.exists(path) or tree.is_ignored(path):
         return False
-    if len(re.findall(rf"(?<![\w.-]){re.escape(name)}(?![\w-])", build.text)) > 1 or any(tree.named(f"{name}.in")):
+    if not _is_marker(written) and len(re.findall(rf"(?<![\w.-]){re.escape(name)}(?![\w-])", build.text)) > 1:
+        return False
+    if any(tree.named(f"{name}.in")):
         return False
     return not tree.is_link(os.path.dirname(path)) and not is_below(path, tree.submodules)
+
+
+def _is_marker(written: str) -> bool:
+    """The empty file by which ament knows a Python package, called like the package; nothing makes it."""
+    return os.path.dirname(written) == "resource"

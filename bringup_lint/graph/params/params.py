@@ -185,7 +185,7 @@ class Params:
         if file is None or self._tree_files.target.ros in _UNTYPED:
             return None
         found = None
-        for load in self.effective(file, parameter):
+        for load in _for_named(parameter, self.effective(file, parameter)):
             each = self._declared_by(text_of(load.node.package) if load.node.package is not None else None).get(
                 parameter.name
             )
@@ -279,6 +279,13 @@ class Params:
 
             self._mentions[count] = Mentions([each for each in self._tree_files.sources if each.kind not in BUILD])
         return self._mentions[count].outside(name, known)
+
+    def is_used(self, file: ParameterFile) -> bool:
+        """Whether a launch file loads a file, or something names it, and means no other one of its name."""
+        if self.loads(file):
+            return True
+        name = file.source.basename
+        return len(list(self._tree_files.tree.named(name))) == 1 and self.named_elsewhere(name, {file.source})
 
     @cached_property
     def _mentions(self) -> dict[int, Mentions]:
@@ -408,3 +415,11 @@ class Params:
 
 def _last(parameter: Parameter) -> str:
     return str(parameter.name).rpartition(".")[2]
+
+
+def _for_named(parameter: Parameter, loads: list[Load]) -> list[Load]:
+    """Without the nodes of unknown names beside one that the block names: two of one name do not start together."""
+    named = [load.expansion for load in loads if load.node.fqn is not None]
+    if "*" in parameter.block.name:
+        return loads
+    return [load for load in loads if load.node.fqn is not None or not any(load.expansion is each for each in named)]

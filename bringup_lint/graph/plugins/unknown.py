@@ -41,7 +41,7 @@ class UnknownPlugin(NamedTuple):
     distribution: str | None
     """The distribution that has no such name; None when a package of the tree should have it, or none has it."""
     loaded: bool
-    """A description of the robot, or a parameter file that a launch file loads."""
+    """A description of the robot, or a parameter file that a launch file loads or another file names."""
 
 
 class Plugins:
@@ -73,7 +73,7 @@ class Plugins:
             value = parameter.value.data
             if parameter.name.rpartition(".")[2] in _KEYS and isinstance(value, str):
                 if parameter.block.key.rpartition("/")[2] not in _DEAD:
-                    yield Located(value, parameter.span), bool(params.loads(file))
+                    yield Located(value, parameter.span), params.is_used(file)
 
     def _unknown(self, name: Located, loaded: bool) -> UnknownPlugin | None:
         match = _NAME.match(name)

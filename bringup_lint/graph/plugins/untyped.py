@@ -53,8 +53,7 @@ def untyped_plugins(params: Params) -> Iterator[list[UntypedPlugin]]:
     """Those of one file together."""
     for file in params.judged:
         if file.accepted and not file.uncertain and not _is_completed(params, file):
-            used = bool(params.loads(file)) or params.named_elsewhere(file.source.basename, {file.source})
-            found = [each for parameter in file.parameters for each in _of_list(file, parameter, used)]
+            found = [each for parameter in file.parameters for each in _of_list(file, parameter, params.is_used(file))]
             if found:
                 yield found
 

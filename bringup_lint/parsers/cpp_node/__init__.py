@@ -8,6 +8,7 @@ from bringup_lint.model.cpp_source import CppNode
 from bringup_lint.parsers.cpp_node.classes import components
 from bringup_lint.parsers.cpp_node.classes import node_classes
 from bringup_lint.parsers.cpp_node.classes import node_names
+from bringup_lint.parsers.cpp_node.deaf_loops import deaf_loops
 from bringup_lint.parsers.cpp_node.endpoints import endpoint
 from bringup_lint.parsers.cpp_node.endpoints import timer
 from bringup_lint.parsers.cpp_node.kept import kept
@@ -67,6 +68,7 @@ def parse(source: Source) -> CppNode:
         node.sent = sent(code, node.callbacks[:CALLBACKS])
     node.lookups = list(lookups(code, node.callbacks[:CALLBACKS]))
     node.waits = list(waits(code, node.callbacks[:CALLBACKS]))
+    node.deaf_loops = list(dict.fromkeys(deaf_loops(code)))
     return node
 
 

@@ -35,6 +35,7 @@ _WRITTEN = """
 (alias_declaration) @alias
 (string_literal) @string
 (while_statement) @while
+(for_statement) @for
 (new_expression) @new
 (field_declaration) @field
 """

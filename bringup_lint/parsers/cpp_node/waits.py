@@ -26,7 +26,7 @@ DEPTH = 3
 """Calls of methods of the same file that are followed."""
 _AT_START = regex(r"(?i)_?(?:on_?)?(?:init|setup|start_?up)")
 """Names of callbacks of a timer that runs once, before the node has anything else to do."""
-_LEAVES = frozenset({"break_statement", "return_statement", "throw_statement", "co_return_statement", "goto_statement"})
+LEAVES = frozenset({"break_statement", "return_statement", "throw_statement", "co_return_statement", "goto_statement"})
 _LOCK = regex(r"\bunique_lock\b\s{0,4}(?:<[^<>;]{0,60}>)?\s{0,4}(?P<name>\w{1,60})\s{0,4}[({]")
 _ENDLESS = ("true", "1", "rclcpp::ok()")
 
@@ -62,7 +62,7 @@ class Bodies:
 
     def own(self, body: Node) -> Iterator[Call]:
         """The calls that a body holds itself."""
-        return (call for call in self._calls[_within(self._call_starts, body)] if _runs(body, call.node))
+        return (call for call in self._calls[_within(self._call_starts, body)] if runs(body, call.node))
 
     def reached(self, body: Node) -> Iterator[Call | Node]:
         """The calls and loops that a body runs, and those of the methods of the file that it calls."""
@@ -70,10 +70,10 @@ class Bodies:
         while todo:
             node, depth = todo.pop()
             for loop in self._loops[_within(self._loop_starts, node)]:
-                if _runs(node, loop):
+                if runs(node, loop):
                     yield loop
             for call in self._calls[_within(self._call_starts, node)]:
-                if not _runs(node, call.node):
+                if not runs(node, call.node):
                     continue
                 yield call
                 inner = self.functions.get(call.name, [])
@@ -88,7 +88,7 @@ def _within(starts: list[int], body: Node) -> slice:
     return slice(bisect_right(starts, body.start_byte), bisect_left(starts, body.end_byte))
 
 
-def _runs(body: Node, node: Node) -> bool:
+def runs(body: Node, node: Node) -> bool:
     """Whether a body holds a node itself, and not in a lambda that something else may run."""
     if not body.start_byte < node.start_byte or node.end_byte > body.end_byte:
         return False
@@ -164,7 +164,7 @@ def _loop(code: Code, node: Node) -> tuple[str, str] | None:
         current = stack.pop()
         if current is None or current.type == "lambda_expression":
             continue
-        if current.type in _LEAVES:
+        if current.type in LEAVES:
             return None
         stack += current.named_children
     return f"while {condition}", FOREVER

@@ -56,16 +56,15 @@ def undeclared(topics: Topics) -> Iterator[Undeclared]:
     verdicts: dict[Span, bool] = {}
     namesakes: dict[tuple[Source, str, str], bool] = {}
     found: dict[Span, tuple[LaunchedNode, GivenName]] = {}
-    for node in _launched(topics):
+    for node, given in _given_together(topics):
         words = topics.parameter_words(node.started)
-        for given in _given_to(topics, node):
-            span = given.place.span
-            lacks = words is not None and not words.name(given.name) and not is_of_library(given.name)
-            verdicts[span] = verdicts.get(span, True) and lacks
-            key = (span.source, node.label(), given.name)
-            namesakes[key] = namesakes.get(key, True) and lacks
-            if given.certain:
-                found.setdefault(span, (node, given))
+        span = given.place.span
+        lacks = words is not None and not words.name(given.name) and not is_of_library(given.name)
+        verdicts[span] = verdicts.get(span, True) and lacks
+        key = (span.source, node.label(), given.name)
+        namesakes[key] = namesakes.get(key, True) and lacks
+        if given.certain:
+            found.setdefault(span, (node, given))
     grouped: dict[Span, list[tuple[LaunchedNode, GivenName]]] = {}
     for span, (node, given) in found.items():
         lacks = verdicts[span] and namesakes[span.source, node.label(), given.name]
@@ -101,6 +100,16 @@ def asked_in_vain(topics: Topics) -> Iterator[Located]:
             verdicts[asked.name.span] = verdicts.get(asked.name.span, True) and lacks
             found[asked.name.span] = asked.name
     return (name for span, name in found.items() if verdicts[span] and span.source.judged)
+
+
+def _given_together(topics: Topics) -> Iterator[tuple[LaunchedNode, GivenName]]:
+    """What each launch gives to its nodes; what is for one by its name, only to this one, and not to those whose names
+    are not known: two of one name do not start together."""
+    for expansion in topics.launch.expansions:
+        nodes = [topics.node(each) for each in expansion.nodes if each.is_node]
+        pairs = [(node, given) for node in nodes for given in _given_to(topics, node)]
+        certain = {given.place.span for _, given in pairs if given.certain}
+        yield from ((node, given) for node, given in pairs if given.certain or given.place.span not in certain)
 
 
 def _launched(topics: Topics) -> Iterator[LaunchedNode]:
