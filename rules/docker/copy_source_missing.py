@@ -3,8 +3,8 @@
 ## What it finds
 Files and folders that COPY or ADD name and that the build context does not hold. The context is that of the compose
 service that builds the Dockerfile; without one, no folder from that of the Dockerfile to the top of the repository
-holds the path. Paths with variables, files that git ignores, and what a submodule, script or build file of the tree
-may put there are not reported.
+holds the path. What `.dockerignore` leaves out is not in the context either. Paths with variables, files that git
+ignores, and what a submodule, script or build file of the tree may put there are not reported.
 
 ## Why it matters on a robot
 The build stops with "not found". The robot keeps the old image, or a new robot gets none.
@@ -51,6 +51,15 @@ from bringup_lint.api.docker import lacking_sources
 def copy_source_missing(robot: Robot) -> Iterator[Finding]:
     for lacking in lacking_sources(robot.files, robot.compose):
         service = lacking.service
+        if lacking.ignoring is not None:
+            name = lacking.ignoring.basename
+            yield finding(
+                lacking.source,
+                f"{name} keeps '{lacking.source}' out of the build context: the build stops",
+                advice=f"write !{lacking.source} at the end of {name}",
+                related=[note(lacking.ignoring, "leaves it out")],
+            )
+            continue
         context = f"the build context of service '{service.name}'" if service else "the folder of this file or above it"
         yield finding(
             lacking.source,

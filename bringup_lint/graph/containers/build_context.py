@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import os
+import posixpath
 import re
 from collections.abc import Iterator
+from fnmatch import fnmatchcase
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -14,6 +16,7 @@ from bringup_lint.model.dockerfile import Instruction
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
+from bringup_lint.source import Source
 
 if TYPE_CHECKING:
     from bringup_lint.graph.containers.compose import Compose
@@ -32,6 +35,8 @@ class Lacking(NamedTuple):
     """The file or folder as the instruction writes it."""
     service: Service | None
     """Whose build context lacks it; None where no folder that may be the context has it."""
+    ignoring: Source | None = None
+    """The file that keeps it out of the context, where the tree has it."""
 
 
 def lacking_sources(files: Files, compose: Compose) -> Iterator[Lacking]:
@@ -44,7 +49,7 @@ def lacking_sources(files: Files, compose: Compose) -> Iterator[Lacking]:
         builders = known.get(file.source.absolute, [])
         for word in _sources(file):
             lacking = _judged(files, file, word, builders)
-            if lacking is not None and not makers.name(word):
+            if lacking is not None and (lacking.ignoring is not None or not makers.name(word)):
                 yield lacking
 
 
@@ -81,12 +86,40 @@ def _judged(files: Files, file: Dockerfile, word: Located, builders: list[tuple[
     for service, context in builders:
         if not _is_in(files, context, word):
             return None if files.tree.is_ignored(_at(context, word)) else Lacking(word, service)
+        if (ignoring := _ignoring(files, file, context, word)) is not None:
+            return Lacking(word, service, ignoring)
     if builders:
         return None
     above = list(_folders(files, _folder(file.source.name)))
+    having = [folder for folder in above if _is_in(files, folder, word)]
+    if having and (found := [_ignoring(files, file, folder, word) for folder in having]) and all(found):
+        return Lacking(word, None, found[0])
     if any(_is_in(files, folder, word) or files.tree.is_ignored(_at(folder, word)) for folder in above):
         return None
     return Lacking(word, None)
+
+
+def _ignoring(files: Files, file: Dockerfile, context: str, word: str) -> Source | None:
+    """The file that keeps a path out of a context; None, too, where it has exceptions (``!``)."""
+    own = f"{os.path.abspath(file.source.name)}.dockerignore"
+    path = next((each for each in (own, os.path.join(context, ".dockerignore")) if files.tree.is_file(each)), None)
+    source = files.tree.read(path, judged=False) if path is not None else None
+    if source is None or re.search(r"^[ \t]*!", source.text, re.M) or re.search(r"[*?]", word):
+        return None
+    parts = _at("", word).split("/")
+    above = ["/".join(parts[:count]) for count in range(1, len(parts) + 1)]
+    lines = (line.strip() for line in source.text.splitlines() if not line.startswith("#"))
+    patterns = [posixpath.normpath(line.lstrip("/")) for line in lines if line.strip("/")]
+    return source if any(_matches(pattern, each) for pattern in patterns for each in above) else None
+
+
+def _matches(pattern: str, path: str) -> bool:
+    """Whether a pattern means a path: a star stays in its folder, ``**/`` means any number of folders."""
+    if pattern.startswith("**/"):
+        return _matches(pattern[3:], path) or _matches(pattern[3:], posixpath.basename(path))
+    if "**" in pattern or pattern.count("/") != path.count("/"):
+        return False
+    return all(map(fnmatchcase, path.split("/"), pattern.split("/")))
 
 
 def _folder(name: str) -> str:

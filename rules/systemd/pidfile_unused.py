@@ -1,0 +1,53 @@
+"""PIDFile= of a service that does not fork.
+
+## What it finds
+`PIDFile=` in a service with another type than `forking`. One finding names the lines of one unit.
+
+## Why it matters on a robot
+systemd reads the file with Type=forking only. The unit looks as if a program were watched by its PID, which some
+service scripts write with care, and in truth systemd watches the process that it started itself: with Type=oneshot and
+RemainAfterExit=yes nothing at all. Two units with one PIDFile= remove each other's file when they stop.
+
+## Bad
+```ini
+[Service]
+Type=simple
+PIDFile=/run/helm.pid
+ExecStart=/opt/boat/helm
+```
+
+## Good
+```ini
+[Service]
+Type=exec
+ExecStart=/opt/boat/helm
+```
+
+## When to ignore it
+When another program reads the file, and systemd is only to remove it after the stop.
+
+## References
+- systemd.service(5), "PIDFile="
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("warning")
+def pidfile_unused(robot: Robot) -> Iterator[Finding]:
+    for unit in robot.units.services:
+        kind, path = unit.get("Type"), unit.get("PIDFile")
+        if not path or ".." in path or kind in ("forking", "dbus") or unit.uncertain or unit.fragment is None or "$" in (kind or ""):
+            continue
+        yield finding(
+            path,
+            f"systemd reads no PID file with Type={kind or 'simple'}: {unit.name} is not watched by it",
+            advice="remove the line, or use Type=forking where the program forks and writes the file",
+            related=[note(kind, "the type")] if kind else (),
+        )
