@@ -43,7 +43,9 @@ from bringup_lint.api import rule
 def pidfile_unused(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         kind, path = unit.get("Type"), unit.get("PIDFile")
-        if not path or ".." in path or kind in ("forking", "dbus") or unit.uncertain or unit.fragment is None or "$" in (kind or ""):
+        if not path or ".." in path or kind in ("forking", "dbus"):
+            continue
+        if unit.uncertain or unit.fragment is None or "$" in (kind or ""):
             continue
         yield finding(
             path,
