@@ -78,7 +78,9 @@ def healthcheck_missing(robot: Robot) -> Iterator[Finding]:
 def _waits(service: Service) -> Iterator[tuple[Located, Located]]:
     """The services that have to be healthy, each with the word that says so."""
     node = service.get("depends_on")
-    for name, settings in node.merged if isinstance(node, Mapping) else ():
+    if not isinstance(node, Mapping):
+        return
+    for name, settings in node.merged:
         condition = settings.scalar("condition") if isinstance(settings, Mapping) else None
         if condition is not None and condition.value == "service_healthy":
             yield name.value, condition.value

@@ -80,11 +80,15 @@ def argument_missing(robot: Robot) -> Iterator[Finding]:
 def _calls(robot: Robot) -> Iterator[tuple[Source, Sequence[Located]]]:
     """The commands of scripts and units, from the name of what may be a script on."""
     for source in robot.of_kind("shell-script"):
-        for did in robot.scripts.done(source) if source.judged else ():
+        if not source.judged:
+            continue
+        for did in robot.scripts.done(source):
             if isinstance(did, Run) and did.words and did.command.ends != "||":
                 yield source, _from_script(did.words)
     for unit in robot.units.services:
-        for process in robot.units.processes(unit) if unit.judged and not unit.uncertain else ():
+        if not unit.judged or unit.uncertain:
+            continue
+        for process in robot.units.processes(unit):
             if process.argv:
                 yield unit.files[0].source, _from_script(process.argv)
 
