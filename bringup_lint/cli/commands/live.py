@@ -1,4 +1,4 @@
-"""``bringup-lint live [PATH]...``: hold the running ROS graph against the files."""
+"""``bringup-lint live [PATH]...``: compare the running ROS graph with the files."""
 
 from __future__ import annotations
 

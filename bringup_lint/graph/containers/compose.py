@@ -56,7 +56,7 @@ class Compose:
         return (service for service in self.whole_services if not service.is_privileged)
 
     def remarks(self, *codes: Code) -> Iterator[Remark]:
-        """What docker compose has against the files; of templates, whose text is not final, nothing."""
+        """What docker compose objects to in the files; of templates, whose text is not final, nothing."""
         for file in self.files:
             if not file.source.template:
                 yield from (remark for remark in file.remarks if remark.code in codes)

@@ -98,7 +98,7 @@ class NamedUnits:
         return Node("unit" if unit.manager == "system" else "user-unit", name, "" if alone else unit.place)
 
     def real_name(self, name: str, manager: str = "system") -> str:
-        """What a name of the distribution stands for: ``default.target`` is ``graphical.target`` unless the
+        """What a name of the distribution means: ``default.target`` is ``graphical.target`` unless the
         tree links it."""
         if (manager, name) in self.alias_links:
             return self.alias_links[manager, name]
