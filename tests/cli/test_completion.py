@@ -63,6 +63,7 @@ def test_scripts_are_valid(shell: str, scripts: Path) -> None:
     assert said(real(shell), "-n", str(scripts / shell), cwd=scripts) == []
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("line", "expected"), [*ASKED, ("bringup-lint --select=netplan/default-r", set())])
 def test_bash(line: str, expected: set[str], scripts: Path, folder: Path) -> None:
     words = line.replace("=", " = ").split()
@@ -71,6 +72,7 @@ def test_bash(line: str, expected: set[str], scripts: Path, folder: Path) -> Non
     assert set(said(real("bash"), "-c", program, str(scripts / "bash"), *words, cwd=folder)) == expected
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("line", "expected"),
     [*ASKED, ("bringup-lint --select=netplan/default-r", {"--select=netplan/default-route-conflict"})],
@@ -81,6 +83,7 @@ def test_fish(line: str, expected: set[str], scripts: Path, folder: Path) -> Non
     assert {answer.partition("\t")[0] for answer in answers} == expected
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("line", "expected"),
     [*ASKED, ("bringup-lint --select=netplan/default-r", {"netplan/default-route-conflict"})],
