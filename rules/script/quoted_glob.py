@@ -31,9 +31,12 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.shell import Run
 
+EXPANSION = regex(r"\$\{[^{}]*\}")
+"""In ``${NAME%.*}`` the asterisk is a pattern for the value, and the quotes do not matter."""
 PROGRAMS = ("cp", "mv", "rm", "ln", "install", "chmod", "chown")
 
 
@@ -53,5 +56,10 @@ def _quoted(run: Run) -> Iterator[Located]:
     """The words whose text in the script has an asterisk right before the quote that ends them."""
     for word in run.words[1:]:
         written = word.span.text
-        if "*" in word and written[:1] in "\"'" and written[-1:] == written[:1] and written.count(written[0]) == 2:
+        if (
+            "*" in EXPANSION.sub("", written)
+            and written[:1] in "\"'"
+            and written[-1:] == written[:1]
+            and written.count(written[0]) == 2
+        ):
             yield word
