@@ -9,7 +9,7 @@ from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.named_tuple import NamedTuple
 
 _OF_PARAMETER = frozenset(
-    ("value", "name", "type_", "Type", "get_parameter_value", "to_parameter_msg", "from_parameter_msg")
+    ("value", "_value", "name", "type_", "Type", "get_parameter_value", "to_parameter_msg", "from_parameter_msg")
 )
 """What ``rclpy.parameter.Parameter`` has, in every distribution."""
 _TYPED = ("_value", "as_")
