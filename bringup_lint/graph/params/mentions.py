@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from bisect import bisect_left
 from collections.abc import Collection
 from collections.abc import Iterator
@@ -25,7 +26,9 @@ class Mentions:
         """Whether a text other than those of some files holds a name."""
         suffix = os.path.splitext(name)[1]
         if not suffix or "/" in name or name.split() != [name]:
-            return any(name in source.text for source in self._sources if source not in known)
+            whole = re.compile(rf"(?<![\w-]){re.escape(name)}(?![\w-])")
+            others = (source.text for source in self._sources if source not in known)
+            return any(name in text and whole.search(text) is not None for text in others)
         if suffix not in self._by_suffix:
             self._by_suffix[suffix] = sorted(set(self._ends(suffix)))
         ends, wanted = self._by_suffix[suffix], name[::-1]
