@@ -47,8 +47,17 @@ written: list[str] = []
 
 
 def complain(message: object) -> None:
-    """A line on standard error that names the program."""
-    say(f"bringup-lint: {message}")
+    """A line on standard error that names the program, and holds no secret of what it quotes."""
+    say(f"bringup-lint: {_masked(str(message))}")
+
+
+def _masked(message: str) -> str:
+    from bringup_lint.finding.redact import mask_of
+    from bringup_lint.source import Source
+
+    source = Source("message", message)
+    mask = mask_of((), (source,))
+    return mask.source(source).text if mask else message
 
 
 def say(message: object) -> None:

@@ -145,3 +145,10 @@ def test_a_baseline_that_is_not_text(tree: Path) -> None:
     run = lint("--baseline", "known.json", cwd=tree)
     assert run.code == 2
     assert "known.json: not a baseline: not UTF-8" in run.stderr
+
+
+def test_no_message_about_a_configuration_holds_a_secret(tree: Path) -> None:
+    (tree / "bringup-lint.toml").write_text('fail-on = "https://robot:Orange-Lighthouse7@example.org/x"\n')
+    run = lint(cwd=tree)
+    assert run.code == 2 and "robot:" in run.stderr
+    assert "Orange-Lighthouse7" not in run.stderr
