@@ -13,6 +13,7 @@ import signal
 import sys
 import tempfile
 import time
+from functools import cache
 from importlib import import_module
 from pathlib import Path
 
@@ -47,8 +48,7 @@ def stop(number: int, frame: object) -> None:
 def broken(seed: int, folder: Path) -> int:
     """Copy a tree and break some of its files; returns how many."""
     chance = random.Random(seed)
-    trees = sorted([*FIXTURES.glob("*/*/bad*"), *FIXTURES.glob("*/*/good*")])
-    shutil.copytree(chance.choice([tree for tree in trees if tree.is_dir()]), folder, symlinks=True)
+    shutil.copytree(chance.choice(samples()), folder, symlinks=True)
     files = sorted(path for path in folder.rglob("*") if path.is_file() and not path.is_symlink())
     for path in files:
         if path.name != "bringup-lint.toml":
@@ -75,26 +75,39 @@ def judge(folder: Path, registry: Registry) -> list[str]:
     return failures
 
 
+def attempt(seed: int, registry: Registry) -> tuple[int, int]:
+    """Break a tree and judge it; how many files it has, and how much failed, which is printed."""
+    signal.signal(signal.SIGVTALRM, stop)
+    with tempfile.TemporaryDirectory() as place:
+        folder = Path(place, "tree")
+        files = broken(seed, folder)
+        signal.setitimer(signal.ITIMER_VIRTUAL, SLOW)
+        try:
+            failures = judge(folder, registry)
+        except TooSlow:
+            failures = [f"takes more than {SLOW} s"]
+        except Exception as error:
+            failures = [f"escaped: {error!r}"]
+        finally:
+            signal.setitimer(signal.ITIMER_VIRTUAL, 0)
+    for failure in failures:
+        print(f"seed {seed}: {failure}", flush=True)
+    return files, len(failures)
+
+
+@cache
+def samples() -> tuple[Path, ...]:
+    """The trees of the fixtures."""
+    trees = sorted([*FIXTURES.glob("*/*/bad*"), *FIXTURES.glob("*/*/good*")])
+    return tuple(tree for tree in trees if tree.is_dir())
+
+
 def campaign(seconds: float, seed: int) -> None:
     registry = Registry.of()
     trees = files = 0
-    signal.signal(signal.SIGVTALRM, stop)
     end = time.monotonic() + seconds
     while time.monotonic() < end:
-        with tempfile.TemporaryDirectory() as place:
-            folder = Path(place, "tree")
-            trees, files = trees + 1, files + broken(seed, folder)
-            signal.setitimer(signal.ITIMER_VIRTUAL, SLOW)
-            try:
-                failures = judge(folder, registry)
-            except TooSlow:
-                failures = [f"takes more than {SLOW} s"]
-            except Exception as error:
-                failures = [f"escaped: {error!r}"]
-            finally:
-                signal.setitimer(signal.ITIMER_VIRTUAL, 0)
-        for failure in failures:
-            print(f"seed {seed}: {failure}", flush=True)
+        trees, files = trees + 1, files + attempt(seed, registry)[0]
         seed += 1
         if trees % 1_000 == 0:
             print(f"... {trees} trees, {files} files", flush=True)

@@ -72,6 +72,23 @@ def failure(parse: Parser, source: Source) -> str:
     return ""
 
 
+def attempt(
+    seed: int, kinds: list[str], parsers: dict[str, set[Parser]], sources: dict[str, list[Source]]
+) -> tuple[int, int]:
+    """Break a text and give it to the parsers of its kind; how many these are, and how many failed."""
+    chance = random.Random(seed)
+    kind = chance.choice(kinds)
+    model = chance.choice(sources[kind])
+    source = Source(model.name, mutated(model.text, chance), kind)
+    failed = 0
+    for parse in parsers[kind]:
+        said = failure(parse, source)
+        if said:
+            failed += 1
+            print(f"seed {seed}: {parse.__module__}.{parse.__qualname__} on {model.name}: {said}", flush=True)
+    return len(parsers[kind]), failed
+
+
 def campaign(cases: int, seed: int) -> None:
     parsers, sources = seen()
     kinds = sorted(set(parsers) & set(sources))
@@ -79,16 +96,8 @@ def campaign(cases: int, seed: int) -> None:
     done = failed = 0
     started = time.monotonic()
     while done < cases:
-        chance = random.Random(seed)
-        kind = chance.choice(kinds)
-        model = chance.choice(sources[kind])
-        source = Source(model.name, mutated(model.text, chance), kind)
-        for parse in parsers[kind]:
-            said = failure(parse, source)
-            done += 1
-            if said:
-                failed += 1
-                print(f"seed {seed}: {parse.__module__}.{parse.__qualname__} on {model.name}: {said}", flush=True)
+        count, failures = attempt(seed, kinds, parsers, sources)
+        done, failed = done + count, failed + failures
         seed += 1
         if seed % 20_000 == 0:
             print(f"... {done} cases in {time.monotonic() - started:.0f} s, up to seed {seed}", flush=True)
