@@ -3,7 +3,8 @@
 ## What it finds
 Executables of workspace packages that neither setup.py (`console_scripts`) nor CMakeLists.txt (`install`, component
 registration) provides, and console scripts that setup.cfg does not put into `lib/<package>`. For gazebo_ros: every
-executable except `spawn_entity.py`. A node that does not start by default is a warning.
+executable except `spawn_entity.py`; from Humble on also `spawner.py` of controller_manager. A node that
+does not start by default is a warning.
 
 ## Why it matters on a robot
 launch aborts with "executable 'x' not found on the libexec directory": no node of the whole launch file starts.
@@ -42,6 +43,11 @@ PUBLIC = {"gazebo_ros": ("spawn_entity.py",)}
 """All executables of public packages whose names are often guessed wrong."""
 
 
+RENAMED = {("controller_manager", "spawner.py"): "spawner", ("controller_manager", "unspawner.py"): "unspawner"}
+"""Executables of public packages that Humble has no more under their old names (ros2_control, setup.cfg)."""
+BEFORE = (None, "foxy", "galactic")
+
+
 @rule("error", fix="unsafe", symptoms=["not found on the libexec directory"])
 def executable_missing(robot: Robot) -> Iterator[Finding]:
     for node in robot.launch.nodes:
@@ -55,6 +61,7 @@ def executable_missing(robot: Robot) -> Iterator[Finding]:
                 advice="include one of the package's launch files instead",
                 severity="warning" if node.by_default is not True else None,
             )
+        yield from renamed(robot, node)
         if package is None or executable is None:
             continue
         if executable in package.executables and package.is_misplaced(executable):
@@ -75,6 +82,21 @@ def executable_missing(robot: Robot) -> Iterator[Finding]:
             else None,
             severity="warning" if node.by_default is not True else None,
         )
+
+
+def renamed(robot: Robot, node: launch.Started) -> Iterator[Finding]:
+    package, executable = launch.literal_text(node.package), launch.literal_text(node.executable)
+    now = RENAMED.get((str(package), str(executable)))
+    if now is None or executable is None or robot.target.ros in BEFORE or not node.file.source.judged:
+        return
+    yield finding(
+        executable,
+        f"{package} has no executable '{executable}' since Humble: launch aborts",
+        advice=f"start '{now}'",
+        chain=robot.provenance.chain_to_node(node),
+        fix=fix(f"write {now}", (executable, now), safe=False) if executable.span.text == executable else None,
+        severity="warning" if node.by_default is not True else None,
+    )
 
 
 def misplaced(robot: Robot, node: launch.Started, package: launch.Package, executable: Located) -> Finding:
