@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
     from bringup_lint.model.compose import Service
 
-_ELSEWHERE = regex(r"[$<]|://|^git@|\*\*|\[")
+_ELSEWHERE = regex(r"[$<\\]|://|^git@|\*\*|\[")
 _MAKERS = regex(r"(?:^|/)(?:[Mm]akefile|[Jj]ustfile|\.gitignore|[^/]+\.(?:sh|bash|py|mk|md|rst|ya?ml|bat|ps1|repos))$")
 _MOST_MAKERS = 500
 _PRUNED = regex(r"(?:^|/)(?:vendor|node_modules)/")
