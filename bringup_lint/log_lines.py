@@ -28,6 +28,8 @@ _NEAR = 0.6
 """Share of the best score below which a rule is not named; also of a symptom's words that a line must repeat."""
 _LATER = 0.97
 """What a symptom counts, compared with the one before it: the first is the one by which most people meet the defect."""
+_LAST = 4
+"""The place from which on symptoms count the same: who knows many lines knows the last ones as well."""
 _OWN, _OTHER = 1.4, 0.4
 """What a symptom counts if its family knows the program that writes the line, or only another program."""
 _MOST_NAMED = 0.02
@@ -149,7 +151,7 @@ def _other_causes(line: str, weights: Weights) -> Iterator[OtherCause]:
 def _best(rule: Rule, line: str, weights: Weights, speaker: Speaker | None) -> Match:
     heard = _heard(rule.family, speaker)
     matches = (
-        Match(rule, symptom, _score(line, _bare(_plain(symptom)), weights) * heard * _LATER**place)
+        Match(rule, symptom, _score(line, _bare(_plain(symptom)), weights) * heard * _LATER ** min(place, _LAST))
         for place, symptom in enumerate(rule.meta.symptoms)
     )
     return max(matches, key=lambda match: match.score, default=Match(rule, "", 0.0))

@@ -42,7 +42,11 @@ from bringup_lint.api import rule
 DEPENDS = ("Requires", "BindsTo", "PartOf", "Requisite", "Wants")
 
 
-@rule("error", fix="unsafe", symptoms=["Transaction order is cyclic", "Found ordering cycle on"])
+@rule(
+    "error",
+    fix="unsafe",
+    symptoms=["Unable to break cycle starting with", "Found ordering cycle on", "Transaction order is cyclic"],
+)
 def after_and_before_same(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.judged:
         before = {str(word): word for word in unit.words("After")}

@@ -58,6 +58,7 @@ from bringup_lint.api.systemd import ValueProblem
         "is not absolute",
         "ignoring:",
         "Failed to parse service type, ignoring:",
+        "Invalid user/group name or numeric ID",
         "Unit configuration has fatal error, unit will not be started.",
     ],
 )

@@ -45,7 +45,11 @@ from bringup_lint.api import rule
 KEYS = ("Requires", "Requisite", "BindsTo")
 
 
-@rule("error", fix="unsafe", symptoms=["not found.", "Failed to start: Unit not found"])
+@rule(
+    "error",
+    fix="unsafe",
+    symptoms=["Failed to start *: Unit * not found.", "not found.", "Failed to start: Unit not found"],
+)
 def missing_required_unit(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     for unit in units.judged:

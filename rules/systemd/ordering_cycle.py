@@ -59,8 +59,9 @@ from bringup_lint.api.systemd import Cycle
     symptoms=[
         "Found ordering cycle on",
         "deleted to break ordering cycle starting with",
-        "Transaction order is cyclic",
+        "Transaction order is cyclic. See system logs for details.",
         "Found dependency on",
+        "Unable to break cycle starting with",
     ],
 )
 def ordering_cycle(robot: Robot) -> Iterator[Finding]:

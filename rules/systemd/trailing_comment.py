@@ -40,7 +40,15 @@ from bringup_lint.api import rule
 from bringup_lint.api.systemd import lift_comment
 
 
-@rule("error", fix="unsafe", symptoms=["Failed to parse", "Failed to add dependency on #", "status=217/USER"])
+@rule(
+    "error",
+    fix="unsafe",
+    symptoms=[
+        "Failed to add dependency on #, ignoring: Invalid argument",
+        "Failed to parse",
+        "status=217/USER",
+    ],
+)
 def trailing_comment(robot: Robot) -> Iterator[Finding]:
     for line in robot.units.lines:
         comment = line.comment

@@ -38,7 +38,14 @@ from bringup_lint.api import rule
 from bringup_lint.api.systemd import directives
 
 
-@rule("error", symptoms=["Unknown section"])
+@rule(
+    "error",
+    symptoms=[
+        "Unknown section 'Timer'. Ignoring",
+        "Unknown section 'Socket'. Ignoring",
+        "Unknown section",
+    ],
+)
 def wrong_section_for_type(robot: Robot) -> Iterator[Finding]:
     homes = {section: kind for kind, section in directives.SECTION_OF_TYPE.items()}
     for file in robot.units.unit_files:
