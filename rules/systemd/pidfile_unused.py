@@ -39,7 +39,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("warning")
+@rule("warning", silent="systemd reads the file of a forking service only, and says nothing of any other")
 def pidfile_unused(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         kind, path = unit.get("Type"), unit.get("PIDFile")
