@@ -14,6 +14,9 @@ from tests.server.conftest import UNIT
 from tests.server.conftest import applied
 from tests.server.conftest import editing
 
+pytestmark = pytest.mark.slow
+"""An editor talks to a server of its own in each; what the server does is tried quickly beside this."""
+
 TOP = types.Range(types.Position(0, 0), types.Position(0, 0))
 
 
@@ -36,7 +39,6 @@ def test_unsaved_text_is_judged(robot: Path) -> None:
     run(test())
 
 
-@pytest.mark.slow
 def test_an_edit_changes_what_is_found_in_another_file(robot: Path) -> None:
     async def test() -> None:
         async with editing(robot) as editor:
@@ -51,7 +53,6 @@ def test_an_edit_changes_what_is_found_in_another_file(robot: Path) -> None:
     run(test())
 
 
-@pytest.mark.slow
 def test_diagnostics_are_pushed_to_an_editor_that_does_not_ask(robot: Path) -> None:
     async def test() -> None:
         async with editing(robot, pull=False) as editor:
@@ -63,7 +64,6 @@ def test_diagnostics_are_pushed_to_an_editor_that_does_not_ask(robot: Path) -> N
     run(test())
 
 
-@pytest.mark.slow
 def test_a_diagnostic_says_all_that_a_finding_says(robot: Path) -> None:
     async def test() -> None:
         async with editing(robot) as editor:
@@ -87,7 +87,7 @@ EMOJI_LAUNCH = """\
 
 @pytest.mark.parametrize(
     "encoding",
-    ["utf-16", pytest.param("utf-8", marks=pytest.mark.slow), pytest.param("utf-32", marks=pytest.mark.slow)],
+    ["utf-16", "utf-8", "utf-32"],
 )
 def test_a_quick_fix_changes_the_place_that_is_meant(robot: Path, encoding: str) -> None:
     path = robot / "launch/robot.launch.xml"
@@ -106,7 +106,6 @@ def test_a_quick_fix_changes_the_place_that_is_meant(robot: Path, encoding: str)
     run(test())
 
 
-@pytest.mark.slow
 def test_all_safe_fixes_at_once(robot: Path) -> None:
     crlf = UNIT.replace("RestartSec=2", "RestartSec=2\nStandardOutput=syslog\nStandardError=syslog").replace(
         "\n", "\r\n"
@@ -151,7 +150,6 @@ def test_hover_shows_the_rule_and_the_graph(robot: Path) -> None:
     run(test())
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(
     ("file", "word", "target"),
     [
@@ -176,7 +174,6 @@ def test_a_word_leads_to_its_definition(robot: Path, file: str, word: str, targe
     run(test())
 
 
-@pytest.mark.slow
 def test_words_that_name_files_are_links(robot: Path) -> None:
     async def test() -> None:
         async with editing(robot) as editor:
