@@ -253,12 +253,14 @@ def _means(name: str, rule: Rule | None, rule_id: str) -> bool:
 
 
 def _counts(name: str, rules: Mapping[str, Rule], selection: Selection) -> bool:
-    """Whether it is wrong that an ignored name silenced nothing: its rules ran, or it names no rule at all."""
+    """Whether it is wrong that an ignored name silenced nothing: its rules ran, or their family has no such rule. Other
+    families may be a user's own, which this run does not load."""
+    family = name.partition("/")[0]
     try:
-        covered = selection.covers(name)
+        selection.known(name)
     except ConfigError:
-        return True
-    return covered and any(_means(name, rule, rule_id) for rule_id, rule in rules.items())
+        return family in selection.families
+    return selection.covers(name) and any(_means(name, rule, rule_id) for rule_id, rule in rules.items())
 
 
 def _order(found: Finding) -> tuple[str, int, int, str, str]:

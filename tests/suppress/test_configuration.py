@@ -162,3 +162,13 @@ def test_the_summary_says_what_silences(tree: Path) -> None:
     (tree / "own/own.service").write_text(f"# bringup-lint: ignore-file[systemd/root-user]: known\n{UNIT}")
     said = lint(cwd=tree).stdout
     assert "1 suppressed by comments, 2 suppressed by bringup-lint.toml: --no-ignores" in said
+
+
+def test_a_comment_that_names_no_rule_of_a_family_is_reported(tmp_path: Path) -> None:
+    names = ("systemd/rot-user", "site/own-rule", "udev/syntax")
+    comments = "".join(f"# bringup-lint: ignore[{name}]: known\n" for name in names)
+    (tmp_path / "a.service").write_text(comments + UNIT)
+    for arguments in ((), ("--select", "systemd,lint")):
+        said = lint("--output-format", "concise", *arguments, cwd=tmp_path).stdout.splitlines()
+        unused = [line for line in said if "lint/unused-ignore" in line]
+        assert [line.partition("] ")[2] for line in unused] == ["ignore[systemd/rot-user] silences nothing here"]
