@@ -7,16 +7,22 @@ from typing import TYPE_CHECKING
 from bringup_lint.on_demand import on_demand
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.containers.base_images import has_no_healthcheck
+    from bringup_lint.graph.containers.base_images import ros_distro
     from bringup_lint.graph.containers.build_context import lacking_sources
     from bringup_lint.graph.containers.devcontainers import Broken
     from bringup_lint.graph.containers.devcontainers import broken_references
     from bringup_lint.graph.containers.image_use import is_deployed
     from bringup_lint.graph.containers.images import can_be_pulled
+    from bringup_lint.graph.containers.package_lists import first_unlisted
     from bringup_lint.graph.host.container_folders import CONTAINER_KINDS
     from bringup_lint.graph.host.container_folders import container_folders
     from bringup_lint.graph.host.container_folders import is_in_container
     from bringup_lint.graph.runners.containers import image_user
     from bringup_lint.graph.runners.containers import user_name
+    from bringup_lint.graph.runners.image_distros import OtherDistro
+    from bringup_lint.graph.runners.image_distros import foreign_workspaces
+    from bringup_lint.graph.runners.image_distros import other_distros
     from bringup_lint.graph.runners.runner import Runner
     from bringup_lint.model.dockerfile import Dockerfile
     from bringup_lint.model.dockerfile import Stage
@@ -36,6 +42,7 @@ __all__ = [
     "CONTAINER_KINDS",
     "Broken",
     "Dockerfile",
+    "OtherDistro",
     "Runner",
     "Stage",
     "assignments",
@@ -46,12 +53,17 @@ __all__ = [
     "commands_of_run",
     "container_folders",
     "expanded",
+    "first_unlisted",
+    "foreign_workspaces",
+    "has_no_healthcheck",
     "image_name",
     "image_user",
     "is_deployed",
     "is_in_container",
     "lacking_sources",
     "last_user",
+    "other_distros",
+    "ros_distro",
     "runs_as_root",
     "stays_in_shell",
     "user_name",

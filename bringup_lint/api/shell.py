@@ -13,8 +13,11 @@ if TYPE_CHECKING:
     from bringup_lint.graph.commands.shells import STRICT
     from bringup_lint.graph.commands.wrappers import program_name
     from bringup_lint.graph.commands.wrappers import unwrapped
+    from bringup_lint.graph.installed.ansible.names import missing_names
     from bringup_lint.graph.installed.script import Run
     from bringup_lint.graph.installed.script import Written
+    from bringup_lint.graph.installed.script_arguments import short_calls
+    from bringup_lint.graph.installed.script_files import missing_files
     from bringup_lint.model.shell import Block
     from bringup_lint.model.shell import Command
     from bringup_lint.parsers.ansible_tasks import Task
@@ -35,10 +38,13 @@ __all__ = [
     "Task",
     "Written",
     "background_jobs",
+    "missing_files",
+    "missing_names",
     "plays",
     "program_name",
     "shell_blocks",
     "shell_commands",
+    "short_calls",
     "tasks",
     "unwrapped",
 ]

@@ -47,14 +47,10 @@ from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
-from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.compose import Service
+from bringup_lint.api.docker import has_no_healthcheck
 from bringup_lint.api.yaml import Mapping
-
-PLAIN = regex(
-    r"(?:docker\.io/)?(?:library/)?(?:(?:arm64v8|amd64|arm32v7)/)?(?:ros|ubuntu|debian|osrf/ros2?)(?:[:@].*)?"
-)
 
 
 @rule("error", confidence="medium", symptoms=["dependency failed to start: container * has no healthcheck configured"])
@@ -95,5 +91,5 @@ def _has_none(robot: Robot, service: Service) -> bool:
         return disabled is not None and disabled.boolean is True
     stage = robot.compose.stage(service)
     if stage is None:
-        return service.build is None and service.image is not None and bool(PLAIN.fullmatch(service.image))
-    return bool(PLAIN.fullmatch(stage.origin)) and stage.last("HEALTHCHECK") is None
+        return service.build is None and service.image is not None and has_no_healthcheck(service.image)
+    return has_no_healthcheck(stage.origin) and stage.last("HEALTHCHECK") is None

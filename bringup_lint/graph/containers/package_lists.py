@@ -1,0 +1,100 @@
+"""Where an image has package lists of apt: steps that bring and remove them, and those that need them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from bringup_lint.graph.commands.wrappers import program_name
+from bringup_lint.graph.commands.wrappers import unwrapped
+from bringup_lint.graph.containers.base_images import has_no_package_lists
+from bringup_lint.model.dockerfile import Stage
+from bringup_lint.model.shell import Command
+from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.parsers.dockerfile import commands_of_run
+from bringup_lint.pattern import regex
+from bringup_lint.source import Located
+
+_PROGRAMS = ("apt", "apt-get", "aptitude")
+_UPDATES = (
+    "add-apt-repository",
+    "apt-add-repository",
+    "curl",
+    "wget",
+    "bash",
+    "sh",
+    "source",
+    ".",
+    "python3",
+    "python",
+)
+"""What updates the lists itself, or may start what does."""
+_LISTS = regex(r"/var/lib/apt(?:/lists)?(?:/\*?)?")
+_CACHED = regex(r"--mount=(?:[^\s=]{1,40}=[^\s,]{0,200},){0,9}(?:target|dst)=/var/lib/apt")
+_VALUED = ("-t", "-o", "-c", "--target-release", "--option")
+
+
+class Unlisted(NamedTuple):
+    """A package that a step installs without lists."""
+
+    package: Located
+    removed: Located | None
+    """What removed the lists; None where the image comes without them."""
+
+
+class _Lists(NamedTuple):
+    """What is known of the package lists at a step."""
+
+    missing: bool = False
+    removed: Located | None = None
+    """The step that removed them."""
+
+
+def first_unlisted(stage: Stage) -> Unlisted | None:
+    """The first package of a stage that apt does not find."""
+    lists = _Lists(missing=has_no_package_lists(stage.origin))
+    for each in reversed(list(stage.chain)[1:]):
+        for command in _commands(each):
+            lists = _after(lists, command)
+    for command in _commands(stage):
+        word = _installed(command) if lists.missing else None
+        if word is not None:
+            return Unlisted(word, lists.removed)
+        lists = _after(lists, command)
+    return None
+
+
+def _commands(stage: Stage) -> Iterator[Command | None]:
+    """The commands of a stage in order; None for a step of which the lists come from elsewhere."""
+    for instruction in stage.all("RUN"):
+        if instruction.exec_form is not None or any(_CACHED.match(flag) for flag in instruction.flags):
+            yield None
+        else:
+            yield from commands_of_run(instruction)
+
+
+def _after(lists: _Lists, command: Command | None) -> _Lists:
+    if command is None:
+        return _Lists()
+    words = unwrapped(command.words)
+    name = program_name(words[0]) if words else ""
+    if name in _PROGRAMS and "update" in words:
+        return _Lists()
+    if name in _UPDATES or (words and "/" in words[0] and name not in _PROGRAMS):
+        return _Lists()
+    if name == "rm" and not command.depth and command.ends != "||":
+        removed = next((word for word in words[1:] if _LISTS.fullmatch(word)), None)
+        return _Lists(True, removed) if removed is not None else lists
+    return lists
+
+
+def _installed(command: Command | None) -> Located | None:
+    """The first package that a command takes from the lists, where its failure stops the build."""
+    if command is None or command.depth or command.ends in ("||", "|"):
+        return None
+    words = unwrapped(command.words)
+    if not words or program_name(words[0]) not in _PROGRAMS:
+        return None
+    plain = [word for at, word in enumerate(words) if at and not word.startswith("-") and words[at - 1] not in _VALUED]
+    if not plain or plain[0] != "install" or any("$" in word for word in plain):
+        return None
+    return next((word for word in plain[1:] if "/" not in word and not word.endswith(".deb")), None)

@@ -1,0 +1,1 @@
+"""What Ansible's plays and roles name, and whether Ansible finds it."""

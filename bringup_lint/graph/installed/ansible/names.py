@@ -1,0 +1,39 @@
+"""The roles, handlers and files that plays and roles name and that Ansible certainly does not find."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.graph.installed.ansible.handlers import Handlers
+from bringup_lint.graph.installed.ansible.roles import Roles
+from bringup_lint.graph.installed.ansible.task_files import TaskFiles
+from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.source import Located
+from bringup_lint.source import Source
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.files import Files
+
+
+class MissingName(NamedTuple):
+    where: Located
+    what: str
+    """``role``, ``handler`` or ``file``."""
+
+
+def missing_names(files: Files) -> Iterator[MissingName]:
+    """Each place that names a role, a handler or a file that is not there, in the order of the files."""
+    roles = Roles(files)
+    handlers = Handlers(files)
+    task_files = TaskFiles(files)
+    for source in files.of_kind("ansible"):
+        if _is_read(source):
+            yield from (MissingName(where, "role") for where in roles.missing(source))
+            yield from (MissingName(where, "handler") for where in handlers.missing(source))
+            yield from (MissingName(where, "file") for where in task_files.missing(source))
+
+
+def _is_read(source: Source) -> bool:
+    """Whether Ansible reads the file as it is; names in braces are its own."""
+    return source.judged and source.template in ("", "jinja")
