@@ -14,10 +14,10 @@ if TYPE_CHECKING:
     from bringup_lint.graph.containers.devcontainers import broken_references
     from bringup_lint.graph.containers.image_use import is_deployed
     from bringup_lint.graph.containers.images import can_be_pulled
-    from bringup_lint.graph.containers.package_lists import first_unlisted
     from bringup_lint.graph.host.container_folders import CONTAINER_KINDS
     from bringup_lint.graph.host.container_folders import container_folders
     from bringup_lint.graph.host.container_folders import is_in_container
+    from bringup_lint.graph.installed.package_lists import first_unlisted
     from bringup_lint.graph.runners.containers import image_user
     from bringup_lint.graph.runners.containers import user_name
     from bringup_lint.graph.runners.image_distros import OtherDistro

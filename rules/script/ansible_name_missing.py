@@ -65,7 +65,7 @@ TEXTS = {
 )
 def ansible_name_missing(robot: Robot) -> Iterator[Finding]:
     found: dict[tuple[Source, str, str], list[Located]] = {}
-    for missing in missing_names(robot.files):
+    for missing in missing_names(robot.files, robot.of_kind("ansible")):
         where = missing.where
         found.setdefault((where.span.source, missing.what, str(where)), []).append(where)
     for (_, what, name), (first, *others) in found.items():

@@ -1,4 +1,4 @@
-"""The files of a repository that its scripts copy, source and run, and the folders in which the scripts look for them."""
+"""The files of a repository that its scripts copy, source and run, and the folders in which they look for them."""
 
 from __future__ import annotations
 

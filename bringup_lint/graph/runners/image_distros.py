@@ -1,4 +1,4 @@
-"""Commands of an image that use another distribution of ROS than the image has, and workspaces that another one built."""
+"""Commands of an image that use a distribution of ROS that it lacks, and workspaces that another one built."""
 
 from __future__ import annotations
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -22,12 +23,12 @@ class MissingName(NamedTuple):
     """``role``, ``handler`` or ``file``."""
 
 
-def missing_names(files: Files) -> Iterator[MissingName]:
-    """Each place that names a role, a handler or a file that is not there, in the order of the files."""
+def missing_names(files: Files, sources: Iterable[Source]) -> Iterator[MissingName]:
+    """Each place that names a role, a handler or a file that is not there, in the order of the sources."""
     roles = Roles(files)
     handlers = Handlers(files)
     task_files = TaskFiles(files)
-    for source in files.of_kind("ansible"):
+    for source in sources:
         if _is_read(source):
             yield from (MissingName(where, "role") for where in roles.missing(source))
             yield from (MissingName(where, "handler") for where in handlers.missing(source))

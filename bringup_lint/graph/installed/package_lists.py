@@ -15,18 +15,7 @@ from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
 _PROGRAMS = ("apt", "apt-get", "aptitude")
-_UPDATES = (
-    "add-apt-repository",
-    "apt-add-repository",
-    "curl",
-    "wget",
-    "bash",
-    "sh",
-    "source",
-    ".",
-    "python3",
-    "python",
-)
+_UPDATES = frozenset("add-apt-repository apt-add-repository curl wget bash sh source . python3 python".split())
 """What updates the lists itself, or may start what does."""
 _LISTS = regex(r"/var/lib/apt(?:/lists)?(?:/\*?)?")
 _CACHED = regex(r"--mount=(?:[^\s=]{1,40}=[^\s,]{0,200},){0,9}(?:target|dst)=/var/lib/apt")
