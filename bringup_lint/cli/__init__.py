@@ -7,6 +7,7 @@ import importlib
 import os
 import sys
 from collections.abc import Callable
+from collections.abc import Iterator
 
 TYPE_CHECKING = False  # an answer is given before typing is loaded
 if TYPE_CHECKING:
@@ -26,6 +27,8 @@ COMMANDS = {
     "completion": "Print a completion script for a shell.",
     "new-rule": "Write the files of a new rule, in a checkout.",
 }
+COLOURS = {"always": ("--colour",), "never": ("--no-colour",), "auto": ()}
+"""What other programs call the flags of colour: a word after ``--color``, or after ``--color=``."""
 PLAIN = {"check": "checking", "rules": "listing", "explain": "explaining"}
 """The commands that need no click where no option is given, with their modules."""
 
@@ -33,6 +36,7 @@ PLAIN = {"check": "checking", "rules": "listing", "explain": "explaining"}
 def dispatch(arguments: list[str], prog: str = "bringup-lint", question: Question | None = None) -> None:
     """Run the command that the arguments name; exits with the command's code. The answer to the question may be
     kept."""
+    arguments = _with_flags(arguments)
     name = "check"
     at = _first_word(arguments)
     if at is not None and arguments[at] in COMMANDS:
@@ -111,12 +115,28 @@ def _bug(error: Exception) -> int:
     return 3
 
 
+def _with_flags(arguments: list[str]) -> list[str]:
+    """The arguments, with a flag in place of ``--color never`` and ``--color=never``."""
+    words: list[str] = []
+    for at, word in enumerate(arguments):
+        if word == "--":
+            return words + arguments[at:]
+        if word in COLOURS and words and words[-1] in ("--color", "--colour"):
+            words[-1:] = COLOURS[word]
+            continue
+        option, _, value = word.partition("=")
+        if option in ("--color", "--colour") and value in COLOURS:
+            words += COLOURS[value]
+        else:
+            words.append(word)
+    return words
+
+
 def _first_word(arguments: list[str]) -> int | None:
     """Where the first argument is that is neither an option nor the value of one."""
     if not arguments or not arguments[0].startswith("-"):
         return 0 if arguments else None
-    options = importlib.import_module("bringup_lint.cli.commands.check").command.params
-    valued = {name for param in options if not getattr(param, "is_flag", True) for name in param.opts}
+    valued = {name for command in ("check", *filter(COMMANDS.__contains__, arguments)) for name in _valued(command)}
     is_value = False
     for at, word in enumerate(arguments):
         if word == "--":
@@ -125,6 +145,14 @@ def _first_word(arguments: list[str]) -> int | None:
             return at
         is_value = not is_value and word in valued
     return None
+
+
+def _valued(command: str) -> Iterator[str]:
+    """The options of a command that take a value."""
+    module = importlib.import_module(f"bringup_lint.cli.commands.{command.replace('-', '_')}")
+    for param in module.command.params:
+        if not getattr(param, "is_flag", True):
+            yield from param.opts
 
 
 def _hint(word: str) -> None:

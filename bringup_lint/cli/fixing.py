@@ -27,6 +27,7 @@ from bringup_lint.fix import Proposal
 from bringup_lint.fix import apply_fixes
 from bringup_lint.fix import planned
 from bringup_lint.fix import taken_back
+from bringup_lint.pattern import regex
 from bringup_lint.plural import counted
 
 if TYPE_CHECKING:
@@ -37,6 +38,11 @@ if TYPE_CHECKING:
     from bringup_lint.writing import NotWritten
 
 Checked = Callable[[], "tuple[Robot, Outcome]"]
+CONTEXTS = (3, 2, 1)
+"""Lines around a change, as many as hold no command of a CI runner."""
+_COMMAND = regex(r"##(?:vso)?\[|(?:^[^\S\n]|\r)[^\S\r\n]*::", re.I | re.M)
+"""What the runner of GitHub or the agent of Azure takes for a command in a line: the first anywhere, the second at the
+start after blanks. A carriage return ends a line, too."""
 ROUNDS = 20
 """Fixes that touch each other are applied one after the other; no more than so often."""
 
@@ -123,7 +129,7 @@ def show_diff(robot: Robot, outcome: Outcome, checked: Checked, *, unsafe: bool)
     rounds = Rounds(proposed_check, proposal.apply, proposal.take_back)
     _, last, _ = rounds.run(robot, outcome, unsafe)
     _tell(rounds.fixed, planned(last.findings, unsafe=unsafe), rounds.stubborn, done="Would fix")
-    diffs = [_diff(source, proposal, (*outcome.findings, *last.findings)) for source in _in_order(proposal)]
+    diffs = [_quiet_diff(source, proposal, (*outcome.findings, *last.findings)) for source in _in_order(proposal)]
     text = "".join(diffs)
     click.echo(plain(text) if sys.stdout.isatty() else text, nl=False)
     if outcome.failures or last.failures:
@@ -135,7 +141,20 @@ def _in_order(proposal: Proposal) -> list[Source]:
     return [proposal.before[name] for name in sorted(proposal.before)]
 
 
-def _diff(old: Source, proposal: Proposal, findings: Iterable[Finding]) -> str:
+def _quiet_diff(old: Source, proposal: Proposal, findings: Iterable[Finding]) -> str:
+    """The diff of a file. It is a patch, in which no line can be changed: where a CI runner would see a command in it,
+    it has less context, and where the change itself holds one, it is left out."""
+    before, after = _texts(old, proposal, findings)
+    for context in CONTEXTS:
+        diff = _diff(old.name, before, after, context)
+        if not _COMMAND.search(diff):
+            return diff
+    say(f"Not shown: the change of {old.name}, which holds what CI runners take for a command")
+    return ""
+
+
+def _texts(old: Source, proposal: Proposal, findings: Iterable[Finding]) -> tuple[str, str]:
+    """A file before and after, without secrets."""
     from bringup_lint.finding.redact import mask_of
 
     text = proposal.texts[os.path.abspath(old.name)].decode("utf-8")
@@ -144,15 +163,18 @@ def _diff(old: Source, proposal: Proposal, findings: Iterable[Finding]) -> str:
     mask = mask_of((found for found in about if found.source in (old, new)), (old, new))
     if mask:
         old, new = mask.source(old), mask.source(new)
-    lines = difflib.unified_diff(
-        _lines(old.text), _lines(new.text), fromfile=_quoted(old.name), tofile=_quoted(old.name)
-    )
+    return old.text, new.text
+
+
+def _diff(name: str, before: str, after: str, context: int) -> str:
+    head = _quoted(name)
+    lines = difflib.unified_diff(_lines(before), _lines(after), fromfile=head, tofile=head, n=context)
     return "".join(line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n" for line in lines)
 
 
 def _quoted(name: str) -> str:
     """A name as git and patch read it in a header, which it cannot end."""
-    if name.isprintable() and not re.search(r'["\\]', name):
+    if name.isprintable() and not re.search(r'["\\]|##', name):
         return name
     return '"' + "".join(map(_octal, name)) + '"'
 
@@ -160,7 +182,11 @@ def _quoted(name: str) -> str:
 def _octal(character: str) -> str:
     if character in '"\\':
         return f"\\{character}"
-    return character if character.isprintable() else "".join(f"\\{byte:03o}" for byte in os.fsencode(character))
+    return (
+        character
+        if character.isprintable() and character != "#"
+        else "".join(f"\\{byte:03o}" for byte in os.fsencode(character))
+    )
 
 
 def _lines(text: str) -> list[str]:

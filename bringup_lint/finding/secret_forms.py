@@ -142,9 +142,13 @@ _COMMANDS = (
     ),
     _form("login", r"""\blogin[ \t]+\S{1,80}[ \t]+password[ \t]+(?P<secret>\S+)"""),
 )
+_SCHEME = r"""(?:https?|wss?|ftps?|sftp|ssh|git|rtsps?|mqtts?|amqps?|rediss?|mysql|postgres(?:ql)?)"""
 _URLS = (
     _form("://", r"""://[^/\s:@"']*:(?P<secret>[^@/\s"']+)@"""),
     _form("://", r"""://(?P<secret>(?=[\w-]{0,60}\d)[\w-]{16,100})@"""),
+    # an address that was taken for a path, which has no empty parts
+    _form(":/", rf"""\b{_SCHEME}:/[^/\s:@"']*:(?P<secret>[^@/\s"']+)@"""),
+    _form(":/", rf"""\b{_SCHEME}:/(?P<secret>(?=[\w-]{{0,60}}\d)[\w-]{{16,100}})@"""),
     _form(
         "=",
         r"""[?&](?:sig|signature|token|access_token|auth|key|api_?key|password|secret|x-amz-signature)=

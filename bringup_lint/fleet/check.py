@@ -71,6 +71,7 @@ def summary_of(member: Member, job: Job) -> Summary:
         marks=tuple(said.marks),
         facts=tuple(said.facts),
         own=tuple(_own(found) for found in report.shown),
+        silenced=tuple(report.silenced),
         failures=(*outcome.failures, *failures),
     )
     return _with_delivered(summary, member, job, frozenset(said.places))

@@ -29,7 +29,7 @@ _CACHE = 8 * 1024
 _BITS = 20
 """Of the number of a row, those that count within a robot; the others are the number of the robot."""
 _TABLES = """
-CREATE TABLE robots (id INTEGER PRIMARY KEY, path, files, own, failures);
+CREATE TABLE robots (id INTEGER PRIMARY KEY, path, files, own, silenced, failures);
 CREATE TABLE facts (id INTEGER PRIMARY KEY, subject, key, value, path, line);
 CREATE TABLE marks (id INTEGER PRIMARY KEY, kind, name, digest, path, line);
 """
@@ -104,10 +104,11 @@ class Store:
     def add(self, number: int, summary: Summary) -> None:
         """Raises StoreError."""
         first = number << _BITS
-        row = (number, _packed(summary.path), summary.files, json.dumps(summary.own), json.dumps(summary.failures))
+        said = map(json.dumps, (summary.own, summary.silenced, summary.failures))
+        row = (number, _packed(summary.path), summary.files, *said)
 
         def insert() -> None:
-            self.database.execute("INSERT INTO robots VALUES (?, ?, ?, ?, ?)", row)
+            self.database.execute("INSERT INTO robots VALUES (?, ?, ?, ?, ?, ?)", row)
             for table, said in (("facts", summary.facts), ("marks", summary.marks)):
                 rows = ((at, *map(_packed, each[:4]), each[4]) for at, each in enumerate(said, first))
                 self.database.executemany(f"INSERT INTO {table} VALUES (?, ?, ?, ?, ?, ?)", rows)
@@ -123,7 +124,7 @@ class Store:
 
     def __iter__(self) -> Iterator[Summary]:
         """The robots with what was found on each by itself, and without what they say of themselves."""
-        for number, path, files, own, failures in self._rows("SELECT * FROM robots ORDER BY id"):
+        for number, path, files, own, silenced, failures in self._rows("SELECT * FROM robots ORDER BY id"):
             known = self.robots[number]
             yield Summary(
                 known.name,
@@ -134,6 +135,7 @@ class Store:
                 _unpacked(path),
                 files,
                 own=tuple(Own(*each) for each in json.loads(own)),
+                silenced=tuple((what, count) for what, count in json.loads(silenced)),
                 failures=tuple(json.loads(failures)),
             )
 

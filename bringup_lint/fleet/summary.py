@@ -11,7 +11,7 @@ from typing import Any
 from bringup_lint.dataclass import dataclass
 from bringup_lint.named_tuple import NamedTuple
 
-VERSION = 2
+VERSION = 3
 """Of the form of a summary; a stored summary of another version is made anew."""
 
 
@@ -71,6 +71,8 @@ class Summary:
     marks: tuple[Mark, ...] = ()
     facts: tuple[Fact, ...] = ()
     own: tuple[Own, ...] = ()
+    silenced: tuple[tuple[str, int], ...] = ()
+    """What suppresses findings on the robot by itself, and how many; these are not in ``own``."""
     failures: tuple[str, ...] = ()
     """What failed inside, or why the robot could not be read."""
     version: int = VERSION
@@ -89,6 +91,7 @@ def from_data(data: Mapping[str, Any]) -> Summary:
             "marks": tuple(Mark(*row) for row in data["marks"]),
             "facts": tuple(Fact(*row) for row in data["facts"]),
             "own": tuple(Own(*row) for row in data["own"]),
+            "silenced": tuple((str(what), int(count)) for what, count in data["silenced"]),
             "failures": tuple(data["failures"]),
         }
         return Summary(**{**data, **lists})

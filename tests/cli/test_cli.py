@@ -376,9 +376,24 @@ def test_options_may_precede_a_command(tmp_path: Path) -> None:
     assert (run.code, run.stdout.startswith("lint/encoding")) == (0, True)
     run = lint("--target-ros", "jazzy", "--isolated", "graph", "--format", "json", ".", cwd=tmp_path)
     assert (run.code, run.stdout[:1]) == (0, "{")
+    run = lint("--format", "json", "graph", ".", cwd=tmp_path)
+    assert (run.code, run.stdout[:1]) == (0, "{")
     (tmp_path / "robot.service").write_bytes(LATIN1)
     assert lint("--select", "lint", "--output-format", "concise", "--", "rules", cwd=tmp_path).code == 2
     assert only_lint("--min-severity=info", "robot.service", cwd=tmp_path).code == 1
+
+
+@pytest.mark.parametrize("colour", [("--color", "{}"), ("--colour={}",)])
+def test_colour_takes_the_words_of_other_programs(tmp_path: Path, colour: tuple[str, ...]) -> None:
+    (tmp_path / "robot.service").write_bytes(LATIN1)
+    for word, coloured in (("always", True), ("never", False), ("auto", False)):
+        option = [part.format(word) for part in colour]
+        for rest in (("explain", "lint/encoding"), ("rules", "lint"), ("--select", "lint", "robot.service")):
+            run = lint(*option, *rest, cwd=tmp_path)
+            assert run.stdout and run.code in (0, 1), run.stderr
+            assert ("\x1b[" in run.stdout) == coloured
+    assert lint("--color", "--", "never", cwd=tmp_path).code == 2
+    assert lint("--color", "robot.service", cwd=tmp_path).stdout.count("\x1b[")
 
 
 @pytest.mark.parametrize(

@@ -51,6 +51,7 @@ def tree(tmp_path: Path) -> Path:
         ("bringup-lint.toml", f"exclude = {['a*b'] * 1001}\n", "bringup-lint.toml:1: exclude has more than 1000"),
         ("bringup-lint.toml", f"[per-file-ignores]\na = {['udev'] * 1001}\n", "per-file-ignores has more than 1000"),
         ("bringup-lint.toml", 'baseline = "../x"\n', "lies outside of the tree"),
+        ("bringup-lint.toml", 'baseline = "https://user:pw@host/known.json"\n', "https:/user:**@host"),
         ("bringup-lint.toml", 'baseline = "fifo"\n', "fifo: not a regular file but a FIFO"),
     ],
 )

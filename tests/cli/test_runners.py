@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+import subprocess
 from pathlib import Path
 
 import pytest
@@ -92,3 +93,41 @@ def test_no_name_ends_the_header_of_a_diff(tmp_path: Path) -> None:
     assert len(heads) % 2 == 0 and heads
     assert not any(line == "+++ b" or "\r" in line for line in heads)
     assert '+++ "é \\"b\\".service"' in heads
+
+
+def patched(folder: Path, patch: str) -> None:
+    subprocess.run(["git", "apply", "-p0", "-"], cwd=folder, input=patch.encode(), check=True)
+
+
+LINES = ("[Unit]", "Description=a", "[Service]", "ExecStart=/bin/a", "TimeoutStopSec=9", "StandardOutput=syslog", "")
+COMMANDS = (
+    "::error::x",
+    "  ::error::x",
+    "\v::stop-commands::x",
+    "##[add-mask]x",
+    "# a ##vso[task.x]",
+    "# a\r::error::x",
+)
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+@pytest.mark.parametrize(("at", "is_shown"), [(1, True), (4, True), (5, False)])
+def test_a_diff_is_a_patch_without_a_command(tmp_path: Path, command: str, at: int, is_shown: bool) -> None:
+    """What is next to the change is always shown, and with it what is a command there."""
+    unit = tmp_path / "a.service"
+    unit.write_bytes("\n".join((*LINES[:at], command, *LINES[at:])).encode())
+    run = lint("--diff", "--select", "systemd/legacy-key", cwd=tmp_path)
+    assert (run.code, bool(run.stdout), "Not shown: " in run.stderr) == (int(is_shown), is_shown, not is_shown)
+    assert not COMMAND.search(run.stdout)
+    if is_shown:
+        patched(tmp_path, run.stdout)
+        assert b"StandardOutput=journal\n" in unit.read_bytes()
+
+
+def test_a_name_in_the_header_of_a_diff_is_no_command(tmp_path: Path) -> None:
+    unit = tmp_path / "##[add-mask]a.service"
+    unit.write_text("\n".join(LINES))
+    run = lint("--diff", "--select", "systemd/legacy-key", cwd=tmp_path)
+    assert run.stdout and quiet(run.stdout)
+    patched(tmp_path, run.stdout)
+    assert "StandardOutput=journal" in unit.read_text()

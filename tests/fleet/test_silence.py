@@ -102,3 +102,22 @@ def test_what_is_accepted_for_nothing_is_reported(pair: Path, text: str, said: l
 def test_rules_that_did_not_run_prove_nothing(pair: Path) -> None:
     accept(pair, 'rule = "fleet/same-host-name"\nreason = "known"')
     assert judged(pair, "--select", "lint")["findings"] == []
+
+
+def test_the_summary_counts_what_is_silenced_on_single_robots(pair: Path) -> None:
+    for name in ("one", "two"):
+        (pair / name / "etc/systemd/system").mkdir(parents=True)
+        unit = "[Service]\n# bringup-lint: ignore[systemd/legacy-key] -- old\nStandardOutput=syslog\nExecStart=/bin/a\n"
+        (pair / name / "etc/systemd/system/a.service").write_text(unit + "StandardError=syslog\n")
+    (pair / "bringup-lint.toml").write_text('[per-file-ignores]\n"one/" = ["systemd/legacy-key"]\n')
+    said = judged(pair, "--select", "systemd/legacy-key")
+    assert [each["suppressed_by"] for each in said["robots"]] == [
+        {"bringup-lint.toml": 1, "comments": 1},
+        {"comments": 1},
+    ]
+    assert said["summary"]["suppressed_by"] == {"bringup-lint.toml": 1, "comments": 2}
+    run = lint("fleet", "--workers", "1", "--select", "systemd/legacy-key", ".", cwd=pair)
+    assert "On single robots: 1 suppressed by bringup-lint.toml, 2 suppressed by comments: --no-ignores\n" in run.stdout
+    page = lint("fleet", "--workers", "1", "--select", "systemd/legacy-key", "--output-format", "html", ".", cwd=pair)
+    assert "1 suppressed by bringup-lint.toml" in page.stdout
+    assert judged(pair, "--select", "systemd/legacy-key", "--no-ignores")["summary"]["suppressed_by"] == {}

@@ -38,6 +38,8 @@ def found(text: str, name: str = "robot.conf") -> list[str]:
         ('<arg name="mqtt_password" default="hunter22"/>', "hunter22"),
         ('<env name="TOKEN" value="hunter22"/>', "hunter22"),
         ("url: rtsp://admin:hunter22@10.0.0.9/front", "hunter22"),
+        ("baseline: 'https:/user:hunter22@10.0.0.9/known.json' lies outside", "hunter22"),
+        ("clone https:/glpat0123456789abcdef@host/robot.git", "glpat0123456789abcdef"),
         ("SetCredential=wifi:hunter22", "hunter22"),
         ("root_password: $6$abc$def", "$6$abc$def"),
         ("-----BEGIN EC PRIVATE KEY-----\nMHcCAQ\n-----END EC PRIVATE KEY-----", "\nMHcCAQ"),
@@ -67,6 +69,8 @@ def test_secret(text: str, secret: str) -> None:
         "private-key: /private/key.pem",
         "ImportCredential=network.dns",
         "http://10.0.0.9:8080/front",
+        "scp robot:/etc/a:b@c .",
+        "docker run -v data:/data:ro registry/robot@sha256",
     ],
 )
 def test_no_secret(text: str) -> None:

@@ -27,6 +27,7 @@ def render(report: FleetReport) -> Iterator[str]:
             **{name: report.counts[name] for name in ("error", "warning", "info")},
             "accepted": sum(bool(found.declared) for found in report.findings),
             "below": report.hidden,
+            "suppressed_by": dict(sorted(report.silenced.items())),
             "robots": len(report.robots),
             "exit_code": report.exit_code,
         },
@@ -69,6 +70,7 @@ def _robot(robot: Summary) -> dict[str, Any]:
         "path": robot.path,
         "files": robot.files,
         **{name: counts[name] for name in ("error", "warning", "info")},
+        "suppressed_by": dict(robot.silenced),
         "findings": [own._asdict() for own in robot.own],
         "failures": list(robot.failures),
     }

@@ -50,3 +50,11 @@ class FleetReport:
     def counts(self) -> Counter[str]:
         """Findings of the fleet by severity."""
         return Counter(str(found.severity) for found in self.shown)
+
+    @property
+    def silenced(self) -> Counter[str]:
+        """What suppresses findings on single robots, and how many."""
+        counts: Counter[str] = Counter()
+        for robot in self.robots:
+            counts.update(dict(robot.silenced))
+        return counts

@@ -91,4 +91,7 @@ def _summary(report: FleetReport) -> Iterator[str]:
     own = sum(len(robot.own) for robot in report.robots)
     yield f"Fleet of {len(report.robots)} robots: {found}{f', {accepted} accepted' if accepted else ''}."
     yield f"On single robots: {counted(own, 'finding')}, as bringup-lint ROBOT shows."
+    silenced = [f"{number} suppressed by {what}" for what, number in sorted(report.silenced.items())]
+    if silenced:
+        yield printable(f"On single robots: {', '.join(silenced)}: --no-ignores")
     yield from (f"bringup-lint failed inside: {failure}" for failure in report.failures)

@@ -21,7 +21,7 @@ _SEVERITIES = ("error", "warning", "info")
 def robots(report: FleetReport) -> Iterator[str]:
     silent = 0
     for number, robot in enumerate(report.robots):
-        if robot.own or robot.failures:
+        if robot.own or robot.silenced or robot.failures:
             yield _robot(number, robot)
         else:
             silent += 1
@@ -32,9 +32,10 @@ def robots(report: FleetReport) -> Iterator[str]:
 def _robot(number: int, robot: Summary) -> str:
     failures = "".join(f"<p><b class=error>failed</b> {text(failure)}</p>" for failure in robot.failures)
     said = f"{counted(len(robot.own), 'finding')} in {counted(robot.files, 'file')}"
+    said += "".join(f", {number} suppressed by {what}" for what, number in robot.silenced)
     return (
         f"<details id=r{number} {found_by(words_of(robot))}{' open' * bool(failures)}>"
-        f"<summary><b>{text(robot.name)}</b> {said} <code>{text(robot.path)}</code></summary>"
+        f"<summary><b>{text(robot.name)}</b> {text(said)} <code>{text(robot.path)}</code></summary>"
         f"{failures}{_own(robot.own)}</details>"
     )
 
