@@ -225,6 +225,39 @@ def test_a_signal_leaves_no_file_beside(tree: Path, name: str) -> None:
     assert leftovers(tree) == []
 
 
+KILLED = """
+import os, signal, sys
+from bringup_lint.__main__ import main
+name, after = sys.argv.pop(1), int(sys.argv.pop(1))
+asked = getattr(os, name)
+def call(*arguments, **named):
+    global after
+    after -= 1
+    if after < 0:
+        os.kill(os.getpid(), signal.SIGKILL)
+    return asked(*arguments, **named)
+setattr(os, name, call)
+main()
+"""
+
+
+@pytest.mark.parametrize("after", range(4))
+@pytest.mark.parametrize("call", ["fsync", "replace"])
+def test_every_file_is_the_old_or_the_new_one_after_a_kill(tree: Path, call: str, after: int) -> None:
+    arguments = ["--fix", "--unsafe-fixes", "--select", "systemd/network-target", "."]
+    environment = {**os.environ, "PYTHONPATH": str(PROJECT)}
+    command = [sys.executable, "-c", KILLED, call, str(after), *arguments]
+    run = subprocess.run(command, cwd=tree, capture_output=True, env=environment, check=False)
+    old = {"a.service": UNIT, "z.service": UNIT.replace("b.launch", "z.launch")}
+    for name, text in old.items():
+        assert is_fixed(tree / name) or (tree / name).read_text() == text
+        assert (tree / name).read_text().endswith(text[-20:])
+    killed = run.returncode == -9
+    assert killed or all(is_fixed(tree / name) for name in old)
+    assert fix(tree).code == 0
+    assert all(is_fixed(tree / name) for name in old)
+
+
 def without_capabilities(tree: Path) -> subprocess.CompletedProcess[str]:
     """A fix by an ordinary user, who owns what is not given away."""
     return subprocess.run(

@@ -106,7 +106,6 @@ COMMANDS = (
     "\v::stop-commands::x",
     "##[add-mask]x",
     "# a ##vso[task.x]",
-    "# a\r::error::x",
 )
 
 
