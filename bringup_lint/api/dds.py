@@ -44,7 +44,6 @@ if TYPE_CHECKING:
     from bringup_lint.graph.dds.fastdds_names import words_taken
     from bringup_lint.graph.dds.network import interface_of_device
     from bringup_lint.graph.dds.network import interface_with
-    from bringup_lint.graph.dds.network import is_routed
     from bringup_lint.graph.dds.network import may_exist
     from bringup_lint.graph.dds.network import named_interfaces
     from bringup_lint.graph.dds.network import networks
@@ -75,7 +74,6 @@ __all__ = [
     "interface_with",
     "interfaces_instead",
     "is_beside",
-    "is_routed",
     "least_buffers",
     "may_exist",
     "meant_item",

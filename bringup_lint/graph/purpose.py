@@ -70,6 +70,12 @@ PATHS: tuple[tuple[Purpose, re.Pattern[str]], ...] = (
     (Purpose.SIMULATION, SIMULATION),
     (Purpose.EXAMPLE, _word("examples?|demos?|tutorials?|samples?")),
     (Purpose.EXAMPLE, _folder("docs?")),
+    (
+        Purpose.EXAMPLE,
+        _folder(
+            r"(?:[^/]*[_-])?(?:package|pkg|node|module|driver)[_-]template|template[_-](?:package|pkg|node|module)"
+        ),
+    ),
 )
 """The first pattern that a path matches decides."""
 

@@ -19,7 +19,8 @@ Packets to that machine never leave the robot: it is not discovered, and no mess
 ```
 
 ## When to ignore it
-If the address is reached through an interface that netplan does not configure, such as a VPN.
+If the address is reached through an interface that netplan does not configure, such as a VPN whose files are not in
+the tree.
 
 ## References
 - netplan YAML reference, "routes"
@@ -33,7 +34,6 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.addresses import address_of
-from bringup_lint.api.dds import is_routed
 from bringup_lint.api.dds import networks
 from bringup_lint.api.dds import peers
 
@@ -46,7 +46,7 @@ def peer_outside_subnet(robot: Robot) -> Iterator[Finding]:
             continue
         for peer in peers(domain):
             address = address_of(peer)
-            if address is None or address.is_loopback or address.is_multicast or is_routed(plan, address):
+            if address is None or address.is_loopback or address.is_multicast or robot.dds.may_reach(plan, address):
                 continue
             subnets = [(each, network) for each in plan.interfaces.values() for network in networks(each)]
             if subnets:

@@ -25,7 +25,8 @@ Packets to that machine never leave the robot: it is not discovered, and no mess
 ```
 
 ## When to ignore it
-If the address is reached through an interface that netplan does not configure, such as a VPN.
+If the address is reached through an interface that netplan does not configure, such as a VPN whose files are not in
+the tree.
 
 ## References
 - Fast DDS documentation, "Initial peers"
@@ -41,7 +42,6 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.addresses import address_of
 from bringup_lint.api.dds import initial_peers
-from bringup_lint.api.dds import is_routed
 from bringup_lint.api.dds import subnets
 
 
@@ -54,7 +54,7 @@ def peer_outside_subnet(robot: Robot) -> Iterator[Finding]:
             continue
         for element in initial_peers(profiles):
             address = address_of(element.text)
-            if address is None or address.is_loopback or address.is_multicast or is_routed(plan, address):
+            if address is None or address.is_loopback or address.is_multicast or robot.dds.may_reach(plan, address):
                 continue
             yield finding(
                 element.text,

@@ -44,6 +44,8 @@ services:
         ("docker/Dockerfile.ci", Purpose.CI),
         ("examples/compose.yaml", Purpose.EXAMPLE),
         ("docs/setup/compose.yaml", Purpose.EXAMPLE),
+        ("src/python_package_template/launch/node.launch.py", Purpose.EXAMPLE),
+        ("roles/base/templates/rover.service", Purpose.ROBOT),
         ("dock/compose.yaml", Purpose.ROBOT),
         ("parser/testfiles-negative/Dockerfile", Purpose.TEST),
         ("test-install.sh", Purpose.TEST),

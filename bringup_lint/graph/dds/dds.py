@@ -43,6 +43,7 @@ from bringup_lint.source import Source
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:
+    from bringup_lint.addresses import Address
     from bringup_lint.graph.environment.ros import RosEnvironment
     from bringup_lint.graph.environment.ros import RosProcess
     from bringup_lint.graph.files import Files
@@ -223,6 +224,10 @@ class Dds:
     def plan_of(self, configuration: Configuration | Profiles) -> Plan | None:
         """The netplan of the same robot, when the tree holds exactly one and the file is no unused variant."""
         return network.plan_of(self.netplan(), configuration.source) if self.in_use(configuration) else None
+
+    def may_reach(self, plan: Plan, address: Address) -> bool:
+        """Whether a subnet, a route or a VPN of the robot may lead to an address."""
+        return network.is_routed(plan, address) or network.makes_tunnels(self.files)
 
     def own_places(self, configuration: Configuration | Profiles) -> list[Located]:
         """Where the robot's static addresses are written."""

@@ -13,11 +13,13 @@ from bringup_lint.graph.dds.cyclonedds_discovery import INTERFACE
 from bringup_lint.graph.dds.cyclonedds_discovery import is_loopback_interface
 from bringup_lint.model.cyclonedds import Domain
 from bringup_lint.model.cyclonedds import Setting
+from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
     from bringup_lint.addresses import Address
     from bringup_lint.addresses import Network
+    from bringup_lint.graph.files import Files
     from bringup_lint.graph.runners.runner import Runner
     from bringup_lint.graph.systemd.unit import Unit
     from bringup_lint.graph.systemd.units import Units
@@ -29,6 +31,12 @@ KERNEL_MADE = ("docker", "br-", "veth", "tun", "tap", "wg", "can", "vcan", "tail
 """Beginnings of names that other programs or the kernel give to interfaces without netplan."""
 OVERLAY = ip_network("100.64.0.0/10")
 """The addresses of RFC 6598, from which overlay networks take theirs."""
+
+_VPN = regex(
+    r"(?:^|/)(?:wireguard|openvpn|zerotier-one|nebula|tinc|swanctl)/|(?:^|/)(?:wg\d*|ipsec)\.conf$|\.ovpn$"
+    r"|(?:^|/)(?:wg-quick|openvpn|zerotier-one|nebula)\b[^/]*\.service(?:\.d)?(?:/|$)"
+)
+"""Files and folders of programs that make an interface of their own, with routes."""
 
 
 def plan_of(netplan: Netplan, source: Source) -> Plan | None:
@@ -94,6 +102,11 @@ def interface_with(plan: Plan, address: Address) -> Interface | None:
 def own_addresses(plan: Plan) -> set[str]:
     """The static addresses of the robot; empty when an interface gets more by DHCP."""
     return set() if plan.is_dynamic else set(plan.by_address)
+
+
+def makes_tunnels(files: Files) -> bool:
+    """Whether a VPN is set up on the robot, whose interface and routes netplan does not know."""
+    return any(_VPN.search(path) for path in files.tree.paths)
 
 
 def is_routed(plan: Plan, address: Address) -> bool:
