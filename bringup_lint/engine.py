@@ -242,8 +242,8 @@ def _graded(found: Finding, rule: Rule | None, selection: Selection) -> Finding:
 
 
 def _as_safe_as(rule: Rule | None, fix: Fix | None) -> Fix | None:
-    """The fix, unsafe where the rule says that its fixes are."""
-    if fix is None or rule is None or rule.meta.fix != "unsafe":
+    """The fix, unsafe unless the rule says that its fixes are safe."""
+    if fix is None or rule is None or rule.meta.fix == "safe":
         return fix
     return replace(fix, applicability=Applicability.UNSAFE)
 

@@ -81,8 +81,9 @@ def rule(
     """Make a generator function a rule.
 
     ``severity`` is ``error``, ``warning`` or ``info`` (a single finding may differ); ``fix`` is ``none``, ``safe`` or
-    ``unsafe``; ``symptoms`` are log lines by which people meet the defect, the most frequent first, with ``*`` for any
-    text; ``silent`` says why there is none; ``tags`` are words such as ``CWE-250``.
+    ``unsafe``, and every fix is unsafe unless it is ``safe``; ``symptoms`` are log lines by which people meet the
+    defect, the most frequent first, with ``*`` for any text; ``silent`` says why there is none; ``tags`` are words such
+    as ``CWE-250``.
     """
     if fix not in ("none", "safe", "unsafe"):
         raise ValueError(f"fix must be none, safe or unsafe, not {fix!r}")

@@ -46,7 +46,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.systemd import Unit
 
 
-@rule("warning", symptoms=["Failed init_port fastrtps_port", "open_and_lock_file failed"])
+@rule("warning", fix="unsafe", symptoms=["Failed init_port fastrtps_port", "open_and_lock_file failed"])
 def removeipc(robot: Robot) -> Iterator[Finding]:
     daemon = robot.logind[0] if len(robot.logind) == 1 else None
     setting = daemon.flag("RemoveIPC") if daemon else None
@@ -67,7 +67,7 @@ def removeipc(robot: Robot) -> Iterator[Finding]:
             f"When the last session of {user} ends, logind deletes the shared memory of {unit.name}: DDS goes silent",
             advice="set RemoveIPC=no in [Login] in a drop-in in /etc/systemd/logind.conf.d, or use a system user",
             related=[note(setting[0], "enabled here")] if setting else (),
-            fix=fix("set RemoveIPC=no", (setting[0], "no")) if setting else None,
+            fix=fix("set RemoveIPC=no", (setting[0], "no"), safe=False) if setting else None,
             severity=None if proven else "info",
             confidence="high" if proven else "medium",
         )

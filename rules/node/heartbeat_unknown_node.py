@@ -31,11 +31,17 @@ When the node runs on another computer, or is started by hand.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+
+
+def is_alone(name: Located) -> bool:
+    """Whether the file has this name nowhere else, where it would stay wrong."""
+    return "/" not in name and name.span.source.text.count(name) == 1
 
 
 @rule("warning", fix="unsafe", silent="a topic without a publisher is normal for ROS")
@@ -54,5 +60,5 @@ def heartbeat_unknown_node(robot: Robot) -> Iterator[Finding]:
                 *([note(watched.where, "this list monitors it")] if watched.where is not name else []),
                 *([note(node.started.span, f"{node.label()} is started here")] if node else []),
             ],
-            fix=fix(f"write '{meant}'", (name, meant), safe=False) if meant and is_typo and "/" not in name else None,
+            fix=fix(f"write '{meant}'", (name, meant), safe=False) if meant and is_typo and is_alone(name) else None,
         )

@@ -54,7 +54,7 @@ def topic_typo(robot: Robot) -> Iterator[Finding]:
             yield finding(
                 use.name_place or use.where,
                 f"{nobody} {use.topic}, which {use.node.label()} {use.verb}: {meant.node.label()} {meant.verb} {near}",
-                advice=f"use {near} on both sides, or remap one of them",
+                advice=f"{f'use {near}' if better else 'write the same name'} on both sides, or remap one of them",
                 related=[
                     note(meant.name_place or meant.where, f"{near} is named here"),
                     note(use.node.started.span, f"{use.node.label()} is started here"),

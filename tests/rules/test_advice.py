@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import shutil
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -64,3 +66,18 @@ def test_the_fix_of_an_optional_file_takes_the_dash_alone() -> None:
     (edit,) = findings("systemd/envfile-optional")[0]["fix"]["edits"]
     place = edit["location"]
     assert (place["start"]["column"], place["end"]["column"], edit["text"]) == (17, 18, "")
+
+
+@pytest.mark.parametrize(("also", "is_fixed"), [("", True), ('WATCHED = ["basse"]\n', False)])
+def test_a_name_that_a_file_has_twice_is_not_corrected_once(tmp_path: Path, also: str, is_fixed: bool) -> None:
+    tree = shutil.copytree(folder_of("node/heartbeat-unknown-node") / "bad", tmp_path / "tree", symlinks=True)
+    (watching,) = (file for file in tree.rglob("*") if file.is_file() and "basse" in file.read_text())
+    watching.write_text(watching.read_text() + also)
+    run = lint("--isolated", "--select", "node/heartbeat-unknown-node", "--output-format", "json", ".", cwd=tree)
+    found = json.loads(run.stdout)["findings"]
+    assert [bool(each["fix"]) for each in found if "'basse'" in each["message"]] == [is_fixed]
+
+
+def test_no_topic_is_the_right_one_without_evidence() -> None:
+    said = findings("node/topic-typo")[0]
+    assert (said["advice"], said["fix"]) == ("write the same name on both sides, or remap one of them", None)

@@ -91,3 +91,13 @@ def test_what_a_rule_file_says_of_itself_is_what_it_is_when_it_is_loaded() -> No
         rule = described(loaded.path, loaded.id)
         assert rule.doc == loaded.doc
         assert replace(rule.meta, check=loaded.check) == loaded.meta, rule.id
+
+
+def calls_fix(rule: Rule) -> bool:
+    tree = ast.parse(rule.path.read_text("utf-8"))
+    calls = (node.func for node in ast.walk(tree) if isinstance(node, ast.Call))
+    return any(isinstance(name, ast.Name) and name.id == "fix" for name in calls)
+
+
+def test_what_has_a_fix_says_so() -> None:
+    assert other_than(lambda rule: not calls_fix(rule) or rule.meta.fix != "none") == []
