@@ -1,10 +1,10 @@
 """A robot description that robot_state_publisher refuses.
 
 ## What it finds
-In `.urdf` and `.xacro` files: joints of type `revolute` or `prismatic` without `<limit>`, limits without `effort` or
-`velocity`, and a lower limit above the upper one. In `.urdf` files without xacro also: joints whose parent or child
-link does not exist, links and joints of the same name, and a second link without a parent. A file that no
-launch file and no other description names is reported as info.
+In `.urdf` and `.xacro` files: joints of type `revolute` or `prismatic` without `<limit>`, limits of any joint without
+`effort` or `velocity`, and a lower limit above the upper one. In `.urdf` files without xacro that no other description
+includes also: joints whose parent or child link does not exist, links and joints of the same name, and a second link
+without a parent. A file that no launch file and no other description names is reported as info.
 
 ## Why it matters on a robot
 urdfdom takes a description as a whole or not at all. robot_state_publisher ends at its start, the controller manager

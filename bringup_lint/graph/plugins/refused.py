@@ -40,15 +40,21 @@ def refused_descriptions(files: Files) -> Iterator[list[Refused]]:
         root = parse(source).root if source.judged and not source.template else None
         if root is None or root.local != "robot":
             continue
-        found = [*_joints(root), *(_tree(root) if _is_plain(source) else ())]
+        is_part = _is_named(files, source, "urdf")
+        found = [*_joints(root), *(_tree(root) if _is_plain(source) and not is_part else ())]
         if found:
-            used = _is_named(files, source)
-            yield [each._replace(used=used) for each in found]
+            used = is_part or _is_named(files, source, *LAUNCH)
+            yield sorted((each._replace(used=used) for each in found), key=_is_read)
 
 
-def _is_named(files: Files, source: Source) -> bool:
+def _is_read(refused: Refused) -> bool:
+    """Whether urdfdom takes the description all the same."""
+    return refused.what == "limits"
+
+
+def _is_named(files: Files, source: Source, *kinds: str) -> bool:
     name = re.compile(rf"(?<![\w.-]){re.escape(source.basename)}(?![\w.-])")
-    others = (each for each in files.of_kind(*LAUNCH, "urdf") if each.name != source.name)
+    others = (each for each in files.of_kind(*kinds) if each.name != source.name)
     return any(name.search(each.text) for each in others)
 
 
@@ -68,23 +74,24 @@ def _is_own(element: Element) -> bool:
 
 def _joints(root: Element) -> Iterator[Refused]:
     for joint in root.walk():
-        if joint.name != "joint" or joint.get("type") not in _LIMITED or not _is_own(joint):
+        if joint.name != "joint" or joint.get("type") is None or not _is_own(joint):
             continue
         if any(":" in child.name for child in joint.children):
             continue
         name = str(joint.get("name") or "")
         limit = joint.find("limit")
-        if limit is None:
-            yield Refused(joint.tag, "no-limit", name, str(joint.get("type")))
-        else:
+        if limit is not None:
             yield from _limit(limit, name)
+        elif joint.get("type") in _LIMITED:
+            yield Refused(joint.tag, "no-limit", name, str(joint.get("type")))
 
 
 def _limit(limit: Element, name: str) -> Iterator[Refused]:
+    """urdfdom reads the limits of a joint of any type."""
     if limit.children:
         return
     for attribute in _NEEDED:
-        if limit.get(attribute) is None:
+        if not limit.get(attribute):
             yield Refused(limit.tag, "no-attribute", name, attribute)
             return
     lower, upper = _number(limit.get("lower")), _number(limit.get("upper"))
