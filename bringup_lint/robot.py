@@ -376,7 +376,7 @@ class Robot:
         """Joints and interfaces that controllers are told to use, and that no description of the tree has."""
         from bringup_lint.graph.plugins.joints import unknown_joints
 
-        return list(unknown_joints(self.files, self.params))
+        return list(unknown_joints(self.files, self.params, self.launch.workspace.packages))
 
     @cached_property
     def refused_descriptions(self) -> list[list[Refused]]:

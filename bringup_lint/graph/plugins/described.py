@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Container
 from typing import TYPE_CHECKING
 
 from bringup_lint.dataclass import dataclass
@@ -17,8 +18,15 @@ if TYPE_CHECKING:
 _FILES = 400
 """Descriptions of one tree that are read."""
 _SUBSTITUTION = regex(r"\$\{[^{}]*\}|\$\([^()]*\)")
-_KNOWN_PART = 3
-"""Characters of a name that must be literal for its pattern to say anything."""
+_QUOTED = regex(r"'([^'{}$]*)'|\"([^\"{}$]*)\"")
+_DEFAULT = regex(r":=\^?\|?(?P<quote>['\"]?)(?P<value>[^\s'\"]+)(?P=quote)")
+"""The value that a parameter of a macro has when a call does not give it."""
+_FOUND = regex(r"\$\(find\s+(?P<package>[^()$]+)\)/(?P<rest>[^$]+)\Z")
+_KNOWN_PART = 2
+"""Characters of a value that must be literal for its pattern to say anything."""
+_FORMATS = (".urdf", ".xacro", ".sdf")
+_HOLDERS = ("joint", "gpio", "sensor")
+"""Elements of ros2_control whose names a controller may take for those of joints."""
 _NO_CALLS = frozenset({"macro", "arg", "if", "unless", "include", "property", "insert_block", "attribute", "element"})
 
 
@@ -29,26 +37,31 @@ class Described:
     joints: set[str] = field(default_factory=set)
     patterns: set[str] = field(default_factory=set)
     """Names with computed parts, each of these written as NUL."""
+    values: set[str] = field(default_factory=set)
+    """The values of properties and defaults, of which xacro may make names."""
     interfaces: set[str] = field(default_factory=set)
     """The command interfaces of ros2_control."""
     controlled: list[Located] = field(default_factory=list)
     """The literal names of joints in ros2_control."""
+    offered: set[str] = field(default_factory=set)
+    """The literal names of joints, GPIOs and sensors in ros2_control."""
     is_open: bool = False
     """More joints may come from elsewhere, under any name."""
     is_open_interface: bool = False
 
     def has(self, name: str) -> bool:
         """Whether the robot has a joint of this name, or may have one."""
-        return name in self.joints or any(_fits(pattern, name) for pattern in self.patterns)
+        return name in self.joints or name in self.values or any(_fits(pattern, name) for pattern in self.patterns)
 
     def offers(self, name: str) -> bool:
         """Whether a controller may find a joint: hardware offers its joints, whether the robot has them or not."""
-        return name in self.controlled or self.has(name)
+        return name in self.offered or self.has(name)
 
 
-def described(tree: Tree) -> Described:
+def described(tree: Tree, packages: Container[str]) -> Described:
+    """``packages``: those of the tree, from which descriptions include others."""
     found = Described()
-    paths = [path for path in tree.paths if path.endswith((".urdf", ".xacro"))]
+    paths = [path for path in tree.paths if path.endswith(_FORMATS) or ".urdf." in path.rpartition("/")[2]]
     found.is_open = len(paths) > _FILES
     for path in paths[:_FILES]:
         source = tree.read(path)
@@ -57,31 +70,64 @@ def described(tree: Tree) -> Described:
             found.is_open = True
             continue
         for element in root.walk():
-            _add(found, tree, element)
+            if element.name.startswith("xacro:"):
+                _add_values(found, element)
+                found.is_open = found.is_open or not _is_closed(tree, packages, element)
+            else:
+                _add(found, element)
     return found
 
 
-def _add(found: Described, tree: Tree, element: Element) -> None:
+def _add(found: Described, element: Element) -> None:
     name = element.get("name")
-    if element.name.startswith("xacro:"):
-        if element.local == "include":
-            found.is_open = found.is_open or not _is_there(tree, str(element.get("filename") or ""))
-        elif element.local not in _NO_CALLS:
-            for attribute in element.attributes:
-                _add_name(found, attribute.value)
-    elif element.local == "joint" and name is not None:
-        if not _is_controlled(element):
-            _add_name(found, name)
-        elif "$" not in name:
+    if name is None:
+        return
+    is_controlled = _is_controlled(element)
+    if element.local == "joint" and not is_controlled:
+        _add_name(found, name, 1)
+    elif element.local in _HOLDERS and is_controlled and "$" not in name:
+        found.offered.add(str(name))
+        if element.local == "joint":
             found.controlled.append(name)
-    elif element.local == "command_interface" and name is not None:
+    elif element.local == "command_interface":
         found.interfaces.add(str(name))
         found.is_open_interface = found.is_open_interface or "$" in name
 
 
-def _is_there(tree: Tree, filename: str) -> bool:
+def _add_values(found: Described, element: Element) -> None:
+    """The values of which xacro may make the names of joints."""
+    if element.local in ("property", "arg"):
+        for value in (element.get("value"), element.get("default")):
+            _add_words(found, str(value or ""))
+    elif element.local == "macro":
+        found.values.update(match["value"] for match in _DEFAULT.finditer(str(element.get("params") or "")))
+    elif element.local not in _NO_CALLS:
+        for attribute in element.attributes:
+            _add_name(found, attribute.value, _KNOWN_PART)
+            _add_words(found, attribute.value)
+
+
+def _add_words(found: Described, value: str) -> None:
+    """The text itself, or the texts of an expression."""
+    if "$" not in value:
+        found.values.update(value.split())
+    found.values.update(match[1] or match[2] or "" for match in _QUOTED.finditer(value))
+
+
+def _is_closed(tree: Tree, packages: Container[str], element: Element) -> bool:
+    """Whether all that an element of xacro brings is in the tree."""
+    if element.local == "include":
+        return _is_there(tree, packages, str(element.get("filename") or ""))
+    return not any("load_yaml" in attribute.value for attribute in element.attributes)
+
+
+def _is_there(tree: Tree, packages: Container[str], filename: str) -> bool:
+    match = _FOUND.match(filename)
+    if match is not None and match["package"].strip() not in packages:
+        return False
     base = filename.rpartition("/")[2]
-    return "$" not in base and bool(base) and any(True for _ in tree.named(base))
+    ending = f"/{match['rest']}" if match is not None else base
+    return "$" not in base and bool(base) and any(f"/{path}".endswith(ending) for path in tree.named(base))
 
 
 def _is_controlled(element: Element) -> bool:
@@ -93,13 +139,15 @@ def _is_controlled(element: Element) -> bool:
     return False
 
 
-def _add_name(found: Described, name: Located) -> None:
-    """A name of a joint, or a value of which a macro may make one."""
+def _add_name(found: Described, name: Located, known_part: int) -> None:
+    """A name of a joint, or a value of which a macro may make one, with the characters of it that must be literal."""
     if "$" not in name:
         found.joints.update(str(name).split())
         return
     pattern = _SUBSTITUTION.sub("\0", name)
-    if len(pattern.replace("\0", "")) >= _KNOWN_PART:
+    if "$" in pattern:
+        found.is_open = True
+    elif len(pattern.replace("\0", "")) >= known_part:
         found.patterns.add(pattern)
 
 
