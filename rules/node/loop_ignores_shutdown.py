@@ -1,9 +1,10 @@
 """A C++ program goes on after it was told to end.
 
 ## What it finds
-In `main` after `rclcpp::init()`, and in the constructors of nodes: `while (true)`, `for (;;)`, and loops that sleep
-until something comes, when nothing in them asks `rclcpp::ok()`, leaves the loop, or looks at a flag by which a signal
-could end it. Programs that treat signals themselves are left out.
+In `main` between `rclcpp::init()` and `rclcpp::shutdown()`, and in the constructors of nodes: `while (true)`,
+`for (;;)`, and loops that sleep until something comes, when nothing in them asks `rclcpp::ok()`, leaves the loop,
+counts tries or time, or looks at a flag by which a signal could end it. Programs that treat signals themselves are left
+out.
 
 ## Why it matters on a robot
 `rclcpp::init()` takes SIGINT and SIGTERM for itself: they only make `rclcpp::ok()` false. A loop that does not ask

@@ -18,14 +18,21 @@ if TYPE_CHECKING:
     from tree_sitter import Node
 
 _ASKS = regex(
-    r"\bok\s{0,4}\(|\bspin\w{0,40}\s{0,4}\(|(?i:stop|run|quit|exit|abort|terminat|shut|sig|alive|done|finish|cancel|kill)"
+    r"\bspin\w{0,40}\s{0,4}\(|(?i:ok\s{0,4}\(|is_?valid|stop|run|quit|exit|abort|terminat|shut|sig|alive|done|finish"
+    r"|cancel|kill)"
 )
 """Words by which a loop may know that it is to end, also in a condition."""
 _SLEEPS = regex(r"\b(?:sleep_for|sleep|usleep|nanosleep)\s{0,4}\(")
-_HANDLES = regex(r"\b(?:signal|sigaction|shutdown_on_signal|InitOptions|install_signal_handlers)\b")
+_HANDLES = regex(r"\bsigaction\b|\bsignal\b|InitOptions|(?i:signals?_?(?:handlers?)?\s{0,4}\()")
 """The program treats signals in a way of its own."""
 _NODE = regex(r"\b(?:rclcpp::|rclcpp_lifecycle::)?(?:Lifecycle)?Node\s{0,4}[({]")
+_GIVES_BACK = ("rclcpp::shutdown", "rclcpp::uninstall_signal_handlers")
+"""Calls after which signals end the program again (rclcpp, utilities.cpp)."""
 _FOREVER = ("true", "1")
+_BOUNDED = regex(r"(?i)time_?out|timed|expire|elapsed|deadline|empty|has_?next")
+"""Words of conditions that end by themselves."""
+_ORDERS = frozenset({"<", ">", "<=", ">="})
+_LITERALS = ("true", "false")
 
 
 def deaf_loops(code: Code) -> Iterator[DeafLoop]:
@@ -47,9 +54,18 @@ def _of_main(code: Code, function: Node) -> Iterator[DeafLoop]:
     started = [call.node.start_byte for call in code.calls if call.qualified == "rclcpp::init"]
     if not started:
         return
+    ended = [call.node.start_byte for call in code.calls if call.qualified in _GIVES_BACK and _is_step(function, call)]
     for loop in (*code.written.get("while", ()), *code.written.get("for", ())):
-        if loop.start_byte > started[0] and runs(function, loop):
+        is_handled = started[0] < loop.start_byte < max(ended, default=loop.end_byte)
+        if is_handled and runs(function, loop):
             yield from _deaf(code, loop, "main")
+
+
+def _is_step(function: Node, call: Call) -> bool:
+    """Whether a call is a statement of a function itself, which no condition leaves out."""
+    body = function.child_by_field_name("body")
+    outer = call.node.parent.parent if call.node.parent is not None else None
+    return body is not None and outer is not None and outer.id == body.id
 
 
 def _is_constructor(code: Code, function: Node, name: str) -> bool:
@@ -64,8 +80,25 @@ def _deaf(code: Code, loop: Node, function: str) -> Iterator[DeafLoop]:
     if _ASKS.search(code.text(loop)) or _leaves(loop):
         return
     is_forever = _condition(code, loop) in _FOREVER
-    if is_forever or (loop.type == "while_statement" and _SLEEPS.search(code.text(loop.child_by_field_name("body")))):
+    if is_forever or _waits(code, loop):
         yield DeafLoop(_head(code, loop), function, is_forever)
+
+
+def _waits(code: Code, loop: Node) -> bool:
+    """Whether a loop sleeps until something else comes, and counts neither time nor tries."""
+    if loop.type != "while_statement" or not _SLEEPS.search(code.text(loop.child_by_field_name("body"))):
+        return False
+    return not _BOUNDED.search(_condition(code, loop)) and not any(_is_count(code, each) for each in _below(loop))
+
+
+def _is_count(code: Code, node: Node) -> bool:
+    """``i++``, ``i += n``, ``i < n``, and ``waiting = false``."""
+    if node.type == "update_expression":
+        return True
+    operator = code.text(node.child_by_field_name("operator"))
+    if node.type == "assignment_expression":
+        return operator != "=" or code.text(node.child_by_field_name("right")) in _LITERALS
+    return node.type == "binary_expression" and operator in _ORDERS
 
 
 def _head(code: Code, loop: Node) -> Span:
@@ -87,12 +120,14 @@ def _condition(code: Code, loop: Node) -> str:
 
 
 def _leaves(loop: Node) -> bool:
-    stack = [loop.child_by_field_name("body")]
+    return any(each.type in LEAVES for each in _below(loop))
+
+
+def _below(loop: Node) -> Iterator[Node]:
+    """The nodes of a loop, without those of lambdas."""
+    stack = [loop]
     while stack:
         current = stack.pop()
-        if current is None or current.type == "lambda_expression":
-            continue
-        if current.type in LEAVES:
-            return True
-        stack += current.named_children
-    return False
+        if current.type != "lambda_expression":
+            yield current
+            stack += current.named_children
