@@ -21,7 +21,7 @@ _SUBSTITUTION = regex(r"\$\{[^{}]*\}|\$\([^()]*\)")
 _QUOTED = regex(r"'([^'{}$]*)'|\"([^\"{}$]*)\"")
 _DEFAULT = regex(r":=\^?\|?(?P<quote>['\"]?)(?P<value>[^\s'\"]+)(?P=quote)")
 """The value that a parameter of a macro has when a call does not give it."""
-_FOUND = regex(r"\$\(find\s+(?P<package>[^()$]+)\)/(?P<rest>[^$]+)\Z")
+_FOUND = regex(r"\$\(find\s(?P<package>[^()$]+)\)/(?P<rest>[^$]+)\Z")
 _KNOWN_PART = 2
 """Characters of a value that must be literal for its pattern to say anything."""
 _FORMATS = (".urdf", ".xacro", ".sdf")
