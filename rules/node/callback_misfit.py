@@ -11,8 +11,11 @@ In Python nodes:
 
 ## Why it matters on a robot
 Python looks at all this when the callback runs: with the first message, the first call, the first `ros2 param set`. The
-exception leaves `spin()` and the node ends. The client of a service waits forever for a response. A goal that nobody
-ends counts as aborted, although the arm has reached it, and what waits for it starts its recovery.
+exception leaves `spin()` and the node ends. From Iron on, rclpy compares the callback of a subscription with a message
+when it is created, and the node does not start. The client of a service waits forever for a response. A callback for
+parameters that returns nothing makes rclpy refuse every change; until the releases of spring 2025 it raised
+AttributeError. A goal that nobody ends counts as aborted, although the arm has reached it, and what waits for it starts
+its recovery.
 
 ## Bad
 ```python
@@ -56,6 +59,7 @@ from bringup_lint.api import rule
         "TypeError: '*' takes * positional arguments but * were given",
         "AttributeError: 'NoneType' object has no attribute 'successful'",
         "callback should be either be callable with one argument",
+        "Callback returned an invalid type",
     ],
 )
 def callback_misfit(robot: Robot) -> Iterator[Finding]:
@@ -77,10 +81,12 @@ def _message(unfit: nodes.Unfit, is_alone: bool) -> str:
             return f"{unfit.name}() runs here once and gives None: {_of_none(unfit.callback.role)}"
         case "arguments" if unfit.callback.role == "timer":
             return f"TypeError when the timer fires: {unfit.name}() needs an argument, and gets none{exits}"
+        case "arguments" if unfit.callback.role == "subscription":
+            return f"{unfit.name}() does not take {unfit.detail} of the subscription: rclpy raises an exception{exits}"
         case "arguments":
             return f"{unfit.name}() does not take {unfit.detail} of the {unfit.callback.role}: TypeError{exits}"
         case "answer" if unfit.callback.role == "parameters":
-            return f"{unfit.name}() returns nothing: setting a parameter raises AttributeError{exits}"
+            return f"{unfit.name}() returns nothing: no parameter can be set, and with an older rclpy the node exits"
         case "answer":
             return f"{unfit.name}() does not return {unfit.detail}: TypeError, the client gets no answer{exits}"
     return f"{unfit.name}() ends no goal: each one counts as aborted, also those that were reached"

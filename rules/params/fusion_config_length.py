@@ -70,9 +70,11 @@ def fusion_config_length(robot: Robot) -> Iterator[Finding]:
 
 
 def of_wrong_length(parameter: Parameter) -> int | None:
-    """How many entries a list of switches has, when that is wrong."""
+    """How many entries a list of switches has, when that is wrong. rclcpp itself refuses empty and other lists."""
     match, values = CONFIG.match(parameter.name), parameter.value.data
-    if match is None or not isinstance(values, list) or len(values) == ENTRIES:
+    if match is None or not isinstance(values, list) or len(values) in (0, ENTRIES):
+        return None
+    if not all(isinstance(each, bool) for each in values):
         return None
     names = {each.name for each in parameter.block.parameters}
     return len(values) if match["sensor"] in names else None

@@ -32,9 +32,8 @@ LISTS: dict[str, dict[str, tuple[str, ...]]] = {
     "global_costmap": _COSTMAP,
 }
 """Node -> the parameters that name plugins -> the names whose classes the server knows by itself, when the list is just
-these. Source: navigation2, Humble to Jazzy: controller_server.cpp, planner_server.cpp, nav2_smoother.cpp,
-behavior_server.cpp, costmap_2d_ros.cpp."""
-_NEWER = {"behavior_plugins": ("spin", "backup", "drive_on_heading", "assisted_teleop", "wait")}
+these, in this order. Source: navigation2, Humble to Kilted: controller_server.cpp, planner_server.cpp,
+nav2_smoother.cpp, behavior_server.cpp, costmap_2d_ros.cpp."""
 
 
 class UntypedPlugin(NamedTuple):
@@ -83,7 +82,7 @@ def _untyped(
     file: ParameterFile, parameter: Parameter, server: str, known: tuple[str, ...], used: bool
 ) -> Iterator[UntypedPlugin]:
     names = [item.text for item in items(parameter)]
-    if sorted(names) in (sorted(known), sorted(_NEWER.get(parameter.name, known))):
+    if names == list(known):
         return
     typed = {
         each.name.removesuffix(".plugin"): each
