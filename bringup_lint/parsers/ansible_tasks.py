@@ -16,6 +16,7 @@ from bringup_lint.source import Source
 _LISTS = ("pre_tasks", "tasks", "post_tasks", "handlers")
 _BLOCKS = ("block", "rescue", "always")
 _INCLUDES = ("include_tasks", "import_tasks", "include_role", "import_role", "include", "import_playbook", "roles")
+_FORGIVING = ("ignore_errors", "failed_when", "rescue")
 _DEEPEST = 20
 
 
@@ -26,6 +27,8 @@ class Task(NamedTuple):
     """All that the task says."""
     become: bool | None
     """Of the task, or of the blocks and the play around it; None: none of them says it, or the value is not known."""
+    may_fail: bool = False
+    """The play goes on when it fails: by its own keys, or by a block with ``rescue``."""
 
     @property
     def own_become(self) -> bool | None:
@@ -42,13 +45,20 @@ class Task(NamedTuple):
         return any(key.value.rpartition(".")[2] in _INCLUDES for key, _ in self.keys.entries)
 
 
+class _Around(NamedTuple):
+    """What the blocks and the play around a task say for it."""
+
+    become: bool | None = None
+    may_fail: bool = False
+
+
 def tasks(source: Source) -> Iterator[Task]:
     """The tasks of a playbook or of a role's file, those in blocks included."""
     for document in parse(source).documents:
         if isinstance(document.root, Sequence):
             for item in document.root:
                 if isinstance(item, Mapping):
-                    yield from _of_play(item) if item.get("hosts") is not None else _of_task(item, None, 0)
+                    yield from _of_play(item) if item.get("hosts") is not None else _of_task(item, _Around(), 0)
 
 
 def plays(source: Source) -> Iterator[Mapping]:
@@ -62,19 +72,20 @@ def _of_play(play: Mapping) -> Iterator[Task]:
     for name in _LISTS:
         for item in play.sequence(name) or ():
             if isinstance(item, Mapping):
-                yield from _of_task(item, _become(play), 0)
+                yield from _of_task(item, _Around(_become(play)), 0)
 
 
-def _of_task(keys: Mapping, around: bool | None, depth: int) -> Iterator[Task]:
+def _of_task(keys: Mapping, around: _Around, depth: int) -> Iterator[Task]:
     own = _become(keys)
-    become = around if own is None else own
+    become = around.become if own is None else own
+    may_fail = around.may_fail or any(keys.get(key) is not None for key in _FORGIVING)
     inner = [each for name in _BLOCKS for each in keys.sequence(name) or ()]
     if not inner:
-        yield Task(keys, become)
+        yield Task(keys, become, may_fail)
     elif depth < _DEEPEST:
         for each in inner:
             if isinstance(each, Mapping):
-                yield from _of_task(each, become, depth + 1)
+                yield from _of_task(each, _Around(become, may_fail), depth + 1)
 
 
 def _become(keys: Mapping) -> bool | None:

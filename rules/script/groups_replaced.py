@@ -82,10 +82,11 @@ def _replaced(run: Run) -> Located | None:
 
 
 def _is_created(robot: Robot, source: Source, run: Run) -> bool:
-    """Whether the script makes the user, who then has no other groups that count."""
+    """Whether a script makes the user, who then has no other groups that count: any one for a name, the same one for
+    a variable."""
     user = str(run.words[-1])
-    made = (did for did in robot.scripts.done(source) if isinstance(did, Run) and did.name in CREATES)
-    return any(user in map(str, each.words) for each in made)
+    made = robot.scripts.run(*CREATES)
+    return any(user in each.words for script, each in made if script is source or "$" not in user)
 
 
 def _of_tasks(robot: Robot) -> Iterator[Finding]:

@@ -7,6 +7,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.graph.installed.ansible.roles import Roles
 from bringup_lint.model.yaml_node import Node
 from bringup_lint.model.yaml_node import Scalar
 from bringup_lint.model.yaml_node import Sequence
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
 @dataclass(eq=False)
 class Handlers:
     files: Files
+    roles: Roles
 
     def missing(self, source: Source) -> Iterator[Located]:
         """The names of ``notify:`` that no handler of the tree has; nothing where not all handlers are known."""
@@ -40,7 +42,11 @@ class Handlers:
 
     @cached_property
     def _are_all_known(self) -> bool:
-        return not any(task.includes or any("{{" in name for name in _names(task)) for task in self._all)
+        """Whether the names of all handlers are in the tree: none has a variable, and no role comes from elsewhere."""
+        if any(task.includes or any("{{" in name for name in _names(task)) for task in self._all):
+            return False
+        sources = self.files.of_kind("ansible")
+        return self.roles.are_all_own and not any(self.roles.take_others(source) for source in sources)
 
 
 def _notified(source: Source) -> Iterator[Located]:

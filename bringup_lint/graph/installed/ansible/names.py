@@ -26,7 +26,7 @@ class MissingName(NamedTuple):
 def missing_names(files: Files, sources: Iterable[Source]) -> Iterator[MissingName]:
     """Each place that names a role, a handler or a file that is not there, in the order of the sources."""
     roles = Roles(files)
-    handlers = Handlers(files)
+    handlers = Handlers(files, roles)
     task_files = TaskFiles(files)
     for source in sources:
         if _is_read(source):
@@ -36,5 +36,6 @@ def missing_names(files: Files, sources: Iterable[Source]) -> Iterator[MissingNa
 
 
 def _is_read(source: Source) -> bool:
-    """Whether Ansible reads the file as it is; names in braces are its own."""
-    return source.judged and source.template in ("", "jinja")
+    """Whether Ansible reads the file as it is, names in braces being its own, and for a robot: Molecule brings roles
+    and files of its own to its tests."""
+    return source.judged and source.template in ("", "jinja") and "/molecule/" not in f"/{source.name}"

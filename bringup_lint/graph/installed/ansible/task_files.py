@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+from collections import Counter
 from collections.abc import Iterator
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -32,6 +33,8 @@ _FOLDERS = {
 """Where Ansible looks, below the role and beside the file."""
 _ELSEWHERE = regex(r"[/~]|http|\s*$")
 """How a path begins that is not one of the tree."""
+_ASKS = regex(r"\bexists\b|\bis (?:not )?(?:file|link)\b")
+"""A condition that a file is there."""
 
 
 @dataclass(eq=False)
@@ -40,8 +43,24 @@ class TaskFiles:
 
     def missing(self, source: Source) -> Iterator[Located]:
         for word, folders in _named(source):
-            if self._is_missing(source, word, folders):
+            if self._is_missing(source, word, folders) and not self._is_made(word):
                 yield word
+
+    def _is_made(self, path: str) -> bool:
+        """Whether something else than the tasks that read a file names it: it may put it there before."""
+        name = os.path.basename(path.rstrip("/"))
+        written = re.compile(rf"(?<![\w.-]){re.escape(name)}(?![\w-])")
+        return sum(len(written.findall(text)) for text in self._texts if name in text) > self._read[name]
+
+    @cached_property
+    def _texts(self) -> list[str]:
+        return [source.text for source in self.files.of_kind("ansible", "shell-script")]
+
+    @cached_property
+    def _read(self) -> Counter[str]:
+        """How often tasks read a file of a name."""
+        named = (word for source in self.files.of_kind("ansible") for word, _ in _named(source))
+        return Counter(os.path.basename(word.rstrip("/")) for word in named)
 
     def _is_missing(self, source: Source, path: str, folders: tuple[str, ...]) -> bool:
         if "{{" in path or "*" in path or _ELSEWHERE.match(path):
@@ -76,7 +95,10 @@ def _named(source: Source) -> Iterator[tuple[Located, tuple[str, ...]]]:
 
 
 def _may_fail(task: Task) -> bool:
-    return any(task.keys.get(key) is not None for key in ("loop", "ignore_errors"))
+    """Whether the play goes on without the file, or the task runs only where something asked for it."""
+    condition = task.keys.scalar("when")
+    asked = condition is not None and _ASKS.search(condition.value) is not None
+    return asked or task.may_fail or task.keys.get("loop") is not None
 
 
 def _of_task(task: Task) -> Iterator[tuple[Located, tuple[str, ...]]]:
