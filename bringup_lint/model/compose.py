@@ -120,6 +120,16 @@ class Service:
         return Build(*(part.value if part else None for part in parts))
 
     @property
+    def build_arguments(self) -> frozenset[str]:
+        """The names of the ARGs that it gives to its build."""
+        node = self.get("build")
+        given = node.get("args") if isinstance(node, Mapping) else None
+        if isinstance(given, Mapping):
+            return frozenset(str(key.value) for key, _ in given.merged)
+        words = given.scalars if isinstance(given, Sequence) else ()
+        return frozenset(word.value.partition("=")[0] for word in words)
+
+    @property
     def inline_dockerfile(self) -> bool:
         """The Dockerfile is written in the compose file itself."""
         node = self.get("build")

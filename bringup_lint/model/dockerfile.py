@@ -15,7 +15,7 @@ from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
 
-_VARIABLE = regex(r"\$(?:\{(?P<braced>\w+)(?::-(?P<default>[^}]{0,400}))?\}|(?P<plain>\w+))")
+VARIABLE = regex(r"\$(?:\{(?P<braced>\w+)(?::-(?P<default>[^}]{0,400}))?\}|(?P<plain>\w+))")
 
 
 @dataclass(eq=False, slots=True)
@@ -130,7 +130,7 @@ def substituted(text: str, values: Mapping[str, str | None]) -> str:
         found = values.get(match["braced"] or match["plain"])
         return str(found or match["default"] or match[0])
 
-    return _VARIABLE.sub(value, text)
+    return VARIABLE.sub(value, text)
 
 
 _EXEC = regex(r"(?:^|&&|;)\s*exec\s")

@@ -49,20 +49,22 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.compose import Service
+from bringup_lint.api.docker import Stage
 from bringup_lint.api.docker import has_no_healthcheck
 from bringup_lint.api.yaml import Mapping
 
 
 @rule("error", confidence="medium", symptoms=["dependency failed to start: container * has no healthcheck configured"])
 def healthcheck_missing(robot: Robot) -> Iterator[Finding]:
+    checked = {str(service.name) for service in robot.compose.services if _checks(service)}
     for file in robot.compose.files:
-        if not file.source.judged or file.source.template:
+        if not file.source.judged or file.source.template or not file.yaml.complete:
             continue
         named = {str(service.name): service for service in file.services}
         for service in file.services:
             for name, condition in _waits(service):
                 needed = named.get(str(name))
-                if needed is not None and _has_none(robot, needed):
+                if needed is not None and _has_none(robot, needed, checked):
                     yield finding(
                         condition,
                         f"Nothing checks the health of '{name}': docker compose refuses to start '{service.name}'",
@@ -78,18 +80,33 @@ def _waits(service: Service) -> Iterator[tuple[Located, Located]]:
         return
     for name, settings in node.merged:
         condition = settings.scalar("condition") if isinstance(settings, Mapping) else None
+        required = settings.scalar("required") if isinstance(settings, Mapping) else None
+        if required is not None and required.boolean is False:
+            continue
         if condition is not None and condition.value == "service_healthy":
             yield name.value, condition.value
 
 
-def _has_none(robot: Robot, service: Service) -> bool:
-    if service.get("extends") is not None:
-        return False
+def _checks(service: Service) -> bool:
     check = service.get("healthcheck")
-    if check is not None:
-        disabled = check.scalar("disable") if isinstance(check, Mapping) else None
-        return disabled is not None and disabled.boolean is True
+    disabled = check.scalar("disable") if isinstance(check, Mapping) else None
+    return check is not None and (disabled is None or disabled.boolean is not True)
+
+
+def _has_none(robot: Robot, service: Service, checked: set[str]) -> bool:
+    """Whether neither the service, another file that may be given with it, nor its image has a check."""
+    if service.get("extends") is not None or str(service.name) in checked:
+        return False
+    if service.get("healthcheck") is not None:
+        return True
     stage = robot.compose.stage(service)
     if stage is None:
         return service.build is None and service.image is not None and has_no_healthcheck(service.image)
-    return has_no_healthcheck(stage.origin) and stage.last("HEALTHCHECK") is None
+    return not _has_check(stage) and not robot.compose.images.is_chosen(stage, tag=False)
+
+
+def _has_check(stage: Stage) -> bool:
+    """Whether an image may have a check: its own, or one that a base gives to what is built on it."""
+    later = (str(each.value).upper() for link in stage.chain for each in link.all("ONBUILD"))
+    own = stage.last("HEALTHCHECK") is not None or any(each.startswith("HEALTHCHECK") for each in later)
+    return own or not has_no_healthcheck(stage.origin)

@@ -49,7 +49,7 @@ def apt_without_update(robot: Robot) -> Iterator[Finding]:
             continue
         for stage in file.stages:
             unlisted = first_unlisted(stage)
-            if unlisted is None:
+            if unlisted is None or robot.compose.images.is_chosen(stage, tag=False):
                 continue
             package, removed = unlisted
             why = "they were removed before" if removed is not None else f"{stage.origin} comes without them"

@@ -50,6 +50,8 @@ from bringup_lint.api.docker import ros_distro
 def ros_distro_mismatch(robot: Robot) -> Iterator[Finding]:
     found: dict[tuple[Source, str, str], list[OtherDistro]] = {}
     for other in other_distros(robot.dockerfiles, robot.runners.all):
+        if robot.compose.images.is_chosen(other.stage, tag=True):
+            continue
         key = (other.word.span.source, ros_distro(other.stage.origin), other.name)
         found.setdefault(key, []).append(other)
     for (_, distro, name), others in found.items():

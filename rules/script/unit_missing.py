@@ -68,7 +68,7 @@ def unit_missing(robot: Robot) -> Iterator[Finding]:
     found: dict[tuple[Source, str], list[Named]] = {}
     for source, run in robot.scripts.run("systemctl"):
         for named in _named(run):
-            if robot.units.lacks(named.name, named.manager):
+            if robot.units.lacks(named.name, named.manager) and not robot.scripts.brings_unit(source, named.name):
                 found.setdefault((source, named.name), []).append(named)
     for first, *others in found.values():
         like = robot.units.like(first.name, first.manager)

@@ -37,6 +37,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Unit
 
 
 @rule("warning", silent="systemd reads the file of a forking service only, and says nothing of any other")
@@ -45,7 +46,7 @@ def pidfile_unused(robot: Robot) -> Iterator[Finding]:
         kind, path = unit.get("Type"), unit.get("PIDFile")
         if not path or ".." in path or kind in ("forking", "dbus"):
             continue
-        if unit.uncertain or unit.fragment is None or "$" in (kind or ""):
+        if unit.uncertain or unit.fragment is None or "$" in (kind or "") or _is_used(robot, unit, path):
             continue
         yield finding(
             path,
@@ -53,3 +54,11 @@ def pidfile_unused(robot: Robot) -> Iterator[Finding]:
             advice="remove the line, or use Type=forking where the program forks and writes the file",
             related=[note(kind, "the type")] if kind else (),
         )
+
+
+def _is_used(robot: Robot, unit: Unit, path: str) -> bool:
+    """Whether systemd or a program uses the file: systemd reads it after ExecStartPost= and ExecReload= of every type,
+    a program that notifies systemd says its main process by itself, and one that is given the path writes it."""
+    if unit.has("ExecStartPost") or unit.has("ExecReload") or (unit.get("Type") or "").startswith("notify"):
+        return True
+    return any(path in str(word) for process in robot.units.started(unit) for word in process.argv)

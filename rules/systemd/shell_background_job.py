@@ -55,8 +55,11 @@ def shell_background_job(robot: Robot) -> Iterator[Finding]:
             continue
         leaves = bool(remains) or unit.get("Type") == "forking"
         once = unit.get("Type") == "oneshot" and not leaves
-        for process in robot.units.started(unit):
+        started = robot.units.started(unit)
+        for process in started[-1:] if once else started:
             jobs = [job for job in background_jobs(process) if job.ends or not once]
+            if once and unit.get("KillMode") in ("process", "none"):
+                continue
             if jobs and not leaves:
                 yield _finding(unit, process, jobs)
             elif leaves and not unit.has("PIDFile"):

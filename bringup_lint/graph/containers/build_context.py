@@ -76,7 +76,7 @@ def _builders(compose: Compose) -> dict[str, list[tuple[Service, str]]]:
         if build is None or service.inline_dockerfile or is_variable(build.context or ""):
             continue
         context = os.path.normpath(os.path.join(_folder(service.source.name), build.context or "."))
-        path = os.path.join(context, build.dockerfile or "Dockerfile")
+        path = os.path.normpath(os.path.join(context, build.dockerfile or "Dockerfile"))
         found.setdefault(path, []).append((service, context))
     return found
 

@@ -12,8 +12,10 @@ from bringup_lint import facts
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
 from bringup_lint.discover.tree import Tree
+from bringup_lint.graph.memo import memo
 from bringup_lint.model.compose import ComposeFile
 from bringup_lint.model.compose import is_variable
+from bringup_lint.model.dockerfile import VARIABLE
 from bringup_lint.model.dockerfile import Dockerfile
 from bringup_lint.model.dockerfile import Stage
 from bringup_lint.model.image_build import ImageBuild
@@ -76,6 +78,21 @@ class Images:
                 return False
         written = re.compile(rf"(?<![\w.-]){re.escape(name)}(?![\w.-])")
         return any(name in text and written.search(text) for text in self._build_texts)
+
+    def is_chosen(self, stage: Stage, *, tag: bool) -> bool:
+        """Whether a build of the tree may give another base to a stage than the default of an ARG says: another
+        repository, or with ``tag`` another tag."""
+        images = (each.image if tag else each.image.partition(":")[0] for each in stage.chain)
+        named = {match["braced"] or match["plain"] for image in images for match in VARIABLE.finditer(image)}
+        return any(self._is_given(name) for name in named)
+
+    @memo
+    def _is_given(self, argument: str) -> bool:
+        """Whether a compose file, a bake file or a build command gives a value to an ARG."""
+        if any(argument in service.build_arguments for file in self.compose_files for service in file.services):
+            return True
+        given = re.compile(rf"\b{re.escape(argument)}[\"']?[ \t]*[:=]")
+        return any("build" in text and "arg" in text and given.search(text) for text in self._build_texts)
 
     @cached_property
     def _build_texts(self) -> list[str]:

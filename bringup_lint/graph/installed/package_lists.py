@@ -15,8 +15,12 @@ from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
 _PROGRAMS = ("apt", "apt-get", "aptitude")
-_UPDATES = frozenset("add-apt-repository apt-add-repository curl wget bash sh source . python3 python".split())
+_UPDATES = frozenset(
+    "add-apt-repository apt-add-repository ansible-playbook unminimize make just curl wget bash sh source . python3"
+    " python".split()
+)
 """What updates the lists itself, or may start what does."""
+_COPIED = regex(r"/var(?:/lib(?:/apt(?:/lists)?)?)?/?[\"\]\s]*$|^/[\s,]+/$")
 _LISTS = regex(r"/var/lib/apt(?:/lists)?(?:/\*?)?")
 _CACHED = regex(r"--mount=(?:[^\s=]{1,40}=[^\s,]{0,200},){0,9}(?:target|dst)=/var/lib/apt")
 _VALUED = ("-t", "-o", "-c", "--target-release", "--option")
@@ -54,8 +58,11 @@ def first_unlisted(stage: Stage) -> Unlisted | None:
 
 def _commands(stage: Stage) -> Iterator[Command | None]:
     """The commands of a stage in order; None for a step of which the lists come from elsewhere."""
-    for instruction in stage.all("RUN"):
-        if instruction.exec_form is not None or any(_CACHED.match(flag) for flag in instruction.flags):
+    for instruction in stage.all("RUN", "COPY", "ADD"):
+        if instruction.name != "RUN":
+            if _COPIED.search(instruction.value):
+                yield None
+        elif instruction.exec_form is not None or any(_CACHED.match(flag) for flag in instruction.flags):
             yield None
         else:
             yield from commands_of_run(instruction)

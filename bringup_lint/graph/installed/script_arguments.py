@@ -11,6 +11,8 @@ from functools import cache
 
 from bringup_lint.graph.commands.wrappers import program_name
 from bringup_lint.model.shell import Block
+from bringup_lint.model.shell import Command
+from bringup_lint.model.shell import Word
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.shell import shell_blocks
 from bringup_lint.pattern import regex
@@ -25,9 +27,14 @@ _NOUNSET = regex(
 _USED = regex(r"\$(?P<plain>[1-9])|\$\{(?P<braced>[1-9])\}")
 _FIELDS = regex(r"\bg?awk\b|\bperl\b|\bsed\b")
 """Programs with variables of these names, which a command substitution may hold."""
+_VARIABLE = regex(r"\$\w+")
+"""As a word of its own, systemd splits it."""
+_ASSIGNED = regex(r"(?P<name>[A-Za-z_]\w*)=\$(?:[1-9]|\{[1-9]\})")
+_TESTED = r"\$\{{{name}[:=?+-]|(?:\[|\btest[ \t]|\bcase[ \t])[^\n]*\$\{{?{name}\b"
+_GUARDED = regex(r"\$\{(\d)[:=?+-]|\bcase[ \t]+\"?\$\{?(\d)")
 _TESTS = ("[", "[[", "test", "case")
 _SHELLS = ("bash", "sh", "dash")
-_SEVERAL = regex(r"[*?\[]|\$[@*]|\$\{\w+\[[@*]\]|\$\(")
+_SEVERAL = regex(r"[*?\[]|\{[^{}\n]*(?:,|\.\.)[^{}\n]*\}|\$[@*]|\$\{\w+\[[@*]\]|\$\(")
 
 
 class ShortCall(NamedTuple):
@@ -58,7 +65,7 @@ def short_calls(scripts: Iterable[Source], calls: Iterable[Call]) -> Iterator[Sh
     for caller, command in calls:
         words = _from_script(command)
         script = _called(by_name, caller, words)
-        if script is None or script is caller or any(_SEVERAL.search(word) for word in words):
+        if script is None or script is caller or any(map(_may_be_several, words)):
             continue
         lacking = [use for number, use in sorted(uses(script).items()) if number >= len(words)]
         if lacking:
@@ -83,33 +90,68 @@ def _uses(script: Source) -> dict[int, Located]:
     """The arguments that a script surely reads, with the first word that does."""
     if _HANDLED.search(script.text) or script.template:
         return {}
+    strict = _NOUNSET.search(script.text) is not None
     found: dict[int, Located] = {}
-    tested: set[int] = set()
-    for block in _top(shell_blocks(script)):
-        command = block.command
-        if command is None:
-            continue
+    optional = _guarded(script.text)
+    for command in _sure_commands(script):
         for word in (*command.words, *command.assignments):
             for number in _numbers(word):
                 found.setdefault(number, word)
-                if command.name in _TESTS or command.ends in ("||", "&&"):
-                    tested.add(number)
-    guarded = {
-        int(each)
-        for each in re.findall(r"\$\{(\d)[:=?+-]|\bcase[ \t]+\"?\$\{?(\d)", script.text)
-        for each in each
-        if each
-    }
-    return {number: word for number, word in found.items() if number not in tested | guarded}
+                if _tests(command) or (not strict and _is_optional(script, command, word)):
+                    optional.add(number)
+    return {number: word for number, word in found.items() if number not in optional}
+
+
+def _guarded(text: str) -> set[int]:
+    """The arguments with a default, and those that a ``case`` looks at."""
+    return {int(number) for match in _GUARDED.finditer(text) for number in match.groups() if number}
+
+
+def _tests(command: Command) -> bool:
+    return command.name in _TESTS or command.ends in ("||", "&&")
+
+
+def _is_optional(script: Source, command: Command, word: Located) -> bool:
+    """Whether an empty argument is seen to: a last word without quotes is not there then, and a variable may be
+    tested later."""
+    if command.words and word is command.words[-1] and _is_bare(word):
+        return True
+    assigned = _ASSIGNED.fullmatch(word)
+    return assigned is not None and re.search(_TESTED.format(name=assigned["name"]), script.text) is not None
+
+
+def _is_bare(word: Located) -> bool:
+    """Whether it is an argument alone, without quotes."""
+    return _USED.fullmatch(word) is not None and all(not quote for _, quote in _stretches(word))
+
+
+def _sure_commands(script: Source) -> Iterator[Command]:
+    return (block.command for block in _top(shell_blocks(script)) if block.command is not None)
 
 
 def _numbers(word: Located) -> Iterator[int]:
     if _FIELDS.search(word):
         return
-    parts = word.stretches() if hasattr(word, "stretches") else [(word, "")]
-    for part, quote in parts:
+    for part, quote in _stretches(word):
         if quote != "'":
             yield from (int(match["plain"] or match["braced"]) for match in _USED.finditer(part))
+
+
+def _stretches(word: Located) -> Iterator[tuple[Located, str]]:
+    """The parts of a word with their quotes; without any for a word of another file than a script."""
+    if isinstance(word, Word):
+        yield from word.stretches()
+    else:
+        yield word, ""
+
+
+def _may_be_several(word: Located) -> bool:
+    """Whether the shell or systemd may make several arguments of a word, or none."""
+    if _SEVERAL.search(word):
+        return True
+    if not isinstance(word, Word):
+        return _VARIABLE.fullmatch(word) is not None
+    return any("$" in part and not quote for part, quote in word.stretches())
 
 
 def _top(blocks: Sequence[Block]) -> Iterator[Block]:

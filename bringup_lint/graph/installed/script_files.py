@@ -25,7 +25,7 @@ _TAKES["docker-compose"] = _TAKES["docker"]
 """Options with a file that the command reads."""
 _VALUED = ("-o", "-g", "-m", "-S", "-t")
 _GENERATED = regex(
-    r"(?:^|/)(?:install|devel|build|log|\.?v?env|node_modules|target|dist|out|output|tmp|certs?|keys?|keystore)/|\.env$"
+    r"(?:^|/)(?:install|devel|build|log|\.?v?env|node_modules|target|dist|out|output|tmp|certs?|keys?|keystore)/|\.env$|\.(?:hex|bin|elf|uf2|so|o|a|ko|dtbo?|deb|whl|jar|img|zip|tgz)$|\.tar(?:\.\w+)?$"
 )
 _ASSIGNED = regex(
     r"^[ \t]*(?:readonly[ \t]+|export[ \t]+|local[ \t]+|declare[ \t]+-\w+[ \t]+)?(?P<name>\w+)="

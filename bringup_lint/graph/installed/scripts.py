@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import posixpath
+import re
 from collections.abc import Iterator
 from functools import cached_property
 
@@ -11,9 +13,13 @@ from bringup_lint.graph.files import Files
 from bringup_lint.graph.installed.script import Run
 from bringup_lint.graph.installed.script import Written
 from bringup_lint.graph.installed.script import runs
+from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 
 KINDS = ("shell-script",)
+_SILENT = frozenset("echo printf journalctl service log".split())
+_QUERIES = frozenset(("link", "cat", "is-enabled", "list-unit-files"))
+_PART = regex(r"\{\{ [^{}]* \}\}|\$\{\w+\}|\$\w+")
 SIZE = 200_000
 """Characters of a script that is read for what it does."""
 
@@ -60,6 +66,16 @@ class Scripts:
             if source.judged and any(part in source.text for part in parts):
                 yield source
 
+    def brings_unit(self, source: Source, name: str) -> bool:
+        """Whether a script may make a unit or install what brings it: another command than those that start it names
+        the unit, or a file of which a variable gives a part of the name."""
+        stem = name.rpartition(".")[0].partition("@")[0]
+        for did in self.done(source):
+            words = [did.path] if isinstance(did, Written) else _speaking(did)
+            if any(stem in word or _fits(word, name) for word in words):
+                return True
+        return False
+
     def starts_by_itself(self, source: Source) -> bool:
         """Whether something of the tree runs the script, so that it may run at every boot: it names the file, or the
         name of the script is that of an entry point."""
@@ -68,3 +84,18 @@ class Scripts:
             return True
         starters = (each for kind in STARTING if kind not in KINDS for each in self.files.of_kind(kind))
         return any(name in each.text for each in starters)
+
+
+def _speaking(run: Run) -> list[str]:
+    """The words of a command that has to do with what it names, rather than start it or speak of it."""
+    if run.name in _SILENT or (run.name == "systemctl" and _QUERIES.isdisjoint(run.words)):
+        return []
+    return [run.text(word) for word in run.words]
+
+
+def _fits(path: str, unit: str) -> bool:
+    """Whether a path with variables may be a file of a unit."""
+    name = posixpath.basename(path)
+    if not name.endswith(unit.rpartition(".")[2]) or not _PART.search(name):
+        return False
+    return re.fullmatch(".*".join(map(re.escape, _PART.split(name))), unit) is not None

@@ -22,8 +22,19 @@ if TYPE_CHECKING:
 
 _NAMED = regex(r"/opt/ros/(?P<distro>[a-z]+)(?=/|$)")
 _TESTS = ("[", "[[", "test")
+_HARMLESS = frozenset("rm mkdir echo printf export test [ [[".split())
+"""Programs that need nothing of a path that they name."""
 _BUILDS = regex(r"\bcolcon\s+build\b")
 _LIBRARIES = regex(r"(?:^|/)install/?$|^/opt/(?!ros/)")
+
+
+_BRINGS = (
+    r"\bros-{name}-|\b{name}\b[^\n]*(?:tar|curl|wget|git)|--from=\S+[^\n]*/opt/ros|--mount=\S*/opt/ros"
+    r"|^(?:COPY|ADD)\b[^\n]*[ \t]/opt(?:/ros(?:/{name})?)?/?$"
+    r"|\b(?:ln|cp|mv|rsync|mkdir)[ \t][^\n;&]*/opt/ros/{name}\b|--install-base[ =]/opt/ros/{name}\b"
+    r"|\bros-\$\{{?(?!ROS_DISTRO\b)\w|{name}[\w.-]*\.(?:sh|bash|py)\b"
+)
+"""What may bring a distribution: packages of its name, also by another variable, archives, copies, and scripts."""
 
 
 class OtherDistro(NamedTuple):
@@ -48,14 +59,20 @@ def other_distros(dockerfiles: Iterable[Dockerfile], runners: Iterable[Runner]) 
         for stage in file.stages:
             yield from _of_steps(stage)
     for runner in runners:
-        if runner.stage is not None:
+        if runner.stage is not None and not _is_mounted(runner):
             for line in runner.lines:
                 yield from _of_line(line, runner.stage)
 
 
+def _is_mounted(runner: Runner) -> bool:
+    """Whether a volume may bring a distribution."""
+    volumes = runner.service.volumes if runner.service is not None else []
+    return any((volume.target or "").startswith("/opt") for volume in volumes)
+
+
 def _of_steps(stage: Stage) -> Iterator[OtherDistro]:
     for command in commands_of(stage):
-        if not command.depth and command.ends != "||":
+        if not command.depth and command.ends != "||" and command.name not in _HARMLESS:
             yield from _of_words(command.words, stage)
 
 
@@ -83,7 +100,7 @@ def _lacks(stage: Stage, other: str) -> bool:
     own = ros_distro(stage.origin)
     if not own or other == own:
         return False
-    brings = re.compile(rf"\bros-{other}-|\b{other}\b[^\n]*(?:tar|curl|wget|git)|--from=\S+[^\n]*/opt/ros")
+    brings = re.compile(_BRINGS.format(name=other))
     return not any(brings.search(text) for text in _texts(stage))
 
 
@@ -91,7 +108,7 @@ def _texts(stage: Stage) -> Iterator[str]:
     """What brings files into an image."""
     for each in stage.chain:
         for instruction in each.all("RUN", "COPY", "ADD"):
-            yield " ".join((*instruction.flags, instruction.value))
+            yield " ".join((instruction.name, *instruction.flags, instruction.value))
 
 
 def foreign_workspaces(dockerfiles: Iterable[Dockerfile]) -> Iterator[ForeignWorkspace]:
