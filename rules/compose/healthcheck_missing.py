@@ -40,6 +40,7 @@ When another compose file that is always given adds the check.
 - https://docs.docker.com/reference/compose-file/services/#depends_on
 """
 
+import os
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -56,7 +57,7 @@ from bringup_lint.api.yaml import Mapping
 
 @rule("error", confidence="medium", symptoms=["dependency failed to start: container * has no healthcheck configured"])
 def healthcheck_missing(robot: Robot) -> Iterator[Finding]:
-    checked = {str(service.name) for service in robot.compose.services if _checks(service)}
+    checked = {(_folder(service), str(service.name)) for service in robot.compose.services if _checks(service)}
     for file in robot.compose.files:
         if not file.source.judged or file.source.template or not file.yaml.complete:
             continue
@@ -87,15 +88,20 @@ def _waits(service: Service) -> Iterator[tuple[Located, Located]]:
             yield name.value, condition.value
 
 
+def _folder(service: Service) -> str:
+    """Files that are given together lie in one folder."""
+    return os.path.dirname(service.source.name)
+
+
 def _checks(service: Service) -> bool:
     check = service.get("healthcheck")
     disabled = check.scalar("disable") if isinstance(check, Mapping) else None
     return check is not None and (disabled is None or disabled.boolean is not True)
 
 
-def _has_none(robot: Robot, service: Service, checked: set[str]) -> bool:
+def _has_none(robot: Robot, service: Service, checked: set[tuple[str, str]]) -> bool:
     """Whether neither the service, another file that may be given with it, nor its image has a check."""
-    if service.get("extends") is not None or str(service.name) in checked:
+    if service.get("extends") is not None or (_folder(service), str(service.name)) in checked:
         return False
     if service.get("healthcheck") is not None:
         return True

@@ -7,7 +7,10 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.graph.installed.ansible.projects import concerns
+from bringup_lint.graph.installed.ansible.projects import project_of
 from bringup_lint.graph.installed.ansible.roles import Roles
+from bringup_lint.graph.memo import memo
 from bringup_lint.model.yaml_node import Node
 from bringup_lint.model.yaml_node import Scalar
 from bringup_lint.model.yaml_node import Sequence
@@ -28,7 +31,9 @@ class Handlers:
     def missing(self, source: Source) -> Iterator[Located]:
         """The names of ``notify:`` that no handler of the tree has; nothing where not all handlers are known."""
         for name in _notified(source):
-            if "{{" not in name and self._are_all_known and name.rpartition(" : ")[2] not in self._names:
+            if "{{" in name or name.rpartition(" : ")[2] in self._names:
+                continue
+            if self._are_all_known(project_of(source.name)):
                 yield name
 
     @cached_property
@@ -40,13 +45,13 @@ class Handlers:
         """What a task may notify."""
         return frozenset(str(name) for task in self._all for name in _names(task))
 
-    @cached_property
-    def _are_all_known(self) -> bool:
+    @memo
+    def _are_all_known(self, project: str) -> bool:
         """Whether the names of all handlers are in the tree: none has a variable, and no role comes from elsewhere."""
         if any(task.includes or any("{{" in name for name in _names(task)) for task in self._all):
             return False
-        sources = self.files.of_kind("ansible")
-        return self.roles.are_all_own and not any(self.roles.take_others(source) for source in sources)
+        sources = [source for source in self.files.of_kind("ansible") if concerns(source.name, project)]
+        return self.roles.are_all_own(project) and not any(map(self.roles.take_others, sources))
 
 
 def _notified(source: Source) -> Iterator[Located]:

@@ -9,6 +9,9 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.graph.installed.ansible.projects import concerns
+from bringup_lint.graph.installed.ansible.projects import project_of
+from bringup_lint.graph.memo import memo
 from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.model.yaml_node import Node
 from bringup_lint.model.yaml_node import Scalar
@@ -51,11 +54,10 @@ class Roles:
         own = name.rpartition("/")[2]
         return own not in self._own and not self._is_near(source, own) and not self._is_missing(source, name)
 
-    @cached_property
-    def are_all_own(self) -> bool:
-        """Whether no role of the tree depends on one that is not in it."""
-        needed = (name for path in self._metadata for name in self._needed(path))
-        return all(name in self._own for name in needed)
+    def are_all_own(self, project: str) -> bool:
+        """Whether no role of a project depends on one that is not in the tree."""
+        metadata = (path for path in self._metadata if concerns(path, project))
+        return all(name in self._own for path in metadata for name in self._needed(path))
 
     @property
     def _metadata(self) -> Iterator[str]:
@@ -82,7 +84,7 @@ class Roles:
         """Whether a role is somewhere in the tree, or comes from elsewhere."""
         if name in self._own or self._is_near(source, name):
             return True
-        return self._has_others or self._is_required(name) or self._is_submodule(name)
+        return self._has_others(project_of(source.name)) or self._is_required(name) or self._is_submodule(name)
 
     @cached_property
     def _own(self) -> frozenset[str]:
@@ -101,17 +103,25 @@ class Roles:
         folder = os.path.dirname(os.path.abspath(source.name))
         near = (folder, f"{folder}/roles", f"{folder}/../roles", f"{folder}/../../roles")
         paths = (os.path.normpath(f"{each}/{name}") for each in near)
-        return any(self.files.tree.holds(path) and self.files.tree.exists(path) for path in paths)
+        tree = self.files.tree
+        return any(tree.holds(path) and (tree.exists(path) or tree.is_ignored(path)) for path in paths)
 
-    @cached_property
-    def _has_others(self) -> bool:
-        """Whether roles lie in folders that are not known."""
+    @memo
+    def _has_others(self, project: str) -> bool:
+        """Whether roles of a project may lie in folders that are not known."""
         if not any("/roles/" in f"/{path}" for path in self.files.tree.paths):
             return True
-        if any(_ROLES_PATH.search(text) for text in self._texts("ansible.cfg")):
-            return True
-        paths = [path for path in self.files.tree.paths if _SETTING.search(path)][:_MOST_FILES]
-        return any(_VARIABLE.search(self.files.tree.head(path, _SIZE)) for path in paths)
+        return any(concerns(path, project) for path in self._naming_folders)
+
+    @cached_property
+    def _naming_folders(self) -> list[str]:
+        """The settings of Ansible and the files with commands that say where roles are."""
+        settings = (path for path in self.files.tree.named("ansible.cfg") if self._says(path, _ROLES_PATH))
+        callers = [path for path in self.files.tree.paths if _SETTING.search(path)][:_MOST_FILES]
+        return [*settings, *(path for path in callers if self._says(path, _VARIABLE))]
+
+    def _says(self, path: str, wanted: re.Pattern[str]) -> bool:
+        return wanted.search(self.files.tree.head(path, _SIZE)) is not None
 
     def _is_required(self, name: str) -> bool:
         """Whether a list of what ansible-galaxy installs names the role."""
