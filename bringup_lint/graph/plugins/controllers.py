@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -13,7 +14,6 @@ from bringup_lint.model.launch_values import ParameterFile as LaunchedFile
 from bringup_lint.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
-    from bringup_lint.graph.launch.expansion import Expansion
     from bringup_lint.graph.launch.launch import Launch
     from bringup_lint.graph.launch.started import Started
     from bringup_lint.graph.params.params import Params
@@ -45,13 +45,13 @@ class UntypedController(NamedTuple):
 def untyped_controllers(launch: Launch, params: Params) -> Iterator[UntypedController]:
     seen: set[tuple[Span, str]] = set()
     for expansion in launch.entries:
-        managers = [node for node in expansion.nodes if _is(node, "ros2_control_node")]
+        managers = [node for node in expansion.nodes if is_manager(node)]
         if len(managers) != 1 or managers[0].by_default is False or managers[0].arguments:
             continue
         typed = _typed(launch, params, managers[0])
         if typed is None:
             continue
-        for spawner, name in _spawned(expansion):
+        for spawner, name in spawned(expansion.nodes):
             if name not in typed and (name.span, str(name)) not in seen:
                 seen.add((name.span, str(name)))
                 yield UntypedController(
@@ -63,9 +63,13 @@ def _is(node: Started, *executables: str) -> bool:
     return literal_text(node.package) == _PACKAGE and str(literal_text(node.executable)) in executables
 
 
-def _spawned(expansion: Expansion) -> Iterator[tuple[Started, Located]]:
+def is_manager(node: Started) -> bool:
+    return _is(node, "ros2_control_node")
+
+
+def spawned(nodes: Iterable[Started]) -> Iterator[tuple[Started, Located]]:
     """The controllers of spawners that give the manager nothing else; newer ones hand over their own parameters."""
-    for node in expansion.nodes:
+    for node in nodes:
         if not _is(node, *_SPAWNERS) or node.by_default is False or node.parameters:
             continue
         words = [literal_text(word) for word in node.arguments]

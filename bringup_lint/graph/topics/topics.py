@@ -41,6 +41,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.nodes import Nodes
     from bringup_lint.graph.params.params import Params
     from bringup_lint.graph.systemd.units import Units
+    from bringup_lint.graph.topics.questions.transform_sources import TransformSource
     from bringup_lint.graph.topics.questions.watch_lists import Missing
     from bringup_lint.graph.topics.questions.watch_lists import Watched
     from bringup_lint.graph.topics.resolved.node_names import NodeNames
@@ -185,6 +186,15 @@ class Topics:
                 if node.node_class is not None:
                     found.setdefault(node.node_class.source, []).append(node)
         return found
+
+    @property
+    def rival_transforms(self) -> Iterator[tuple[TransformSource, TransformSource]]:
+        """Two that surely run together and publish one transform of the robot."""
+        from bringup_lint.graph.topics.questions.transform_sources import rival_transforms
+
+        sources = ParameterSources(self.launch, self.params)
+        for running in self.runs:
+            yield from rival_transforms(running, sources)
 
     @property
     def missing_nodes(self) -> Iterator[Missing]:

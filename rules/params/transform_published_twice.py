@@ -1,0 +1,60 @@
+"""Two programs publish the same transform of the robot.
+
+## What it finds
+A filter of robot_localization (`ekf_node`, `ukf_node`) and a diff_drive_controller, or two filters, that one launch
+file starts and that both publish the transform from the odometry frame to the robot. Both do so by default
+(`publish_tf`, `enable_odom_tf`). Silent when frames, parameters or remappings are not known.
+
+## Why it matters on a robot
+Whoever asks tf2 for the pose gets now the one answer and now the other. The robot jumps between the filtered pose and
+that of the wheels in every costmap and map, the farther apart the longer it drives, and navigation oscillates.
+
+## Bad
+```yaml
+diff_drive_controller:
+  ros__parameters:
+    enable_odom_tf: true
+ekf_filter_node:
+  ros__parameters:
+    publish_tf: true
+    world_frame: odom
+```
+
+## Good
+```yaml
+diff_drive_controller:
+  ros__parameters:
+    enable_odom_tf: false
+ekf_filter_node:
+  ros__parameters:
+    publish_tf: true
+    world_frame: odom
+```
+
+## When to ignore it
+When one of them is turned off at run time before the robot moves.
+
+## References
+- https://control.ros.org/jazzy/doc/ros2_controllers/diff_drive_controller/doc/userdoc.html, `enable_odom_tf`
+- https://docs.ros.org/en/jazzy/p/robot_localization/doc/state_estimation_nodes.html, `publish_tf`
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("warning", silent="tf2 takes transforms from everybody, and the newest one counts")
+def transform_published_twice(robot: Robot) -> Iterator[Finding]:
+    for one, other in dict.fromkeys(robot.topics.rival_transforms):
+        yield finding(
+            one.where,
+            f"{one.name} and {other.name} both publish the transform {one.parent} -> {one.child}: "
+            "the pose of the robot jumps between the two",
+            advice=f"set {one.switch} of {one.name} to false",
+            related=[note(other.where, f"{other.name} publishes it, too")],
+        )
