@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from bringup_lint.on_demand import on_demand
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.topics.questions.autopilot import too_reliable
     from bringup_lint.graph.topics.questions.command_sources import is_gate
     from bringup_lint.graph.topics.questions.command_sources import is_stop
     from bringup_lint.graph.topics.questions.command_sources import is_velocity
@@ -38,6 +39,7 @@ __all__ = [
     "rivals",
     "shared_by_namespaces",
     "tail",
+    "too_reliable",
     "types_differ",
     "ungated",
     "without_publisher",

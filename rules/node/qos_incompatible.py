@@ -10,7 +10,7 @@ The profiles come from Python and C++ sources, `qos_overrides` in parameters, RV
 common drivers. A subscription of RViz is a warning, because only a person misses the data. Silent where any part is
 not known.
 
-Also reliable subscriptions to `/fmu/out/...`: PX4 publishes all of them best effort.
+Also reliable subscriptions to `/fmu/out/...` that no node of the tree publishes: PX4 publishes all of them best effort.
 
 ## Why it matters on a robot
 The two discover each other but never connect. No message arrives and nothing fails: the only sign is one warning at
@@ -44,12 +44,8 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import nodes
 from bringup_lint.api import note
-from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api import topics
-
-AUTOPILOT = regex(r"(?:.*/)?fmu/out/\w+\Z")
-"""What uxrce_dds_client of PX4 publishes, all of it best effort. Source: PX4 guide, "PX4 ROS 2 QoS Settings"."""
 
 
 @rule(
@@ -86,24 +82,12 @@ def qos_incompatible(robot: Robot) -> Iterator[Finding]:
 
 
 def of_autopilot(robot: Robot) -> Iterator[Finding]:
-    """Subscriptions that ask PX4 for a reliability which it never offers; those of one file together."""
-    sources = [(node.source, node.endpoints) for _, node in robot.nodes.with_callbacks]
-    sources += [(node.source, node.endpoints) for node in robot.nodes.cpp]
-    for source, endpoints in sources:
-        found = [each for each in endpoints if asks_too_much(each)]
-        if found:
-            first, *others = found
-            yield finding(
-                first.span,
-                f"PX4 publishes {first.name} with reliability 'best effort', but this requests 'reliable': "
-                "no message ever arrives",
-                advice="subscribe with qos_profile_sensor_data, or rclcpp::SensorDataQoS()",
-                related=[note(each.span, f"nor any of {each.name}") for each in others[:10]],
-                severity=nodes.lowered(robot.nodes.purpose(source), "error"),
-            )
-
-
-def asks_too_much(endpoint: nodes.Endpoint) -> bool:
-    name, qos = endpoint.name, endpoint.qos
-    is_reliable = endpoint.role == "subscription" and qos is not None and qos.reliability == "RELIABLE"
-    return is_reliable and name is not None and bool(AUTOPILOT.match(name))
+    for source, (first, *others) in topics.too_reliable(robot.nodes):
+        yield finding(
+            first.span,
+            f"PX4 publishes {first.name} with reliability 'best effort', but this requests 'reliable': "
+            "no message ever arrives",
+            advice="subscribe with qos_profile_sensor_data, or rclcpp::SensorDataQoS()",
+            related=[note(each.span, f"nor any of {each.name}") for each in others[:10]],
+            severity=nodes.lowered(robot.nodes.purpose(source), "error"),
+        )
