@@ -26,6 +26,9 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch.lifecycle import setting
     from bringup_lint.graph.launch.lifecycle import transitions_elsewhere
     from bringup_lint.graph.launch.references import Reference
+    from bringup_lint.graph.launch.refused_words import refused_transforms
+    from bringup_lint.graph.launch.refused_words import unsplit_commands
+    from bringup_lint.graph.launch.refused_words import unsplit_ros_arguments
     from bringup_lint.graph.launch.resolve import text_of
     from bringup_lint.graph.launch.resolve import truth
     from bringup_lint.graph.launch.started import Started
@@ -140,6 +143,7 @@ __all__ = [
     "not_passed",
     "outside",
     "refused",
+    "refused_transforms",
     "respawns",
     "same",
     "setting",
@@ -149,6 +153,8 @@ __all__ = [
     "truth",
     "undelayed",
     "understood",
+    "unsplit_commands",
+    "unsplit_ros_arguments",
     "waiting_comment",
     "walk",
     "walk_actions",
