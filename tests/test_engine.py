@@ -232,6 +232,16 @@ def test_fix(tree: Path) -> None:
     assert "Fixed 1 finding." in run.stderr
 
 
+@pytest.mark.parametrize("said", ['fix="none")', 'fix="unsafe")', ")"])
+def test_a_fix_is_unsafe_unless_the_rule_says_that_it_is_safe(tree: Path, said: str) -> None:
+    path = own_rule(tree) / "site/no_legacy.py"
+    path.write_text(path.read_text().replace(', fix="safe")', said if said == ")" else f", {said}"))
+    before = (tree / "robot.service").read_text()
+    run = run_own(tree, "--fix")
+    assert (tree / "robot.service").read_text() == before
+    assert "Not fixed: 1 site/no-legacy (unsafe: --unsafe-fixes)" in run.stderr
+
+
 def test_suppressed_findings_are_not_fixed(tree: Path) -> None:
     before = suppressed(tree, "# bringup-lint: ignore[site/no-legacy] -- kept", "--fix")
     assert before == ""
