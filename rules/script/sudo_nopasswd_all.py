@@ -87,4 +87,6 @@ def _without_password(text: str) -> Iterator[str]:
 def _user(who: str) -> str:
     if who == "ALL":
         return "any user"
+    if who.startswith("%"):
+        return f"a member of {who[1:]}"
     return "a user" if "{" in who else who
