@@ -16,6 +16,7 @@ from bringup_lint.graph.nodes.sources.syntax import FUNCTIONS
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.node_source import Callback
 from bringup_lint.model.node_source import NodeClass
+from bringup_lint.model.node_source import Timer
 from bringup_lint.model.python import walk
 from bringup_lint.named_tuple import NamedTuple
 
@@ -25,7 +26,9 @@ if TYPE_CHECKING:
 
 _BRANCHES = (ast.If, ast.IfExp, ast.While, ast.For, ast.AsyncFor, ast.BoolOp, ast.Try, ast.Match, *FUNCTIONS)
 """What is in them may not run, or only when something else has been asked."""
-_LEAVES = (ast.Return, ast.Raise, ast.Yield, ast.YieldFrom, ast.Await, ast.Assert)
+_LEAVES = (ast.Return, ast.Raise, ast.Yield, ast.YieldFrom, ast.Await, ast.Assert, ast.While)
+_RECEIVES = frozenset({"spin_once", "spin_until_future_complete", "wait_for_message"})
+"""Calls by which a constructor may wait for the message itself."""
 
 
 class LateAttribute(NamedTuple):
@@ -101,14 +104,32 @@ def _outermost(syntax: Syntax, place: ast.AST) -> ast.FunctionDef | ast.AsyncFun
 
 def _users(node: NodeClass) -> Iterator[Callback]:
     """The callbacks that run whether or not another message has come, made once in the constructor."""
+    first_calls = _called_at_start(node)
+    if first_calls & _RECEIVES:
+        return
     certain = [each.span for each in node.endpoints if not each.conditional and each.method == "__init__"]
-    certain += [each.span for each in node.timers if not each.conditional and each.method == "__init__"]
+    if "cancel" not in first_calls:
+        certain += [each.span for each in node.timers if _is_started(each)]
     seen = set()
     for callback in node.callbacks:
         made = any(span.start <= callback.span.start and callback.span.end <= span.end for span in certain)
         if callback.role in ("timer", "subscription") and made and callback.name not in seen:
             seen.add(callback.name)
             yield callback
+
+
+def _called_at_start(node: NodeClass) -> set[str]:
+    """The last names of what the constructor calls."""
+    constructor = node.methods.get("__init__")
+    if constructor is None:
+        return set()
+    functions = [each.func for each in walk(constructor.node) if isinstance(each, ast.Call)]
+    return {getattr(each, "attr", getattr(each, "id", "")) for each in functions}
+
+
+def _is_started(timer: Timer) -> bool:
+    """Whether a timer runs from the start, and not when something resets it."""
+    return not timer.conditional and timer.method == "__init__" and "autostart" not in timer.span.text
 
 
 def _used(
