@@ -242,6 +242,18 @@ def test_a_fix_is_unsafe_unless_the_rule_says_that_it_is_safe(tree: Path, said: 
     assert "Not fixed: 1 site/no-legacy (unsafe: --unsafe-fixes)" in run.stderr
 
 
+@pytest.mark.parametrize("written", ["legacy", "legacy/legacy", "legacy /bin/legacy"])
+@pytest.mark.parametrize("option", ["--fix", "--diff"])
+def test_a_fix_after_which_as_much_is_left_is_taken_back(tree: Path, written: str, option: str) -> None:
+    own_rule(tree, REPORT.replace("modern", written))
+    before = (tree / "robot.service").read_text()
+    run = run_own(tree, option)
+    assert (tree / "robot.service").read_text() == before
+    assert "Not fixed: site/no-legacy (as much would be left to fix afterwards)" in run.stderr
+    assert "Fixed" not in run.stderr and "Would fix" not in run.stderr
+    assert "+" not in run.stdout
+
+
 def test_suppressed_findings_are_not_fixed(tree: Path) -> None:
     before = suppressed(tree, "# bringup-lint: ignore[site/no-legacy] -- kept", "--fix")
     assert before == ""

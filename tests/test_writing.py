@@ -175,6 +175,37 @@ def test_a_private_file_is_never_readable_for_others(tree: Path, monkeypatch: py
     assert seen == {0o600}
 
 
+def test_a_private_file_is_private_from_its_first_moment(tree: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Who opens the new file while it is empty could read what is written later."""
+    seen = set()
+    take_over = writing._take_over
+
+    def look(path: Path, old: int, status: os.stat_result, new: int) -> None:
+        seen.add(stat.S_IMODE(os.fstat(new).st_mode))
+        take_over(path, old, status, new)
+
+    monkeypatch.setattr(writing, "_take_over", look)
+    assert fix(tree, "a.service").code == 0
+    assert seen == {0o600}
+
+
+@pytest.mark.parametrize("kind", ["link", "file"])
+def test_a_name_that_was_guessed_is_not_written_to(tree: Path, monkeypatch: pytest.MonkeyPatch, kind: str) -> None:
+    victim = tree.parent / "victim"
+    victim.write_text("precious\n")
+    guessed = tree / f".bringup-lint-{bytes(8).hex()}"
+    if kind == "link":
+        guessed.symlink_to(victim)
+    else:
+        os.link(victim, guessed)
+    monkeypatch.setattr(writing.os, "urandom", bytes)
+    run = fix(tree, "a.service")
+    assert run.code == 2
+    assert "not written: a.service: " in run.stderr
+    assert (victim.read_text(), guessed.exists()) == ("precious\n", True)
+    assert (tree / "a.service").read_text() == UNIT
+
+
 def test_a_file_with_hard_links_is_left_alone_and_the_others_are_fixed(tree: Path) -> None:
     os.link(tree / "a.service", tree.parent / "backup")
     run = fix(tree)
@@ -205,6 +236,7 @@ SIGNALLED = """
 import os, signal, sys
 from bringup_lint.__main__ import main
 number, synced = getattr(signal, sys.argv.pop(1)), os.fsync
+signal.signal(signal.SIGINT, signal.default_int_handler)
 def fsync(descriptor):
     os.kill(os.getpid(), number)
     synced(descriptor)
