@@ -102,6 +102,11 @@ class Command:
         return self.words[0].rpartition("/")[2] if self.words else ""
 
     @property
+    def hides_errors(self) -> bool:
+        """Whether what it says of errors goes elsewhere, so that its failure is expected."""
+        return any(each.descriptor == "2" or each.operator in ("&>", "&>>") for each in self.redirects)
+
+    @property
     def background(self) -> bool:
         return self.ends == "&"
 

@@ -87,7 +87,7 @@ def unit_missing(robot: Robot) -> Iterator[Finding]:
 
 def _named(run: Run) -> Iterator[Named]:
     """The units that a command needs, where nothing shows that it may fail."""
-    if run.command.ends in ("||", "&&", "|") or any(each.descriptor == "2" for each in run.command.redirects):
+    if run.command.ends in ("||", "&&", "|") or run.command.hides_errors:
         return
     words = [word for at, word in enumerate(run.words) if at and run.words[at - 1] not in VALUED]
     plain = [word for word in words if not word.startswith("-")]

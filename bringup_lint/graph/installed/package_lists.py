@@ -16,8 +16,8 @@ from bringup_lint.source import Located
 
 _PROGRAMS = ("apt", "apt-get", "aptitude")
 _UPDATES = frozenset(
-    "add-apt-repository apt-add-repository ansible-playbook unminimize make just curl wget bash sh source . python3"
-    " python".split()
+    "add-apt-repository apt-add-repository ansible-playbook unminimize nala make just curl wget bash sh source ."
+    " python3 python".split()
 )
 """What updates the lists itself, or may start what does."""
 _COPIED = regex(r"/var(?:/lib(?:/apt(?:/lists)?)?)?/?[\"\]\s]*$|^/[\s,]+/$")

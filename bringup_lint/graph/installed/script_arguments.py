@@ -19,7 +19,7 @@ from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
-_HANDLED = regex(r"\$#|\$\{#|\bshift\b|\bgetopts?\b|\$[@*]|\$\{[@*]|\bBASH_ARGV\b|\bset[ \t]+--[ \t]")
+_HANDLED = regex(r"\$#|\$\{#|\bshift\b|\bgetopts?\b|\$[@*]|\$\{[@*]|\bBASH_ARGV\b|\bset[ \t]+(?:--[ \t]|\"?\$)")
 """The script sees itself how many arguments there are."""
 _NOUNSET = regex(
     r"^[ \t]*set[ \t]+-(?:[a-zA-Z]{0,9}u|o[ \t]+nounset|[a-zA-Z]{1,9}[ \t]+-u)|^#![^\n]{0,40}[ \t]-[a-z]{0,9}u", re.M
@@ -82,8 +82,18 @@ def _called(by_name: dict[str, list[Source]], caller: Source, words: Sequence[Lo
         return None
     named = by_name.get(posixpath.basename(words[0]), [])
     beside = posixpath.normpath(posixpath.join(posixpath.dirname(caller.name), words[0]))
-    named = [each for each in named if each.name == beside] or named
-    return named[0] if len(named) == 1 else None
+    fitting = [each for each in named if each.name == beside] or [each for each in named if _may_be(each, words[0])]
+    return fitting[0] if len(fitting) == 1 else None
+
+
+def _may_be(script: Source, path: str) -> bool:
+    """Whether a path may mean a script: from the top of the tree, from a variable on, or on the robot by the name of
+    its folder, too."""
+    if "$" in path:
+        return f"/{script.name}".endswith(f"/{path.rpartition('$')[2].partition('/')[2]}")
+    if path.startswith("/"):
+        return script.name.split("/")[-2:] == path.split("/")[-2:]
+    return script.name == posixpath.normpath(path)
 
 
 def _uses(script: Source) -> dict[int, Located]:

@@ -25,7 +25,7 @@ _TAKES["docker-compose"] = _TAKES["docker"]
 """Options with a file that the command reads."""
 _VALUED = ("-o", "-g", "-m", "-S", "-t")
 _GENERATED = regex(
-    r"(?:^|/)(?:install|devel|build|log|\.?v?env|node_modules|target|dist|out|output|tmp|certs?|keys?|keystore)/|\.env$|\.(?:hex|bin|elf|uf2|so|o|a|ko|dtbo?|deb|whl|jar|img|zip|tgz)$|\.tar(?:\.\w+)?$"
+    r"(?:^|/)(?:install|devel|build|log|\.?v?env|node_modules|target|dist|out|output|tmp|certs?|keys?|keystore)/|\.env$|\.(?:hex|bin|elf|uf2|so|o|a|ko|dtbo?|deb|whl|jar|img|zip|tgz|onnx|engine|tflite|pth?|weights|bag|db3|mcap)$|\.tar(?:\.\w+)?$"
 )
 _ASSIGNED = regex(
     r"^[ \t]*(?:readonly[ \t]+|export[ \t]+|local[ \t]+|declare[ \t]+-\w+[ \t]+)?(?P<name>\w+)="
@@ -62,28 +62,41 @@ def missing_files(scripts: Scripts, source: Source) -> Iterator[NamedFile]:
     tree = scripts.files.tree
     folders = _own_folders(source.text)
     runs = [did for did in scripts.done(source) if isinstance(did, Run)]
-    named = list(
-        dict.fromkeys(each for at, run in enumerate(runs) if _is_needed(runs[at:]) for each in _named(run, folders))
-    )
+    needed = (run for at, run in enumerate(runs) if _is_needed(runs[at:]))
+    named = list(dict.fromkeys(each for run in needed for each in _named(run, folders)))
     base = _base(tree, source, [each for each in named if each.folder is None])
-    here = posixpath.dirname(source.name)
-    there = {
-        path
-        for each in named
-        if each.folder is not None
-        and tree.exists(path := posixpath.normpath(posixpath.join(here, each.folder, each.path)))
-    }
+    there = _found(tree, source, named)
     for each in named:
-        folder = _start(each, base) if each.folder is None else posixpath.normpath(posixpath.join(here, each.folder))
+        folder = _start(each, base) if each.folder is None else _below(source, each.folder)
         if each.folder is not None and not any(path.startswith(str(folder).lstrip(".")) for path in there):
             continue
-        if folder is not None and _is_missing(tree, source, folder, each):
+        if folder is not None and _is_missing(tree, source, folder, each) and not _is_made(scripts, source, each):
             yield each
+
+
+def _is_made(scripts: Scripts, source: Source, named: NamedFile) -> bool:
+    """Whether another script writes a file of this name."""
+    written = re.compile(
+        rf"(?:>|\btouch\b|\btee\b|-o\b|--output\b)[^\n;&|]*{re.escape(posixpath.basename(named.path))}"
+    )
+    others = (other for other in scripts.files.of_kind("shell-script") if other is not source)
+    return any(written.search(other.text) for other in others)
 
 
 def _start(named: NamedFile, base: _Base) -> str | None:
     """The folder in which a relative path starts; None when too little shows it."""
     return base.folder if base.shown >= _LEAST or "/" in named.path else None
+
+
+def _below(source: Source, *parts: str) -> str:
+    """A path from the folder of a script on."""
+    return posixpath.normpath(posixpath.join(posixpath.dirname(source.name), *parts))
+
+
+def _found(tree: Tree, source: Source, named: list[NamedFile]) -> list[str]:
+    """The files of which the script says the folder, and that are there."""
+    paths = (_below(source, each.folder, each.path) for each in named if each.folder is not None)
+    return [path for path in paths if tree.exists(path)]
 
 
 def _own_folders(text: str) -> dict[str, str]:
@@ -129,7 +142,7 @@ def _named(run: Run, folders: dict[str, str]) -> Iterator[NamedFile]:
 
 def _is_needed(runs: list[Run]) -> bool:
     """Whether nothing shows that the first command may fail."""
-    if any(each.descriptor == "2" for each in runs[0].command.redirects):
+    if runs[0].command.hides_errors:
         return False
     ends = next((run.command.ends for run in runs if run.command.ends != "&&"), "")
     return ends != "||"
@@ -173,6 +186,8 @@ def _is_missing(tree: Tree, source: Source, base: str, named: NamedFile) -> bool
     if tree.exists(path) or _GENERATED.search(path) or tree.is_ignored(path.replace("*", "any")):
         return False
     if any(os.path.abspath(path).startswith(each) for each in tree.submodules):
+        return False
+    if tree.matches(f"{path}.*"):
         return False
     if "*" in name:
         return not tree.matches(path) and (tree.exists(folder or ".") or _is_missing_folder(tree, source, folder))

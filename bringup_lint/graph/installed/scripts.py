@@ -69,10 +69,10 @@ class Scripts:
     def brings_unit(self, source: Source, name: str) -> bool:
         """Whether a script may make a unit or install what brings it: another command than those that start it names
         the unit, or a file of which a variable gives a part of the name."""
-        stem = name.rpartition(".")[0].partition("@")[0]
+        stem = name.rpartition(".")[0].partition("@")[0].replace("_", "-")
         for did in self.done(source):
             words = [did.path] if isinstance(did, Written) else _speaking(did)
-            if any(stem in word or _fits(word, name) for word in words):
+            if any(stem in word.replace("_", "-") or _fits(word, name) for word in words):
                 return True
         return False
 

@@ -25,7 +25,7 @@ _TESTS = ("[", "[[", "test")
 _HARMLESS = frozenset("rm mkdir echo printf export test [ [[".split())
 """Programs that need nothing of a path that they name."""
 _BUILDS = regex(r"\bcolcon\s+build\b")
-_LIBRARIES = regex(r"(?:^|/)install/?$|^/opt/(?!ros/)")
+_LIBRARIES = regex(r"(?:^|/)install/?$|^/opt/(?!ros/)[\w/-]*$")
 
 
 _BRINGS = (
@@ -85,7 +85,9 @@ def _of_line(line: CommandLine, stage: Stage) -> Iterator[OtherDistro]:
 
 
 def _is_sourced(command: Command) -> bool:
-    return command.name in ("source", ".") and not command.depth and command.ends not in ("||", "&&")
+    if command.name not in ("source", ".") or command.hides_errors:
+        return False
+    return not command.depth and command.ends not in ("||", "&&")
 
 
 def _of_words(words: Iterable[Located], stage: Stage) -> Iterator[OtherDistro]:
