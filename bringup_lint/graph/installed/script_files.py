@@ -76,11 +76,10 @@ def missing_files(scripts: Scripts, source: Source) -> Iterator[NamedFile]:
 
 def _is_made(scripts: Scripts, source: Source, named: NamedFile) -> bool:
     """Whether another script writes a file of this name."""
-    written = re.compile(
-        rf"(?:>|\btouch\b|\btee\b|-o\b|--output\b)[^\n;&|]*{re.escape(posixpath.basename(named.path))}"
-    )
-    others = (other for other in scripts.files.of_kind("shell-script") if other is not source)
-    return any(written.search(other.text) for other in others)
+    name = posixpath.basename(named.path)
+    written = re.compile(rf"(?:>|\btouch\b|\btee\b|-o\b|--output\b)[^\n;&|>]{{0,200}}{re.escape(name)}")
+    others = (other.text for other in scripts.files.of_kind("shell-script") if other is not source)
+    return any(name in text and written.search(text) for text in others)
 
 
 def _start(named: NamedFile, base: _Base) -> str | None:
