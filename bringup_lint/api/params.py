@@ -9,6 +9,7 @@ from bringup_lint.graph.params.qos_overrides import WORDS as QOS_WORDS
 from bringup_lint.on_demand import on_demand
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.params.declared import Declared
     from bringup_lint.graph.params.matching import unreached
     from bringup_lint.graph.params.matching import unused
     from bringup_lint.graph.params.qos_overrides import OverrideProblem
@@ -31,6 +32,7 @@ __all__ = [
     "QOS_POLICIES",
     "QOS_WORDS",
     "Block",
+    "Declared",
     "OverrideProblem",
     "Parameter",
     "ParameterFile",

@@ -38,10 +38,13 @@ from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.params import Declared
+from bringup_lint.api.params import Parameter
 
 _WORDS = {"true": "true", "yes": "true", "on": "true", "false": "false", "no": "false", "off": "false"}
 
-_DIGIT = regex(r"[0-9]")
+_NUMBER = regex(r"\s*[+-]?[.,]?[0-9]")
+"""How a text begins that is meant for a number, and is no placeholder."""
 _NUMBERS = {"integer": "an integer", "double": "a double"}
 
 
@@ -58,42 +61,47 @@ _NUMBERS = {"integer": "an integer", "double": "a double"}
 )
 def bool_like_string(robot: Robot) -> Iterator[Finding]:
     for parameter, declared in robot.params.typed:
-        value = parameter.value
-        if value.type == "bool" and declared.type == "string":
-            text = f'"{parameter.text}"'
-            yield finding(
-                parameter.span,
-                f"'{parameter.name}: {parameter.text}' is the boolean {str(value.data).lower()}, but the node "
-                "expects a string: it exits with InvalidParameterTypeException",
-                advice=f"write {text}",
-                related=[note(declared.place, "declared as a string here")],
-                fix=fix("put it in quotes", (parameter.span, text)),
-            )
-        elif value.type in _NUMBERS and declared.type == "string":
-            yield finding(
-                parameter.span,
-                f"'{parameter.name}: {parameter.text}' is a number, but the node expects a string: it exits with "
-                "InvalidParameterTypeException",
-                advice=f'write "{parameter.text}"',
-                related=[note(declared.place, "declared as a string here")],
-                fix=fix("put it in quotes", (parameter.span, f'"{parameter.text}"')),
-            )
-        elif value.type == "string" and declared.type in _NUMBERS and _DIGIT.search(str(value.data)):
-            wanted = _NUMBERS[declared.type]
-            yield finding(
-                parameter.span,
-                f"'{parameter.name}: {parameter.text}' is text, but the node expects {wanted}: it exits with "
-                "InvalidParameterTypeException",
-                advice=f"write {wanted} without quotes, with a point before its decimals",
-                related=[note(declared.place, f"declared as {wanted} here")],
-            )
-        elif value.type == "string" and declared.type == "bool" and str(value.data).lower() in _WORDS:
-            plain = _WORDS[str(value.data).lower()]
-            yield finding(
-                parameter.span,
-                f"'{parameter.name}: {parameter.text}' is text, but the node expects a boolean: it exits with "
-                "InvalidParameterTypeException",
-                advice=f"write {plain}",
-                related=[note(declared.place, "declared as a boolean here")],
-                fix=fix(f"write {plain}", (parameter.span, plain)),
-            )
+        given = parameter.value.type
+        if declared.type == "string" and given == "bool":
+            yield of_string(parameter, declared, f"the boolean {str(parameter.value.data).lower()}")
+        elif declared.type == "string" and given in _NUMBERS:
+            yield of_string(parameter, declared, "a number")
+        elif declared.type in _NUMBERS and given == "string" and _NUMBER.match(str(parameter.value.data)):
+            yield of_number(parameter, declared, _NUMBERS[declared.type])
+        elif declared.type == "bool" and given == "string" and str(parameter.value.data).lower() in _WORDS:
+            yield of_boolean(parameter, declared, _WORDS[str(parameter.value.data).lower()])
+
+
+def of_string(parameter: Parameter, declared: Declared, given: str) -> Finding:
+    text = f'"{parameter.text}"'
+    return finding(
+        parameter.span,
+        _message(parameter, given, "a string"),
+        advice=f"write {text}",
+        related=[note(declared.place, "declared as a string here")],
+        fix=fix("put it in quotes", (parameter.span, text)),
+    )
+
+
+def of_number(parameter: Parameter, declared: Declared, wanted: str) -> Finding:
+    return finding(
+        parameter.span,
+        _message(parameter, "text", wanted),
+        advice=f"write {wanted} without quotes, with a point before its decimals",
+        related=[note(declared.place, f"declared as {wanted} here")],
+    )
+
+
+def of_boolean(parameter: Parameter, declared: Declared, plain: str) -> Finding:
+    return finding(
+        parameter.span,
+        _message(parameter, "text", "a boolean"),
+        advice=f"write {plain}",
+        related=[note(declared.place, "declared as a boolean here")],
+        fix=fix(f"write {plain}", (parameter.span, plain)),
+    )
+
+
+def _message(parameter: Parameter, given: str, wanted: str) -> str:
+    written = f"'{parameter.name}: {parameter.text}'"
+    return f"{written} is {given}, but the node expects {wanted}: it exits with InvalidParameterTypeException"
