@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.containers.compose_names import MissingFile
     from bringup_lint.graph.containers.compose_names import missing_files
     from bringup_lint.graph.containers.compose_names import undefined_names
+    from bringup_lint.graph.containers.health import unchecked_health
     from bringup_lint.graph.containers.image_use import is_workplace
     from bringup_lint.model.compose import Beside
     from bringup_lint.model.compose import Device
@@ -30,5 +31,6 @@ __all__ = [
     "is_workplace",
     "missing_files",
     "reach",
+    "unchecked_health",
     "undefined_names",
 ]

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 from bringup_lint.on_demand import on_demand
 
 if TYPE_CHECKING:
-    from bringup_lint.graph.containers.base_images import has_no_healthcheck
     from bringup_lint.graph.containers.base_images import ros_distro
+    from bringup_lint.graph.containers.base_images import runs_as_root
     from bringup_lint.graph.containers.build_context import lacking_sources
     from bringup_lint.graph.containers.devcontainers import Broken
     from bringup_lint.graph.containers.devcontainers import broken_references
@@ -26,7 +26,6 @@ if TYPE_CHECKING:
     from bringup_lint.graph.runners.runner import Runner
     from bringup_lint.model.dockerfile import Dockerfile
     from bringup_lint.model.dockerfile import Stage
-    from bringup_lint.model.dockerfile import runs_as_root
     from bringup_lint.model.dockerfile import stays_in_shell
     from bringup_lint.model.image_build import image_name
     from bringup_lint.parsers.dockerfile import assignments
@@ -55,7 +54,6 @@ __all__ = [
     "expanded",
     "first_unlisted",
     "foreign_workspaces",
-    "has_no_healthcheck",
     "image_name",
     "image_user",
     "is_deployed",

@@ -142,14 +142,3 @@ def stays_in_shell(stage: Stage, instruction: Instruction) -> bool:
     if instruction.exec_form is not None or _EXEC.search(instruction.value):
         return False
     return not any(each.last("SHELL") for each in stage.chain)
-
-
-_ROOT_IMAGE = regex(
-    r"(?:docker\.io/)?(?:library/)?(?:(?:arm64v8|amd64|arm32v7)/)?(?:ros|ubuntu|debian|python|osrf/ros2?)(?:[:@]|$)"
-    r"|(?:docker\.io/)?(?:nvidia/cuda|dustynv/ros)(?:[:@]|$)|nvcr\.io/nvidia/(?:cuda|l4t-(?:base|cuda|jetpack))(?:[:@]|$)"
-)
-
-
-def runs_as_root(image: str) -> bool:
-    """Whether this is an official image, or one of NVIDIA's, that sets neither USER nor STOPSIGNAL."""
-    return bool(_ROOT_IMAGE.match(image))

@@ -12,6 +12,10 @@ _UNLISTED = regex(
     r"|(?:docker\.io/)?nvidia/cuda:.*|nvcr\.io/nvidia/cuda:.*"
 )
 _UNCHECKED = regex(rf"{_LIBRARY}(?:ros|ubuntu|debian|osrf/ros2?)(?:[:@].*)?")
+_OF_ROOT = regex(
+    rf"{_LIBRARY}(?:ros|ubuntu|debian|python|osrf/ros2?)(?:[:@]|$)"
+    r"|(?:docker\.io/)?(?:nvidia/cuda|dustynv/ros)(?:[:@]|$)|nvcr\.io/nvidia/(?:cuda|l4t-(?:base|cuda|jetpack))(?:[:@]|$)"
+)
 
 
 def ros_distro(image: str) -> str:
@@ -28,3 +32,8 @@ def has_no_package_lists(image: str) -> bool:
 def has_no_healthcheck(image: str) -> bool:
     """Whether an image is published without HEALTHCHECK."""
     return _UNCHECKED.fullmatch(image) is not None
+
+
+def runs_as_root(image: str) -> bool:
+    """Whether this is an official image, or one of NVIDIA's, that sets neither USER nor STOPSIGNAL."""
+    return _OF_ROOT.match(image) is not None

@@ -14,13 +14,13 @@ from bringup_lint.graph.commands.environment import Variable
 from bringup_lint.graph.commands.following import follow
 from bringup_lint.graph.commands.shells import SHELLS
 from bringup_lint.graph.commands.wrappers import unwrapped
+from bringup_lint.graph.containers.base_images import runs_as_root
 from bringup_lint.graph.files import Files
 from bringup_lint.graph.runners.runner import DEFAULT_STOP
 from bringup_lint.graph.runners.runner import Stop
 from bringup_lint.model.compose import Service
 from bringup_lint.model.dockerfile import Instruction
 from bringup_lint.model.dockerfile import Stage
-from bringup_lint.model.dockerfile import runs_as_root
 from bringup_lint.parsers.dockerfile import assignments
 from bringup_lint.parsers.dockerfile_variables import last_user
 from bringup_lint.pattern import regex
