@@ -14,7 +14,7 @@ from tests.conftest import PROJECT
 from tests.lint import lint
 
 pytestmark = pytest.mark.slow
-UNIT = "[Unit]\nDescription=One\nAfter=network.target\n[Service]\nExecStart=/usr/bin/ros2 launch a ä.launch.py\n"
+UNIT = "[Unit]\nDescription=One Å – 2\nAfter=network.target\n[Service]\nExecStart=/usr/bin/ros2 launch a b.launch.py\n"
 COMMAND = f"{sys.executable} -m bringup_lint --select systemd/network-target"
 
 
