@@ -30,6 +30,7 @@ external project generates.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Fix
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
@@ -41,8 +42,6 @@ from bringup_lint.api.spelling import nearest
 
 PUBLIC = {"gazebo_ros": ("spawn_entity.py",)}
 """All executables of public packages whose names are often guessed wrong."""
-
-
 RENAMED = {("controller_manager", "spawner.py"): "spawner", ("controller_manager", "unspawner.py"): "unspawner"}
 """Executables of public packages that Humble has no more under their old names (ros2_control, setup.cfg)."""
 BEFORE = (None, "foxy", "galactic")
@@ -51,51 +50,43 @@ BEFORE = (None, "foxy", "galactic")
 @rule("error", fix="unsafe", symptoms=["not found on the libexec directory"])
 def executable_missing(robot: Robot) -> Iterator[Finding]:
     for node in robot.launch.nodes:
-        package = robot.launch.workspace.packages.get(launch.literal_text(node.package) or "")
-        executable = launch.literal_text(node.executable)
-        public = PUBLIC.get(launch.literal_text(node.package) or "")
-        if public and executable is not None and executable not in public:
-            yield finding(
-                executable,
-                f"{launch.literal_text(node.package)} has no executable '{executable}': launch aborts",
-                advice="include one of the package's launch files instead",
-                severity="warning" if node.by_default is not True else None,
-            )
-        yield from renamed(robot, node)
-        if package is None or executable is None:
+        name, executable = launch.literal_text(node.package), launch.literal_text(node.executable)
+        if name is None or executable is None:
             continue
-        if executable in package.executables and package.is_misplaced(executable):
-            yield misplaced(robot, node, package, executable)
-        if not robot.launch.workspace.lacks(package, executable):
-            continue
-        near = nearest(executable, sorted(package.executables), 3)
-        builds = [build.source for build in package.builds[:1]]
-        related = [note(package.executables[near[0]], "the executable of the package")] if near else []
-        yield finding(
-            executable,
-            f"{package.name} has no executable '{executable}': launch aborts",
-            advice=f"start '{near[0]}'" if near else f"install it in {builds[0].name if builds else package.name}",
-            chain=robot.provenance.chain_to_node(node),
-            related=related or [note(build, "what the package installs") for build in builds],
-            fix=fix(f"write {near[0]}", (executable, near[0]), safe=False)
-            if len(near) == 1 and executable.span.text == executable
-            else None,
-            severity="warning" if node.by_default is not True else None,
-        )
+        package = robot.launch.workspace.packages.get(name)
+        if package is not None:
+            yield from of_workspace(robot, node, package, executable)
+        elif name in PUBLIC and executable not in PUBLIC[name]:
+            yield unknown(node, name, executable)
+        elif (name, executable) in RENAMED and robot.target.ros not in BEFORE and node.file.source.judged:
+            yield renamed(robot, node, name, executable)
 
 
-def renamed(robot: Robot, node: launch.Started) -> Iterator[Finding]:
-    package, executable = launch.literal_text(node.package), launch.literal_text(node.executable)
-    now = RENAMED.get((str(package), str(executable)))
-    if now is None or executable is None or robot.target.ros in BEFORE or not node.file.source.judged:
-        return
-    yield finding(
+def of_workspace(robot: Robot, node: launch.Started, package: launch.Package, executable: Located) -> Iterator[Finding]:
+    if executable in package.executables and package.is_misplaced(executable):
+        yield misplaced(robot, node, package, executable)
+    if robot.launch.workspace.lacks(package, executable):
+        yield missing(robot, node, package, executable)
+
+
+def unknown(node: launch.Started, package: str, executable: Located) -> Finding:
+    return finding(
+        executable,
+        f"{package} has no executable '{executable}': launch aborts",
+        advice="include one of the package's launch files instead",
+        severity=_severity(node),
+    )
+
+
+def renamed(robot: Robot, node: launch.Started, package: str, executable: Located) -> Finding:
+    now = RENAMED[package, executable]
+    return finding(
         executable,
         f"{package} has no executable '{executable}' since Humble: launch aborts",
         advice=f"start '{now}'",
         chain=robot.provenance.chain_to_node(node),
-        fix=fix(f"write {now}", (executable, now), safe=False) if executable.span.text == executable else None,
-        severity="warning" if node.by_default is not True else None,
+        fix=_fix(executable, now),
+        severity=_severity(node),
     )
 
 
@@ -107,5 +98,29 @@ def misplaced(robot: Robot, node: launch.Started, package: launch.Package, execu
         advice=f"write 'install_scripts=$base/lib/{package.name}' in the section [install] of setup.cfg",
         chain=robot.provenance.chain_to_node(node),
         related=[note(package.executables[executable], "the console script, which goes to bin")],
-        severity="warning" if node.by_default is not True else None,
+        severity=_severity(node),
     )
+
+
+def missing(robot: Robot, node: launch.Started, package: launch.Package, executable: Located) -> Finding:
+    near = nearest(executable, sorted(package.executables), 3)
+    builds = [build.source for build in package.builds[:1]]
+    related = [note(package.executables[near[0]], "the executable of the package")] if near else []
+    return finding(
+        executable,
+        f"{package.name} has no executable '{executable}': launch aborts",
+        advice=f"start '{near[0]}'" if near else f"install it in {builds[0].name if builds else package.name}",
+        chain=robot.provenance.chain_to_node(node),
+        related=related or [note(build, "what the package installs") for build in builds],
+        fix=_fix(executable, near[0]) if len(near) == 1 else None,
+        severity=_severity(node),
+    )
+
+
+def _fix(executable: Located, name: str) -> Fix | None:
+    is_written = executable.span.text == executable
+    return fix(f"write {name}", (executable, name), safe=False) if is_written else None
+
+
+def _severity(node: launch.Started) -> str | None:
+    return "warning" if node.by_default is not True else None
