@@ -123,6 +123,21 @@ def test_two_xml_declarations_are_fixed_in_bounded_rounds(tmp_path: Path) -> Non
     assert len(path.read_text()) < 2 * before
 
 
+@pytest.mark.parametrize("end", ["", "</package", "</package><package>", "<exec_depend>d</exec_depend></packag>"])
+def test_a_broken_manifest_does_not_grow(tmp_path: Path, end: str) -> None:
+    manifest = tmp_path / "package.xml"
+    manifest.write_text(f"<package format='3'>\n  <name>a_bringup</name>\n  <exec_depend>c</exec_depend>\n{end}\n")
+    (tmp_path / "launch").mkdir()
+    (tmp_path / "launch/a.launch.py").write_text(
+        "from launch import LaunchDescription\nfrom launch_ros.actions import Node\n\n\n"
+        "def generate_launch_description():\n    return LaunchDescription([Node(package='b', executable='c')])\n"
+    )
+    before = manifest.read_text()
+    for _ in range(2):
+        assert lint("--fix", "--unsafe-fixes", "--min-severity", "info", cwd=tmp_path).code in (0, 1)
+    assert manifest.read_text().count("<exec_depend>") <= before.count("<exec_depend>") + 1
+
+
 def test_a_line_is_not_moved_beside_another_one_of_its_key(tmp_path: Path) -> None:
     text = "[Unit]\nDescription=One\nExecStart=/bin/a\n\n[Service]\nExecStart=/bin/b\n"
     (tmp_path / "robot.service").write_text(text)
