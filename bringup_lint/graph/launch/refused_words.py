@@ -83,5 +83,8 @@ def _own(node: Started) -> Iterator[Located | str | None]:
         text = literal_text(value)
         if text == "--ros-args":
             return
-        is_one = isinstance(value, (Argument, Concat, PathJoin))
-        yield text if text is not None else "?" if is_one and understood(value) else None
+        if text is not None:
+            yield text
+        else:
+            is_one = isinstance(value, (Argument, Concat, PathJoin)) and understood(value)
+            yield "?" if is_one else None
