@@ -58,7 +58,9 @@ def pidfile_unused(robot: Robot) -> Iterator[Finding]:
 
 def _is_used(robot: Robot, unit: Unit, path: str) -> bool:
     """Whether systemd or a program uses the file: systemd reads it after ExecStartPost= and ExecReload= of every type,
-    a program that notifies systemd says its main process by itself, and one that is given the path writes it."""
+    a program that notifies systemd says its main process by itself, and one that stays and is given the path writes it."""
     if unit.has("ExecStartPost") or unit.has("ExecReload") or (unit.get("Type") or "").startswith("notify"):
         return True
+    if unit.get("Type") == "oneshot":
+        return False
     return any(path in str(word) for process in robot.units.started(unit) for word in process.argv)
