@@ -4,7 +4,8 @@
 `PIDFile=` in a service with another type than `forking`. One finding names the lines of one unit.
 
 ## Why it matters on a robot
-systemd reads the file with Type=forking only. The unit looks as if a program were watched by its PID, which some
+At the start, systemd reads the file with Type=forking only. The unit
+looks as if a program were watched by its PID, which some
 service scripts write with care, and in truth systemd watches the process that it started itself: with Type=oneshot and
 RemainAfterExit=yes nothing at all. Two units with one PIDFile= remove each other's file when they stop.
 
@@ -58,7 +59,8 @@ def pidfile_unused(robot: Robot) -> Iterator[Finding]:
 
 def _is_used(robot: Robot, unit: Unit, path: str) -> bool:
     """Whether systemd or a program uses the file: systemd reads it after ExecStartPost= and ExecReload= of every type,
-    a program that notifies systemd says its main process by itself, and one that stays and is given the path writes it."""
+    a program that notifies systemd says its main process by itself, and one that stays writes the file that it is
+    given."""
     if unit.has("ExecStartPost") or unit.has("ExecReload") or (unit.get("Type") or "").startswith("notify"):
         return True
     if unit.get("Type") == "oneshot":
