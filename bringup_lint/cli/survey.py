@@ -14,7 +14,6 @@ from bringup_lint.config import ROS_DISTROS
 from bringup_lint.discover.gitignore import escaped
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.graph.purpose import by_path
-from bringup_lint.graph.target import mentioned
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers import package_xml
 from bringup_lint.pattern import regex
@@ -38,6 +37,9 @@ class Setting(NamedTuple):
     """What the tree says for it."""
     folder: str = ""
     """The folder that is left out, or has a purpose of its own."""
+    errors: int = 0
+    """How many errors in this folder are no longer reported as such."""
+    warnings: int = 0
 
 
 PLACES = {
@@ -60,9 +62,17 @@ _DISTRO = regex(rf"\b(?:{'|'.join(ROS_DISTROS)})\b", re.I)
 _PURPOSES = (
     (Purpose.DEVELOPMENT, regex(r"(?i)^(?:sandbox|playground|scratch|experiments?|wip|prototypes?|notebooks?|spike)$")),
     (Purpose.ARCHIVE, regex(r"(?i)^(?:outdated|stale|graveyard|trash|do_?not_?use|previous|superseded)$")),
-    (Purpose.EXAMPLE, regex(r"(?i)^(?:templates?|skeletons?|boilerplate)$")),
+    (
+        Purpose.EXAMPLE,
+        regex(
+            r"(?i)^(?:skeletons?|boilerplate|.*cookiecutter.*|(?:.*[_-])?(?:package|pkg|project)[_-]templates?"
+            r"|templates?[_-](?:package|pkg|project)s?)$"
+        ),
+    ),
     (Purpose.TEST, regex(r"(?i)^(?:benchmarks?|hil|e2e)$")),
 )
+_OF_BUILDROOT = "external.desc"
+"""At the top of a Buildroot external tree, which holds what a project adds to Buildroot."""
 _SIMULATORS = regex(r"gazebo|ros_gz|ros_ign|webots|isaac_sim|mujoco")
 _HEAD = 64 * 1024
 """Bytes of a workflow that are read."""
@@ -83,17 +93,11 @@ def _is_in(source: Source, folders: Iterable[Setting]) -> bool:
 
 
 def _target(robot: Robot) -> Iterator[Setting]:
-    """The ROS distribution, where one is named: by the tree, by the files for the robot alone, or by CI."""
+    """The ROS distribution, where exactly one is named: by the tree, or where it names none by CI."""
     target = robot.target
     if target.ros:
         yield Setting("target-ros", "", target.ros, f"{target.ros_why}; set here, it also holds for a part of the tree")
-        return
-    own = [source for source in robot.sources if source.judged and robot.purpose(source) is Purpose.ROBOT]
-    named = {name: source.name for source in own for name in mentioned(source.text)}
-    if len(named) == 1:
-        ((name, path),) = named.items()
-        yield Setting("target-ros", "", name, f"named in {path}; {target.ros_why.partition(': ')[2]}")
-    elif not named:
+    elif not target.ros_named:
         yield from _target_of_ci(robot)
 
 
@@ -130,11 +134,11 @@ def _why_excluded(robot: Robot, folder: str, submodules: set[str]) -> str:
     name = folder.rpartition("/")[2]
     if folder in submodules:
         return "a git submodule"
-    if _VENDORED.match(name):
+    if _VENDORED.match(name) and not os.path.lexists(os.path.join(folder, _OF_BUILDROOT)):
         return "by its name, code of others"
     if _INPUTS.match(name):
         return "by its name, inputs of tests"
-    return "left out by .gitignore" if robot.tree.is_ignored(folder) else ""
+    return "left out by .gitignore" if robot.tree.is_left_out(folder) else ""
 
 
 def _folders(path: str) -> Iterator[str]:
@@ -158,7 +162,7 @@ def _purposes(robot: Robot, sources: list[Source]) -> Iterator[Setting]:
 def _purpose_of(robot: Robot, folder: str) -> Iterator[tuple[Purpose, str]]:
     name = folder.rpartition("/")[2]
     for purpose, pattern in _PURPOSES:
-        if pattern.match(name):
+        if pattern.match(name) and not (purpose is Purpose.EXAMPLE and _is_of_ansible(robot, folder)):
             yield purpose, "by its name"
             return
     manifest = next((each for each in robot.of_kind("ros-package") if each.name == f"{folder}/package.xml"), None)
@@ -169,6 +173,14 @@ def _purpose_of(robot: Robot, folder: str) -> Iterator[tuple[Purpose, str]]:
     simulators = [str(depend) for _, depend in package.depends if _SIMULATORS.search(depend)]
     if purpose is Purpose.SIMULATION and simulators:
         yield purpose, f"package {package.name}, which depends on {simulators[0]}"
+
+
+def _is_of_ansible(robot: Robot, folder: str) -> bool:
+    """Whether a folder lies in an Ansible role, or beside playbooks or below: what it holds is deployed."""
+    if "roles" in folder.split("/")[:-1]:
+        return True
+    above = {os.path.dirname(folder), *_folders(folder)}
+    return any(os.path.dirname(source.name) in above for source in robot.of_kind("ansible"))
 
 
 def _deploy(robot: Robot, sources: list[Source]) -> Iterator[Setting]:

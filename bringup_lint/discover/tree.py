@@ -390,6 +390,18 @@ class Tree:
         """Whether git leaves a file out, there or not."""
         return is_ignored(path)
 
+    def is_left_out(self, folder: str) -> bool:
+        """Whether git leaves a folder out: a .gitignore names it, and git tracks other files but none of its. Unknown,
+        which is False, where git tracks nothing: the files may come from an archive of a repository that holds them."""
+        path = os.path.abspath(folder)
+        repository = self._repository_of(os.path.dirname(path))
+        if repository is None or not is_ignored(path):
+            return False
+        top, index = repository
+        tracked = self._tracked_by(index)
+        own = os.fsencode(path.removeprefix(top).lstrip(os.sep))
+        return bool(tracked) and not any(name == own or name.startswith(own + b"/") for name in tracked)
+
     def _tracked_by(self, index: str) -> frozenset[bytes]:
         if index not in self._indexes:
             try:

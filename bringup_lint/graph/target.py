@@ -32,11 +32,6 @@ _MENTIONS = regex(
 )
 
 
-def mentioned(text: str) -> frozenset[str]:
-    """The distributions that a file names."""
-    return frozenset(_named(text))
-
-
 def _named(text: str) -> Iterator[str]:
     """Each place where a file names a distribution. Most files hold no word of one, which is found out much sooner."""
     if any(distro in text for distro in _DISTROS):

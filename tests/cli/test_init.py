@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import subprocess
+from collections import Counter
 from pathlib import Path
 
 import pytest
@@ -47,7 +48,6 @@ def test_a_file_is_left_alone(tmp_path: Path) -> None:
     ("files", "expected"),
     [
         ({"Dockerfile": "FROM ros:humble\n"}, "humble"),
-        ({"Dockerfile": "FROM ros:humble\n", "test/Dockerfile": "FROM ros:jazzy\n"}, "humble"),
         ({".github/workflows/ci.yml": WORKFLOW.format("jazzy")}, "jazzy"),
         ({".github/workflows/ci.yml": WORKFLOW.format("jazzy"), "Dockerfile": "FROM ros:humble\n"}, "humble"),
     ],
@@ -60,6 +60,8 @@ def test_the_distribution_that_is_named(tmp_path: Path, files: dict[str, str], e
     "files",
     [
         {"Dockerfile": "FROM ros:humble\n", "arm/Dockerfile": "FROM ros:jazzy\n"},
+        {"Dockerfile": "FROM ros:humble\n", "test/Dockerfile": "FROM ros:jazzy\n"},
+        {"Dockerfile": "FROM ros:foxy\n", "dev/Dockerfile": "FROM ros:humble\n", "docs/a.sh": "ls /opt/ros/humble\n"},
         {".gitlab-ci.yml": "image: ros:jazzy\n---\nimage: ros:humble\n"},
     ],
 )
@@ -73,6 +75,7 @@ def test_what_is_not_the_robots_own_is_left_out(tmp_path: Path) -> None:
     tree(tmp_path, {".gitignore": "/made/\n", ".gitmodules": '[submodule "driver"]\n\tpath = lib/driver\n'})
     tree(tmp_path, {"vendor/notes.txt": "no file of a known kind"})
     subprocess.run(["git", "init", "-q"], cwd=tmp_path, check=True)
+    subprocess.run(["git", "add", ".gitignore"], cwd=tmp_path, check=True)
     lint("init", cwd=tmp_path)
     assert read(tmp_path / "bringup-lint.toml").exclude == (
         "/deep/fixtures/",
@@ -81,6 +84,46 @@ def test_what_is_not_the_robots_own_is_left_out(tmp_path: Path) -> None:
         "/third_party/",
     )
     assert "Nothing to check" in lint(cwd=tmp_path).stdout
+
+
+def test_what_git_tracks_is_the_robots_own(tmp_path: Path) -> None:
+    tree(tmp_path, {"deploy/a.service": UNIT, ".gitignore": "deploy/\n"})
+    subprocess.run(["git", "init", "-q"], cwd=tmp_path, check=True)
+    assert "exclude = [" not in settings(tmp_path)
+    subprocess.run(["git", "add", "-f", "."], cwd=tmp_path, check=True)
+    assert "exclude = [" not in settings(tmp_path)
+
+
+def test_an_external_tree_of_buildroot_is_the_robots_own(tmp_path: Path) -> None:
+    tree(tmp_path, {"os/external/external.desc": "name: OTTER\n", "os/external/package/a.service": UNIT})
+    assert [line for line in settings(tmp_path) if "external/" in line and "deploy" not in line] == [
+        '"os/external/package" = "/etc/systemd/system"'
+    ]
+
+
+def test_what_is_taken_away_is_said(tmp_path: Path) -> None:
+    """A draft keeps what is wrong in itself; what it lacks for a robot is taken away."""
+    wrong = "[Service]\nExecStart=/bin/true {0}\nRestart=some-{0}\n"
+    unwatched = "[Service]\nExecStart=/opt/ros/jazzy/bin/ros2 launch {0} up.launch.py\n"
+    for folder in ("vendor", "graveyard", "robot"):
+        tree(
+            tmp_path,
+            {f"{folder}/{folder}{n}.service": text.format(folder) for n, text in enumerate((wrong, unwatched))},
+        )
+    before = found_in(tmp_path)
+    run = lint("init", cwd=tmp_path)
+    lost = before - found_in(tmp_path)
+    assert lost == Counter({("vendor", "error"): 2, ("vendor", "warning"): 2, ("graveyard", "warning"): 2})
+    lines = (tmp_path / "bringup-lint.toml").read_text().splitlines()
+    taken = {line.split('"')[1]: line.partition("; takes away ")[2] for line in lines if "takes away" in line}
+    assert taken == {"/vendor/": "2 errors and 2 warnings", "graveyard/": "2 warnings"}
+    assert run.stderr.splitlines()[1:] == ["It takes away 2 errors and 4 warnings: the comments say where."]
+
+
+def found_in(top: Path) -> Counter[tuple[str, str]]:
+    """How many findings of each severity there are in each folder."""
+    lines = lint("-q", "--output-format", "concise", cwd=top).stdout.splitlines()
+    return Counter((line.split("/")[0], line.split(": ")[1].split("[")[0]) for line in lines)
 
 
 def test_where_files_go_on_the_robot(tmp_path: Path) -> None:
@@ -106,6 +149,20 @@ def test_what_folders_are_for(tmp_path: Path) -> None:
     config = read(tmp_path / "bringup-lint.toml")
     assert config.purpose == {"otter_world/": "simulation", "sandbox/": "development"}
     assert config.deploy == {}
+
+
+@pytest.mark.parametrize(
+    "folder", ["ansible/roles/arm/templates", "ansible/roles/skeleton", "templates", "ansible/skeleton"]
+)
+def test_what_is_deployed_is_no_example(tmp_path: Path, folder: str) -> None:
+    tree(tmp_path, {f"{folder}/a.service": UNIT, "ansible/site.yml": "- hosts: all\n  roles: [arm]\n"})
+    assert "[purpose]" not in settings(tmp_path)
+
+
+@pytest.mark.parametrize("folder", ["project_template", "templates_package", "cookiecutter-node", "skeleton"])
+def test_a_template_of_a_project_is_an_example(tmp_path: Path, folder: str) -> None:
+    tree(tmp_path, {f"{folder}/a.service": UNIT})
+    assert f'"{folder}/" = "example"' in settings(tmp_path)
 
 
 def test_names_of_files_stay_in_their_comment(tmp_path: Path) -> None:

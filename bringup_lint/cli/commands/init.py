@@ -16,6 +16,7 @@ from bringup_lint.cli.streams import complain
 from bringup_lint.cli.streams import say
 from bringup_lint.config import FILE_NAME
 from bringup_lint.config import schema
+from bringup_lint.plural import counted
 from bringup_lint.toml import quoted
 from bringup_lint.writing import NotWritten
 from bringup_lint.writing import create
@@ -38,7 +39,7 @@ def command(ctx: click.Context, print_schema: bool, print_only: bool) -> None:
     """Look at the current folder and write the bringup-lint.toml that it needs.
 
     The ROS distribution, what to leave out, where files go on the robot and what folders are for: each setting with
-    the file that it comes from, and none without effect.
+    the file that it comes from and the findings that it takes away, and none without effect.
     """
     if print_schema:
         click.echo(json.dumps(schema(), indent=2))
@@ -58,14 +59,19 @@ def command(ctx: click.Context, print_schema: bool, print_only: bool) -> None:
         complain(error)
         ctx.exit(2)
     say(f"Wrote {path}: {_told(found)}.")
+    if taken := _taken(sum(each.errors for each in found), sum(each.warnings for each in found)):
+        say(f"It takes away {taken}: the comments say where.")
 
 
 def _surveyed() -> list[Setting]:
     from bringup_lint.cli.checking import read_robot
+    from bringup_lint.cli.losses import OPTIONS
+    from bringup_lint.cli.losses import with_losses
     from bringup_lint.cli.survey import settings
     from bringup_lint.config import Config
 
-    return settings(read_robot((".",), Config(), {"stdin_filename": None, "root": None}))
+    robot = read_robot((".",), Config(), OPTIONS)
+    return with_losses(settings(robot), robot)
 
 
 def document(found: Iterable[Setting]) -> str:
@@ -81,13 +87,24 @@ def _table(table: str, group: list[Setting]) -> str:
 def _lines(table: str, group: list[Setting]) -> Iterator[str]:
     if table == "exclude":
         yield "exclude = ["
-        yield from (f"    {quoted(each.value)},  # {_plain(each.why)}" for each in group)
+        yield from (f"    {quoted(each.value)},  # {_why(each)}" for each in group)
         yield "]"
         return
     if group[0].name:
         yield f"[{table}]"
     for each in group:
-        yield f"{quoted(each.name) if each.name else table} = {quoted(each.value)}  # {_plain(each.why)}"
+        yield f"{quoted(each.name) if each.name else table} = {quoted(each.value)}  # {_why(each)}"
+
+
+def _why(setting: Setting) -> str:
+    """What a setting comes from, and what it costs."""
+    taken = _taken(setting.errors, setting.warnings)
+    return _plain(f"{setting.why}; takes away {taken}" if taken else setting.why)
+
+
+def _taken(errors: int, warnings: int) -> str:
+    counts = (("error", errors), ("warning", warnings))
+    return " and ".join(counted(count, name) for name, count in counts if count)
 
 
 def _plain(text: str) -> str:
