@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -21,6 +22,7 @@ from bringup_lint.facts.ros import distros
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.spelling import meant
+from bringup_lint.toml import line_of
 from bringup_lint.toml import read_toml
 
 FILE_NAME = "bringup-lint.toml"
@@ -36,11 +38,18 @@ SIZE_LIMIT = 1024 * 1024
 """Bytes of a configuration file."""
 MOST = 1000
 """Entries of a list or table in a configuration that was found: each is compared with all files or rules."""
+MOST_SAID = 20
+"""Mistakes of a configuration that are named."""
 _TABLE = regex(r"^[ \t]*\[[ \t]*tool[ \t]*(?:\]|\.[ \t]*[\"']?bringup[-_]lint)", re.M)
 
 
 class ConfigError(Exception):
-    """A mistake in the configuration; its text is one clear line."""
+    """Mistakes in the configuration; its text is one clear line for each."""
+
+    def __init__(self, text: str, config: Config | None = None):
+        super().__init__(text)
+        self.config = config
+        """What is right in the file, where a file is wrong in part."""
 
 
 class Option(NamedTuple):
@@ -145,21 +154,34 @@ def read(path: Path, *, named: bool = True) -> Config:
         data = read_toml(text)
     except (ValueError, RecursionError) as error:
         why = "nested too deep" if isinstance(error, RecursionError) else error
-        raise ConfigError(f"{path}: {why}") from error
+        line = line_of(error, text)
+        raise ConfigError(f"{path}{f':{line}' if line else ''}: {why}") from error
     values: dict[str, Any] = {}
+    wrong: list[tuple[str, str]] = []
     for key, value in _table(path, text, data).items():
-        if key not in OPTIONS:
-            raise ConfigError(f"{_place(path, text, key)}: unknown key '{key}'{_did_you_mean(key)}")
         try:
-            values[key.replace("-", "_")] = _checked(OPTIONS[key].type, value)
+            values[key.replace("-", "_")] = _setting(key, value, named)
         except ValueError as error:
-            raise ConfigError(f"{_place(path, text, key)}: {key} {error}") from error
-        if not named and _size(values[key.replace("-", "_")]) > MOST:
-            raise ConfigError(f"{_place(path, text, key)}: {key} has more than {MOST} entries; name the file: --config")
+            wrong.append((key, str(error)))
     config = Config(**values, path=path, text=text)
-    for word, why in _without_effect(config, named):
-        raise ConfigError(f"{_place(path, text, word)}: {why}")
+    wrong += islice(_without_effect(config, named), MOST_SAID + 1)
+    if wrong:
+        lines = [f"{_place(path, text, word)}: {why}" for word, why in wrong[:MOST_SAID]]
+        raise ConfigError("\n".join([*lines, *[f"{path}: and more"][: len(wrong) - len(lines)]]), config)
     return config
+
+
+def _setting(key: str, value: object, named: bool) -> object:
+    """The value of a key. Raises ValueError."""
+    if key not in OPTIONS:
+        raise ValueError(f"unknown key '{key}'{_did_you_mean(key)}")
+    try:
+        checked = _checked(OPTIONS[key].type, value)
+    except ValueError as error:
+        raise ValueError(f"{key} {error}") from error
+    if not named and _size(checked) > MOST:
+        raise ValueError(f"{key} has more than {MOST} entries; name the file: --config")
+    return checked
 
 
 def _text_of(path: Path, named: bool) -> str:
@@ -261,14 +283,14 @@ def _checked(kind: str, value: Any) -> Any:
     if kind == "names":
         if not isinstance(value, dict):
             raise ValueError("must be a table of lists of strings")
-        return {pattern: _checked("strings", names) for pattern, names in value.items()}
+        return _each("strings", value)
     if kind in ("paths", "severities", "purposes"):
         if not isinstance(value, dict) or not all(isinstance(item, str) for item in value.values()):
             raise ValueError("must be a table of strings")
         if kind == "severities":
-            value = {key: _checked("severity or off", item) for key, item in value.items()}
+            value = _each("severity or off", value)
         if kind == "purposes":
-            value = {key: _checked("purpose", item) for key, item in value.items()}
+            value = _each("purpose", value)
         return value
     if kind == "integer":
         if not isinstance(value, int) or isinstance(value, bool):
@@ -280,6 +302,20 @@ def _checked(kind: str, value: Any) -> Any:
     if choices and value not in choices:
         raise ValueError(f"must be one of {', '.join(choices)}, not '{value}'")
     return value
+
+
+def _each(kind: str, table: dict[str, Any]) -> dict[str, Any]:
+    """The table with its values checked. Raises ValueError that names each mistake once."""
+    found: dict[str, Any] = {}
+    wrong: dict[str, None] = {}
+    for key, value in table.items():
+        try:
+            found[key] = _checked(kind, value)
+        except ValueError as error:
+            wrong[str(error)] = None
+    if wrong:
+        raise ValueError("; ".join(islice(wrong, MOST_SAID)))
+    return found
 
 
 def schema() -> dict[str, Any]:

@@ -11,6 +11,7 @@ from collections.abc import Mapping
 from bringup_lint import budget
 from bringup_lint.apart import Steps
 from bringup_lint.apart import failing
+from bringup_lint.config import MOST_SAID
 from bringup_lint.config import OFF
 from bringup_lint.config import Config
 from bringup_lint.config import ConfigError
@@ -67,12 +68,24 @@ class Selection:
         self.registry = registry
         self.config = config
         self.families = {family.name for family in registry.families}
-        self.select = [self.known(name) for name in dict.fromkeys(config.select) if name != "all"]
+        selected = [name for name in dict.fromkeys(config.select) if name != "all"]
+        listed = (name for names in config.per_file_ignores.values() for name in names)
+        self._refuse_unknown([*selected, *config.ignore, *config.severity, *listed])
+        self.select = [self.known(name) for name in selected]
         self.ignore = [self.known(name) for name in dict.fromkeys(config.ignore)]
         self.left_out = [self.known(name) for name in config.left_out]
         self.levels = {self.known(name): level for name, level in config.severity.items()}
-        for name in dict.fromkeys(name for names in config.per_file_ignores.values() for name in names):
-            self.known(name)
+
+    def _refuse_unknown(self, named: Iterable[str]) -> None:
+        """Raises ConfigError that says all names that mean nothing."""
+        unknown: list[str] = []
+        for name in dict.fromkeys(named):
+            try:
+                self.known(name)
+            except ConfigError as error:
+                unknown.append(str(error))
+        if unknown:
+            raise ConfigError("\n".join(unknown[:MOST_SAID]))
 
     def known(self, name: str) -> str:
         """The id that a name means. Raises ConfigError when it means none."""

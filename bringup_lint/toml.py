@@ -9,6 +9,7 @@ from bringup_lint.pattern import regex
 
 _LONGEST = 50
 _PART = r"""(?:(?<![\w-])[\w-]+|"[^"\n]*"|'[^'\n]*')[ \t]*\.[ \t]*"""
+_AT_LINE = regex(r"\bat line (\d+)")
 _LONG_KEY = regex(rf"(?:{_PART}){{{_LONGEST}}}")
 
 
@@ -23,6 +24,13 @@ def read_toml(text: str) -> dict[str, Any]:
         import tomli as tomllib
     parsed: dict[str, Any] = tomllib.loads(text)
     return parsed
+
+
+def line_of(error: Exception, text: str) -> int | None:
+    """The line that the reader's error names, from 1."""
+    if found := _AT_LINE.search(str(error)):
+        return int(found.group(1))
+    return text.rstrip().count("\n") + 1 if "at end of document" in str(error) else None
 
 
 def holds(text: str) -> bool:

@@ -275,7 +275,10 @@ def configuration(paths: tuple[str, ...], options: dict[str, Any]) -> tuple[Conf
     """The settings from file and command line, and the folders of further rules. Raises ConfigError."""
     named = options["config_path"]
     path = named or (None if options["isolated"] else find(_start(paths, options["root"])))
-    config = read(path, named=bool(named)) if path else Config()
+    try:
+        config = read(path, named=bool(named)) if path else Config()
+    except ConfigError as error:
+        raise _with_unknown_names(error, options["rule_folders"]) from error
     found = config if path and not named else None
     rule_folders = list(options["rule_folders"])
     if config.rules and named:
@@ -294,6 +297,20 @@ def configuration(paths: tuple[str, ...], options: dict[str, Any]) -> tuple[Conf
         "found": found,
     }
     return replace(config, **{key: value for key, value in given.items() if value}), rule_folders
+
+
+def _with_unknown_names(error: ConfigError, rule_folders: Iterable[Path]) -> ConfigError:
+    """The mistakes of a configuration, and the names in it that mean no rule."""
+    from bringup_lint.engine import Selection
+    from bringup_lint.registry import Registry
+
+    if error.config is None or error.config.rules:
+        return error
+    try:
+        Selection(Registry.of(rule_folders), error.config)
+    except ConfigError as unknown:
+        return ConfigError(f"{error}\n{unknown}")
+    return error
 
 
 def _start(paths: tuple[str, ...], root: str | None) -> Path:

@@ -19,6 +19,7 @@ from bringup_lint.fleet.members import refusal
 from bringup_lint.fleet.members import text_of
 from bringup_lint.pattern import regex
 from bringup_lint.spelling import meant
+from bringup_lint.toml import line_of
 from bringup_lint.toml import read_toml
 
 FILE_NAME = "fleet.toml"
@@ -75,7 +76,8 @@ def read_fleet_file(path: str) -> Inventory:
     try:
         data = read_toml(text)
     except ValueError as error:
-        raise ConfigError(f"{path}: {error}") from error
+        line = line_of(error, text)
+        raise ConfigError(f"{path}{f':{line}' if line else ''}: {error}") from error
     _checked(path, "", data)
     for name, site in data.get("site", {}).items():
         _checked(path, "site", site)

@@ -64,6 +64,36 @@ def test_what_is_refused(tree: Path, name: str, text: str, said: str) -> None:
     assert len(run.stderr.splitlines()) == 1
 
 
+def test_all_mistakes_are_said(tree: Path) -> None:
+    lines = (
+        'selct = ["udev"]',
+        'fail-on = "always"',
+        'ignore = ["systemdd", "udev", "nettplan"]',
+        "[severity]",
+        'launch = "low"',
+    )
+    (tree / "bringup-lint.toml").write_text("\n".join(lines) + "\n[deploy]\ngone = '/opt'\n")
+    run = lint(cwd=tree)
+    assert (run.code, run.stdout) == (2, "")
+    said = [line.removeprefix("bringup-lint: ").split(":", 2)[1:] for line in run.stderr.splitlines()]
+    assert [(int(number), text.split()[0]) for number, text in said] == [
+        (1, "unknown"),
+        (2, "fail-on"),
+        (4, "severity"),
+        (7, "deploy:"),
+        (3, "no"),
+        (3, "no"),
+    ]
+
+
+@pytest.mark.parametrize(("text", "line"), [("\nfail-on =\n", 2), ("\n\n[a]\n[a]\n", 4), ('\nselect = ["udev",\n', 2)])
+def test_a_mistake_of_syntax_has_its_line(tree: Path, text: str, line: int) -> None:
+    (tree / "bringup-lint.toml").write_text(text)
+    run = lint(cwd=tree)
+    assert run.code == 2
+    assert f"bringup-lint.toml:{line}: " in run.stderr
+
+
 def test_a_table_in_a_comment_is_none(tree: Path) -> None:
     (tree / "pyproject.toml").write_text("tool = 1\n# [tool.bringup-lint]\n")
     assert lint("--select", "lint", cwd=tree).code == 0
