@@ -19,11 +19,15 @@ rules_option = click.option(
     "--rules",
     "rule_folders",
     type=click.Path(exists=True, file_okay=False, path_type=Path),
+    metavar="FOLDER",
     multiple=True,
     help="Folder of further rules.",
 )
 root_option = click.option(
-    "--root", type=click.Path(exists=True, file_okay=False), help="Check a mounted root file system."
+    "--root",
+    type=click.Path(exists=True, file_okay=False),
+    metavar="FOLDER",
+    help="Check a mounted root file system.",
 )
 
 

@@ -441,3 +441,9 @@ def test_a_report_says_that_no_file_was_checked(tmp_path: Path) -> None:
     assert "bringup-lint does not read this kind of file" in " ".join(run.stdout.split())
     assert "or leave it out" in " ".join(run.stdout.split())
     assert run.stdout.endswith("1 warning: no file was checked\n")
+
+
+def test_help_lists_options_alone(tmp_path: Path) -> None:
+    text = lint("--help", cwd=tmp_path).stdout
+    assert text.count("[PATH]...") == 1
+    assert "--root FOLDER" in text and "DIRECTORY" not in text + lint("fleet", "--help", cwd=tmp_path).stdout

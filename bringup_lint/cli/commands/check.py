@@ -61,9 +61,10 @@ class Sections(PairedOptions):
     def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         with formatter.section("Commands"):
             formatter.write_dl(list(COMMANDS.items()))
-        records = {param.name: param.get_help_record(ctx) for param in self.get_params(ctx)}
-        for title, options in SECTIONS.items():
-            shown = [records.pop(name) for name in options]
+        options = (param for param in self.get_params(ctx) if isinstance(param, click.Option))
+        records = {param.name: param.get_help_record(ctx) for param in options}
+        for title, own in SECTIONS.items():
+            shown = [records.pop(name) for name in own]
             with formatter.section(title):
                 formatter.write_dl([record for record in shown if record])
         with formatter.section("Other options"):
