@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import os
+import re
 import time
+from collections.abc import Callable
 from collections.abc import Container
 from datetime import date
 from pathlib import Path
@@ -65,12 +67,13 @@ def summary_of(member: Member, job: Job) -> Summary:
     outcome = run(robot, Registry.of(job.rule_folders), job.config, ignores=job.ignores)
     report = finish(outcome, robot, Invocation((), os.getcwd(), time.time()))
     said, failures = reduced(robot, job.key)
+    named = _names_of(member)
     summary = replace(
         empty,
         files=report.files,
-        marks=tuple(said.marks),
-        facts=tuple(said.facts),
-        own=tuple(_own(found) for found in report.shown),
+        marks=tuple(mark._replace(path=named(mark.path)) for mark in said.marks),
+        facts=tuple(fact._replace(path=named(fact.path)) for fact in said.facts),
+        own=tuple(own._replace(path=named(own.path), message=named(own.message)) for own in map(_own, report.shown)),
         silenced=tuple(report.silenced),
         failures=(*outcome.failures, *failures),
     )
@@ -105,6 +108,18 @@ def tree_of(member: Member, config: Config) -> Tree:
         return layered(member.layers, TOPS, excluded)
     folder = os.path.abspath(member.layers[0])
     return discover([folder], deploy=_places(folder), excluded=excluded)
+
+
+def _names_of(member: Member) -> Callable[[str], str]:
+    """What puts the names that archives have on the command line in place of those by which their files are judged."""
+    from bringup_lint.discover.layered import top_of
+
+    judged = {display_name(top_of(layer)): display_name(os.path.abspath(layer)) for layer in member.layers}
+    names = {short: long for short, long in judged.items() if short != long}
+    if not names:
+        return str
+    written = re.compile(rf"(?<![\w./-])({'|'.join(map(re.escape, names))})/")
+    return lambda text: written.sub(lambda found: f"{names[found.group(1)]}/", text)
 
 
 def _places(folder: str) -> dict[str, str]:

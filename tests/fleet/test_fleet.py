@@ -42,7 +42,7 @@ def test_text_names_the_robots_and_the_places() -> None:
         run.stdout.split()
     )
     assert "--> beta: robots/beta/etc/ssh/ssh_host_ed25519_key.pub:1" in run.stdout
-    assert "Fleet of 2 robots: 1 error, 0 warnings, 0 infos." in run.stdout
+    assert "Fleet of 2 robots: 1 error, 0 warnings, 0 info." in run.stdout
 
 
 def test_a_robot_is_checked_as_by_itself(tmp_path: Path) -> None:
@@ -100,7 +100,7 @@ reason = "two snapshots of one robot"
         ('[[robot]]\nname = "a"\nroot = "none"\n', "there is no 'none'"),
         ("[[robot]]\nname = 3\n", "name is not of type str"),
         ('[site.x]\ndomains = "some"\n', "domains is one of shared, separate"),
-        ("[[robot]\n", "fleet.toml: "),
+        ("[[robot]\n", "fleet.toml:1: "),
         ('[[accept]]\nrule = "fleet/same-machine-id"\n', "needs a rule and a reason"),
     ],
 )
@@ -116,6 +116,29 @@ def test_folders_without_a_file_of_a_robot_are_refused(tmp_path: Path) -> None:
     run = lint("fleet", ".", cwd=tmp_path)
     assert (run.code, run.stdout) == (2, "")
     assert "no file of a robot was found: give a folder or a tar archive" in run.stderr
+
+
+@pytest.mark.parametrize(
+    ("files", "said"),
+    [
+        (
+            {"a/etc/hostname": "a\n", "b/etc/hostname": "b\n"},
+            "a folder of 2 (a and b): name each of them, such as all/a",
+        ),
+        ({"inventory.yml": "all:\n", "a/etc/hostname": "a\n"}, "hosts of its inventory, name all/inventory.yml"),
+        ({"etc/hostname": "a\n", "b/etc/hostname": "b\n"}, ""),
+        ({"rootfs/etc/hostname": "a\n"}, ""),
+    ],
+)
+def test_a_folder_of_robots_is_not_taken_for_one_in_silence(tmp_path: Path, files: dict[str, str], said: str) -> None:
+    unit = "[Unit]\nDescription={0}\n[Service]\nExecStart=/bin/true {0}\n"
+    write(tmp_path / "all", files)
+    for top in {name.partition("etc/")[0] for name in files if "etc/" in name}:
+        write(tmp_path / "all", {f"{top}etc/systemd/system/otter.service": unit.format(top or "own")})
+    run = lint("fleet", "--workers", "1", "all", cwd=tmp_path)
+    assert run.code == 0
+    assert "Fleet of 1 robot: 0 errors, 0 warnings, 0 info." in run.stdout
+    assert (said in run.stderr) and bool(said) == bool(run.stderr)
 
 
 def test_two_robots_of_one_name_are_refused(tmp_path: Path) -> None:

@@ -44,6 +44,9 @@ def test_an_archive_is_judged_as_its_folder_is(tmp_path: Path) -> None:
         rules = [found["rule"] for found in one["findings"]]
         assert rules
         assert rules == [found["rule"] for found in other["findings"]]
+        assert {found["path"].partition("/")[0] for found in other["findings"]} == {f"{one['name']}.tar.gz"}
+    places = [place["path"] for found in archives["findings"] for place in found["places"]]
+    assert places == [f"{name}.tar.gz/etc/ssh/ssh_host_ed25519_key.pub" for name in ("alpha", "beta")]
     assert sorted(path.name for path in tmp_path.iterdir()) == ["alpha", "alpha.tar.gz", "beta", "beta.tar.gz"]
 
 

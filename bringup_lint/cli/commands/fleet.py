@@ -31,6 +31,7 @@ from bringup_lint.cli.terminal import terminal_width
 from bringup_lint.cli.terminal import wants_colour
 from bringup_lint.config import ConfigError
 from bringup_lint.dataclass import replace
+from bringup_lint.plural import counted
 from bringup_lint.report.fleet import FORMATS
 from bringup_lint.report.fleet import FleetReport
 
@@ -56,7 +57,12 @@ NO_ROBOT = (
 @file_option
 @click.option("--workers", type=click.IntRange(1), help="Worker processes. [default: one a processor]")
 @click.option("--scheduler", metavar="ADDRESS", help="Work on this dask cluster; 'local' starts one.")
-@click.option("--state", type=click.Path(file_okay=False, path_type=Path), help="Keep summaries here, to go on later.")
+@click.option(
+    "--state",
+    type=click.Path(file_okay=False, path_type=Path),
+    metavar="FOLDER",
+    help="Keep summaries here, to go on later.",
+)
 @click.option("--select", multiple=True, callback=names, help="Run only these rules or families.")
 @verdict_options
 @target_options
@@ -84,11 +90,14 @@ def command(ctx: click.Context, paths: tuple[str, ...], **options) -> None:
 def _judge(outputs: list[Output], paths: tuple[str, ...], options: dict[str, Any]) -> int:
     from bringup_lint.fleet.check import Job
     from bringup_lint.fleet.gather import stored
+    from bringup_lint.fleet.hints import hint
     from bringup_lint.fleet.inventory import read_inventory
     from bringup_lint.fleet.render import rendered
 
     config, rule_folders = configuration(paths, {**options, "root": None, "baseline": None})
     inventory = read_inventory(paths)
+    for said in filter(None, map(hint, inventory.members)):
+        complain(said)
     today = options["now"].date() if options["now"] else date.today()
     state = None
     if options["state"]:
@@ -164,7 +173,7 @@ def _shown(summaries: Iterable[Summary], total: int) -> Iterator[Summary]:
     for number, summary in enumerate(summaries, 1):
         if shown:
             rate = number / max(time.monotonic() - started, 0.001)
-            click.echo(f"\r{number} of {total} robots, {rate:.1f} a second ", err=True, nl=number == total)
+            click.echo(f"\r{number} of {counted(total, 'robot')}, {rate:.1f} a second ", err=True, nl=number == total)
         yield summary
 
 

@@ -12,6 +12,7 @@ from bringup_lint.fleet.fleet import FleetFinding
 from bringup_lint.fleet.fleet import listed
 from bringup_lint.fleet.summary import Summary
 from bringup_lint.plural import counted
+from bringup_lint.plural import of_severity
 from bringup_lint.report.columns import plain_starts
 from bringup_lint.report.columns import printable
 from bringup_lint.report.fleet.model import FleetReport
@@ -86,10 +87,10 @@ def _robots(report: FleetReport, paint: Paint) -> Iterator[str]:
 
 def _summary(report: FleetReport) -> Iterator[str]:
     counts = report.counts
-    found = ", ".join(counted(counts[name], name) for name in ("error", "warning", "info"))
+    found = ", ".join(of_severity(counts[name], name) for name in ("error", "warning", "info"))
     accepted = sum(bool(each.declared) for each in report.findings)
     own = sum(len(robot.own) for robot in report.robots)
-    yield f"Fleet of {len(report.robots)} robots: {found}{f', {accepted} accepted' if accepted else ''}."
+    yield f"Fleet of {counted(len(report.robots), 'robot')}: {found}{f', {accepted} accepted' if accepted else ''}."
     yield f"On single robots: {counted(own, 'finding')}, as bringup-lint ROBOT shows."
     silenced = [f"{number} suppressed by {what}" for what, number in sorted(report.silenced.items())]
     if silenced:
