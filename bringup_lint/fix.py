@@ -25,6 +25,7 @@ from bringup_lint.writing import NotWritten
 from bringup_lint.writing import correct
 
 TOUCHES = "another fix changes the same place"
+NOT_VALID = "the file would not be valid"
 _LONE_CR = regex(r"\r(?!\n)")
 
 
@@ -86,19 +87,43 @@ class Fixed(NamedTuple):
 
 
 def planned(findings: Iterable[Finding], *, unsafe: bool = False) -> Plan:
-    """Take up what can be applied together."""
+    """Take up what can be applied together, and leave alone the files that could not be read afterwards."""
+    found = [each for finding in findings for each in (finding, *finding.copies)]
+    broken: set[str] = set()
+    while True:
+        plan = _plan(found, unsafe, broken)
+        more = {name for name, change in plan.changes.items() if not _stays_well_formed(change)}
+        if not more:
+            return plan
+        broken |= more
+
+
+def _plan(findings: Iterable[Finding], unsafe: bool, broken: set[str]) -> Plan:
+    """What can be applied together, outside of the files that it would break."""
     changes: dict[str, Changes] = {}
     taken, left = [], []
-    for finding in (each for found in findings for each in (found, *found.copies)):
+    for finding in findings:
         fix = finding.fix
         if fix is None or finding.suppression:
             continue
-        why = _obstacle(fix, unsafe) or _taken_up(fix, changes)
+        why = _obstacle(fix, unsafe) or _breaks(fix, broken) or _taken_up(fix, changes)
         if why:
             left.append((finding, why))
         else:
             taken.append((finding, _files_of(fix)))
     return Plan(changes, tuple(taken), tuple(left))
+
+
+def _breaks(fix: Fix, broken: set[str]) -> str:
+    return "" if broken.isdisjoint(_files_of(fix)) else NOT_VALID
+
+
+def _stays_well_formed(change: Changes) -> bool:
+    """Whether a file that could be read before its changes can be read after them."""
+    from bringup_lint.parsers.well_formed import is_well_formed
+
+    after = replace(change.source, text=change.new_text())
+    return is_well_formed(after) or not is_well_formed(change.source)
 
 
 def apply_fixes(findings: Iterable[Finding], *, unsafe: bool = False) -> Fixed:
@@ -144,7 +169,7 @@ def _taken_up(fix: Fix, changes: dict[str, Changes]) -> str:
     if fix.codemod:
         if fix.codemod.source.name in changes:
             return TOUCHES
-        return "" if _rewrite(fix.codemod, changes) else "the file would not be valid"
+        return "" if _rewrite(fix.codemod, changes) else NOT_VALID
     return "" if _edit(fix.edits, changes) else TOUCHES
 
 

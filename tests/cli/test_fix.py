@@ -162,3 +162,85 @@ def test_only_blanks_of_ascii_divide_names(tmp_path: Path) -> None:
     (tmp_path / "robot.service").write_text(text, "utf-8")
     lint("--fix", "--unsafe-fixes", "--select", "systemd/requires-without-after", cwd=tmp_path)
     assert (tmp_path / "robot.service").read_text("utf-8") == text
+
+
+PLAYBOOK = """\
+- name: unit
+  copy:
+    dest: /etc/systemd/system/rover.service
+    content: |
+{margin}[Unit]
+{margin}After=network.target
+
+{margin}[Service]
+{margin}StartLimitInterval=10
+{margin}ExecStart=/usr/bin/ros2 launch a b.launch.py
+{margin}Restart=always
+"""
+SCRIPT = """\
+cat > /etc/systemd/system/rover.service <<-'EOF'
+{margin}[Unit]
+{margin}After=network.target
+
+{margin}[Service]
+{margin}StartLimitInterval=10
+{margin}ExecStart=/usr/bin/ros2 launch a b.launch.py
+{margin}Restart=always
+{margin}EOF
+"""
+WRITTEN = "systemd/network-target,systemd/restart-unlimited,systemd/legacy-key"
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "margin"),
+    [
+        ("tasks/main.yml", PLAYBOOK, "      "),
+        ("tasks/main.yml", PLAYBOOK, "         "),
+        ("install.sh", SCRIPT, "\t"),
+        ("install.sh", SCRIPT.replace("<<-", "<<"), ""),
+    ],
+)
+def test_lines_have_the_margin_of_the_file_that_writes_them(tmp_path: Path, name: str, text: str, margin: str) -> None:
+    path = tmp_path / name
+    path.parent.mkdir(exist_ok=True)
+    path.write_text(text.format(margin=margin))
+    lint("--fix", "--unsafe-fixes", "--min-severity", "info", "--select", WRITTEN, cwd=tmp_path)
+    start = "[Unit]\nAfter=network-online.target\nWants=network-online.target\nStartLimitIntervalSec=10\n"
+    rest = "\n[Service]\nExecStart=/usr/bin/ros2 launch a b.launch.py\nRestart=always\n"
+    lines = "".join(margin + line if line.strip() else line for line in (start + rest).splitlines(keepends=True))
+    assert lines in path.read_text()
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        PLAYBOOK.format(margin="      ").replace("content: |", "content: >"),
+        "- name: unit\n  copy:\n    dest: /etc/systemd/system/rover.service\n"
+        '    content: "[Unit]\\nAfter=network.target\\n[Service]\\nExecStart=/usr/bin/ros2 launch a b.launch.py\\n"\n',
+    ],
+)
+def test_no_lines_are_added_where_lines_are_folded_or_quoted(tmp_path: Path, text: str) -> None:
+    path = tmp_path / "tasks" / "main.yml"
+    path.parent.mkdir()
+    path.write_text(text)
+    lint("--fix", "--unsafe-fixes", "--min-severity", "info", "--select", WRITTEN, cwd=tmp_path)
+    assert path.read_text() == text
+
+
+def test_no_keyword_is_written_twice(tmp_path: Path) -> None:
+    text = "from launch_ros.actions import Node\n\n\ndef generate_launch_description():\n    return [{}]\n"
+    text = text.format("Node(package='a', executable='b', node_executable='b')")
+    (tmp_path / "robot.launch.py").write_text(text)
+    run = lint("--diff", "--select", "launch/removed-keyword", cwd=tmp_path)
+    assert (run.stdout, run.stderr) == ("", "")
+    shown = lint("--select", "launch/removed-keyword", "--output-format", "json", cwd=tmp_path).stdout
+    assert "remove it: executable= is there, too" in shown
+
+
+def test_a_device_is_not_left_to_root_alone(tmp_path: Path) -> None:
+    path = tmp_path / "99-robot.rules"
+    path.write_text('SUBSYSTEM=="tty", ATTRS{serial}=="A5XK3RJT", MODE="0666"\n')
+    run = lint("--diff", "--unsafe-fixes", "--select", "udev/mode-world-writable", cwd=tmp_path)
+    assert (run.stdout, run.stderr) == ("", "")
+    shown = lint("--select", "udev/mode-world-writable", "--output-format", "json", cwd=tmp_path).stdout
+    assert r"write 0660 and add GROUP=\"dialout\"" in shown
