@@ -53,6 +53,7 @@ if TYPE_CHECKING:
     from bringup_lint.model.launch import LoadComponents
     from bringup_lint.model.launch import Log
     from bringup_lint.model.launch import Node
+    from bringup_lint.model.launch import OldKeyword
     from bringup_lint.model.launch import Opaque
     from bringup_lint.model.launch import Other
     from bringup_lint.model.launch import Process
@@ -113,6 +114,7 @@ __all__ = [
     "MissingEntry",
     "Need",
     "Node",
+    "OldKeyword",
     "Opaque",
     "Operation",
     "Other",

@@ -8,6 +8,7 @@ from bringup_lint.on_demand import on_demand
 
 if TYPE_CHECKING:
     from bringup_lint.graph.yaml_edits import first_key
+    from bringup_lint.graph.yaml_edits import last_key
     from bringup_lint.model.yaml_node import Mapping
     from bringup_lint.model.yaml_node import Node
     from bringup_lint.model.yaml_node import Scalar
@@ -23,4 +24,5 @@ __all__ = [
     "Sequence",
     "YamlCode",
     "first_key",
+    "last_key",
 ]

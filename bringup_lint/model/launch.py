@@ -63,6 +63,18 @@ class Include(Action):
     """More arguments may be passed than are known."""
 
 
+class OldKeyword(NamedTuple):
+    """A keyword argument that only old distributions have."""
+
+    owner: str
+    """The class that is called."""
+    name: Located
+    now: str
+    """What it is called today."""
+    is_doubled: bool
+    """Whether the call has that keyword, too."""
+
+
 @dataclass(eq=False, slots=True, kw_only=True)
 class Process(Action):
     """A process. ``options`` holds the further keywords by their Python names: ``respawn``, ``output``, ``prefix``."""
@@ -292,8 +304,8 @@ class LaunchFile:
     """Looks at launch configurations by names that are not known."""
     imports: list[Import] = field(default_factory=list)
     calls: list[Call] = field(default_factory=list)
-    keywords: list[tuple[str, Located]] = field(default_factory=list)
-    """Keyword arguments of nodes that only old distributions have, each with its class."""
+    keywords: list[OldKeyword] = field(default_factory=list)
+    """Keyword arguments of nodes that only old distributions have."""
     refused: list[Problem] = field(default_factory=list)
     """What launch_ros does not take: ``not-a-list``, ``action``, ``key``, ``nested-list``, ``list-of-maps`` and
     ``nothing`` in ``parameters=``, ``remapping``."""

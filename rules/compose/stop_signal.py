@@ -40,7 +40,7 @@ from bringup_lint.api import fix
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.docker import Stage
-from bringup_lint.api.yaml import first_key
+from bringup_lint.api.yaml import last_key
 
 LAUNCH = regex(r"\bros2[\s\",\[\]]+launch\b")
 
@@ -60,7 +60,7 @@ def stop_signal(robot: Robot) -> Iterator[Finding]:
             launch,
             f"docker stop sends SIGTERM to '{service.name}': ros2 launch exits before its nodes, and Docker kills them",
             advice="add stop_signal: SIGINT",
-            fix=fix("add stop_signal: SIGINT", first_key(service.body, "stop_signal: SIGINT")),
+            fix=fix("add stop_signal: SIGINT", last_key(service.body, "stop_signal: SIGINT")),
         )
 
 

@@ -32,6 +32,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.launch import OldKeyword
 
 
 @rule("error", fix="safe", symptoms=["got an unexpected keyword argument 'node_executable'"])
@@ -40,16 +41,18 @@ def removed_keyword(robot: Robot) -> Iterator[Finding]:
         found = list(robot.launch.removed_keywords(file))
         if not found:
             continue
-        owner, keyword = found[0]
-        words = list(dict.fromkeys(new_name(each) for _, each in found))
+        first, *others = found
+        words = ", ".join(dict.fromkeys(each.now for each in found))
+        is_doubled = any(each.is_doubled for each in found)
         yield finding(
-            keyword,
-            f"{owner} has had no argument '{keyword}' since Galactic: launch ends with a TypeError",
-            advice=f"write {', '.join(words)}",
-            related=[note(each, f"removed, too: write {new_name(each)}") for _, each in found[1:]],
-            fix=fix(f"write {', '.join(words)}", *((each, new_name(each)) for _, each in found)),
+            first.name,
+            f"{first.owner} has had no argument '{first.name}' since Galactic: launch ends with a TypeError",
+            advice=advice_on(first) if is_doubled else f"write {words}",
+            related=[note(each.name, f"removed, too: {advice_on(each)}") for each in others],
+            fix=None if is_doubled else fix(f"write {words}", *((each.name, each.now) for each in found)),
         )
 
 
-def new_name(keyword: str) -> str:
-    return keyword.removeprefix("node_")
+def advice_on(keyword: OldKeyword) -> str:
+    """Python refuses a keyword that is repeated."""
+    return f"remove it: {keyword.now}= is there, too" if keyword.is_doubled else f"write {keyword.now}"

@@ -39,6 +39,8 @@ from bringup_lint.api.udev import Token
 from bringup_lint.api.udev import UdevRule
 
 _MOST_SHOWN = 20
+_USUAL_GROUPS = {"tty": "dialout", "video4linux": "video", "input": "input", "sound": "audio"}
+"""The groups that 50-udev-default.rules gives to devices of a subsystem."""
 
 
 @rule("warning", fix="unsafe", silent="udev sets the mode as it is told", tags=["CWE-732"])
@@ -53,13 +55,29 @@ def mode_world_writable(robot: Robot) -> Iterator[Finding]:
 def _finding(found: list[tuple[UdevRule, Token]]) -> Finding:
     (first, token), *others = found
     grouped = first.line.first("GROUP") is not None
-    all_grouped = all(line.line.first("GROUP") for line, _ in found)
+    lacking = [line for line, _ in found if not has_users(line)]
+    edits = [(one.value, "0660") for _, one in found]
     return finding(
         token.value,
         f"With mode {token.value} every user and service can write to the device"
         + ", so GROUP has no effect" * grouped
         + (f" ({len(found)} lines of this file)" if others else ""),
-        advice="write 0660" if all_grouped else "write 0660 and name the group that needs the device with GROUP=",
+        advice=f"write 0660 and {_group_for(lacking)}" if lacking else "write 0660",
         related=[note(other.value, "this mode too") for _, other in others[:_MOST_SHOWN]],
-        fix=fix("let only the owner and the group write", *((one.value, "0660") for _, one in found), safe=all_grouped),
+        fix=None if lacking else fix("let only the owner and the group write", *edits),
     )
+
+
+def has_users(rule: UdevRule) -> bool:
+    """Whether users can open the device without a mode for all: those of a group, or who is logged in."""
+    groups = [token.value for token in rule.line.assignments("GROUP")]
+    tags = [token for token in rule.line.assignments("TAG") if token.value == "uaccess" and token.operator != "-="]
+    return bool(tags) or bool(groups and groups[-1] not in ("root", "0", ""))
+
+
+def _group_for(rules: list[UdevRule]) -> str:
+    subsystems = frozenset().union(*(rule.subsystems for rule in rules))
+    groups = {_USUAL_GROUPS.get(name, "") for name in subsystems}
+    if len(groups) == 1 and "" not in groups:
+        return f'add GROUP="{groups.pop()}"'
+    return "name the group that needs the device with GROUP="

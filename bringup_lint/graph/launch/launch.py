@@ -43,6 +43,7 @@ from bringup_lint.graph.workspace import place
 from bringup_lint.model.launch import Action
 from bringup_lint.model.launch import Include
 from bringup_lint.model.launch import LaunchFile
+from bringup_lint.model.launch import OldKeyword
 from bringup_lint.model.launch import walk_actions
 from bringup_lint.model.launch_values import Condition
 from bringup_lint.model.launch_values import ParameterFile
@@ -490,15 +491,15 @@ class Launch:
         """The public names of a module of launch or launch_ros; None when the module is not one of theirs."""
         return launch_api.names(module, self._tree_files.target.ros)
 
-    def removed_keywords(self, file: LaunchFile) -> Iterator[tuple[str, Located]]:
-        """The keywords in a Python file that its distribution no longer has, each with its class; none when the
-        file looks itself which distribution runs."""
+    def removed_keywords(self, file: LaunchFile) -> Iterator[OldKeyword]:
+        """The keywords in a Python file that its distribution no longer has; none when the file looks itself which
+        distribution runs."""
         if _LOOKS_AT_DISTRIBUTION.search(file.source.text):
             return
         distribution = distros.named_in(file.source.basename) or self._tree_files.target.ros
-        for owner, keyword in file.keywords:
-            if keyword in launch_api.removed(owner, distribution):
-                yield owner, keyword
+        for keyword in file.keywords:
+            if keyword.name in launch_api.removed(keyword.owner, distribution):
+                yield keyword
 
     def actions(self, kind: type[Kind]) -> Iterator[tuple[LaunchFile, Kind]]:
         """All actions of a kind in the judged files, with their file."""

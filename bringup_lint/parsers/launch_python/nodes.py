@@ -8,6 +8,7 @@ from bringup_lint.model.launch import Action
 from bringup_lint.model.launch import ComposableNode
 from bringup_lint.model.launch import LoadComponents
 from bringup_lint.model.launch import Node
+from bringup_lint.model.launch import OldKeyword
 from bringup_lint.model.launch import Other
 from bringup_lint.model.launch import Process
 from bringup_lint.model.launch_values import Literal
@@ -121,9 +122,10 @@ def _note_old(state: State, args: Arguments, owner: str) -> None:
     for match in _OLD.finditer(args.span.text):
         start = args.span.start + match.start(1)
         place = Located(match[1], args.span.source.span(start, start + len(match[1])))
-        known = any(start == other.span.start for _, other in state.file.keywords)
+        known = any(start == other.name.span.start for other in state.file.keywords)
         if match[1] in args.keywords and not known:
-            state.file.keywords.append((owner, place))
+            now = place.removeprefix("node_")
+            state.file.keywords.append(OldKeyword(owner, place, now, now in args.keywords))
 
 
 def _note_refused(state: State, thing: Any) -> None:
