@@ -102,12 +102,15 @@ def _target(robot: Robot) -> Iterator[Setting]:
 
 
 def _target_of_ci(robot: Robot) -> Iterator[Setting]:
+    """The one distribution that workflows name: on a line about ROS, and no other one on any line, as in a matrix."""
     named: dict[str, str] = {}
+    anywhere: set[str] = set()
     for path in filter(_WORKFLOW.search, robot.tree.paths):
-        lines = robot.tree.head(path, _HEAD).lower().splitlines()
-        for name in (name for line in lines if "ros" in line for name in _DISTRO.findall(line)):
+        text = robot.tree.head(path, _HEAD).lower()
+        anywhere.update(_DISTRO.findall(text))
+        for name in (name for line in text.splitlines() if "ros" in line for name in _DISTRO.findall(line)):
             named.setdefault(name, os.path.relpath(path))
-    if len(named) == 1:
+    if len(named) == 1 and len(anywhere) == 1:
         ((name, path),) = named.items()
         yield Setting("target-ros", "", name, f"named in {path}")
 

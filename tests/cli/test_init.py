@@ -62,6 +62,7 @@ def test_the_distribution_that_is_named(tmp_path: Path, files: dict[str, str], e
         {"Dockerfile": "FROM ros:humble\n", "arm/Dockerfile": "FROM ros:jazzy\n"},
         {"Dockerfile": "FROM ros:humble\n", "test/Dockerfile": "FROM ros:jazzy\n"},
         {"Dockerfile": "FROM ros:foxy\n", "dev/Dockerfile": "FROM ros:humble\n", "docs/a.sh": "ls /opt/ros/humble\n"},
+        {".github/workflows/ci.yml": WORKFLOW.format("foxy") + "    matrix:\n      - foxy\n      - humble\n"},
         {".gitlab-ci.yml": "image: ros:jazzy\n---\nimage: ros:humble\n"},
     ],
 )
