@@ -43,6 +43,9 @@ from bringup_lint.api.spelling import nearest
 from bringup_lint.api.systemd import directives
 from bringup_lint.api.systemd import misspelt_trigger
 
+_ONE_VALUE = ("enum", "bool", "timespan", "user", "signal", "mode")
+"""Kinds of values of which the last one counts."""
+
 
 @rule(
     "error", fix="unsafe", symptoms=["Unknown key name", "Unknown lvalue", "Unknown key '*' in section [*], ignoring."]
@@ -61,10 +64,10 @@ def unknown_key(robot: Robot) -> Iterator[Finding]:
                 if not key or key.startswith("X-") or file.is_filled_in(key) or key.span in reported:
                     continue
                 if not any(directives.directive(name, key) for name in allowed):
-                    yield _unknown(key, section.name)
+                    yield _unknown(key, section.name, {str(each.key) for each in section.assignments})
 
 
-def _unknown(key: Located, section: str) -> Finding:
+def _unknown(key: Located, section: str, keys: set[str]) -> Finding:
     message = f"Unknown key '{key}' in [{section}]: systemd ignores the line"
     homes = directives.sections_with(key)
     meant = nearest(key, directives.sections()[section])
@@ -72,5 +75,12 @@ def _unknown(key: Located, section: str) -> Finding:
         return finding(key, message, advice=f"{key}= belongs in [{'] or ['.join(homes)}] of another unit type")
     if not meant:
         return finding(key, message, advice="remove the line, or see systemd.directives(7) for the right name")
-    change = fix(f"rename to {meant[0]}", (key, meant[0]))
-    return finding(key, message, advice=f"did you mean {meant[0]}?", fix=change if len(meant) == 1 else None)
+    is_clear = len(meant) == 1 and not (meant[0] in keys and is_for_one_value(section, meant[0]))
+    change = fix(f"rename to {meant[0]}", (key, meant[0])) if is_clear else None
+    return finding(key, message, advice=f"did you mean {meant[0]}?", fix=change)
+
+
+def is_for_one_value(section: str, key: str) -> bool:
+    """Whether a second line of the key would take the place of the first, or make systemd refuse the unit."""
+    found = directives.directive(section, key)
+    return key == "ExecStart" or (found is not None and found.type.partition(":")[0] in _ONE_VALUE)

@@ -244,3 +244,11 @@ def test_a_device_is_not_left_to_root_alone(tmp_path: Path) -> None:
     assert (run.stdout, run.stderr) == ("", "")
     shown = lint("--select", "udev/mode-world-writable", "--output-format", "json", cwd=tmp_path).stdout
     assert r"write 0660 and add GROUP=\"dialout\"" in shown
+
+
+@pytest.mark.parametrize(("there", "is_fixed"), [("Restart=always", False), ("Type=simple", True)])
+def test_a_misspelt_key_does_not_take_the_place_of_the_right_one(tmp_path: Path, there: str, is_fixed: bool) -> None:
+    path = tmp_path / "robot.service"
+    path.write_text(f"[Service]\n{there}\nExecStart=/bin/x\nRestrat=no\n")
+    lint("--fix", "--unsafe-fixes", "--select", "systemd/unknown-key", cwd=tmp_path)
+    assert ("Restart=no\n" in path.read_text()) is is_fixed
