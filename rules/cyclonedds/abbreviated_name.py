@@ -35,6 +35,7 @@ from bringup_lint.api import fix
 from bringup_lint.api import rule
 from bringup_lint.api.dds import renamed
 from bringup_lint.api.schema import Code
+from bringup_lint.api.schema import Remark
 
 
 @rule("error", fix="safe", symptoms=["unknown element", "unknown attribute", "ambiguous"])
@@ -49,5 +50,13 @@ def abbreviated_name(robot: Robot) -> Iterator[Finding]:
             message,
             advice=f"write {remark.detail}",
             severity=None if remark.fatal else "info",
-            fix=fix(f"write {remark.detail}", *renamed(remark.word, remark.detail)),
+            fix=None if _is_given(remark) else fix(f"write {remark.detail}", *renamed(remark.word, remark.detail)),
         )
+
+
+def _is_given(remark: Remark) -> bool:
+    """Whether the tag has an attribute of the full name already: XML does not allow it twice."""
+    span = remark.word.span
+    text = span.source.text
+    tag = text[text.rfind("<", 0, span.start) : text.find(">", span.end)]
+    return f" {remark.detail}=" in tag

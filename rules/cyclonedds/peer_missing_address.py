@@ -33,6 +33,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
 from bringup_lint.api.addresses import is_address
+from bringup_lint.api.xml import Element
 
 
 @rule("error", fix="safe", symptoms=["element missing in configuration", "no data expected"])
@@ -45,7 +46,7 @@ def peer_missing_address(robot: Robot) -> Iterator[Finding]:
                 yield finding(element.name, message, advice="write the address, or delete the peer", severity="warning")
             elif address is None or element.text:
                 change = None
-                if address is None and is_address(element.text) and not element.children:
+                if address is None and is_address(element.text) and _is_bare(element):
                     change = fix("make it an attribute", (element.span, f'<{element.name} Address="{element.text}"/>'))
                 yield finding(
                     element.name,
@@ -54,3 +55,8 @@ def peer_missing_address(robot: Robot) -> Iterator[Finding]:
                     advice='write <Peer Address="..."/>',
                     fix=change,
                 )
+
+
+def _is_bare(element: Element) -> bool:
+    """Whether nothing but text is in an element: attributes and comments would be lost."""
+    return not element.children and not element.attributes and "<!--" not in element.span.text

@@ -28,10 +28,16 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
+from bringup_lint.api import regex
 from bringup_lint.api import rule
+
+QUOTES = ("'", '"')
+NO_SHELL = regex(r"\s*(?:Environment=|- *['\"]?ROS_STATIC_PEERS=|['\"]?ROS_STATIC_PEERS['\"]?\s*:)")
+"""How a line begins whose value no shell reads: in a unit, or in a list or mapping of YAML."""
 
 
 @rule("error", fix="safe", symptoms=["Unable to resolve peer"])
@@ -46,5 +52,20 @@ def ros_static_peers_separator(robot: Robot) -> Iterator[Finding]:
                 f"'{setting.text}' has spaces or commas, which become part of a host name: with Fast DDS no node "
                 "starts",
                 advice=f"write {right}",
-                fix=fix("separate the peers by ';'", (setting.value, right)) if as_written else None,
+                fix=fix("separate the peers by ';'", (setting.value, right))
+                if as_written and not _ends_command(robot, setting.value)
+                else None,
             )
+
+
+def _ends_command(robot: Robot, value: Located) -> bool:
+    """Whether a shell may read the value without quotes, so that a ';' in it ends the command."""
+    span = value.span
+    text = span.source.text
+    if text[span.start - 1 : span.start] in QUOTES and text[span.end : span.end + 1] in QUOTES:
+        return False
+    if span.source.name.endswith((".py", ".xml")):
+        return False
+    if any(file.source is span.source and file.sourced_by is None for file in robot.env_files):
+        return False
+    return NO_SHELL.match(span.source.line_text(span.line)) is None

@@ -64,5 +64,7 @@ def condition_literal(robot: Robot) -> Iterator[Finding]:
                 f"{start} is neither true nor false: the condition aborts the launch",
                 advice=f"write {meant or 'true or false'}",
                 related=[note(condition.span, "this condition reads it")] if argument else [],
-                fix=fix(f"write {meant}", (word, meant)) if meant and word.span.text == word else None,
+                fix=fix(f"write {meant}", (word, meant), safe=argument is None)
+                if meant and word.span.text == word
+                else None,
             )

@@ -27,6 +27,7 @@ Only for a ROS 1 file that is kept as a reference during a migration. With `ros1
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -48,7 +49,7 @@ def ros1_construct(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         if not file.ros1 or (file.source.name.endswith(".launch") and is_for_both(robot, file)):
             continue
-        edits = [(name, INSTEAD[name]) for name in file.ros1 if name in INSTEAD and name.span.text == name]
+        edits = [(name, INSTEAD[name]) for name in file.ros1 if _is_replaceable(name)]
         name, *others = sorted(file.ros1, key=lambda each: each.span.start)
         yield finding(
             name,
@@ -83,6 +84,15 @@ def is_for_both(robot: Robot, file: LaunchFile) -> bool:
     """Whether the package of a launch file is one of ROS 1 as well."""
     package = robot.launch.workspace.owner(file.source)
     return package is not None and package.manifest.for_both
+
+
+def _is_replaceable(name: Located) -> bool:
+    """Whether there is one name to write, and the tag does not have an attribute of that name already."""
+    if name not in INSTEAD or name.span.text != name:
+        return False
+    text = name.span.source.text
+    tag = text[text.rfind("<", 0, name.span.start) : text.find(">", name.span.end)]
+    return f" {INSTEAD[name]}=" not in tag
 
 
 def instead(name: str) -> str:

@@ -59,5 +59,8 @@ def _as_route(interface: Interface, name: Scalar, value: Node) -> Fix | None:
         or name.span.line != value.span.line
     ):
         return None
+    between = name.span.source.text[name.span.end : value.span.start]
+    if between.strip("\"' \t") != ":" or not value.span.text:
+        return None  # an anchor would be lost, and an alias has no text of its own
     whole = name.span.source.span(name.span.start, value.span.end)
     return fix("write a default route", (whole, f"routes: [{{to: default, via: {value.span.text}}}]"))

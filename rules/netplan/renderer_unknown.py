@@ -40,6 +40,12 @@ def renderer_unknown(robot: Robot) -> Iterator[Finding]:
     for problem in robot.netplan.problems(Code.RENDERER):
         word = problem.word
         near = nearest(str(word), ["networkd", "NetworkManager"]) or (["networkd"] if "systemd" in word.lower() else [])
-        change = fix(f"write {near[0]}", (word, near[0])) if near else None
+        change = fix(f"write {near[0]}", (word, near[0]), safe=_is_spelling_of(word, near[0])) if near else None
         advice = f"write {near[0]}" if near else "write networkd or NetworkManager"
         yield finding(word, f"Unknown renderer '{word}': netplan generates nothing", advice=advice, fix=change)
+
+
+def _is_spelling_of(word: str, renderer: str) -> bool:
+    """Whether only case, signs or the name of systemd differ; anything else may mean the other renderer."""
+    letters = "".join(filter(str.isalpha, word.lower()))
+    return letters.removeprefix("systemd") == renderer.lower()

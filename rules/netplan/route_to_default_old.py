@@ -39,5 +39,6 @@ def route_to_default_old(robot: Robot) -> Iterator[Finding]:
         for route in interface.routes:
             to = route.value("to")
             if to in ("0.0.0.0/0", "::/0"):
-                change = fix("write default", (to, "default"))
+                family_known = route.value("via") is not None
+                change = fix("write default", (to, "default")) if family_known else None
                 yield finding(to, f"'to: {to}' is the default route", advice="write 'to: default'", fix=change)

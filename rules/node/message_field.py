@@ -43,7 +43,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("error", fix="safe", symptoms=["AttributeError: '*' object has no attribute '*'", "must be of type 'float'"])
+@rule("error", fix="unsafe", symptoms=["AttributeError: '*' object has no attribute '*'", "must be of type 'float'"])
 def message_field(robot: Robot) -> Iterator[Finding]:
     for types in robot.nodes.message_types:
         purpose = robot.nodes.purpose(types.file.source)
@@ -67,7 +67,7 @@ def message_field(robot: Robot) -> Iterator[Finding]:
                 f"{nodes.consequence(first, robot.target.ros)}",
                 advice=f"write {better}" if better else f"give it {first.kind}",
                 related=[note(each, "the same") for each in spans[1:]],
-                fix=fix(f"write {better}", *edits) if better else None,
+                fix=fix(f"write {better}", *edits, safe=False) if better else None,
                 severity=of_values,
             )
 

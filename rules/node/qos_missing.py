@@ -48,11 +48,12 @@ def qos_missing(robot: Robot) -> Iterator[Finding]:
             function = call.func
             name = function.attr if isinstance(function, ast.Attribute) else "the call"
             span = file.span_of(call)
-            change = renamed_keyword(span, "queue_size", "qos_profile") or with_keyword(span, "qos_profile", "10")
+            renamed = renamed_keyword(span, "queue_size", "qos_profile")
+            change = renamed or with_keyword(span, "qos_profile", "10")
             yield finding(
                 span,
                 f"{name}() {wrong}: it raises a TypeError, and the node exits",
                 advice="give it a depth such as 10, or a QoSProfile, as the last argument",
                 severity=nodes.lowered(robot.nodes.purpose(file.source), "error"),
-                fix=fix("give it a quality of service", codemod=change) if change else None,
+                fix=fix("give it a quality of service", codemod=change, safe=renamed is not None) if change else None,
             )

@@ -55,6 +55,8 @@ def rosdep_key_unknown(robot: Robot) -> Iterator[Finding]:
             f'rosdep install stops with "Cannot locate rosdep definition for [{name}]": no dependency is installed',
             advice=f"write {instead}" if instead else "remove the line",
             related=[note(each, f"{name} is here too") for each in found[1:]],
-            fix=fix(f"write {instead}", *((each, instead) for each in found)) if instead else None,
+            fix=fix(f"write {instead}", *((each, instead) for each in found))
+            if instead and not any(f">{instead}<" in each.span.source.text for each in found)
+            else None,
             severity=None if robot.dependencies.stops_rosdep(name) else "info",
         )

@@ -35,9 +35,13 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import fix
+from bringup_lint.api import regex
 from bringup_lint.api import rule
+
+VALUE = regex(r"[ \t]*(?:[&!~]|null\b)")
 
 
 @rule("error", fix="safe", symptoms=["Cannot have a value before ros__parameters"])
@@ -49,10 +53,16 @@ def empty_node_or_block(robot: Robot) -> Iterator[Finding]:
         inner = "{}" if key.startswith("ros__parameters") else "{ros__parameters: {}}"
         colon = file.source.text.find(":", key.span.end)
         place = file.source.span(colon + 1, colon + 1)
+        change = fix(f"write {inner}", (place, f" {inner}"))
         yield finding(
             key,
             f"'{key}' is empty: the process that loads the file exits at start",
             advice=f"write {inner}, or remove the block",
-            fix=fix(f"write {inner}", (place, f" {inner}")) if colon >= 0 else None,
+            fix=change if colon >= 0 and not _has_node(file.source, colon) else None,
             severity=robot.params.proven(file),
         )
+
+
+def _has_node(source: Source, colon: int) -> bool:
+    """Whether an anchor, a tag or a written null follows the colon: a value before it is not YAML."""
+    return VALUE.match(source.text, colon + 1) is not None

@@ -67,7 +67,7 @@ def missing_ros_parameters(robot: Robot) -> Iterator[Finding]:
             fix=fix(
                 "write ros__parameters",
                 *((where, "ros__parameters") for where in (first, *others)),
-                safe=robot.params.reader(file) == "rcl",
+                safe=robot.params.reader(file) == "rcl" and "ros__parameters:" not in file.source.text,
             ),
             severity=robot.params.proven(file),
         )

@@ -55,11 +55,12 @@ from bringup_lint.api.systemd import move_lines
 @rule("warning", fix="safe", symptoms=["is obsolete", "please use", "Support for option", "deprecated"])
 def legacy_key(robot: Robot) -> Iterator[Finding]:
     table = directives.legacy()
+    written = {_place(line, str(line.assignment.section), str(line.key)) for line in robot.units.lines}
     for line in robot.units.lines:
         section = str(line.assignment.section)
         old = table.get((section, str(line.key), ""))
         if old is not None:
-            yield _key(line, old)
+            yield _key(line, old, safe=old.fix == "safe" and not _competes(line, old, written))
             continue
         old = table.get((section, str(line.key), str(line.value)))
         if old is not None:
@@ -68,11 +69,26 @@ def legacy_key(robot: Robot) -> Iterator[Finding]:
             yield finding(line.value, message, advice=f"write {old.replacement}", fix=change)
 
 
-def _key(line: Line, old: Legacy) -> Finding:
+def _place(line: Line, section: str, key: str) -> tuple[str, str, str]:
+    """Unit, section and key; a drop-in counts to the unit that its folder names."""
+    folder, _, name = line.file.source.name.rpartition("/")
+    unit = folder.rpartition("/")[2].removesuffix(".d") if name.endswith(".conf") else name
+    return unit, section, key
+
+
+def _competes(line: Line, old: Legacy, written: set[tuple[str, str, str]]) -> bool:
+    """Whether the unit has the new name too, so that another line may win; an alias keeps its place."""
+    home = old.effect.partition(":")[2]
+    if not home and not old.note.startswith("control group"):
+        return False
+    return _place(line, home or str(line.assignment.section), old.replacement) in written
+
+
+def _key(line: Line, old: Legacy, *, safe: bool) -> Finding:
     key = line.key
     if old.effect == "ignored":
         advice = f"remove the line: {old.replacement}= replaces it" if old.replacement else "remove the line"
-        removal = fix("remove the line", delete_lines(line.assignment), safe=old.fix == "safe")
+        removal = fix("remove the line", delete_lines(line.assignment), safe=safe)
         return finding(key, f"{key}= was removed: systemd ignores the line", advice=advice, fix=removal)
     if old.effect.startswith("moved:"):
         home = old.effect.partition(":")[2]
@@ -81,10 +97,10 @@ def _key(line: Line, old: Legacy) -> Finding:
         message = f"{key}= in [{line.assignment.section}] is obsolete: it belongs in [{home}]"
         name = f"as {old.replacement}=" if old.replacement != key else ""
         advice = f"move it to [{home}] {name}".strip()
-        change = fix(advice, *changes, safe=old.fix == "safe")
+        change = fix(advice, *changes, safe=safe)
         return finding(key, f"{message}, and still has its effect", advice=advice, fix=change, severity="info")
     if old.replacement:
-        change = fix(f"rename to {old.replacement}", (key, old.replacement), safe=old.fix == "safe")
+        change = fix(f"rename to {old.replacement}", (key, old.replacement), safe=safe)
         message = f"{key}= is obsolete ({old.note}), and still has its effect"
         return finding(key, message, advice=f"use {old.replacement}=", fix=change, severity="info")
     return finding(key, f"{key}= is obsolete", advice=old.note)
