@@ -49,7 +49,7 @@ BAD = (
 MESSAGES = {
     "node-missing": "/planner is not running on domain {domain}",
     "node-unexpected": "/stranger runs on domain {domain}, but no file starts it",
-    "node-duplicate": "2 nodes called /lidar/driver run",
+    "node-duplicate": "2 nodes with the name /lidar/driver are running",
     "topic-typo": "Nobody publishes /odometri, which /slam waits for; /lidar/driver publishes /odometry",
     "qos-incompatible": "/slam gets nothing on /scan: it requests reliable, but /lidar/driver offers best effort",
     "cmd-vel-publishers": "2 nodes publish /cmd_vel (/slam, /teleop)",
