@@ -64,8 +64,6 @@ def _ends_command(robot: Robot, value: Located) -> bool:
     text = span.source.text
     if text[span.start - 1 : span.start] in QUOTES and text[span.end : span.end + 1] in QUOTES:
         return False
-    if span.source.name.endswith((".py", ".xml")):
-        return False
     if any(file.source is span.source and file.sourced_by is None for file in robot.env_files):
         return False
     return NO_SHELL.match(span.source.line_text(span.line)) is None

@@ -59,14 +59,10 @@ def argument_missing(robot: Robot) -> Iterator[Finding]:
 
 def _calls(robot: Robot) -> Iterator[tuple[Source, Sequence[Located]]]:
     """The commands of scripts and units."""
-    for source in robot.of_kind("shell-script"):
-        if not source.judged:
-            continue
+    for source in (each for each in robot.of_kind("shell-script") if each.judged):
         for did in robot.scripts.done(source):
             if isinstance(did, Run) and did.command.ends != "||":
                 yield source, did.words
-    for unit in robot.units.services:
-        if not unit.judged or unit.uncertain:
-            continue
+    for unit in (each for each in robot.units.services if each.judged and not each.uncertain):
         for process in robot.units.processes(unit):
             yield unit.files[0].source, process.argv
