@@ -113,17 +113,21 @@ class Selection:
     def runs(self, rule_id: str) -> bool:
         if self.level(rule_id) == OFF or any(names(name, rule_id) for name in self.ignore):
             return False
+        return self._is_selected(rule_id)
+
+    def _is_selected(self, rule_id: str) -> bool:
         return not self.select or any(names(name, rule_id) for name in self.select)
 
     def mutes(self, rule_id: str) -> bool:
         """Whether nothing but a configuration that was found in the tree keeps a rule from running."""
         if self.config.found is None or self.runs(rule_id) or any(names(name, rule_id) for name in self.left_out):
             return False
-        return not self.select or any(names(name, rule_id) for name in self.select)
+        return self._is_selected(rule_id)
 
     def muted_by(self, rule_id: str) -> str:
         """The name by which the configuration switches off a rule that it mutes."""
-        return next(name for name in (*self.config.ignore, *self.config.severity) if names(self.known(name), rule_id))
+        off = (name for name, level in self.config.severity.items() if level == OFF)
+        return next(name for name in (*self.config.ignore, *off) if names(self.known(name), rule_id))
 
     def covers(self, name: str) -> bool:
         """Whether all that a name of a rule or family means is selected."""

@@ -182,11 +182,9 @@ def _quoted(name: str) -> str:
 def _octal(character: str) -> str:
     if character in '"\\':
         return f"\\{character}"
-    return (
-        character
-        if character.isprintable() and character != "#"
-        else "".join(f"\\{byte:03o}" for byte in os.fsencode(character))
-    )
+    if character.isprintable() and character != "#":
+        return character
+    return "".join(f"\\{byte:03o}" for byte in os.fsencode(character))
 
 
 def _lines(text: str) -> list[str]:

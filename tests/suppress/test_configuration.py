@@ -125,6 +125,15 @@ def test_what_a_found_configuration_switches_off_is_counted(tree: Path, text: st
     assert (lint(*asked, cwd=tree).code, lint(*asked, "--no-ignores", cwd=tree).code) == (0, 1)
 
 
+def test_a_finding_names_the_entry_that_switches_it_off(tree: Path) -> None:
+    text = '[severity]\nsystemd = "info"\n"systemd/network-target" = "off"\n'
+    (tree / "bringup-lint.toml").write_text(text)
+    sarif = lint("--select", "systemd/network-target", "--output-format", "sarif", cwd=tree).stdout
+    results = json.loads(sarif)["runs"][0]["results"]
+    reasons = [each["justification"] for result in results for each in result["suppressions"]]
+    assert reasons == ["'systemd/network-target' is switched off in bringup-lint.toml"] * 2
+
+
 @pytest.mark.parametrize("text", SWITCHED_OFF)
 def test_what_the_user_switches_off_does_not_run(tree: Path, text: str) -> None:
     (tree / "bringup-lint.toml").write_text(text)

@@ -227,7 +227,11 @@ class Dds:
 
     def may_reach(self, plan: Plan, address: Address) -> bool:
         """Whether a subnet, a route or a VPN of the robot may lead to an address."""
-        return network.is_routed(plan, address) or network.makes_tunnels(self.files)
+        return network.is_routed(plan, address) or self._makes_tunnels
+
+    @cached_property
+    def _makes_tunnels(self) -> bool:
+        return network.makes_tunnels(self.files)
 
     def own_places(self, configuration: Configuration | Profiles) -> list[Located]:
         """Where the robot's static addresses are written."""
