@@ -218,6 +218,7 @@ def is_one_of(found: Answer, wanted: str) -> bool:
     return any(fnmatch(given, each) if each != "?" else given == "?" for each in wanted.split("|"))
 
 
+@pytest.mark.slow
 def test_pasted_lines() -> None:
     wrong = [(line, wanted, first(line)) for line, wanted in pasted() if not is_one_of(answer(line), wanted)]
     assert wrong == []

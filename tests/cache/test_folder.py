@@ -251,6 +251,7 @@ def test_what_was_never_finished_is_removed(robot: Program) -> None:
     assert (old.exists(), new.exists()) == (False, True)
 
 
+@pytest.mark.slow
 def test_many_processes_at_once(robot: Program) -> None:
     environment = {**os.environ, "PYTHONPATH": str(PROJECT), "XDG_CACHE_HOME": str(robot.base)}
     command = [sys.executable, "-m", "bringup_lint", "--output-format", "concise"]

@@ -186,6 +186,7 @@ def test_a_second_look_adds_to_the_first() -> None:
     assert both["endpoints"] == []
 
 
+@pytest.mark.slow
 @given(
     st.lists(st.tuples(st.text(), st.text()), max_size=4),
     st.lists(st.tuples(st.text(), st.text(), st.text(), st.sampled_from((None, 0.25, 1e6))), max_size=4),

@@ -61,6 +61,7 @@ def test_other_texts(tree: Path, arguments: list[str]) -> None:
     assert quiet(lint(*arguments, cwd=tree).stdout)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("output_format", ["text", "concise", "json", "html", "sarif"])
 def test_fleets(tree: Path, output_format: str) -> None:
     assert quiet(lint("fleet", "--output-format", output_format, "--workers", "1", ".", cwd=tree).stdout)

@@ -27,6 +27,7 @@ def fixtures() -> Iterator[Path]:
     return (path for path in (PROJECT / "fixtures").rglob("*") if path.is_file() and not path.is_symlink())
 
 
+@pytest.mark.slow
 def test_no_file_is_claimed_twice() -> None:
     found = {str(path.relative_to(PROJECT)): claims(path) for path in fixtures()}
     assert {path: names for path, names in found.items() if len(names) > 1} == {}

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import pytest
+
 from tests.docs.rule_api import PAGE
 from tests.docs.rule_api import page
 
 
+@pytest.mark.slow
 def test_page_is_current(update_expected: bool) -> None:
     if update_expected:
         PAGE.write_text(page(), "utf-8")

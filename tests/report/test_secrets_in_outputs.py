@@ -46,6 +46,7 @@ def tree(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("output", OUTPUTS, ids=" ".join)
 def test_output_shows_no_secret(tree: Path, output: tuple[str, ...]) -> None:
     run = lint(*output, cwd=tree)
@@ -66,6 +67,7 @@ def folder(tree: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", FORMATS)
 def test_report_shows_no_secret(folder: Path, name: str) -> None:
     text = (folder / name).read_text("utf-8")

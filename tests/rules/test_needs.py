@@ -128,6 +128,7 @@ def check(top: Path, root: bool) -> None:
         assert list(load(path, rule_id).check(robot)) == [], rule_id
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("root", [False, True])
 @pytest.mark.parametrize("top", sorted((PROJECT / "fixtures/robots").glob("*/tree")), ids=lambda top: top.parent.name)
 def test_no_rule_that_is_left_out_finds_anything(top: Path, root: bool) -> None:

@@ -59,6 +59,7 @@ def lines_of(work: Callable[[], object]) -> int:
     return count
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("shape", [blocks, repeated])
 def test_work_grows_as_the_file_does(shape: Callable[[int], Callable[[], object]]) -> None:
     lines = [lines_of(shape(size)) for size in SIZES]
