@@ -13,13 +13,10 @@ from tests.lint import lint
 from tests.rules.test_fixtures import case_id
 from tests.rules.test_fixtures import cases
 from tests.rules.test_fixtures import set_modes
+from tests.sample import sampled
 
 CASES = [(rule_id, case) for rule_id, case in cases("bad") if rule_id.startswith("fleet/")]
-EVERY = 6
-"""Of so many fixtures, one is tried in a quick run; all of them in a whole one."""
-TRIED = [
-    pytest.param(*each, marks=() if number % EVERY == 0 else (pytest.mark.slow,)) for number, each in enumerate(CASES)
-]
+TRIED = sampled(CASES, 6, pytest.mark.slow)
 
 
 def copied(case: Path, to: Path) -> Path:

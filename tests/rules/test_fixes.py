@@ -20,10 +20,9 @@ from tests.rules.test_fixtures import case_id
 from tests.rules.test_fixtures import cases
 from tests.rules.test_fixtures import command
 from tests.rules.test_fixtures import set_modes
+from tests.sample import sampled
 from tests.suppress.placing import problems
 
-EVERY = 10
-"""Of so many fixtures, one is tried in a quick run; all of them in a whole one."""
 JSON = ("--output-format", "json", "--min-severity", "info")
 REVEALED = {
     "cyclonedds/invalid-value": {
@@ -38,11 +37,6 @@ REVEALED = {
 """Rules whose fix lets the reader go on, to the errors that were hidden before, each with its reason."""
 FIXING = {rule.id for rule in Registry.of().all() if rule.meta.fix != "none" and rule.family != "live"}
 FIXES = [case for case in cases("bad") if case[0] in FIXING]
-
-
-def tried() -> list[object]:
-    marks = [() if number % EVERY == 0 else (pytest.mark.slow,) for number in range(len(FIXES))]
-    return [pytest.param(*case, marks=mark) for case, mark in zip(FIXES, marks)]
 
 
 def findings(rule_id: str, folder: Path) -> list[dict[str, Any]]:
@@ -70,7 +64,7 @@ def source(name: str, data: bytes) -> Source:
     return Source(name, text, kind_of(name, lambda: text[:HEAD_SIZE]))
 
 
-@pytest.mark.parametrize(("rule_id", "case"), tried(), ids=case_id)
+@pytest.mark.parametrize(("rule_id", "case"), sampled(FIXES, 10, pytest.mark.slow), ids=case_id)
 def test_fix(rule_id: str, case: Path, tmp_path: Path) -> None:
     set_modes(case)
     folder = shutil.copytree(case, tmp_path / "tree", symlinks=True)
@@ -109,7 +103,7 @@ def test_what_fixes_reveal_is_still_so(rule_id: str, tmp_path: Path) -> None:
     assert new == set(REVEALED[rule_id])
 
 
-@pytest.mark.parametrize(("rule_id", "case"), tried(), ids=case_id)
+@pytest.mark.parametrize(("rule_id", "case"), sampled(FIXES, 10, pytest.mark.slow), ids=case_id)
 def test_fix_keeps_crlf(rule_id: str, case: Path, tmp_path: Path) -> None:
     folder = shutil.copytree(case, tmp_path / "tree", symlinks=True)
     for path in [path for path in folder.rglob("*") if path.is_file() and not path.is_symlink()]:

@@ -20,6 +20,7 @@ from tests.rules.test_fixtures import case_id
 from tests.rules.test_fixtures import cases
 from tests.rules.test_fixtures import command
 from tests.rules.test_fixtures import set_modes
+from tests.sample import sampled
 from tests.suppress.placing import Found
 from tests.suppress.placing import copied
 from tests.suppress.placing import found
@@ -31,8 +32,6 @@ CASES = [
     (rule_id, case) for rule_id, case in cases("bad") if rule_id not in COMPLAINTS and not rule_id.startswith("fleet/")
 ]
 """Findings of a fleet are of several robots: ``tests/fleet/test_silence.py`` silences them."""
-EVERY = 12
-"""Of so many fixtures, one is always tried; all of them in a campaign."""
 
 
 def source_of(folder: Path, name: str) -> Source | None:
@@ -78,12 +77,7 @@ def write_configuration(folder: Path, left: dict[str, set[str]]) -> None:
     (folder / "bringup-lint.toml").write_text("\n".join(["[per-file-ignores]", *lines, ""]))
 
 
-def tried() -> list[object]:
-    marks = [() if number % EVERY == 0 else (pytest.mark.campaign,) for number in range(len(CASES))]
-    return [pytest.param(*case, marks=mark) for case, mark in zip(CASES, marks)]
-
-
-@pytest.mark.parametrize(("rule_id", "case"), tried(), ids=case_id)
+@pytest.mark.parametrize(("rule_id", "case"), sampled(CASES, 12, pytest.mark.campaign), ids=case_id)
 def test_finding_can_be_silenced(rule_id: str, case: Path, tmp_path: Path) -> None:
     set_modes(case)
     folder = copied(case, tmp_path / "tree")
