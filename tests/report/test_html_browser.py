@@ -394,6 +394,27 @@ def test_names_can_be_read_from_the_first_view(opened, robot: str, size: tuple[i
     assert nodes(tab) == layers
 
 
+def test_a_small_robot_shows_its_names(opened) -> None:
+    """Those of small layers as boxes, those that there is no room for in the box of their layer."""
+    tab = opened(page(crowd(40), sample()), {"width": 1100, "height": 700})
+    assert smallest_name(tab) >= LEGIBLE
+    folded = tab.locator(".node:has(.name)")
+    assert 0 < folded.count() < 5
+    assert tab.locator(".node:not(:has(.name))").count() > 15
+    assert "… " in folded.first.locator(".name").last.text_content()
+    assert cut_off(tab, "#canvas .node") == []
+
+
+def test_the_picture_is_taller_where_that_shows_all_names(opened) -> None:
+    tab = opened(page(mower(), sample()), {"width": 1400, "height": 600})
+    assert len(nodes(tab)) == 10
+    assert tab.locator(".tall").count() == 1
+    assert smallest_name(tab) >= LEGIBLE
+    tab.set_viewport_size({"width": 1400, "height": 1200})
+    tab.wait_for_selector(".tall", state="detached")
+    assert len(nodes(tab)) == 10
+
+
 def test_a_layer_is_unfolded_where_the_wheel_turns(opened, robot: str) -> None:
     tab = opened(robot)
     box = tab.locator(".node", has_text="in Devices").bounding_box()

@@ -25,11 +25,16 @@ function roomFor() {
   return { width: Math.max(320, width - 32), height: Math.max(240, height - 82) };
 }
 
-function fit(area = { x: 0, y: 0, width: drawn.plan.width, height: drawn.plan.height }, most = 1.25, least = 0.05) {
+/* The scale at which an area is as large as there is room for. */
+function scaleFor(area, most = MOST) {
+  const { width, height, top } = room();
+  return Math.min(most, (width - 32) / Math.max(area.width, 1), (height - top - 48) / Math.max(area.height, 1));
+}
+
+function fit(area = { x: 0, y: 0, width: drawn.plan.width, height: drawn.plan.height }, most = MOST, least = 0.05) {
   const { width, height, top } = room();
   if (!width || !height || !drawn.nodes.length) return;
-  const scale = Math.min(most, (width - 32) / Math.max(area.width, 1), (height - top - 48) / Math.max(area.height, 1));
-  camera.scale = Math.max(least, scale);
+  camera.scale = Math.max(least, scaleFor(area, most));
   camera.x = (width - area.width * camera.scale) / 2 - area.x * camera.scale;
   camera.y = top + (height - top - area.height * camera.scale) / 2 - area.y * camera.scale;
   place();
@@ -38,7 +43,7 @@ function fit(area = { x: 0, y: 0, width: drawn.plan.width, height: drawn.plan.he
 function zoom(factor, at) {
   const { width, height } = room();
   const { x, y } = at ?? { x: width / 2, y: height / 2 };
-  if (factor > 1 && grouped() && !state.byHand) {
+  if (factor > 1 && grouped()) {
     enter({ x, y });
     return;
   }

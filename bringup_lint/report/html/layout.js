@@ -9,6 +9,7 @@ const SIZE = {
   letter: 7.25, padding: 20, badge: 20, narrow: 72, wide: 290,
   low: 24, high: 38, roomy: 60, gap: 8, track: 7,
   margin: 14, between: 12, corridor: 42, crowd: 1.1, broad: 150, arrow: 7, rank: 16, bow: 30,
+  names: 7, line: 16,
 };
 const ROWS = [1, 2, 3, 4, 5, 6, 8, 10, 12, 14, 17, 20, 24, 28, 33, 39, 46, 54, 64];
 const SWEEPS = 14;
@@ -16,7 +17,7 @@ const STEPS = 6;
 
 function arrange(nodes, links, layers, room) {
   const high = nodes.length <= SIZE.roomy ? SIZE.high : SIZE.low;
-  const items = nodes.map((node, index) => ({ index, height: high, before: [], after: [], beside: [] }));
+  const items = nodes.map((node, index) => ({ index, height: heightOf(node, high), before: [], after: [], beside: [] }));
   const columns = columnsOf(nodes, links, layers, items, room);
   const paths = links.map((link) => laid(link, items, columns, hubOf(links)));
   order(columns);
@@ -302,8 +303,17 @@ function spread(columns, nodes, layers) {
 
 function widthOf(node) {
   const extra = (node.worst ? SIZE.badge : 0) + (node.rank != null && node.kind !== "folded" ? SIZE.rank : 0);
-  return Math.min(SIZE.wide, node.label.length * SIZE.letter + SIZE.padding + extra);
+  const longest = Math.max(node.label.length, ...namesOf(node).map((name) => name.length));
+  return Math.min(SIZE.wide, longest * SIZE.letter + SIZE.padding + extra);
 }
+
+function heightOf(node, high) {
+  const names = namesOf(node).length;
+  return names ? SIZE.high + names * SIZE.line + SIZE.gap / 2 : high;
+}
+
+/* The names that a folded layer shows in its box. */
+const namesOf = (node) => node.names ?? [];
 
 /* A narrow room: boxes one below the other, and lines at their left. */
 function stacked(nodes, links) {

@@ -6,13 +6,14 @@ const SEVERITIES = ["info", "warning", "error"];
 const FAR = 0.5;
 const FEW = 24;
 const LEGIBLE = 0.75;
+const MOST = 1.25;
 const UPRIGHT = 700;
 const SVG = "http://www.w3.org/2000/svg";
 const byId = (id) => document.getElementById(id);
 const [body, canvas, scene, panel] = [document.body, byId("canvas"), byId("scene"), byId("details")];
 const pane = byId("picture");
 
-const state = { byHand: false, chosen: null, only: null, folded: new Set(), hidden: new Set(), query: [], at: -1, pressed: null };
+const state = { byHand: false, named: false, chosen: null, only: null, folded: new Set(), hidden: new Set(), query: [], at: -1, pressed: null };
 const camera = { scale: 1, x: 0, y: 0 };
 let drawn = null;
 
@@ -89,6 +90,7 @@ function graph() {
     const box = nodes[index];
     box.label = box.full = `${box.members.length} in ${layerOf(box.layer).title}`;
     box.worst = worstOf(box.findings);
+    box.names = state.named ? namesIn(box) : [];
   }
   const links = new Map();
   data.edges.forEach((edge, index) => {
@@ -101,6 +103,16 @@ function graph() {
   return { nodes, links: [...links.values()], boxOf };
 }
 
+/* Some names of a folded layer, those with findings first, then those with most links. */
+function namesIn(box) {
+  const links = (index) => leaving[index].length + arriving[index].length;
+  const rank = (index) => SEVERITIES.indexOf(worstOf(data.nodes[index].findings));
+  const inOrder = [...box.members].sort((a, b) => rank(b) - rank(a) || links(b) - links(a) || a - b);
+  const first = inOrder.slice(0, inOrder.length > SIZE.names ? SIZE.names - 1 : SIZE.names);
+  const left = inOrder.length - first.length;
+  return [...first.map((index) => short(data.nodes[index].label)), ...(left ? [`… ${left} more`] : [])];
+}
+
 /* A label without its middle: names of files and topics differ at their ends. */
 function short(label) {
   const most = data.nodes.length > SIZE.roomy ? 24 : 32;
@@ -111,11 +123,17 @@ function short(label) {
 
 /* Drawing */
 
-function draw() {
+/* What is drawn, and where. */
+function planned() {
   const { nodes, links, boxOf } = graph();
-  const upright = grouped() && roomFor().width < UPRIGHT;
+  const upright = grouped() && isNarrow();
   const plan = upright ? stacked(nodes, links) : arrange(nodes, links, data.layers.map((layer) => layer.id), roomFor());
-  drawn = { nodes, links, boxOf, plan };
+  return { nodes, links, boxOf, plan };
+}
+
+function draw() {
+  drawn = planned();
+  const { nodes, links, plan } = drawn;
   const lines = make("g", { class: "edges" });
   drawn.lines = links.map((link, index) => lines.appendChild(lineOf(link, plan.routes[index], index)));
   const boxes = make("g", { class: "nodes" });
@@ -130,24 +148,47 @@ function draw() {
   light();
 }
 
-/* Layers of several nodes, and whether all of them are folded: then each box is a layer. */
-const layersOfMany = () => data.layers.map(({ id }) => id).filter((id) => data.nodes.filter(({ layer }) => layer === id).length > 1);
-const grouped = () => state.only === null && state.folded.size > 0 && layersOfMany().every((id) => state.folded.has(id));
+/* Layers of several nodes, the smallest first. */
+function layersOfMany() {
+  const sizeOf = (id) => data.nodes.filter(({ layer }) => layer === id).length;
+  const many = data.layers.map(({ id }) => id).filter((id) => sizeOf(id) > 1);
+  return many.sort((a, b) => sizeOf(a) - sizeOf(b));
+}
 
-/* Everything, in the room that there is: the nodes, or where their names would be too small to read, the layers. */
+const isNarrow = () => roomFor().width < UPRIGHT;
+
+/* Whether layers are folded because the room is too small for all names. */
+const grouped = () => state.only === null && !state.byHand && state.folded.size > 0;
+
+const isLegible = () => scaleFor(planned().plan) >= LEGIBLE;
+
+/* Everything, in the room that there is. */
 function overview() {
-  if (state.byHand || state.chosen || state.only !== null) {
-    draw();
-    fit();
-    return;
-  }
+  if (!state.byHand && !state.chosen && state.only === null) foldForRoom();
+  draw();
+  fit();
+}
+
+/* Nothing is folded where all names can be read, in a taller picture at most; else layers are, but those of a small
+   robot that can stay. */
+function foldForRoom() {
   state.folded.clear();
-  draw();
-  fit();
-  if (camera.scale >= LEGIBLE) return;
-  layersOfMany().forEach((id) => state.folded.add(id));
-  draw();
-  fit();
+  state.named = false;
+  for (const tall of [false, true]) {
+    body.classList.toggle("tall", tall);
+    if (isLegible()) return;
+  }
+  const many = layersOfMany();
+  many.forEach((id) => state.folded.add(id));
+  if (data.nodes.length <= SIZE.roomy && !isNarrow()) many.forEach(unfoldIfLegible);
+  body.classList.toggle("tall", state.folded.size < many.length);
+  state.named = !isNarrow();
+  state.named &&= isLegible();
+}
+
+function unfoldIfLegible(layer) {
+  state.folded.delete(layer);
+  if (!isLegible()) state.folded.add(layer);
 }
 
 /* From the layers to the nodes of the nearest one, near enough to read them. */
@@ -192,6 +233,7 @@ function boxFor(node, { x, y, width, height }, index) {
     low ? null : make("text", { "aria-hidden": true, class: "kind", x: start, y: 14 }, node.kind === "folded" ? (node.findings.length ? counted(node.findings.length, "finding") : "folded") : node.kind),
     ranked ? make("text", { "aria-hidden": true, class: "rank", x: 10, y: low ? 16 : 29 }, String(node.rank)) : null,
     label,
+    ...namesOf(node).map((name, row) => make("text", { "aria-hidden": true, class: "name", x: start, y: SIZE.high + 12 + row * SIZE.line }, name)),
     node.worst ? make("g", { transform: `translate(${num(width - 12)} 12)` },
       make("use", { class: `icon ${node.worst}`, href: `#icon-${node.worst}`, x: -7, y: -7, width: 14, height: 14 })) : null);
 }
