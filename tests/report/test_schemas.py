@@ -8,8 +8,10 @@ from pathlib import Path
 import jsonschema
 import pytest
 
+from bringup_lint.dataclass import replace
 from bringup_lint.report import Report
 from bringup_lint.report import render
+from bringup_lint.report.model import Notification
 from tests.conftest import PROJECT
 from tests.report.sample import FINDINGS
 from tests.report.sample import clean
@@ -49,6 +51,13 @@ def test_sarif_refers_to_what_it_holds() -> None:
     assert taxon["id"] == "CWE-250"
 
 
+def test_sarif_documents_what_a_notification_names() -> None:
+    told = Notification("error", "it failed inside", rule="systemd/network-target")
+    (run,) = json.loads(render("sarif", replace(clean(), notifications=(told,))))["runs"]
+    assert [rule["id"] for rule in run["tool"]["driver"]["rules"]] == ["systemd/network-target"]
+    assert run["invocations"][0]["toolExecutionNotifications"][0]["associatedRule"]["index"] == 0
+
+
 def test_sarif_says_who_is_outside_the_root() -> None:
     (run,) = json.loads(render("sarif", sample()))["runs"]
     outside = [at["location"]["uri"] for at in run["artifacts"] if "uriBaseId" not in at["location"]]
@@ -61,10 +70,7 @@ def test_sarif_says_who_is_outside_the_root() -> None:
 def test_sarif_is_complete_without_findings(tmp_path: Path) -> None:
     (run,) = json.loads(render("sarif", clean()))["runs"]
     assert run["results"] == []
-    assert [rule["id"] for rule in run["tool"]["driver"]["rules"]] == [
-        "systemd/network-target",
-        "systemd/root-user",
-    ]
+    assert run["tool"]["driver"]["rules"] == []
     assert run["invocations"][0]["executionSuccessful"] is True
 
 

@@ -22,13 +22,15 @@ _PRECISION = {Confidence.HIGH: "high", Confidence.MEDIUM: "medium"}
 
 
 def documented(report: Report) -> list[RuleDoc]:
-    """The rules that ran, and those that findings name though nothing documents them, by id."""
-    rules = dict(report.rules)
-    for finding in report.findings:
-        if finding.rule not in rules:
-            title = finding.rule.rpartition("/")[2].replace("-", " ").capitalize()
-            rules[finding.rule] = RuleDoc(finding.rule, title, finding.severity)
-    return [rules[rule_id] for rule_id in sorted(rules)]
+    """The rules that results and notifications name, by id; a run of all rules would carry a megabyte of text."""
+    named = {finding.rule: finding.severity for finding in report.findings}
+    rules = [report.rules.get(rule_id) or _undocumented(rule_id, severity) for rule_id, severity in named.items()]
+    told = {told.rule for told in report.notifications} - set(named)
+    return sorted([*rules, *(report.rules[rule_id] for rule_id in told & set(report.rules))], key=lambda rule: rule.id)
+
+
+def _undocumented(rule_id: str, severity: Severity) -> RuleDoc:
+    return RuleDoc(rule_id, rule_id.rpartition("/")[2].replace("-", " ").capitalize(), severity)
 
 
 def descriptor(rule: RuleDoc, taxonomy: dict[str, Any] | None) -> dict[str, Any]:
