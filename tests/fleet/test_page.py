@@ -12,12 +12,14 @@ from bringup_lint.fleet.summary import Own
 from bringup_lint.fleet.summary import Summary
 from bringup_lint.report.fleet import FleetReport
 from bringup_lint.report.fleet import render
+from bringup_lint.report.model import RuleDoc
 from tests.browser import HUGE
 from tests.browser import PHONE
 from tests.browser import WIDE
 
 pytestmark = pytest.mark.slow
 
+RULE = RuleDoc("systemd/root-user", "ROS runs as root", Severity.WARNING, uri="https://example.org/systemd/root-user/")
 ROLES = ("rover", "arm", "charger")
 
 
@@ -47,7 +49,7 @@ def page() -> str:
         ),
         FleetFinding("net.core.rmem_max differs", (place,), difference=drift, rule="fleet/drift"),
     )
-    return "".join(render("html", FleetReport(robots, findings)))
+    return "".join(render("html", FleetReport(robots, findings, {RULE.id: RULE})))
 
 
 def shown(tab, selector: str) -> int:
@@ -60,7 +62,7 @@ def test_nothing_is_cut(opened, page: str, viewport: dict[str, int], scheme: str
     tab = opened(page, viewport, color_scheme=scheme)
     assert tab.evaluate("document.documentElement.scrollWidth <= innerWidth")
     assert tab.evaluate("getComputedStyle(document.querySelector('thead th')).backgroundColor") == (
-        "rgb(255, 255, 255)" if scheme == "light" else "rgb(18, 18, 18)"
+        "rgb(255, 255, 255)" if scheme == "light" else "rgb(23, 28, 34)"
     )
     assert shown(tab, "th[scope=row]") == 1000 + len(ROLES) * 2
 
@@ -106,6 +108,24 @@ def test_robots_that_a_finding_names_come_first(opened, page: str) -> None:
     tab = opened(page)
     rows = tab.locator("table:not(.counts) th[scope=row]").all_inner_texts()
     assert rows[:4] == ["rover-0000", "rover-0003", "rover-0999", "rover-0001"]
+
+
+def test_robots_findings_and_rules_are_linked(opened, page: str) -> None:
+    tab = opened(page)
+    row = tab.locator("tr", has=tab.locator("a[href='#r3']")).locator("td")
+    assert row.all_inner_texts() == ["rover at hall 1", "1", "3", "", "E"]
+    tab.click("#f0 summary")
+    tab.click("#f0 li >> text=rover-0003")
+    assert "With others" in tab.inner_text("#r3")
+    tab.click("#r3 a:has-text('fleet/same-machine-id')")
+    assert tab.evaluate("location.hash") == "#f0"
+    assert tab.get_attribute("#r3 a.rule", "href") == RULE.uri
+
+
+def test_the_colours_can_be_changed(opened, page: str) -> None:
+    tab = opened(page, color_scheme="light")
+    tab.click("#theme")
+    assert tab.evaluate("getComputedStyle(document.querySelector('thead th')).backgroundColor") == "rgb(23, 28, 34)"
 
 
 def test_without_scripts_all_is_there(opened, page: str) -> None:

@@ -60,8 +60,8 @@ def test_sarif_locations_are_uris() -> None:
 def test_the_page_shows_every_robot_and_both_sides() -> None:
     page = "".join(render("html", report(1000)))
     assert page.count("<th scope=row>") == 1000 + len(["rover"])
-    assert "<pre>&lt;usual&gt;</pre>" in page
-    assert "<pre>&lt;odd&gt;</pre>" in page
+    assert "<pre class=usual>&lt;usual&gt;</pre>" in page
+    assert "<pre class=odd>&lt;odd&gt;</pre>" in page
     assert "Differs &lt;b&gt;" in page
     assert "http" not in page.replace("http-equiv", "")
 

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
 __all__ = ["page", "render"]
 
+STYLES = ("shared.css", "style.css")
 SCRIPTS = ("layout.js", "picture.js", "details.js", "camera.js", "search.js", "script.js")
 """One script in parts; only functions of one part are named in another before it runs."""
 
@@ -37,13 +38,14 @@ def page(picture: Mapping[str, Any], report: Report | None = None) -> str:
     nothing, and its content security policy names the hashes of the one style and the one script it holds.
     """
     data = document(picture, report)
-    style = _part("style.css")
-    script = "".join(map(_part, SCRIPTS))
-    filled = Template(_part("page.html")).substitute(
+    style = "".join(map(part, STYLES))
+    script = "".join(map(part, SCRIPTS))
+    filled = Template(part("page.html")).substitute(
         policy=f"default-src 'none'; img-src data:; style-src {hashed(style)}; script-src {hashed(script)}; "
         "base-uri 'none'; form-action 'none'",
         title=title_of(report),
         contents="report" if report else "picture",
+        icons=part("icons.svg"),
         heading=heading(data, report),
         findings=articles(report) if report else "",
         outline=outline(data),
@@ -54,5 +56,6 @@ def page(picture: Mapping[str, Any], report: Report | None = None) -> str:
     return str(sound(filled))
 
 
-def _part(name: str) -> str:
+def part(name: str) -> str:
+    """The text of a file that the page is made of."""
     return resources.files(__name__).joinpath(name).read_text("utf-8")
