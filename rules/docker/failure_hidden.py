@@ -5,10 +5,10 @@ A command of a `RUN` that installs packages or builds the workspace, and whose f
 - `A && B && C || D`, where `D` is meant for `C` and hides the failure of `A` and `B`, too;
 - a `;` or a new line after `colcon build` without `set -e`, and after an installation where all that follows succeeds
   without it, such as `rm`;
-- `colcon build || true`, and `colcon build | tee` without `pipefail`.
+- `colcon build || true`, `rosdep install || true`, and `colcon build | tee` without `pipefail`.
 
-A fallback directly after a command that installs something is taken for meant, and so is one that does more than print
-a message. Loops are not judged.
+A fallback directly after another command that installs something is taken for meant, and so is one that does more than
+print a message. Loops are not judged.
 
 ## Why it matters on a robot
 A mirror that does not answer for a moment, or a package that does not compile, gives an image that looks well and lacks
@@ -72,6 +72,7 @@ INDEPENDENT = (*PASSIVE, "rm", "mkdir", "useradd", "groupadd", "usermod", "ldcon
 
 
 JOIN = "join the commands with &&"
+SKIP = "leave out keys that cannot be resolved with --skip-keys, and let others end the build"
 GROUP = "put the fallback in parentheses with its own command"
 
 
@@ -141,6 +142,7 @@ def _brings(command: Command) -> bool:
 def _hiding(blocks: Sequence[Block], at: int, pipefail: bool) -> Hiding | None:
     """What runs although a command failed, and how it comes to that; None where the build ends."""
     builds = _name(blocks[at]) == "colcon"
+    meant = _name(blocks[at]) not in ("colcon", "rosdep")
     here = at
     while here + 1 < len(blocks):
         ends, following = _ends(blocks[here]), blocks[here + 1]
@@ -150,10 +152,11 @@ def _hiding(blocks: Sequence[Block], at: int, pipefail: bool) -> Hiding | None:
                 return None
             return Hiding(_words(following)[0], "tee succeeds all the same", "write set -o pipefail before the command")
         if ends == "||":
-            if _name(following) not in PASSIVE or (here == at and not builds):
+            if _name(following) not in PASSIVE or (here == at and meant):
                 return None
             fallback = _name(following)
-            advice = f"remove '|| {fallback}'" if here == at else GROUP
+            remedy = SKIP if _name(blocks[here]) == "rosdep" else f"remove '|| {fallback}'"
+            advice = remedy if here == at else GROUP
             return Hiding(_words(following)[0], f"'|| {fallback}' takes the failure for its own", advice)
         if ends != "&&":
             independent = builds or all(_name(each) in INDEPENDENT for each in blocks[here + 1 :])

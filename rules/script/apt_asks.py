@@ -5,7 +5,8 @@
 - in a `RUN` of a Dockerfile, which has no terminal; information unless it installs packages of ROS, because an image
   may have all that other packages need;
 - in a script whose other calls of apt pass `-y`, so that it is meant to run by itself; information where the script
-  ends at the first failure (`set -e`), and where it only upgrades.
+  ends at the first failure (`set -e`), and where it only upgrades;
+- in a script without any `-y` that sets the robot up afterwards: it copies to `/etc` or `/opt`, or enables units.
 
 Silent in scripts that open an editor or read an answer, for packages that are files, for those that need nothing else
 (`nano`, `unzip` and the like), for those that an earlier step installs and what belongs to them, for packages of ROS on
@@ -50,6 +51,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.docker import Stage
 from bringup_lint.api.docker import commands_of
 from bringup_lint.api.shell import STRICT
+from bringup_lint.api.shell import Run
 from bringup_lint.api.shell import unwrapped
 
 PROGRAMS = ("apt", "apt-get")
@@ -62,6 +64,8 @@ ANSWERED = regex(
 CONFIGURED = regex(r"APT::Get::Assume-Yes", re.I)
 PIPED = regex(r"\|[ \t]*(?:sudo[ \t]+(?:-\w+[ \t]+)*)?(?:\w+=\S*[ \t]+)*$")
 STOPS = regex(STRICT, re.M)
+COPIES = ("cp", "install", "ln", "tee")
+OF_ROBOT = regex(r"/(?:etc|opt|lib|usr)/")
 ALONE = frozenset("bash-completion gosu less locales make nano python3 sudo time tree unzip zip".split())
 """Packages that need only what every image of Debian and Ubuntu has."""
 BY_HAND = regex(r"(?m)^[ \t]*(?:sudo[ \t]+)?(?:vi|vim|nano|emacs|read)[ \t]")
@@ -109,11 +113,41 @@ def _of_scripts(robot: Robot) -> Iterator[Finding]:
         known = installed.setdefault(source, set())
         calls.setdefault(source, []).append((words, _asks(words, known)))
         known.update(map(str, words))
-    for each in calls.values():
+    for source, each in calls.items():
         asking = sorted((words for words, asks in each if asks), key=lambda words: not _installs(words))
         answered = [words[0] for words, _ in each if _is_answered(words)]
         if asking and answered:
             yield _of_script(asking, answered[0])
+        elif asking and _installs(asking[0]):
+            yield from _of_set_up(robot, source, asking)
+
+
+def _of_set_up(robot: Robot, source: Source, asking: list[Sequence[Located]]) -> Iterator[Finding]:
+    """One finding for a script that sets the robot up after its first question."""
+    first, *others = asking
+    runs = [did for did in robot.scripts.done(source) if isinstance(did, Run)]
+    following = (run for run in runs if run.words and run.words[0].span.start > first[0].span.start)
+    after = next((run for run in following if run.certain and _sets_up(run)), None)
+    if after is None:
+        return
+    stops = STOPS.search(source.text) is not None
+    yield finding(
+        first[0],
+        "apt asks whether to go on when a package brings others along: without a terminal the set-up "
+        + ("ends here" if stops else "goes on without the packages"),
+        advice="write -y after the command of apt",
+        related=[
+            note(after.words[0], "this is not reached then" if stops else "this runs all the same"),
+            *(note(other[0], "asks, too") for other in others),
+        ],
+    )
+
+
+def _sets_up(run: Run) -> bool:
+    """Whether a command puts something on the robot, or enables a unit."""
+    if run.name == "systemctl":
+        return "enable" in run.words
+    return run.name in COPIES and OF_ROBOT.match(run.arguments[-1] if run.arguments else "") is not None
 
 
 def _of_script(asking: list[Sequence[Located]], answered: Located) -> Finding:
