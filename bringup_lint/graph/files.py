@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 import re
 from collections.abc import Callable
 from collections.abc import Iterable
@@ -156,9 +157,17 @@ class Files:
         return self.variants.same_robot(_source_of(one), _source_of(other))
 
     def find(self, robot_path: str, asked_by: Source) -> Source | None:
-        """The file at a path on the robot that another file names; none of another robot or variant."""
-        found = self.tree.find(robot_path)
+        """The file at a path on the robot that another file names; none of another robot or variant.
+
+        Of several files of this name in a repository, it is the one in the folder of the file that asks.
+        """
+        found = self.tree.find(robot_path) or self._of_several(robot_path, asked_by)
         return found if found is not None and self.variants.names(robot_path, asked_by, found) else None
+
+    def _of_several(self, robot_path: str, asked_by: Source) -> Source | None:
+        name = posixpath.basename(robot_path)
+        several = not self.tree.complete and len(list(self.tree.named(name))) > 1
+        return self.tree.beside(asked_by, name) if several and "." in name else None
 
     def environment_file(self, robot_path: str) -> EnvFile | None:
         """The environment file at a path on the robot, when the tree holds it."""

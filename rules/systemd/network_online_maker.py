@@ -1,0 +1,81 @@
+"""A service waits for the network that it is to make.
+
+## What it finds
+A service that wants and is ordered after `network-online.target`, and whose command, or a script of the tree that it starts, connects to a
+wifi or opens an access point: `nmcli device wifi connect`, `nmcli device wifi hotspot`, `nmcli connection up`,
+`hostapd`, `create_ap`, `wpa_supplicant` or `dhclient`.
+
+## Why it matters on a robot
+In the workshop the target is reached in seconds. Where no known network is in reach, as in the field, the wait services
+give up only after a minute (`nm-online`) or two (`systemd-networkd-wait-online`). Until then the robot has no access
+point, and whoever switched it on believes that it is broken.
+
+## Bad
+```ini
+[Unit]
+Wants=network-online.target
+After=network-online.target
+[Service]
+ExecStart=/usr/bin/nmcli connection up rover-hotspot
+```
+
+## Good
+```ini
+[Unit]
+After=NetworkManager.service
+[Service]
+ExecStart=/usr/bin/nmcli connection up rover-hotspot
+```
+
+## When to ignore it
+When the service brings up a second network on top of the first, such as a bridge to the wired one.
+
+## References
+- systemd.special(7), "network-online.target"
+- nm-online(1), systemd-networkd-wait-online.service(8): the time-outs
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Located
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import regex
+from bringup_lint.api import rule
+from bringup_lint.api.docker import Runner
+from bringup_lint.api.shell import program_name
+from bringup_lint.api.shell import unwrapped
+
+ONLINE = "network-online.target"
+MAKERS = ("hostapd", "create_ap", "wpa_supplicant", "dhclient")
+CONNECTS = regex(r"nmcli( -\S+)* (d|dev|device) (w|wifi) (c|connect|h|hotspot)\b.*|nmcli( -\S+)* (c|con|connection) up\b.*")
+
+
+@rule("warning", symptoms=["A start job is running for Wait for Network to be Configured"])
+def network_online_maker(robot: Robot) -> Iterator[Finding]:
+    for runner in robot.runners.all:
+        unit = runner.unit
+        if unit is None or unit.uncertain or not any(True for _ in unit.naming("Wants", ONLINE)):
+            continue
+        maker = next(_makers(runner), None)
+        for _, word in unit.naming("After", ONLINE):
+            if maker is not None:
+                yield finding(
+                    word,
+                    f"{unit.name} makes the network and waits for it: without a known one it starts when "
+                    "the wait service gives up, after a minute or two",
+                    advice="order it after NetworkManager.service, or after the device of the interface",
+                    related=[note(maker, "this makes a network")],
+                    confidence="medium",
+                )
+
+
+def _makers(runner: Runner) -> Iterator[Located]:
+    """The programs of the start of a unit that connect it or open an access point."""
+    for line in runner.main:
+        for step in line.steps:
+            words = unwrapped(step.command.words)
+            if words and (program_name(words[0]) in MAKERS or CONNECTS.fullmatch(" ".join(words))):
+                yield words[0]
