@@ -62,7 +62,9 @@ TWICE = regex(r"(?P<password>[^\s{}$]+)\n(?P=password)\n?")
 HASH = regex(r"\$\w+\$")
 SERVER = regex(r"\b(?:sshd|openssh-server|xrdp|\w{0,20}vnc\w{0,20})\b")
 SETS = regex(r"\b(?:ch)?passwd\b|\buser(?:add|mod)\b")
-STARTS = regex(r"\bsshd\"?[\], ]*[\"']?-[a-zA-Z]*D|service sshd? (?:re)?start|init\.d/ssh|start\b.{0,40}\bsshd?\b|xrdp|vnc", re.I)
+STARTS = regex(
+    r"\bsshd\"?[\], ]*[\"']?-[a-zA-Z]*D|service sshd? (?:re)?start|init\.d/ssh|start\b.{0,40}\bsshd?\b|xrdp|vnc", re.I
+)
 EXPIRES = regex(r"\bchage\s+(?:-d\s*0|--lastday[= ]0)|passwd\s+(?:-e|--expire)\b")
 
 

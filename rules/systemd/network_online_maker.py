@@ -50,7 +50,9 @@ from bringup_lint.api.shell import unwrapped
 
 ONLINE = "network-online.target"
 MAKERS = ("hostapd", "create_ap", "wpa_supplicant", "dhclient")
-CONNECTS = regex(r"nmcli( -\S+)* (d|dev|device) (w|wifi) (c|connect|h|hotspot)\b.*|nmcli( -\S+)* (c|con|connection) up\b.*")
+CONNECTS = regex(
+    r"nmcli( -\S+)* (d|dev|device) (w|wifi) (c|connect|h|hotspot)\b.*|nmcli( -\S+)* (c|con|connection) up\b.*"
+)
 
 
 @rule("warning", symptoms=["A start job is running for Wait for Network to be Configured"])
