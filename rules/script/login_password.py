@@ -5,7 +5,8 @@ A password as a literal that goes to `chpasswd` or `passwd`, or after `useradd -
 variable that the script does not set, and a command that asks for it, are fine.
 
 In the entry point of a container without sshd, xrdp or VNC, nobody can log in with it: it is an info. The same holds
-for a `RUN` of a Dockerfile, whose ARG and ENV are read, too; a server that nothing of the tree starts makes it a warning.
+for a `RUN` of a Dockerfile, whose ARG and ENV are read, too; with a server that nothing of the tree starts it is a
+warning.
 
 `passwd -d root` in an image that gives up root afterwards is a warning: `su` asks for nothing.
 

@@ -1,9 +1,9 @@
 """A service waits for the network that it is to make.
 
 ## What it finds
-A service that wants and is ordered after `network-online.target`, and whose command, or a script of the tree that it starts, connects to a
-wifi or opens an access point: `nmcli device wifi connect`, `nmcli device wifi hotspot`, `nmcli connection up`,
-`hostapd`, `create_ap`, `wpa_supplicant` or `dhclient`.
+A service that wants `network-online.target` and is ordered after it, and whose command, or a script of the tree that it
+starts, connects to a wifi or opens an access point: `nmcli device wifi connect`, `nmcli device wifi hotspot`,
+`nmcli connection up`, `hostapd`, `create_ap`, `wpa_supplicant` or `dhclient`.
 
 ## Why it matters on a robot
 In the workshop the target is reached in seconds. Where no known network is in reach, as in the field, the wait services
