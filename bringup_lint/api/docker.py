@@ -34,7 +34,6 @@ if TYPE_CHECKING:
     from bringup_lint.parsers.dockerfile import commands_of_run
     from bringup_lint.parsers.dockerfile_variables import expanded
     from bringup_lint.parsers.dockerfile_variables import last_user
-    from bringup_lint.parsers.dockerfile_variables import variables
 else:
     __getattr__ = on_demand(globals())
 
@@ -66,5 +65,4 @@ __all__ = [
     "runs_as_root",
     "stays_in_shell",
     "user_name",
-    "variables",
 ]

@@ -16,7 +16,6 @@ if TYPE_CHECKING:
     from bringup_lint.graph.installed.ansible.names import missing_names
     from bringup_lint.graph.installed.script import Run
     from bringup_lint.graph.installed.script import Written
-    from bringup_lint.graph.installed.script import runs_of
     from bringup_lint.graph.installed.script_arguments import short_calls
     from bringup_lint.graph.installed.script_files import missing_files
     from bringup_lint.model.shell import Block
@@ -43,7 +42,6 @@ __all__ = [
     "missing_names",
     "plays",
     "program_name",
-    "runs_of",
     "shell_blocks",
     "shell_commands",
     "short_calls",

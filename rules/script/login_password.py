@@ -4,10 +4,7 @@
 A password as a literal that goes to `chpasswd` or `passwd`, or after `useradd -p` and `usermod -p`. A value from a
 variable that the script does not set, and a command that asks for it, are fine.
 
-In the entry point of a container without sshd, xrdp or VNC, nobody can log in with it: it is an info. The same holds
-for a `RUN` of a Dockerfile, whose ARG and ENV are read, too; with a server that nothing of the tree starts it is a
-warning.
-
+In the entry point of a container without sshd, xrdp or VNC, nobody can log in with it: it is an info.
 `passwd -d root` in an image that gives up root afterwards is a warning: `su` asks for nothing.
 
 In user data: `plain_text_passwd:` of a user, and `password:` or `chpasswd:` with `expire: false`. A hash is a warning,
@@ -50,26 +47,18 @@ from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.docker import Stage
-from bringup_lint.api.docker import blocks_of_run
+from bringup_lint.api.docker import commands_of
 from bringup_lint.api.docker import last_user
 from bringup_lint.api.docker import user_name
-from bringup_lint.api.docker import variables
 from bringup_lint.api.shell import Run
-from bringup_lint.api.shell import runs_of
+from bringup_lint.api.shell import unwrapped
 from bringup_lint.api.templates import is_stand_in
 
 PROGRAMS = ("chpasswd", "passwd", "useradd", "usermod")
-SETTING = ("chpasswd", "passwd")
-"""Those of an image: what useradd -p takes is a hash, and another word opens nothing."""
 PAIR = regex(r"^(?P<user>[a-z_][\w-]*):(?P<password>[^\s:{}$]+)$", re.M)
 TWICE = regex(r"(?P<password>[^\s{}$]+)\n(?P=password)\n?")
 HASH = regex(r"\$\w+\$")
 SERVER = regex(r"\b(?:sshd|openssh-server|xrdp|\w{0,20}vnc\w{0,20})\b")
-LOGINS = regex(r"\b(?:sshd|openssh-server|xrdp)\b")
-SETS = regex(r"\b(?:ch)?passwd\b")
-STARTS = regex(
-    r"\bsshd\"?[\], ]*[\"']?-[a-zA-Z]*D|service sshd? (?:re)?start|init\.d/ssh|start\b.{0,40}\bsshd?\b|xrdp|vnc", re.I
-)
 EXPIRES = regex(r"\bchage\s+(?:-d\s*0|--lastday[= ]0)|passwd\s+(?:-e|--expire)\b")
 
 
@@ -90,52 +79,27 @@ def login_password(robot: Robot) -> Iterator[Finding]:
             )
     for file in robot.dockerfiles:
         for stage in file.stages:
-            yield from _of_stage(robot, stage)
+            yield from _opened(stage)
     for login in robot.user_data_logins:
         if not is_stand_in(login.password):
             yield _of_user_data(login.user or "the default user", login.password)
 
 
-def _of_stage(robot: Robot, stage: Stage) -> Iterator[Finding]:
-    serves = any(LOGINS.search(str(each.value)) for one in stage.chain for each in one.instructions)
-    for instruction in stage.all("RUN"):
-        if not SETS.search(instruction.value) or EXPIRES.search(instruction.value):
-            continue
-        values = variables(stage, instruction)
-        for blocks in blocks_of_run(instruction):
-            for run in runs_of(blocks, values):
-                if run.name not in SETTING:
-                    continue
-                yield from _of_step(robot, run, serves=serves)
-                yield from _opened(run, stage)
-
-
-def _of_step(robot: Robot, run: Run, *, serves: bool) -> Iterator[Finding]:
-    for user, password in _set(run):
-        starts = serves and robot.mentions(STARTS)
-        yield finding(
-            password,
-            f"The password of {user} is in this image: everybody who can read the Dockerfile can log in on the robot",
-            advice="remove it and log in with keys that are mounted, or leave out the server",
-            secrets=[password],
-            severity=None if starts else "warning" if serves else "info",
-            confidence=None if run.certain else "medium",
-        )
-
-
-def _opened(run: Run, stage: Stage) -> Iterator[Finding]:
+def _opened(stage: Stage) -> Iterator[Finding]:
     """An account of root without a password, in an image whose processes are not root."""
     user = last_user(stage)
-    if run.name != "passwd" or run.arguments not in (["-d", "root"], ["--delete", "root"]):
+    if user is None or user_name(user) in (None, "root"):
         return
-    if user is not None and user_name(user) not in (None, "root"):
-        yield finding(
-            run.words[0],
-            f"root has no password in this image: every program of {user} becomes root with su",
-            advice="remove this step, or lock the account with passwd --lock",
-            related=[note(user, "the user of the container")],
-            severity="warning",
-        )
+    for command in commands_of(stage):
+        words = unwrapped(command.words)
+        if [str(word) for word in words] in (["passwd", "-d", "root"], ["passwd", "--delete", "root"]):
+            yield finding(
+                words[0],
+                f"root has no password in this image: every program of {user} becomes root with su",
+                advice="remove this step, or lock the account with passwd --lock",
+                related=[note(user, "the user of the container")],
+                severity="warning",
+            )
 
 
 def _of_user_data(user: str, password: Located) -> Finding:

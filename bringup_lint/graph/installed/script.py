@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 from collections.abc import Iterator
-from collections.abc import Mapping
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
@@ -102,12 +101,6 @@ def runs(source: Source) -> Iterator[Run | Written]:
     for name, body in list(reader.functions.items()):
         if name not in reader.called:
             yield from reader.all(body, False, 1)
-
-
-def runs_of(statements: tuple[Block, ...], values: Mapping[str, str]) -> Iterator[Run]:
-    """The commands of statements that are given variables, such as those of a step of an image."""
-    reader = _Reader({**_constants(statements), **values}, has_root=True)
-    yield from (did for did in reader.all(statements, True, 0) if isinstance(did, Run))
 
 
 def _constants(statements: tuple[Block, ...]) -> dict[str, str | None]:
