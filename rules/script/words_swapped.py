@@ -1,7 +1,7 @@
 """The words of a command are in the wrong order.
 
 ## What it finds
-In scripts, images and the commands of containers and units:
+In scripts, images and the commands of containers:
 
 - `ssh service restart` and `service restart ssh`, which are meant to be `service ssh restart`;
 - `systemctl rover start` for `systemctl start rover`;
@@ -67,15 +67,15 @@ def words_swapped(robot: Robot) -> Iterator[Finding]:
 
 
 def _commands(robot: Robot) -> Iterator[Sequence[Located]]:
-    """The commands of scripts, steps of images, and what containers and units start."""
+    """The commands of scripts, steps of images, and what containers start."""
     for _, run in robot.scripts.run(*PROGRAMS):
         yield run.words
     for file in robot.dockerfiles:
         for stage in file.stages:
             yield from (unwrapped(command.words) for command in commands_of(stage))
     for runner in robot.runners.all:
-        for line in runner.lines:
-            yield from (unwrapped(step.command.words) for step in line.steps)
+        if runner.in_container:
+            yield from (unwrapped(step.command.words) for line in runner.lines for step in line.steps)
 
 
 def _meant(words: Sequence[Located]) -> str:
