@@ -1,7 +1,8 @@
 """A launch file starts a node from a package that does not exist.
 
 ## What it finds
-A name that no package of this workspace has, but that is close to one that exists.
+A name that no package of this workspace has, but that is close to one that exists; or whose executable one other
+package of the workspace installs, where the executable is called like the missing package.
 
 ## Why it matters on a robot
 launch aborts with "package 'my_robot_drivers' not found".
@@ -26,12 +27,16 @@ When both packages exist, and the other one is not in this repository.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import launch
 from bringup_lint.api import note
 from bringup_lint.api import rule
+
+SHORTEST = 6
+"""Characters of a name that an executable has in its own by no accident."""
 
 
 @rule(
@@ -56,3 +61,29 @@ def package_missing(robot: Robot) -> Iterator[Finding]:
                 if package.span.text == package
                 else None,
             )
+        else:
+            yield from _moved(robot, node, package)
+
+
+def _moved(robot: Robot, node: launch.Started, package: Located) -> Iterator[Finding]:
+    """A package that became a part of another one, which installs its executable now."""
+    executable = launch.literal_text(node.executable)
+    workspace = robot.launch.workspace
+    known = package in workspace.packages or package in workspace.ambiguous or robot.launch.is_known_package(package)
+    if known or executable is None or len(package) < SHORTEST or package not in executable:
+        return
+    having = [each for each in workspace.packages.values() if executable in each.executables]
+    if len(having) != 1 or robot.dependencies.is_fetched(package):
+        return
+    yield finding(
+        package,
+        f"No package '{package}' is here or known, and {having[0].name} installs '{executable}': launch aborts",
+        advice=f"start it from '{having[0].name}'",
+        chain=robot.provenance.chain_to_node(node),
+        related=[note(having[0].executables[executable], "what installs it")],
+        fix=fix(f"write {having[0].name}", (package, having[0].name), safe=False)
+        if package.span.text == package
+        else None,
+        severity="warning",
+        confidence="medium",
+    )

@@ -6,7 +6,12 @@ neither the package.xml nor that of a package of the workspace on which it depen
 
 - when CMake finds a package of the same workspace;
 - when ros-base lacks the package, module or library, and no package.xml, script, image, list of repositories or
-  documentation of the tree names it or something that brings it.
+  command of the documentation installs it or something that brings it. For a module or library, each mention in the
+  documentation counts;
+- when launch files start another package of the same workspace, and a script or an image builds the one that needs it
+  with `--packages-up-to`, without the other;
+- when the same is so, and the changelog of the package shows that it is released, which makes a Debian package of it
+  alone.
 
 Other packages of which launch files start nodes or include files are an info: they are there on most robots. Nothing is
 said of other modules and libraries.
@@ -36,6 +41,7 @@ When the image installs the package by other means than rosdep, for example as a
 - REP 149, "depend", "exec_depend"
 - REP 2001, "ros_base"
 - colcon, "Build environment": only the install prefixes of declared dependencies are sourced
+- colcon, "Package selection", `--packages-up-to`
 """
 
 from __future__ import annotations
@@ -90,11 +96,17 @@ def undeclared_dependency(robot: Robot) -> Iterator[Finding]:
         needs = [each for each in undeclared if not PLACEHOLDER.search(each.name) and not robot.launch.meant(each.name)]
         stopping = [need for need in needs if robot.dependencies.stops_build(need)]
         lacking = [need for need in needs if robot.dependencies.is_lacking(need)]
+        apart = [need for need in needs if robot.dependencies.left_out(need)]
+        released = [need for need in needs if robot.dependencies.is_released_without(need)]
         started = [need for need in needs if _is_started(robot, package, need)]
         if stopping:
             yield _found(package, [*stopping, *lacking], started, _of_build(stopping), "high")
         elif lacking:
-            yield _found(package, lacking, started, _of_robot(robot, lacking), None)
+            yield _found(package, [*lacking, *apart], started, _of_robot(robot, lacking), None)
+        elif apart:
+            yield _left_out(robot, package, apart, started)
+        elif released:
+            yield _found(package, released, started, _of_release(package, released[0]), None)
         elif started:
             yield _harmless(robot, package, started)
 
@@ -109,6 +121,18 @@ def _of_build(needs: list[Need]) -> str:
         f"A clean colcon build stops at find_package({needs[0].name}): "
         "the build environment has only the packages that package.xml declares"
     )
+
+
+def _left_out(robot: Robot, package: launch.Package, needs: list[Need], started: list[Need]) -> Finding:
+    command = robot.dependencies.left_out(needs[0])
+    what = " ".join(str(command).replace("\\", " ").split())
+    message = f"colcon build {what} leaves {needs[0].name} out, and {_end(needs[0])}"
+    related = [note(command, "built without it here")] if command else []
+    return _found(package, needs, started, message, None, related)
+
+
+def _of_release(package: launch.Package, need: Need) -> str:
+    return f"The Debian package of {package.name} does not bring {need.name}: installed alone, its {_end(need)}"
 
 
 def _of_robot(robot: Robot, needs: list[Need]) -> str:
@@ -151,7 +175,12 @@ def _harmless(robot: Robot, package: launch.Package, started: list[Need]) -> Fin
 
 
 def _found(
-    package: launch.Package, needs: list[Need], started: list[Need], message: str, confidence: str | None
+    package: launch.Package,
+    needs: list[Need],
+    started: list[Need],
+    message: str,
+    confidence: str | None,
+    related: list[Related] | None = None,
 ) -> Finding:
     declared = [(tag_of(package, need), key_of(need)) for need in needs if key_of(need)]
     tag, key = declared[0] if declared else ("", "")
@@ -161,7 +190,7 @@ def _found(
         advice=f"add <{tag}>{key}</{tag}> to the package.xml of {package.name}"
         if key
         else f"install {needs[0].name} with the robot, for example by a requirements.txt",
-        related=_places(needs),
+        related=[*(related or ()), *_places(needs)],
         fix=dependency(package, [*needs, *started]),
         confidence=confidence,
     )

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.facts.ros.needed import base
 from bringup_lint.facts.ros.needed import not_rosdep
+from bringup_lint.graph.dependencies.apart import Apart
 from bringup_lint.graph.dependencies.missing_files import missing_files
 from bringup_lint.graph.dependencies.needs import Need
 from bringup_lint.graph.dependencies.needs import of_builds
@@ -110,6 +111,33 @@ class Dependencies:
         if need.use == "module" and self._asks_for_others(need.owner):
             return False
         return not self._is_example(need) and not self._provided.brings(known)
+
+    def is_fetched(self, name: str) -> bool:
+        """Whether a list of repositories or a command names a package as one of others."""
+        return self._provided.has_repository(name)
+
+    def left_out(self, need: Need) -> Located | None:
+        """The command that builds a package without another one of the workspace that its launch files start."""
+        name = str(need.name)
+        if not self._is_started(need) or self._provided.has_repository(name):
+            return None
+        return self._apart.leaving_out(need.owner, name)
+
+    def is_released_without(self, need: Need) -> bool:
+        """Whether the Debian package of a package comes without another one of the tree that its launch files start."""
+        return self._is_started(need) and self._apart.is_released(need.owner)
+
+    def _is_started(self, need: Need) -> bool:
+        """Whether launch files start another package of the tree in any case, and it does not start them."""
+        starts = self._launch.workspace.packages.get(str(need.name))
+        is_written = need.name.span.text == need.name
+        if need.use not in ("node", "include") or not need.always or not is_written or starts is None:
+            return False
+        return need.owner.name not in self._required(starts)
+
+    @cached_property
+    def _apart(self) -> Apart:
+        return Apart(self._files, self._launch.workspace)
 
     def _asks_for_others(self, package: Package) -> bool:
         """Whether nodes of a package import what no table knows: it may bring further modules."""

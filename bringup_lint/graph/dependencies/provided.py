@@ -19,13 +19,25 @@ _TELLING = regex(
     re.I,
 )
 _PAGE = regex(r"\.(?:md|rst|txt|html?)$", re.I)
+_DOCUMENTATION = regex(r"\.(?:md|rst|html?|ipynb)$|(?:^|/)(?:readme|changelog|license|todo)[^/]*$", re.I)
+_HISTORY = regex(r"(?:^|/)changelog[^/]*$", re.I)
+_NO_INSTALLER = regex(r"(?:^|/)(?:setup\.py|setup\.cfg|(?!devcontainer\.)[^/]+\.json)$")
+"""What lists no packages of ROS."""
+_INSTALLS = regex(
+    r"(?:\b(?:apt|apt-get|aptitude|pip3?|rosdep|conda|vcs|brew|yay|dnf|snap)\b|\bgit (?:clone|submodule)\b)"
+    r"(?:\\\r?\n|[^\n`]){0,4000}"
+)
+"""A command of the documentation that installs, with the lines that it goes on in."""
+_COMMENTS = regex(r"^[ \t]*#[^\n]*$", re.M)
 _MOST = 200_000
 """Characters of a file that are looked at."""
 _WORD = regex(r"[a-z][a-z0-9_-]{1,100}")
 _PREFIX = regex(r"^ros_[a-z]{1,20}_")
 _PACKAGED = regex(r"ros-(?:[a-z]+|\$[\w({}:)-]{1,40}|\{\{[^{}\n]{1,40}\}\}|<[^<>\n]{1,40}>)-([a-z0-9-]{2,60})")
-_PATTERN = regex(r"\bros-[a-z0-9${}()_-]{1,60}\*")
+_PATTERN = regex(r"\bros-(?:[a-z]+|\$[\w({}:)-]{1,40}|\{\{[^{}\n]{1,40}\}\}|<[^<>\n]{1,40}>)-([a-z0-9${}()_-]{0,60})\*")
 """Debian packages of ROS by a pattern (``ros-humble-nav2-*``)."""
+_SHORT = 3
+"""Characters of a pattern that many packages begin with."""
 _REPOSITORY = regex(r"(?:github|gitlab)\.com[/:][\w.-]{1,60}/([\w.-]{1,80})")
 ROSDEP = regex(r"\brosdep\s+install\b(?:\\\r?\n|[^\n`&;])*")
 """A command, with the lines that it goes on in."""
@@ -46,13 +58,23 @@ class Provided:
 
     def brings(self, known: Needed) -> bool:
         """Whether anything of the tree may bring it, an image of others included."""
-        words = known.words - _VARIANTS
-        if self._foreign_images or self._many_packages or known.words & self._variants or words & self._words:
+        if self._foreign_images or self._is_of_pattern(known) or known.words & self._variants:
+            return True
+        words = self._installed if known.is_package else self._words
+        if (known.words - _VARIANTS) & words:
             return True
         if "_" not in known.name:
             return known.is_package and known.name in self._packaged
         parts = known.name.split("_")
-        return any("_".join(parts[:end]) in self._words for end in range(max(2, len(parts) - 2), len(parts) + 1))
+        return any("_".join(parts[:end]) in words for end in range(max(2, len(parts) - 2), len(parts) + 1))
+
+    def _is_of_pattern(self, known: Needed) -> bool:
+        """Whether packages that are installed by a pattern may be it, or depend on it."""
+        names = (known.name, *known.also)
+        return any(
+            len(begin) < _SHORT or known.comes_with(begin.rstrip("_")) or any(name.startswith(begin) for name in names)
+            for begin in self._patterns
+        )
 
     def has_repository(self, name: str) -> bool:
         """Whether a list of repositories or a command names a repository like a package."""
@@ -68,8 +90,28 @@ class Provided:
 
     @cached_property
     def _texts(self) -> list[str]:
-        texts = (self._tree.head(path, _MOST) for path in self._tree.paths if _TELLING.search(path))
-        return [text.lower() for text in texts if _PARAMETERS not in text]
+        return [text for _, text in self._by_path]
+
+    @cached_property
+    def _by_path(self) -> list[tuple[str, str]]:
+        texts = ((path, self._tree.head(path, _MOST)) for path in self._tree.paths if _TELLING.search(path))
+        return [(path, text.lower()) for path, text in texts if _PARAMETERS not in text]
+
+    @cached_property
+    def _installing(self) -> list[str]:
+        """What installs: scripts, images and lists without their comments, and the commands of the documentation."""
+        found: list[str] = []
+        for path, text in self._by_path:
+            if _DOCUMENTATION.search(path):
+                found += _INSTALLS.findall(text)
+            elif not _NO_INSTALLER.search(path):
+                found.append(_COMMENTS.sub("", text))
+        return found
+
+    @cached_property
+    def _installed(self) -> frozenset[str]:
+        """The words of what installs."""
+        return frozenset(word for text in self._installing for word in _words(text)) | self._packaged
 
     @cached_property
     def _words(self) -> frozenset[str]:
@@ -79,7 +121,9 @@ class Provided:
     @cached_property
     def _packaged(self) -> frozenset[str]:
         """What is named as a Debian package of ROS or as a repository."""
-        found = (match for text in self._texts for match in (*_PACKAGED.findall(text), *_REPOSITORY.findall(text)))
+        read = [(path, text) for path, text in self._by_path if not _HISTORY.search(path)]
+        texts = [text if _DOCUMENTATION.search(path) else _COMMENTS.sub("", text) for path, text in read]
+        found = (match for text in texts for match in (*_PACKAGED.findall(text), *_REPOSITORY.findall(text)))
         return frozenset(name.removesuffix(".git").replace("-", "_") for name in found)
 
     @cached_property
@@ -88,9 +132,10 @@ class Provided:
         return frozenset(name.replace("-", "_") for text in self._texts for name in _VARIANT.findall(text))
 
     @cached_property
-    def _many_packages(self) -> bool:
-        """Whether packages are installed by a pattern: what they depend on is not known."""
-        return any(_PATTERN.search(text) for text in self._texts)
+    def _patterns(self) -> frozenset[str]:
+        """How the names of packages begin that are installed by a pattern: what they depend on is not known."""
+        found = (begin for text in self._texts for begin in _PATTERN.findall(text))
+        return frozenset(begin.replace("-", "_") if begin.isascii() and "$" not in begin else "" for begin in found)
 
     @cached_property
     def _foreign_images(self) -> bool:
