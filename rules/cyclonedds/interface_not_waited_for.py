@@ -4,6 +4,8 @@
 Cyclone DDS names an interface that the robot's netplan marks `optional: true`, so the boot does not wait for
 it. No unit that reads the file waits for the interface itself: through its device unit, with wait-online, or
 in a script. `presence_required="false"` is not reported if other interfaces are listed too.
+It is a warning when netplan says nothing of a Wi-Fi interface, and a system unit that reads the file at boot is ordered
+after nothing of the network.
 
 ## Why it matters on a robot
 The interface does not exist yet when the nodes start: `does not match an available interface`, and no node
@@ -40,27 +42,35 @@ from bringup_lint.api import Related
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.dds import Configuration
+from bringup_lint.api.dds import Setting
 from bringup_lint.api.dds import interface_of_device
 from bringup_lint.api.dds import named_interfaces
+from bringup_lint.api.systemd import Unit
+
+LATE = regex(r"network|\.device$|^dhcp|wpa_|hostapd|\.service$|graphical")
+"""Units that start late enough, or may."""
+WAITING = regex(r"\b(?:sleep|until|while|nm-online|ping|wait)\b")
+WIRELESS = regex(r"wl(?:an\d+|[opxs]\w+)$")
 
 
 @rule("error", confidence="medium", symptoms=["does not match an available interface"])
 def interface_not_waited_for(robot: Robot) -> Iterator[Finding]:
     for configuration, domain in robot.dds.domains:
         plan = robot.dds.plan_of(configuration)
-        if plan is None:
-            continue
         names = list(named_interfaces(domain))
         for setting in names:
             name = str(setting.effective)
-            interface = interface_of_device(plan, name)
             required = domain.of(setting.owner, "presence_required")
             if required is not None and (required.effective or "false").lower() == "false" and len(names) > 1:
                 continue
+            if robot.dds.waits_for(configuration, name):
+                continue
+            interface = interface_of_device(plan, name) if plan is not None else None
             optional = interface.optional if interface is not None else None
-            if optional is not None and optional.value and not robot.dds.waits_for(configuration, name):
+            if optional is not None and optional.value:
                 yield finding(
                     setting.value,
                     f"The boot does not wait for {setting.effective}: if ROS starts first, no node starts",
@@ -68,6 +78,38 @@ def interface_not_waited_for(robot: Robot) -> Iterator[Finding]:
                     related=[note(optional.where, "netplan does not wait for it"), *_order(robot, configuration)],
                     chain=robot.provenance.chain_to(setting.value, f"DDS uses {setting.effective}"),
                 )
+            elif interface is None and WIRELESS.match(name):
+                yield from _at_once(robot, configuration, setting)
+
+
+def _at_once(robot: Robot, configuration: Configuration, setting: Setting) -> Iterator[Finding]:
+    """A Wi-Fi interface, and the first unit that reads the file at boot without an order after the network."""
+    for reader in robot.dds.readers(configuration):
+        unit = reader.process.unit
+        line = reader.process.line
+        if unit is None or line is None or not _starts_at_boot(unit) or _waits(unit, line.texts):
+            continue
+        yield finding(
+            setting.value,
+            f"{unit.name} starts before {setting.effective} is associated: 'does not match an available interface', "
+            "and no node starts",
+            advice="add After= and Wants=network-online.target to the unit",
+            related=[note(unit.where, "ordered after nothing of the network")],
+            chain=robot.provenance.chain_to(setting.value, f"DDS uses {setting.effective}"),
+            severity="warning",
+        )
+        return
+
+
+def _starts_at_boot(unit: Unit) -> bool:
+    return unit.manager == "system" and bool(unit.words("WantedBy", "Install"))
+
+
+def _waits(unit: Unit, texts: list[str]) -> bool:
+    """Whether a unit is ordered after another one that may wait, or a command waits for anything."""
+    ordered = [word for key in ("After", "Requires", "BindsTo") for word in unit.words(key)]
+    before = unit.has("ExecStartPre") or unit.has("ExecCondition")
+    return before or any(map(LATE.search, ordered)) or any(map(WAITING.search, texts))
 
 
 def _order(robot: Robot, configuration: Configuration) -> list[Related]:

@@ -74,7 +74,8 @@ def unstable_path(robot: Robot) -> Iterator[Finding]:
 def _finding(robot: Robot, use: DeviceUse, links: list[Link], others: list[DeviceUse]) -> Finding:
     names = " or ".join(link.path for link in links[:3])
     severity = _SEVERITY.get(use.certainty)
-    if use.certainty == "argument" and _is_launched_at_boot(robot, use):
+    beside = robot.devices.beside(use) if severity == "info" else None
+    if use.certainty == "argument" and (beside is not None or _is_launched_at_boot(robot, use)):
         severity = "warning"
     if robot.devices.is_single_camera(use) or robot.devices.is_default(use):
         severity = "info"
@@ -85,6 +86,7 @@ def _finding(robot: Robot, use: DeviceUse, links: list[Link], others: list[Devic
         related=[
             *(note(link.name, f"creates {link.path}") for link in links[:3]),
             *(note(other.path, "also used here") for other in others[:10]),
+            *(note(each, "another device of this kind") for each in [beside] if each is not None),
         ],
         severity=severity,
         chain=robot.provenance.chain_to(use.path, f"{use.path} is opened"),

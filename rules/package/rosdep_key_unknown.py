@@ -2,8 +2,9 @@
 
 ## What it finds
 Dependencies of packages of ROS 2 that are neither rosdep keys nor packages: `ament_python`, which is a build type only,
-names of pip such as `pyserial`, and packages of ROS 1. It is info when no script, image or documentation of the tree
-runs `rosdep install`, and when such a command goes on (`-r`) or names it in `--skip-keys`.
+names of pip such as `pyserial`, and packages of ROS 1. It is info when a script, an image or the documentation of the
+tree runs `rosdep install` so that it goes on (`-r`), or names it in `--skip-keys`, and when the tree names rosdep in
+other words only.
 
 ## Why it matters on a robot
 `rosdep install` ends with "Cannot locate rosdep definition for [ament_python]" and installs nothing at all: the robot

@@ -77,6 +77,7 @@ def permissions_wildcard_topic(robot: Robot) -> Iterator[Finding]:
     for document, grant in robot.sros2.ros_grants:
         keystores.setdefault(document.source.name.partition("enclaves/")[0], []).extend(_of_grant(grant))
     for rights in keystores.values():
+        rights.sort(key=lambda right: robot.purpose(right.pattern).value != "robot")
         yield from _by_right(rights, "list what its nodes use, and sign the document again")
     for policy in robot.sros2.used_policies:
         rights = [right for enclave in policy.enclaves for right in _of_enclave(enclave)]

@@ -7,7 +7,7 @@ manager, such as `multi-user.target` or `network-online.target`:
 - error: in WantedBy=, RequiredBy=, Requires= or BindsTo=;
 - warning: in After= or Wants=.
 
-It is an info in WantedBy= and RequiredBy= of a unit that a script or a playbook of the tree starts by its name.
+It is a warning in WantedBy= and RequiredBy= of a unit that a script or a playbook of the tree starts by its name.
 
 ## Why it matters on a robot
 The user manager does not have this unit. With `WantedBy=multi-user.target` the service never starts. With
@@ -72,7 +72,7 @@ def user_unit_system_target(robot: Robot) -> Iterator[Finding]:
                     if installs
                     else f"remove {key}={word}, or make it a system unit",
                     fix=fix("write default.target", (word, "default.target")) if installs else None,
-                    severity="info" if started else None,
+                    severity="warning" if started else None,
                 )
         for key in ("After", "Wants"):
             for line, word in unit.naming(key, *SYSTEM_ONLY):

@@ -185,7 +185,9 @@ class Dependencies:
 
     def stops_rosdep(self, name: str) -> bool:
         """Whether rosdep installs nothing when a name cannot be resolved, in each command of the tree: one that goes on
-        may be the one for this workspace."""
+        may be the one for this workspace. Where the tree has no command, it is the one that people type."""
+        if not self._rosdep_commands:
+            return not self._provided.mentions_rosdep
         commands = [command for command in self._rosdep_commands if "--from-path" in command]
         return bool(commands) and not any(_GOES_ON.search(command) or name in command for command in commands)
 

@@ -81,6 +81,11 @@ class Provided:
         return name.lower() in self._packaged
 
     @cached_property
+    def mentions_rosdep(self) -> bool:
+        """Whether any file names rosdep, whose options are not known then."""
+        return any("rosdep" in text for text in self._texts)
+
+    @cached_property
     def rosdep_commands(self) -> list[str]:
         """The commands of the documentation at the top of the tree that install with rosdep."""
         tops = [f"{top}/" for top in self._tree.tops]

@@ -21,6 +21,7 @@ from bringup_lint.graph.udev.matched_devices import subsystem_of_name
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.systemd_values import escape_path
 from bringup_lint.pattern import regex
+from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.spelling import nearest
 
@@ -34,6 +35,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.udev.udev import Udev
 
 _BY_DISCOVERY = regex(r"/dev/(?:ttyUSB\d+|ttyACM\d+|video\d)")
+_LOOP = regex(r"^\s*for\s+\w+\s+in\s")
 _CAMERA = "/dev/video"
 _OF_THE_ROBOT = ("systemd-unit", "compose", "params", "udev-rules")
 _OF_KERNEL = frozenset(
@@ -130,6 +132,26 @@ class Devices:
         for use in self.uses:
             if _BY_DISCOVERY.fullmatch(use.path):
                 yield use, [link for link in self.udev().stable_names(use.path) if self._is_near(link, use)]
+
+    def beside(self, use: DeviceUse) -> Located | None:
+        """A serial device of the same kind beside one that a path means: of another number, or where a script looks
+        through all of them."""
+        family = use.path.rstrip("0123456789")
+        if family == use.path or family.startswith(_CAMERA):
+            return None
+        for other in self.uses:
+            numbered = other.path != use.path and other.path.rstrip("0123456789") == family
+            if numbered and not self.is_default(other) and self.files.purpose(other.path) is Purpose.ROBOT:
+                return other.path
+        return next(self._looked_through(family), None)
+
+    def _looked_through(self, family: str) -> Iterator[Located]:
+        loop = f"{family}*"
+        for source in self.files.of_kind("shell-script"):
+            at = source.text.find(loop)
+            if at >= 0 and _LOOP.search(source.line_text(source.located(at, at).span.line)):
+                if source.judged and self.files.purpose(source) is Purpose.ROBOT:
+                    yield source.located(at, at + len(loop))
 
     def is_default(self, use: DeviceUse) -> bool:
         """Whether a path is only what the launch file of a driver starts with, for whoever uses it to replace."""
