@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import os
 import re
+from collections import Counter
 from collections.abc import Iterable
 from itertools import pairwise
 from pathlib import Path
@@ -26,6 +27,8 @@ from bringup_lint.writing import correct
 
 TOUCHES = "another fix changes the same place"
 NOT_VALID = "the file would not be valid"
+MOST_HELD_BACK = 8
+"""So many fixes that break a file are left out one by one; where there are more, the file is left as it is."""
 _LONE_CR = regex(r"\r(?!\n)")
 
 
@@ -50,8 +53,7 @@ class Proposal:
     texts: dict[str, bytes] = field(default_factory=dict)
     """What they would hold, by absolute path."""
 
-    def apply(self, findings: Iterable[Finding], *, unsafe: bool = False) -> Fixed:
-        plan = planned(findings, unsafe=unsafe)
+    def apply(self, plan: Plan) -> Fixed:
         for change in plan.changes.values():
             self.before.setdefault(change.source.name, change.source)
             self._hold(change.source, change.new_text())
@@ -87,26 +89,84 @@ class Fixed(NamedTuple):
 
 
 def planned(findings: Iterable[Finding], *, unsafe: bool = False) -> Plan:
-    """Take up what can be applied together, and leave alone the files that could not be read afterwards."""
+    """Take up what can be applied together, but for fixes after which a file could not be read."""
+    guard = _Guard()
     found = [each for finding in findings for each in (finding, *finding.copies)]
-    broken: set[str] = set()
     while True:
-        plan = _plan(found, unsafe, broken)
-        more = {name for name, change in plan.changes.items() if not _stays_well_formed(change)}
-        if not more:
+        plan = _plan(found, unsafe, guard)
+        broken = [change for change in plan.changes.values() if not guard.stays_well_formed(change)]
+        if not broken:
             return plan
-        broken |= more
+        for change in broken:
+            guard.hold_back(change, plan)
 
 
-def _plan(findings: Iterable[Finding], unsafe: bool, broken: set[str]) -> Plan:
-    """What can be applied together, outside of the files that it would break."""
+@dataclass
+class _Guard:
+    """What is held back because a file could not be read afterwards."""
+
+    fixes: set[int] = field(default_factory=set)
+    """The findings whose fix breaks a file, by identity."""
+    files: set[str] = field(default_factory=set)
+    """The files with too many of them."""
+    tried: Counter[str] = field(default_factory=Counter)
+    known: dict[str, tuple[str, bool]] = field(default_factory=dict)
+    """File -> the last text that was asked for, and whether it can be read."""
+
+    def objection(self, finding: Finding, fix: Fix) -> str:
+        is_held = id(finding) in self.fixes or not self.files.isdisjoint(_files_of(fix))
+        return NOT_VALID if is_held else ""
+
+    def stays_well_formed(self, change: Changes) -> bool:
+        """Whether a file that could be read before its changes can be read after them."""
+        text, name = change.new_text(), change.source.name
+        if self.known.get(name, ("",))[0] != text:
+            self.known[name] = (text, _is_readable(change.source, text) or not _is_readable(change.source))
+        return self.known[name][1]
+
+    def hold_back(self, change: Changes, plan: Plan) -> None:
+        """Hold back the first fix that breaks a file; all of them in a file that many break."""
+        name = change.source.name
+        self.tried[name] += 1
+        if self.tried[name] > MOST_HELD_BACK:
+            self.files.add(name)
+        else:
+            self.fixes.add(id(_first_to_break(change, [each for each, names in plan.taken if name in names])))
+
+
+def _first_to_break(change: Changes, findings: list[Finding]) -> Finding:
+    """The finding with whose fix a file cannot be read any more, of findings in the order in which they are fixed."""
+    name, whole, broken = change.source.name, 0, len(findings)
+    while broken - whole > 1:
+        middle = (whole + broken) // 2
+        if _is_readable(change.source, rewritten(change.source.text, _edits_of(findings[:middle], name))):
+            whole = middle
+        else:
+            broken = middle
+    return findings[whole]
+
+
+def _edits_of(findings: Iterable[Finding], name: str) -> list[Edit]:
+    """The edits that findings have for a file."""
+    return [edit for finding in findings if finding.fix for edit in finding.fix.edits if edit.span.path == name]
+
+
+def _is_readable(source: Source, text: str | None = None) -> bool:
+    """Whether a file can be read, with a text in place of its own where one is given."""
+    from bringup_lint.parsers.well_formed import is_well_formed
+
+    return is_well_formed(source if text is None else replace(source, text=text))
+
+
+def _plan(findings: Iterable[Finding], unsafe: bool, guard: _Guard) -> Plan:
+    """What can be applied together, without what the guard holds back."""
     changes: dict[str, Changes] = {}
     taken, left = [], []
     for finding in findings:
         fix = finding.fix
         if fix is None or finding.suppression:
             continue
-        why = _obstacle(fix, unsafe) or _breaks(fix, broken) or _taken_up(fix, changes)
+        why = _obstacle(fix, unsafe) or guard.objection(finding, fix) or _taken_up(fix, changes)
         if why:
             left.append((finding, why))
         else:
@@ -114,21 +174,8 @@ def _plan(findings: Iterable[Finding], unsafe: bool, broken: set[str]) -> Plan:
     return Plan(changes, tuple(taken), tuple(left))
 
 
-def _breaks(fix: Fix, broken: set[str]) -> str:
-    return "" if broken.isdisjoint(_files_of(fix)) else NOT_VALID
-
-
-def _stays_well_formed(change: Changes) -> bool:
-    """Whether a file that could be read before its changes can be read after them."""
-    from bringup_lint.parsers.well_formed import is_well_formed
-
-    after = replace(change.source, text=change.new_text())
-    return is_well_formed(after) or not is_well_formed(change.source)
-
-
-def apply_fixes(findings: Iterable[Finding], *, unsafe: bool = False) -> Fixed:
-    """Apply what can be applied together. A file that cannot be written is left as it is."""
-    plan = planned(findings, unsafe=unsafe)
+def apply_fixes(plan: Plan) -> Fixed:
+    """Do what is planned. A file that cannot be written is left as it is."""
     failures = {name: failure for name, change in plan.changes.items() if (failure := _failure(change))}
     fixed = tuple(finding for finding, names in plan.taken if failures.keys().isdisjoint(names))
     written = tuple(change for name, change in plan.changes.items() if name not in failures)

@@ -20,12 +20,14 @@ if TYPE_CHECKING:
     from bringup_lint.graph.dds.cyclonedds_discovery import peers
     from bringup_lint.graph.dds.cyclonedds_discovery import size_of
     from bringup_lint.graph.dds.cyclonedds_names import accepted_by
+    from bringup_lint.graph.dds.cyclonedds_names import can_be_renamed
     from bringup_lint.graph.dds.cyclonedds_names import first_of
     from bringup_lint.graph.dds.cyclonedds_names import interfaces_instead
     from bringup_lint.graph.dds.cyclonedds_names import meant_item
     from bringup_lint.graph.dds.cyclonedds_names import place_of
     from bringup_lint.graph.dds.cyclonedds_names import renamed
     from bringup_lint.graph.dds.cyclonedds_names import taken_by
+    from bringup_lint.graph.dds.fastdds_names import can_become
     from bringup_lint.graph.dds.fastdds_names import first_named
     from bringup_lint.graph.dds.fastdds_names import initial_peers
     from bringup_lint.graph.dds.fastdds_names import is_beside
@@ -63,6 +65,8 @@ __all__ = [
     "Setting",
     "accepted_by",
     "bad_addresses",
+    "can_be_renamed",
+    "can_become",
     "contacts_itself",
     "domain_number",
     "finds_itself",

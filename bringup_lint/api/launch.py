@@ -84,6 +84,7 @@ if TYPE_CHECKING:
     from bringup_lint.model.launch_values import same
     from bringup_lint.model.launch_values import understood
     from bringup_lint.model.launch_values import walk
+    from bringup_lint.parsers.names_beside import names_beside
 else:
     __getattr__ = on_demand(globals())
 
@@ -142,6 +143,7 @@ __all__ = [
     "literal_text",
     "managers",
     "missing_entries",
+    "names_beside",
     "not_passed",
     "outside",
     "refused",
@@ -166,14 +168,18 @@ __all__ = [
 
 def refused(launch: Launch, code: str, otherwise: str) -> Iterator[Finding]:
     """What launch refuses for one of the codes of its grammar; ``otherwise`` advises where no known name is near."""
+    from bringup_lint.parsers.names_beside import is_free
+    from bringup_lint.parsers.names_beside import names_beside
+
     for file in launch.judged:
         for each in launch.refusals(file):
             if each.code == code:
                 near = each.near[0] if len(each.near) == 1 else ""
+                is_clear = near and is_free(near, each.word, names_beside(each.word))
                 yield finding(
                     each.where,
                     each.effect,
                     advice=f"write {near}" if near else otherwise,
                     confidence="medium" if each.extension else None,
-                    fix=fix(f"write {near}", (each.where, near), safe=False) if near else None,
+                    fix=fix(f"write {near}", (each.where, near), safe=False) if is_clear else None,
                 )

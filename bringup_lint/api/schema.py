@@ -38,14 +38,20 @@ def explained(problems: Iterable[Problem], texts: Mapping[str, tuple[str, str]])
 
 
 def unknown_name(
-    where: Located | Span, message: str, near: Sequence[str], otherwise: str, *, safe: bool = True
+    where: Located | Span,
+    message: str,
+    near: Sequence[str],
+    otherwise: str,
+    *,
+    safe: bool = True,
+    is_free: bool = True,
 ) -> Finding:
-    """A name that the program does not know: renamed where one known name is near."""
+    """A name that the program does not know: renamed where one known name is near, which nothing beside it has."""
     return finding(
         where,
         message,
         advice=f"did you mean {' or '.join(near)}?" if near else otherwise,
-        fix=fix(f"rename to {near[0]}", (where, near[0]), safe=safe) if len(near) == 1 else None,
+        fix=fix(f"rename to {near[0]}", (where, near[0]), safe=safe) if len(near) == 1 and is_free else None,
     )
 
 

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from bringup_lint.model.yaml_node import Scalar
     from bringup_lint.model.yaml_node import Sequence
     from bringup_lint.model.yaml_node import YamlCode
+    from bringup_lint.parsers.names_beside import is_free_key
 else:
     __getattr__ = on_demand(globals())
 
@@ -24,5 +25,6 @@ __all__ = [
     "Sequence",
     "YamlCode",
     "first_key",
+    "is_free_key",
     "last_key",
 ]

@@ -27,6 +27,7 @@ from bringup_lint.fix import Proposal
 from bringup_lint.fix import apply_fixes
 from bringup_lint.fix import planned
 from bringup_lint.fix import taken_back
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.plural import counted
 
@@ -47,58 +48,83 @@ ROUNDS = 20
 """Fixes that touch each other are applied one after the other; no more than so often."""
 
 
+class State(NamedTuple):
+    """What is there, and what could be done to it."""
+
+    robot: Robot
+    outcome: Outcome
+    plan: Plan
+
+    def to_do(self) -> Counter[str]:
+        """How many findings of each rule can be fixed, together or one after the other."""
+        found = [finding for finding, _ in self.plan.taken]
+        found += [finding for finding, why in self.plan.left if why == TOUCHES]
+        return Counter(finding.rule for finding in found)
+
+
 @dataclass
 class Rounds:
     """Rounds of fixes, until there is nothing to do. After each one there must be less to fix for each rule that was
     fixed, and no text may come back; else the round is taken back, and these rules are left alone."""
 
     checked: Checked
-    apply: Callable[..., Fixed] = apply_fixes
+    unsafe: bool
+    apply: Callable[[Plan], Fixed] = apply_fixes
     take_back: Callable[[Iterable[Changes]], tuple[NotWritten, ...]] = taken_back
     fixed: Counter[str] = field(default_factory=Counter)
     stubborn: set[str] = field(default_factory=set)
 
-    def run(self, robot: Robot, outcome: Outcome, unsafe: bool) -> tuple[Robot, Outcome, list[str]]:
+    def run(self, robot: Robot, outcome: Outcome) -> tuple[State, list[str]]:
         """What is there afterwards, and why files were not written."""
+        state = self.state_of(robot, outcome)
         unwritten: list[str] = []
+        not_taken_back: list[str] = []
         seen: set[tuple[str, str]] = set()
         for _ in range(ROUNDS):
-            before = _to_do(outcome, unsafe)
-            done = self.apply((each for each in outcome.findings if each.rule not in self.stubborn), unsafe=unsafe)
+            done = self.apply(self._allowed(state))
             unwritten = [str(failure) for failure in done.failures]
             if not done.findings:
                 break
-            robot, outcome = self.checked()
+            after = self.state_of(*self.checked())
             seen |= {(change.source.name, change.source.text) for change in done.written}
             returned = any((change.source.name, change.new_text()) in seen for change in done.written)
-            again = _not_less({finding.rule for finding in done.findings}, before, _to_do(outcome, unsafe), returned)
-            if again:
-                self.stubborn |= again
-                unwritten += map(str, self.take_back(done.written))
-                robot, outcome = self.checked()
-            else:
+            again = _not_less({finding.rule for finding in done.findings}, state, after, returned)
+            if not again:
                 self.fixed.update(finding.rule for finding in done.findings)
-        return robot, outcome, unwritten
+                state = after
+                continue
+            self.stubborn |= again
+            failures = self.take_back(done.written)
+            if failures:
+                not_taken_back += map(str, failures)
+                state = self.state_of(*self.checked())
+        return state, unwritten + not_taken_back
+
+    def state_of(self, robot: Robot, outcome: Outcome) -> State:
+        return State(robot, outcome, planned(outcome.findings, unsafe=self.unsafe))
+
+    def _allowed(self, state: State) -> Plan:
+        """What may be done: no fix of a rule that is left alone."""
+        if not self.stubborn:
+            return state.plan
+        allowed = (each for each in state.outcome.findings if each.rule not in self.stubborn)
+        return planned(allowed, unsafe=self.unsafe)
 
 
 def fix_files(robot: Robot, outcome: Outcome, checked: Checked, *, unsafe: bool) -> tuple[Robot, Outcome, list[str]]:
     """Apply fixes and say what was done. Returns what is there afterwards, and why files were not written."""
-    rounds = Rounds(checked)
-    robot, outcome, unwritten = rounds.run(robot, outcome, unsafe)
-    _tell(rounds.fixed, planned(outcome.findings, unsafe=unsafe), rounds.stubborn)
-    return robot, outcome, unwritten
+    rounds = Rounds(checked, unsafe)
+    state, unwritten = rounds.run(robot, outcome)
+    _tell(rounds.fixed, state.plan, rounds.stubborn)
+    return state.robot, state.outcome, unwritten
 
 
-def _not_less(rules: set[str], before: Counter[str], after: Counter[str], returned: bool) -> set[str]:
+def _not_less(rules: set[str], before: State, after: State, returned: bool) -> set[str]:
     """The rules of which as much is left to fix as before a round."""
-    return rules if returned else {rule for rule in rules if after[rule] >= before[rule]}
-
-
-def _to_do(outcome: Outcome, unsafe: bool) -> Counter[str]:
-    """How many findings of each rule can be fixed, together or one after the other."""
-    plan = planned(outcome.findings, unsafe=unsafe)
-    found = [finding for finding, _ in plan.taken] + [finding for finding, why in plan.left if why == TOUCHES]
-    return Counter(finding.rule for finding in found)
+    if returned:
+        return rules
+    old, new = before.to_do(), after.to_do()
+    return {rule for rule in rules if new[rule] >= old[rule]}
 
 
 def _tell(fixed: Counter[str], plan: Plan, stubborn: Iterable[str] = (), done: str = "Fixed") -> None:
@@ -126,9 +152,10 @@ def show_diff(robot: Robot, outcome: Outcome, checked: Checked, *, unsafe: bool)
         with proposed(proposal.texts):
             return checked()
 
-    rounds = Rounds(proposed_check, proposal.apply, proposal.take_back)
-    _, last, _ = rounds.run(robot, outcome, unsafe)
-    _tell(rounds.fixed, planned(last.findings, unsafe=unsafe), rounds.stubborn, done="Would fix")
+    rounds = Rounds(proposed_check, unsafe, proposal.apply, proposal.take_back)
+    state, _ = rounds.run(robot, outcome)
+    last = state.outcome
+    _tell(rounds.fixed, state.plan, rounds.stubborn, done="Would fix")
     diffs = [_quiet_diff(source, proposal, (*outcome.findings, *last.findings)) for source in _in_order(proposal)]
     text = "".join(diffs)
     click.echo(plain(text) if sys.stdout.isatty() else text, nl=False)
@@ -196,23 +223,21 @@ def print_fixed(robot: Robot, outcome: Outcome, checked: Checked, options: dict[
     """Fix standard input and print it; 1 when findings are left."""
     fixed: Counter[str] = Counter()
     seen: set[bytes] = set()
-    source = robot.sources[0]
+    rounds = Rounds(checked, unsafe)
+    state = rounds.state_of(robot, outcome)
     for _ in range(ROUNDS):
-        plan = planned(outcome.findings, unsafe=unsafe)
-        change = plan.changes.get(source.name)
+        change = state.plan.changes.get(state.robot.sources[0].name)
         if change is None:
             break
-        to_do = _to_do(outcome, unsafe)
         seen.add(options["stdin_data"])
-        before, options["stdin_data"] = options["stdin_data"], change.new_text().encode()
-        robot, outcome = checked()
-        rules = {finding.rule for finding, _ in plan.taken}
-        if _not_less(rules, to_do, _to_do(outcome, unsafe), options["stdin_data"] in seen):
-            options["stdin_data"] = before
-            robot, outcome = checked()
+        options["stdin_data"] = change.new_text().encode()
+        after = rounds.state_of(*checked())
+        rules = {finding.rule for finding, _ in state.plan.taken}
+        if _not_less(rules, state, after, options["stdin_data"] in seen):
             break
-        source = robot.sources[0]
-        fixed.update(finding.rule for finding, _ in plan.taken)
-    click.echo(source.text, nl=False)
-    _tell(fixed, planned(outcome.findings, unsafe=unsafe))
+        fixed.update(finding.rule for finding, _ in state.plan.taken)
+        state = after
+    outcome = state.outcome
+    click.echo(state.robot.sources[0].text, nl=False)
+    _tell(fixed, state.plan)
     return 3 if outcome.failures else int(any(not found.suppression for found in outcome.findings))

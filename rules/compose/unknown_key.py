@@ -41,6 +41,7 @@ from bringup_lint.api.schema import Code
 from bringup_lint.api.schema import Remark
 from bringup_lint.api.schema import unknown_name
 from bringup_lint.api.spelling import nearest
+from bringup_lint.api.yaml import is_free_key
 
 OLD = {
     "net": "write network_mode",
@@ -67,7 +68,8 @@ def unknown_key(robot: Robot) -> Iterator[Finding]:
         known = [name for name in inside.children if name not in ("*", "x-*")] if inside else []
         near = [] if key in OLD else nearest(key, known)
         message = f"Unknown key '{key}' {_place(remark)}: docker compose refuses the file"
-        yield unknown_name(remark.where, message, near, _otherwise(key))
+        is_free = bool(near) and is_free_key(near[0], remark.word, known)
+        yield unknown_name(remark.where, message, near, _otherwise(key), is_free=is_free)
 
 
 def _place(remark: Remark) -> str:

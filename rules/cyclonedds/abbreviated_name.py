@@ -29,10 +29,12 @@ Inline, if the robot stays on one version of the library. In a file never.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Fix
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.dds import can_be_renamed
 from bringup_lint.api.dds import renamed
 from bringup_lint.api.schema import Code
 from bringup_lint.api.schema import Remark
@@ -40,7 +42,7 @@ from bringup_lint.api.schema import Remark
 
 @rule("error", fix="safe", symptoms=["unknown element", "unknown attribute", "ambiguous"])
 def abbreviated_name(robot: Robot) -> Iterator[Finding]:
-    for _, remark in robot.dds.remarks(Code.ABBREVIATED):
+    for configuration, remark in robot.dds.remarks(Code.ABBREVIATED):
         if remark.fatal:
             message = f"'{remark.word}' is not a full name, and a file must not shorten names: no node starts"
         else:
@@ -50,13 +52,9 @@ def abbreviated_name(robot: Robot) -> Iterator[Finding]:
             message,
             advice=f"write {remark.detail}",
             severity=None if remark.fatal else "info",
-            fix=None if _is_given(remark) else fix(f"write {remark.detail}", *renamed(remark.word, remark.detail)),
+            fix=_written_out(remark) if can_be_renamed(configuration, remark.word, remark.known) else None,
         )
 
 
-def _is_given(remark: Remark) -> bool:
-    """Whether the tag has an attribute of the full name already: XML does not allow it twice."""
-    span = remark.word.span
-    text = span.source.text
-    tag = text[text.rfind("<", 0, span.start) : text.find(">", span.end)]
-    return f" {remark.detail}=" in tag
+def _written_out(remark: Remark) -> Fix:
+    return fix(f"write {remark.detail}", *renamed(remark.word, remark.detail))

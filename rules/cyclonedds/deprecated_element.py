@@ -38,6 +38,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.dds import can_be_renamed
 from bringup_lint.api.dds import interfaces_instead
 from bringup_lint.api.dds import renamed
 from bringup_lint.api.schema import Code
@@ -60,7 +61,8 @@ def deprecated_element(robot: Robot) -> Iterator[Finding]:
             )
         elif remark.code == Code.ALIAS:
             message, advice = f"{remark.word} is the old name of {remark.detail}", f"write {remark.detail}"
-            change = fix(f"rename to {remark.detail}", *renamed(remark.word, remark.detail))
+            if can_be_renamed(configuration, remark.word, remark.known):
+                change = fix(f"rename to {remark.detail}", *renamed(remark.word, remark.detail))
         else:
             message, advice = (
                 f"{remark.word} is deprecated in {library}",

@@ -32,6 +32,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
 from bringup_lint.api.dds import accepted_by
+from bringup_lint.api.dds import can_be_renamed
 from bringup_lint.api.dds import meant_item
 from bringup_lint.api.schema import Code
 
@@ -43,9 +44,10 @@ def unknown_attribute(robot: Robot) -> Iterator[Finding]:
             continue
         meant = meant_item(configuration, remark)
         library = robot.dds.cyclonedds
+        is_clear = meant is not None and can_be_renamed(configuration, remark.word, meant)
         yield finding(
             remark.where,
             f"{library} does not know the attribute '{remark.where}': no participant can be created, no node starts",
             advice=f"write {meant.name}" if meant else "delete the attribute",
-            fix=fix(f"rename to {meant.name}", (remark.where, meant.name), safe=False) if meant else None,
+            fix=fix(f"rename to {meant.name}", (remark.where, meant.name), safe=False) if meant and is_clear else None,
         )

@@ -40,6 +40,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
 from bringup_lint.api.dds import accepted_by
+from bringup_lint.api.dds import can_be_renamed
 from bringup_lint.api.dds import meant_item
 from bringup_lint.api.dds import place_of
 from bringup_lint.api.dds import renamed
@@ -64,5 +65,7 @@ def unknown_element(robot: Robot) -> Iterator[Finding]:
             advice = f"write {meant.name}"
         elif place:
             advice = f"move it into {place}"
-        change = fix(f"rename to {meant.name}", *renamed(remark.word, meant.name), safe=False) if meant else None
+        change = None
+        if meant is not None and can_be_renamed(configuration, remark.word, meant):
+            change = fix(f"rename to {meant.name}", *renamed(remark.word, meant.name), safe=False)
         yield finding(remark.word, message, advice=advice, fix=change)

@@ -40,6 +40,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.dds import can_become
 from bringup_lint.api.dds import is_beside
 from bringup_lint.api.dds import meant_name
 from bringup_lint.api.dds import places_of
@@ -68,10 +69,10 @@ def unknown_element(robot: Robot) -> Iterator[Finding]:
             severity = None if library.known else "info"
             advice = f"use an element that {library.version} supports, or set target-ros"
         elif near:
-            advice = f"move what it holds into {near}" if is_beside(name, near) else f"write {near}"
+            advice = f"move what it holds into {near}" if is_beside(profiles, name, near) else f"write {near}"
         elif places:
             advice = f"move it into {places[0]}"
         change = None
-        if near and not others and not is_beside(name, near):
+        if near and not others and can_become(profiles, remark, near):
             change = fix(f"rename to {near}", *renamed(name, near))
         yield finding(name, message, advice=advice, severity=severity, fix=change)

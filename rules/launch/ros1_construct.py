@@ -34,6 +34,7 @@ from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.launch import LaunchFile
+from bringup_lint.api.launch import names_beside
 
 INSTEAD = {"type": "exec", "arg": "var", "find": "find-pkg-share", "ns": "namespace"}
 WORDS = {
@@ -88,11 +89,7 @@ def is_for_both(robot: Robot, file: LaunchFile) -> bool:
 
 def _is_replaceable(name: Located) -> bool:
     """Whether there is one name to write, and the tag does not have an attribute of that name already."""
-    if name not in INSTEAD or name.span.text != name:
-        return False
-    text = name.span.source.text
-    tag = text[text.rfind("<", 0, name.span.start) : text.find(">", name.span.end)]
-    return f" {INSTEAD[name]}=" not in tag
+    return name in INSTEAD and name.span.text == name and INSTEAD[name] not in names_beside(name)
 
 
 def instead(name: str) -> str:

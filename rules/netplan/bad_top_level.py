@@ -35,6 +35,7 @@ from bringup_lint.api import fix
 from bringup_lint.api import rule
 from bringup_lint.api.schema import Code
 from bringup_lint.api.spelling import nearest
+from bringup_lint.api.yaml import is_free_key
 
 
 @rule("error", fix="unsafe", symptoms=["Error in network definition: unknown key"])
@@ -43,6 +44,7 @@ def bad_top_level(robot: Robot) -> Iterator[Finding]:
         key = problem.word
         if problem.known.name != "{root}":
             continue
-        change = fix("rename to network", (key, "network")) if nearest(key, ["network"]) else None
+        is_clear = bool(nearest(key, ["network"])) and is_free_key("network", key)
+        change = fix("rename to network", (key, "network")) if is_clear else None
         advice = "rename it to network" if change else "only network: is allowed at the top level"
         yield finding(key, f"Unknown top-level key '{key}': netplan generates nothing", advice=advice, fix=change)

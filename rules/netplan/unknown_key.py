@@ -43,6 +43,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.netplan import home_of
 from bringup_lint.api.schema import Code
 from bringup_lint.api.spelling import nearest
+from bringup_lint.api.yaml import is_free_key
 
 FOREIGN = {
     "ssid": "write the SSID as the key itself, below access-points",
@@ -63,6 +64,7 @@ def unknown_key(robot: Robot) -> Iterator[Finding]:
         if table == "root":
             continue
         near = [] if key in FOREIGN else nearest(key, problem.known.children)
+        is_clear = bool(near) and is_free_key(near[0], key, problem.known.children)
         elsewhere = None if near else home_of(str(key))
         if near:
             advice = f"did you mean {' or '.join(near)}?"
@@ -74,5 +76,5 @@ def unknown_key(robot: Robot) -> Iterator[Finding]:
             key,
             f"Unknown key '{key}' in {table}: netplan generates nothing",
             advice=advice,
-            fix=fix(f"rename to {near[0]}", (key, near[0])) if near else None,
+            fix=fix(f"rename to {near[0]}", (key, near[0])) if is_clear else None,
         )

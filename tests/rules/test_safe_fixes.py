@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import pytest
@@ -87,6 +88,49 @@ LEFT = {
 }
 
 
+RENAMED = {
+    "compose/unknown-key": (
+        "compose.yaml",
+        "services:\n  driver:\n    image: robot/driver:1.2\n    priviledged: true\n    privileged: false\n",
+    ),
+    "cyclonedds/deprecated-element": (
+        "cyclonedds.xml",
+        '<CycloneDDS><Domain id="any"><Internal><Watermarks><WhcAdaptative>true</WhcAdaptative>'
+        "<WhcAdaptive>true</WhcAdaptive></Watermarks></Internal></Domain></CycloneDDS>\n",
+    ),
+    "cyclonedds/unknown-attribute": (
+        "cyclonedds.xml",
+        '<CycloneDDS><Domain id="any"><General><Interfaces><NetworkInterface nme="eth0" name="eth1"/></Interfaces>'
+        "</General></Domain></CycloneDDS>\n",
+    ),
+    "cyclonedds/unknown-element": (
+        "cyclonedds.xml",
+        '<CycloneDDS><Domain id="any"><General><AllowMulticst>false</AllowMulticst>'
+        "<allowmulticast>true</allowmulticast></General></Domain></CycloneDDS>\n",
+    ),
+    "fastdds/unknown-element": (
+        "fastdds.xml",
+        '<dds xmlns="http://www.eprosima.com"><profiles><participant profile_name="a"><rtps>'
+        "<useBuiltinTransport>true</useBuiltinTransport><useBuiltinTransprts>true</useBuiltinTransprts>"
+        "</rtps></participant></profiles></dds>\n",
+    ),
+    "launch/unknown-attribute": (
+        "a.launch.xml",
+        '<launch>\n  <node pkg="p" exec="e"\n    outpt="log" output="screen"/>\n</launch>\n',
+    ),
+    "launch/ros1-construct": (
+        "b.launch.xml",
+        '<launch>\n  <node pkg="p" type="n"\nexec="n" name="q"/>\n</launch>\n',
+    ),
+    "netplan/bad-top-level": ("etc/netplan/01.yaml", NETPLAN + "netwrok:\n  version: 2\n"),
+    "netplan/unknown-key": (
+        "etc/netplan/01.yaml",
+        NETPLAN + "      adresses: [10.0.0.3/24]\n    eth1:\n      dhpc4: true\n      dchp4: false\n",
+    ),
+}
+"""Names that would be there twice if they had the right one."""
+
+
 @pytest.mark.parametrize("rule", LEFT)
 def test_a_safe_fix_leaves_it_alone(rule: str, tmp_path: Path) -> None:
     name, text = LEFT[rule]
@@ -97,3 +141,15 @@ def test_a_safe_fix_leaves_it_alone(rule: str, tmp_path: Path) -> None:
     assert f"[{rule}]" in lint(*options, cwd=tmp_path).stdout
     lint("--fix", *options, cwd=tmp_path)
     assert path.read_text() == text
+
+
+@pytest.mark.parametrize("rule", RENAMED)
+def test_nothing_gets_a_name_that_is_there_already(rule: str, tmp_path: Path) -> None:
+    name, text = RENAMED[rule]
+    path = tmp_path / name
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(text)
+    options = ("--select", rule, "--output-format", "json", "--min-severity", "info", ".")
+    found = json.loads(lint(*options, cwd=tmp_path).stdout)["findings"]
+    assert {each["rule"] for each in found} == {rule}
+    assert [each["fix"] for each in found] == [None] * len(found)

@@ -4,6 +4,7 @@ spelling."""
 from __future__ import annotations
 
 import re
+from collections import Counter
 from functools import lru_cache
 
 from bringup_lint.finding import Edit
@@ -13,10 +14,14 @@ from bringup_lint.model.cyclonedds import Configuration
 from bringup_lint.model.schema import Code
 from bringup_lint.model.schema import Item
 from bringup_lint.model.schema import Remark
+from bringup_lint.parsers.cyclonedds_schema import repeats
 from bringup_lint.parsers.cyclonedds_schema import schema
 from bringup_lint.parsers.cyclonedds_values import THREADS
 from bringup_lint.parsers.cyclonedds_values import fault_of
 from bringup_lint.parsers.cyclonedds_values import words
+from bringup_lint.parsers.names_beside import attributes_beside
+from bringup_lint.parsers.names_beside import elements_beside
+from bringup_lint.parsers.names_beside import is_free
 from bringup_lint.parsers.xml import parse
 from bringup_lint.source import Located
 from bringup_lint.source import Source
@@ -49,6 +54,18 @@ def meant_item(configuration: Configuration, remark: Remark) -> Item | None:
         items = {name: item for name, item in items.items() if not item.moved_to}
     found = nearest(remark.detail, items)
     return items[found[0]] if len(found) == 1 else None
+
+
+def can_be_renamed(configuration: Configuration, name: Located, meant: Item) -> bool:
+    """Whether what a name means is given once when it has the right name, or may be given several times."""
+    if repeats(meant):
+        return True
+    names = attributes_beside(name) if meant.is_attribute else elements_beside(configuration.document, name)
+    lowered = Counter(each.lower() for each in names.elements())
+    parent = schema(configuration.version).items.get(meant.path.rpartition("@" if meant.is_attribute else "/")[0])
+    known = {each.lower() for each in (parent.attributes if meant.is_attribute else parent.children)} if parent else ()
+    words = {meant.name.lower(), *(each.lower() for each in meant.aliases)} - {name.lower()}
+    return all(is_free(each, name.lower(), lowered, known) for each in words)
 
 
 def place_of(configuration: Configuration, remark: Remark) -> str:

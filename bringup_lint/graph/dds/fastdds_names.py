@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterator
 
 from bringup_lint.addresses import Address
@@ -18,7 +19,9 @@ from bringup_lint.model.xml import Element
 from bringup_lint.parsers.fastdds import locators
 from bringup_lint.parsers.fastdds_schema import elsewhere
 from bringup_lint.parsers.fastdds_schema import schema
-from bringup_lint.parsers.xml import parse
+from bringup_lint.parsers.names_beside import attributes_beside
+from bringup_lint.parsers.names_beside import elements_beside
+from bringup_lint.parsers.names_beside import is_free
 from bringup_lint.pattern import regex
 from bringup_lint.schema.names import find
 from bringup_lint.schema.names import suggestions
@@ -43,11 +46,20 @@ def meant_name(profiles: Profiles, remark: Remark) -> str | None:
     return found[0] if len(found) == 1 else None
 
 
-def is_beside(unknown: Located, name: str) -> bool:
-    """Whether an element of a name is beside the one whose name is unknown."""
-    element = next((each for each in parse(unknown.span.source).elements if each.name.span == unknown.span), None)
-    parent = element.parent if element else None
-    return parent is not None and any(each.local == name for each in parent.children)
+def is_beside(profiles: Profiles, unknown: Located, name: str) -> bool:
+    """Whether an element or attribute of a name is beside the one whose name is unknown."""
+    return name in _names_beside(profiles, unknown)
+
+
+def can_become(profiles: Profiles, remark: Remark, name: str) -> bool:
+    """Whether an unknown element or attribute that gets a name is the only one of that name."""
+    item = shape(remark.path, profiles.version)
+    known = {*item.children, *item.attributes} if item else ()
+    return is_free(name, remark.word.rpartition(":")[2], _names_beside(profiles, remark.word), known)
+
+
+def _names_beside(profiles: Profiles, unknown: Located) -> Counter[str]:
+    return elements_beside(profiles.document, unknown) or attributes_beside(unknown)
 
 
 def versions_with(profiles: Profiles, remark: Remark) -> list[str]:

@@ -45,6 +45,11 @@ class Refusal(NamedTuple):
     """An extension of launch could define the name."""
 
     @property
+    def word(self) -> Located:
+        """The place with its text."""
+        return self.where if isinstance(self.where, Located) else Located(self.where.text, self.where)
+
+    @property
     def effect(self) -> str:
         """What is wrong and what follows, as a sentence."""
         return f"{self.message[:1].upper()}{self.message[1:]}: launch refuses the file"
