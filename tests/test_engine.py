@@ -5,10 +5,14 @@ from __future__ import annotations
 import json
 import textwrap
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from bringup_lint import budget
+from bringup_lint.discover.held import Held
+from bringup_lint.engine import Outcome
+from bringup_lint.engine import run
 from bringup_lint.model.unit import UnitFile
 from bringup_lint.source import Source
 from tests.lint import lint
@@ -252,6 +256,38 @@ def test_a_fix_after_which_as_much_is_left_is_taken_back(tree: Path, written: st
     assert "Not fixed: site/no-legacy (as much would be left to fix afterwards)" in run.stderr
     assert "Fixed" not in run.stderr and "Would fix" not in run.stderr
     assert "+" not in run.stdout
+
+
+@pytest.mark.parametrize("option", ["--fix", "--diff"])
+@pytest.mark.parametrize("written", ["modern", "legacy"])
+def test_a_round_costs_one_run(tree: Path, monkeypatch: pytest.MonkeyPatch, option: str, written: str) -> None:
+    runs: list[object] = []
+
+    def counting(*arguments: Any, **named: Any) -> Outcome:
+        runs.append(arguments)
+        return run(*arguments, **named)
+
+    monkeypatch.setattr("bringup_lint.engine.run", counting)
+    own_rule(tree, REPORT.replace("modern", written))
+    run_own(tree, option)
+    assert len(runs) == 2
+
+
+@pytest.mark.parametrize("option", ["--fix", "--diff"])
+def test_models_of_files_that_no_fix_changes_are_kept(tree: Path, monkeypatch: pytest.MonkeyPatch, option: str) -> None:
+    again: list[str] = []
+    shared = Held.shared
+
+    def noting(held: Held, source: Source) -> Source:
+        found = shared(held, source)
+        again.extend([source.basename] if found is not source else [])
+        return found
+
+    monkeypatch.setattr(Held, "shared", noting)
+    (tree / "robot.service").write_text("[Service]\nExecStart=/bin/x\nStartLimitInterval=9\n")
+    (tree / "other.service").write_text("[Service]\nExecStart=/bin/x\n")
+    lint(option, "--select", "systemd/legacy-key", cwd=tree)
+    assert again == ["other.service"]
 
 
 def test_suppressed_findings_are_not_fixed(tree: Path) -> None:

@@ -28,6 +28,7 @@ from bringup_lint.discover.disk import recorded
 
 if TYPE_CHECKING:
     from bringup_lint.cache.answers import Question
+    from bringup_lint.discover.held import Held
     from bringup_lint.engine import Outcome
     from bringup_lint.report import Report
     from bringup_lint.robot import Robot
@@ -93,9 +94,11 @@ def _check(outputs: list[Output], paths: tuple[str, ...], options: dict[str, Any
 
         return _shown(show(asked, read_robot(paths, config, options), config, options))
 
+    held = _held_between_rounds(options)
+
     def checked() -> tuple[Robot, Outcome]:
         with progress(wanted=not options["quiet"]) as state:
-            robot = read_robot(paths, config, options)
+            robot = read_robot(paths, config, options, held)
             ignores = not options["no_ignores"]
             return robot, limit(run(robot, registry, config, ignores=ignores, between=state.rule))
 
@@ -327,7 +330,14 @@ def _folders(paths: Iterable[str], root: str | None) -> list[str]:
     return [f"{place.rstrip('/')}/" for place in places if disk.isdir(place)]
 
 
-def read_robot(paths: tuple[str, ...], config: Config, options: dict[str, Any]) -> Robot:
+def _held_between_rounds(options: dict[str, Any]) -> Held | None:
+    """What keeps the models of files that no fix changes from one round to the next."""
+    from bringup_lint.discover.held import Held
+
+    return Held() if options["fix"] or options["diff"] else None
+
+
+def read_robot(paths: tuple[str, ...], config: Config, options: dict[str, Any], held: Held | None = None) -> Robot:
     """Read the paths, or standard input, into a robot."""
     from bringup_lint.discover.exclude import exclusion
     from bringup_lint.discover.exclude import noting
@@ -349,7 +359,7 @@ def read_robot(paths: tuple[str, ...], config: Config, options: dict[str, Any]) 
             excluded = noting(excluded, met)
         if options.get("tracked"):
             excluded = _untracked_too(excluded)
-        tree = discover(paths, root=options["root"], deploy=deploy, excluded=excluded)
+        tree = discover(paths, root=options["root"], deploy=deploy, excluded=excluded, held=held)
         tree.excluded = met
     now = options.get("now")
     purposes = {display_name(str(config.folder / path)): name for path, name in config.purpose.items()}
