@@ -300,3 +300,8 @@ def test_collected_lines() -> None:
     for each in wrong:
         print(*each, sep="\n    ")
     assert len(wrong) <= len(lines) * 0.05
+
+
+def test_two_words_of_another_program_are_no_match() -> None:
+    """logrotate says of a file that it ignores it because of a pattern match."""
+    assert answer("[WARNING]: Could not match supplied host pattern, ignoring: robots") == Answer()

@@ -47,6 +47,7 @@ from bringup_lint.api.udev import Link
         "Timed out waiting for device",
         "could not open port /dev/*: [Errno 2] No such file or directory",
         "No such file or directory: '/dev/",
+        "Serial port not found. | device: /dev/*, error 2, waiting for connection",
     ],
 )
 def link_undefined(robot: Robot) -> Iterator[Finding]:

@@ -54,12 +54,14 @@ _RANK = ("literal", "unit", "host", "default", "script", "argument")
     "warning",
     symptoms=[
         "could not open port /dev/tty*: [Errno 2] No such file or directory",
+        "Serial port not found. | device: /dev/tty*, error 2, waiting for connection",
         "could not open port /dev/tty",
         "Could not open device /dev/tty",
         "cannot bind to the specified [serial port:/dev/tty",
         "cannot bind to the specified serial port /dev/",
-        "Serial port not found. | device: /dev/tty",
         "IO Exception (2): No such file or directory",
+        "open device error | device: /dev/tty*, errno: 2",
+        "Serial port not found. | device: /dev/tty",
     ],
 )
 def unstable_path(robot: Robot) -> Iterator[Finding]:

@@ -32,7 +32,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
-@rule("warning", symptoms=["pattern match"])
+@rule("warning", symptoms=["Ignoring *, because of * pattern match"])
 def filename_ignored(robot: Robot) -> Iterator[Finding]:
     names = {source.name for source in robot.of_kind("logrotate")}
     for source in robot.of_kind("logrotate-misnamed"):

@@ -45,7 +45,7 @@ from bringup_lint.api import rule
     fix="unsafe",
     symptoms=[
         "start operation timed out. Terminating",
-        "Can't open PID file * (yet?) after start: No such file or directory",
+        "Can't open PID file * (yet?) after start",
     ],
 )
 def forking_with_ros(robot: Robot) -> Iterator[Finding]:

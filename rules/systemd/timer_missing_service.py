@@ -38,7 +38,7 @@ from bringup_lint.api import rule
 from bringup_lint.api import systemd
 
 
-@rule("error", symptoms=["to trigger not loaded", "Refusing to start"])
+@rule("error", symptoms=["Refusing to start, unit * to trigger not loaded"])
 def timer_missing_service(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.judged:
         if unit.type != "timer" or unit.fragment is None or unit.is_template or unit.uncertain:
