@@ -86,7 +86,7 @@ ASKED = {
         "package '*' not found, searching",
         "No module named",
         "Could not find a package configuration file provided by",
-        "By not providing Find*.cmake in CMAKE_MODULE_PATH this project has asked CMake to find a package configuration",
+        "By not providing Find*.cmake in CMAKE_MODULE_PATH this project has asked CMake to find a package",
     ],
 )
 def undeclared_dependency(robot: Robot) -> Iterator[Finding]:
