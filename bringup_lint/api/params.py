@@ -12,10 +12,14 @@ if TYPE_CHECKING:
     from bringup_lint.graph.params.declared import Declared
     from bringup_lint.graph.params.matching import unreached
     from bringup_lint.graph.params.matching import unused
+    from bringup_lint.graph.params.navigation import NavigationProblem
+    from bringup_lint.graph.params.navigation import navigation_problems
+    from bringup_lint.graph.params.public import Unknown
     from bringup_lint.graph.params.qos_overrides import OverrideProblem
     from bringup_lint.graph.params.qos_overrides import QosOverride
     from bringup_lint.graph.params.qos_overrides import qos_overrides
     from bringup_lint.graph.params.time import simulated
+    from bringup_lint.graph.params.values import Item
     from bringup_lint.graph.plugins.joints import UnknownJoint
     from bringup_lint.graph.plugins.refused import Refused
     from bringup_lint.graph.plugins.unknown import UnknownPlugin
@@ -33,15 +37,19 @@ __all__ = [
     "QOS_WORDS",
     "Block",
     "Declared",
+    "Item",
+    "NavigationProblem",
     "OverrideProblem",
     "Parameter",
     "ParameterFile",
     "QosOverride",
     "Refused",
     "Undeclared",
+    "Unknown",
     "UnknownJoint",
     "UnknownPlugin",
     "UntypedPlugin",
+    "navigation_problems",
     "qos_overrides",
     "simulated",
     "undeclared",

@@ -2,7 +2,9 @@
 
 ## What it finds
 Doubles in a parameter file for parameters that the sources of the workspace declare as an integer, with a literal
-name and type. Silent where the node allows any type, or declares the name with several types.
+name and type. The same for nodes of Navigation2 with its own plugins, slam_toolbox, robot_localization, twist_mux,
+teleop_twist_joy, joy, usb_cam and sllidar_ros2, which a launch file gives the file or a block of it names. Silent
+where the node allows any type, or declares the name with several types.
 
 ## Why it matters on a robot
 ROS does not convert the value: the node exits with InvalidParameterTypeException at start.
@@ -31,12 +33,15 @@ When the declaration that the linter found belongs to another node than the one 
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Related
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.params import Item
+from bringup_lint.api.params import Parameter
 
 _WHOLE = regex(r"([+-]?(?:0|[1-9][0-9]*))\.0*\Z")
 
@@ -54,13 +59,20 @@ _WHOLE = regex(r"([+-]?(?:0|[1-9][0-9]*))\.0*\Z")
 )
 def double_for_int(robot: Robot) -> Iterator[Finding]:
     for parameter, declared, items in robot.params.of_wrong_type("double", "integer"):
-        whole = [match[1] for item in items if (match := _WHOLE.match(item.text))]
-        plain = len(whole) == len(items)
-        yield finding(
-            parameter.span,
-            f"'{parameter.name}: {parameter.text}' is a double, but the node declares an integer: it exits with "
-            "InvalidParameterTypeException",
-            advice=f"write {whole[0]}" if plain else "write a whole number",
-            related=[note(declared.place, "declared as an integer here")],
-            fix=fix("write an integer", *((item.span, text) for item, text in zip(items, whole))) if plain else None,
-        )
+        related = [note(declared.place, "declared as an integer here")]
+        yield _finding(parameter, items, "the node", related)
+    for parameter, node, items in robot.params.of_wrong_public_type("double", "integer"):
+        yield _finding(parameter, items, node.package, [])
+
+
+def _finding(parameter: Parameter, items: list[Item], who: str, related: list[Related]) -> Finding:
+    whole = [match[1] for item in items if (match := _WHOLE.match(item.text))]
+    plain = len(whole) == len(items)
+    return finding(
+        parameter.span,
+        f"'{parameter.name}: {parameter.text}' is a double, but {who} declares an integer: it exits with "
+        "InvalidParameterTypeException",
+        advice=f"write {whole[0]}" if plain else "write a whole number",
+        related=related,
+        fix=fix("write an integer", *((item.span, text) for item, text in zip(items, whole))) if plain else None,
+    )

@@ -2,7 +2,9 @@
 
 ## What it finds
 Integers in a parameter file for parameters that the sources of the workspace declare as a double, with a literal
-name and type. Silent where the node allows any type, or declares the name with several types.
+name and type. The same for nodes of Navigation2 with its own plugins, slam_toolbox, robot_localization, twist_mux,
+teleop_twist_joy, joy, usb_cam, sllidar_ros2 and pointcloud_to_laserscan, which a launch file gives the file or a block
+of it names. Silent where the node allows any type, or declares the name with several types.
 
 ## Why it matters on a robot
 ROS does not convert the value: the node exits with InvalidParameterTypeException at start.
@@ -32,12 +34,15 @@ When the declaration that the linter found belongs to another node than the one 
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Related
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.params import Item
+from bringup_lint.api.params import Parameter
 
 _DECIMAL = regex(r"[+-]?(?:0|[1-9][0-9]*)\Z")
 
@@ -55,12 +60,19 @@ _DECIMAL = regex(r"[+-]?(?:0|[1-9][0-9]*)\Z")
 )
 def int_for_double(robot: Robot) -> Iterator[Finding]:
     for parameter, declared, items in robot.params.of_wrong_type("integer", "double"):
-        plain = all(_DECIMAL.match(item.text) for item in items)
-        yield finding(
-            parameter.span,
-            f"'{parameter.name}: {parameter.text}' is an integer, but the node declares a double: it exits with "
-            "InvalidParameterTypeException",
-            advice=f"write {items[0].text}.0" if plain else "write a number with a decimal point",
-            related=[note(declared.place, "declared as a double here")],
-            fix=fix("write a double", *((item.span, f"{item.text}.0") for item in items)) if plain else None,
-        )
+        related = [note(declared.place, "declared as a double here")]
+        yield _finding(parameter, items, "the node", related)
+    for parameter, node, items in robot.params.of_wrong_public_type("integer", "double"):
+        yield _finding(parameter, items, node.package, [])
+
+
+def _finding(parameter: Parameter, items: list[Item], who: str, related: list[Related]) -> Finding:
+    plain = all(_DECIMAL.match(item.text) for item in items)
+    return finding(
+        parameter.span,
+        f"'{parameter.name}: {parameter.text}' is an integer, but {who} declares a double: it exits with "
+        "InvalidParameterTypeException",
+        advice=f"write {items[0].text}.0" if plain else "write a number with a decimal point",
+        related=related,
+        fix=fix("write a double", *((item.span, f"{item.text}.0") for item in items)) if plain else None,
+    )

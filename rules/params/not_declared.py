@@ -4,8 +4,10 @@
 Parameters in a parameter file or launch file for a node whose source is in the workspace and which declares none of
 that name: no text of the source, or of the files that it includes or imports, is the name or a part of it. Nodes that
 take undeclared parameters, or that build on classes which are not in the workspace, are left alone, and so are programs
-of which a source is missing, and parameters that a launch file gives to several programs under one node name. Of
-`joy_node`, `joy_linux_node` and `robot_state_publisher`, all parameters are known.
+of which a source is missing, and parameters that a launch file gives to several programs under one node name. All
+parameters are known of `joy_node`, `joy_linux_node`, `robot_state_publisher`, slam_toolbox, robot_localization,
+twist_mux, teleop_twist_joy, usb_cam, sllidar_ros2, pointcloud_to_laserscan and the servers of Navigation2 (outside of
+the sections of plugins); a block with the usual name of such a node is judged as its own.
 
 ## Why it matters on a robot
 A node takes what it is given only for parameters that it declares; the rest is dropped without a word. A watchdog, a
@@ -35,6 +37,7 @@ When the parameter is for another version of the node.
 """
 
 from collections.abc import Iterator
+from collections.abc import Sequence
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
@@ -42,18 +45,21 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.launch import literal_text
+from bringup_lint.api.params import Unknown
 from bringup_lint.api.params import undeclared
+from bringup_lint.api.spelling import nearest
 from bringup_lint.api.topics import LaunchedNode
 
 
 @rule("warning", symptoms=["ParameterNotDeclaredException", "Parameter not set"])
 def not_declared(robot: Robot) -> Iterator[Finding]:
+    said = set()
     for found in undeclared(robot.topics):
         first, *others = found.given
-        more = f" and {len(others)} other{'s' if len(others) > 1 else ''}" if others else ""
+        said |= {each.place.span for each in found.given}
         yield finding(
             first.place,
-            f"{_node(found.node)} declares no parameter '{first.name}'{more}: the value has no effect",
+            f"{_node(found.node)} declares no parameter '{first.name}'{_more(others)}: the value has no effect",
             advice="write the name that the source declares, or remove the value",
             related=[
                 note(found.node.started.span, "the node is started here"),
@@ -62,6 +68,27 @@ def not_declared(robot: Robot) -> Iterator[Finding]:
             chain=robot.provenance.chain_to_node(found.node.started),
             confidence="medium",
         )
+    for each in robot.params.unknown_to_public():
+        if not said & {parameter.key.span for parameter in each.parameters}:
+            yield _of_public(each)
+
+
+def _of_public(found: Unknown) -> Finding:
+    """A finding about a node of which no release has the parameters."""
+    first, *others = found.parameters
+    near = nearest(str(first.name), found.node.parameters, 3)
+    return finding(
+        first.key,
+        f"{found.name} ({found.node.package}) declares no parameter '{first.name}'{_more(others)}: "
+        "the value has no effect",
+        advice=f"write {near[0]}, or remove the value" if near else "remove the value, or correct its name",
+        related=[note(each.key, f"'{each.name}' is not declared either") for each in others[:10]],
+        confidence="medium",
+    )
+
+
+def _more(others: Sequence[object]) -> str:
+    return f" and {len(others)} other{'s' if len(others) > 1 else ''}" if others else ""
 
 
 def _node(node: LaunchedNode) -> str:

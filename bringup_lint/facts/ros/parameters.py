@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from fnmatch import fnmatchcase
+from functools import cache
 
 from bringup_lint.facts import table
+from bringup_lint.named_tuple import NamedTuple
 
 OF_EVERY_NODE = ("use_sim_time", "start_type_description_service", "qos_overrides.*")
 """rclcpp and rclpy declare these themselves (rclcpp, time_source.cpp, node_type_descriptions.cpp, qos_overrides)."""
@@ -21,9 +23,63 @@ def is_of_library(parameter: str) -> bool:
     return any(fnmatchcase(parameter, pattern) for pattern in patterns)
 
 
+class PublicNode(NamedTuple):
+    """A node of a public package, with the patterns of all parameters that it declares."""
+
+    package: str
+    names: frozenset[str]
+    """The names that it has when nothing gives it another."""
+    programs: frozenset[str]
+    """Executables and component classes."""
+    parameters: tuple[str, ...]
+
+    @property
+    def has_plugins(self) -> bool:
+        """Whether plugins, of this package or another, declare parameters below their names."""
+        return self.package.startswith("nav2_")
+
+    def declares(self, parameter: str) -> bool:
+        if "." in parameter and self.has_plugins:
+            return True
+        return any(fnmatchcase(parameter, pattern) for pattern in self.parameters) or is_of_library(parameter)
+
+    def type_of(self, parameter: str) -> str | None:
+        """The type that the node declares for a parameter; None when it is not known."""
+        subject, name = self.package, parameter
+        if self.has_plugins:
+            subject, name = "nav2", parameter.rpartition(".")[2]
+        for row in table("ros/parameter_types"):
+            if row["package"] == subject and any(fnmatchcase(name, each) for each in row["parameters"].split()):
+                return row["type"]
+        return None
+
+
+@cache
+def public_nodes() -> tuple[PublicNode, ...]:
+    return tuple(
+        PublicNode(
+            row["package"],
+            frozenset(row["nodes"].split()),
+            frozenset(row["executables"].split()),
+            tuple(row["parameters"].split()),
+        )
+        for row in table("ros/node_parameters")
+    )
+
+
+def public_node(package: str, program: str) -> PublicNode | None:
+    """The node that an executable or component class of a public package runs."""
+    return next((each for each in public_nodes() if each.package == package and program in each.programs), None)
+
+
+def node_called(name: str) -> PublicNode | None:
+    """The node of a public package that has a name when nothing gives it another."""
+    return next((each for each in public_nodes() if name in each.names), None)
+
+
 def declared_by(package: str, executable: str) -> frozenset[str] | None:
-    """All that a node of a public package declares; None when the table does not know it."""
-    for row in table("ros/node_parameters"):
-        if (row["package"], row["executable"]) == (package, executable):
-            return frozenset(row["parameters"].split())
-    return None
+    """All that a node of a public package declares; None when the table does not know it, or only by patterns."""
+    node = public_node(package, executable)
+    if node is None or node.has_plugins or any("*" in each for each in node.parameters):
+        return None
+    return frozenset(node.parameters)

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.started import literal_text
+from bringup_lint.graph.params import public
 from bringup_lint.graph.params import values as param_values
 from bringup_lint.graph.params.values import Item
 from bringup_lint.graph.purpose import Purpose
@@ -27,6 +28,7 @@ from bringup_lint.source import Source
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:
+    from bringup_lint.facts.ros.parameters import PublicNode
     from bringup_lint.graph.files import Files
     from bringup_lint.graph.launch.launch import Launch
     from bringup_lint.graph.launch.started import Started
@@ -51,6 +53,11 @@ class Params:
     def __init__(self, files: Files, launch: Callable[[], Launch]) -> None:
         self._tree_files = files
         self._launch = launch
+
+    @property
+    def distribution(self) -> str | None:
+        """The distribution of ROS 2 that the tree is for."""
+        return self._tree_files.target.ros
 
     @cached_property
     def files(self) -> list[ParameterFile]:
@@ -236,6 +243,21 @@ class Params:
         read it is here, and does not."""
         others = {_last(other) for other in file.parameters if other.block is parameter.block}
         return _last(parameter) not in self._names_in_code and len(others & self._names_in_code) >= 3
+
+    def is_named_in_code(self, name: str) -> bool:
+        """Whether a source of the tree that has to do with parameters names one, or its last part."""
+        return name in self._names_in_code or name.rpartition(".")[2] in self._names_in_code
+
+    def unknown_to_public(self) -> Iterator[public.Unknown]:
+        """Blocks of nodes of public packages with parameters that these do not have."""
+        return public.unknown(self, self._launch())
+
+    def of_wrong_public_type(self, given: str, declared: str) -> Iterator[tuple[Parameter, PublicNode, list[Item]]]:
+        """The values of one type that a node of a public package declares as another, each with its items."""
+        if self._tree_files.target.ros in _UNTYPED:
+            return
+        for parameter, node in public.of_wrong_type(self, self._launch(), given, declared):
+            yield parameter, node, self.items(parameter)
 
     @cached_property
     def _names_in_code(self) -> frozenset[str]:

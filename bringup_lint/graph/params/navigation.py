@@ -1,0 +1,230 @@
+"""Values of Navigation2 that its servers refuse or replace, and values of one node that contradict each other."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import pairwise
+from math import cos
+from math import hypot
+from math import pi
+from typing import TYPE_CHECKING
+
+from bringup_lint.graph.params.values import items
+from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.pattern import regex
+from bringup_lint.source import Span
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from bringup_lint.graph.params.params import Params
+    from bringup_lint.model.params import Block
+    from bringup_lint.model.params import Parameter
+    from bringup_lint.model.params import ParameterFile
+
+Point = tuple[float, float]
+
+_NUMBER = regex(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?\Z")
+_CORNERS = 3
+_SIDES = 16
+"""A robot with a radius is a polygon of so many corners (nav2_costmap_2d, footprint.cpp)."""
+_OBSTACLE, _RAYTRACE = 2.5, 3.0
+"""Default ranges of an observation source in metres (nav2_costmap_2d, obstacle_layer.cpp)."""
+_OBSTACLE_LAYERS = ("nav2_costmap_2d::ObstacleLayer", "nav2_costmap_2d::VoxelLayer")
+_SIGNS = (("max_velocity", 1), ("min_velocity", -1), ("max_accel", 1), ("max_decel", -1))
+"""Limits of the velocity smoother, and the sign that each number of them must have or be zero."""
+_OLD_MODELS = {
+    "differential": "nav2_amcl::DifferentialMotionModel",
+    "omnidirectional": "nav2_amcl::OmniMotionModel",
+}
+"""What amcl called its motion models before Humble made plugins of them."""
+_BEFORE_PLUGINS = ("crystal", "dashing", "eloquent", "foxy", "galactic")
+_SINCE_HUMBLE = frozenset(("velocity_smoother", "behavior_server", "collision_monitor"))
+"""Nodes that no distribution before Humble has."""
+
+
+class NavigationProblem(NamedTuple):
+    kind: str
+    """``footprint``, ``corner``, ``inflation``, ``ranges``, ``source``, ``sign``, ``particles`` or ``model``."""
+    where: Span
+    name: str
+    """The parameter or observation source."""
+    detail: str
+    other: Span | None = None
+    """What the value contradicts."""
+
+
+def navigation_problems(params: Params) -> Iterator[NavigationProblem]:
+    for file in params.judged:
+        if file.accepted and not file.uncertain and params.is_used(file):
+            for block in file.blocks:
+                check = _CHECKS.get(str(block.key).rpartition("/")[2])
+                if check is not None:
+                    yield from check(params, file, block)
+
+
+def _costmap(params: Params, file: ParameterFile, block: Block) -> Iterator[NavigationProblem]:
+    named = _named(block)
+    footprint = named.get("footprint")
+    if footprint is not None:
+        yield from _footprint(footprint)
+    yield from _inflation(named)
+    for layer in _layers(named):
+        yield from _observations(params, named, layer)
+
+
+def _named(block: Block) -> dict[str, Parameter]:
+    return {str(each.name): each for each in block.parameters}
+
+
+def _footprint(parameter: Parameter) -> Iterator[NavigationProblem]:
+    text = parameter.value.data
+    if not isinstance(text, str) or text.strip() in ("", "[]") or "$" in text:
+        return
+    points = _points(text)
+    if points is None:
+        reason = "it is not a list of at least three points of two numbers"
+        yield NavigationProblem("footprint", parameter.span, "footprint", reason)
+    elif any(first == second for first, second in pairwise([*points, points[0]])) and points[0] != points[-1]:
+        yield NavigationProblem("corner", parameter.span, "footprint", f"{len(set(points))} of {len(points)} corners")
+
+
+def _points(text: str) -> list[Point] | None:
+    """The corners of a footprint as nav2_costmap_2d reads them (array_parser.cpp): blanks separate, too."""
+    words = text.replace("[", " [ ").replace("]", " ] ").replace(",", " ").split()
+    depth = 0
+    points: list[Point] = []
+    numbers: list[float] = []
+    for word in words:
+        if word == "[":
+            depth, numbers = depth + 1, []
+        elif word == "]":
+            depth -= 1
+            if depth == 1 and len(numbers) != len(("x", "y")):
+                return None
+            if depth == 1:
+                points.append((numbers[0], numbers[1]))
+        elif depth == len(("list", "point")) and _NUMBER.match(word):
+            numbers.append(float(word))
+        else:
+            return None
+    return points if depth == 0 and len(points) >= _CORNERS else None
+
+
+def _inflation(named: dict[str, Parameter]) -> Iterator[NavigationProblem]:
+    """Inflation below the inscribed radius, about which the layer itself warns."""
+    shape = named.get("footprint") or named.get("robot_radius")
+    inscribed = _inscribed(named)
+    for name, each in named.items():
+        radius = _number(each)
+        if not name.endswith(".inflation_radius") or radius is None or inscribed is None or shape is None:
+            continue
+        layer = name.rpartition(".")[0]
+        if layer in _active(named) and 0 < radius < inscribed:
+            yield NavigationProblem("inflation", each.span, name, f"{inscribed:.2f}", shape.span)
+
+
+def _inscribed(named: dict[str, Parameter]) -> float | None:
+    """The radius of the largest circle about the origin that is inside of the robot, in metres."""
+    footprint = named.get("footprint")
+    if footprint is not None and footprint.value.data not in ("", "[]"):
+        points = _points(str(footprint.value.data))
+        return min(_distance(one, other) for one, other in pairwise([*points, points[0]])) if points else None
+    radius = _number(named["robot_radius"]) if "robot_radius" in named else None
+    return radius * cos(pi / _SIDES) if radius is not None else None
+
+
+def _distance(one: Point, other: Point) -> float:
+    """Of the origin from the line between two points."""
+    length = hypot(other[0] - one[0], other[1] - one[1])
+    if length == 0:
+        return hypot(*one)
+    along = -(one[0] * (other[0] - one[0]) + one[1] * (other[1] - one[1])) / length**2
+    along = min(1.0, max(0.0, along))
+    return hypot(one[0] + along * (other[0] - one[0]), one[1] + along * (other[1] - one[1]))
+
+
+def _layers(named: dict[str, Parameter]) -> Iterator[str]:
+    """The active layers that mark what their observation sources see."""
+    for layer in _active(named):
+        plugin = named.get(f"{layer}.plugin")
+        if plugin is not None and plugin.value.data in _OBSTACLE_LAYERS:
+            yield layer
+
+
+def _active(named: dict[str, Parameter]) -> list[str]:
+    return [item.text for key in ("plugins", "filters") if key in named for item in items(named[key])]
+
+
+def _observations(params: Params, named: dict[str, Parameter], layer: str) -> Iterator[NavigationProblem]:
+    sources = named.get(f"{layer}.observation_sources")
+    if sources is None or not isinstance(sources.value.data, str) or "$" in sources.value.data:
+        return
+    for source in sources.value.data.split():
+        prefix = f"{layer}.{source}."
+        if not any(name.startswith(prefix) for name in named):
+            if not params.named_elsewhere(source, {sources.span.source}):
+                yield NavigationProblem("source", sources.span, source, layer)
+            continue
+        marked, cleared = named.get(f"{prefix}obstacle_max_range"), named.get(f"{prefix}raytrace_max_range")
+        far = _number(marked) if marked is not None else _OBSTACLE
+        clear = _number(cleared) if cleared is not None else _RAYTRACE
+        where = cleared or marked
+        if where is None or far is None or clear is None or clear >= far or _is_off(named, prefix):
+            continue
+        other = marked.span if marked is not None and where is cleared else None
+        yield NavigationProblem("ranges", where.span, source, f"{clear:g} m, {far:g} m", other)
+
+
+def _is_off(named: dict[str, Parameter], prefix: str) -> bool:
+    """Whether a source does not mark, or does not clear anything at all."""
+    flags = [named.get(f"{prefix}{flag}") for flag in ("marking", "clearing")]
+    return flags[1] is None or any(each is not None and each.value.data is not True for each in flags)
+
+
+def _smoother(params: Params, file: ParameterFile, block: Block) -> Iterator[NavigationProblem]:
+    named = _named(block)
+    for name, sign in _SIGNS:
+        numbers = _numbers(named.get(name))
+        wrong = [f"{each:g}" for each in numbers if each * sign < 0]
+        if wrong:
+            yield NavigationProblem("sign", named[name].span, name, ", ".join(wrong))
+
+
+def _amcl(params: Params, file: ParameterFile, block: Block) -> Iterator[NavigationProblem]:
+    named = _named(block)
+    least, most = (named.get(name) for name in ("min_particles", "max_particles"))
+    if least is not None and most is not None:
+        low, high = _number(least), _number(most)
+        if low is not None and high is not None and low > high:
+            yield NavigationProblem("particles", least.span, "min_particles", f"{low:g}, {high:g}", most.span)
+    model = named.get("robot_model_type")
+    if model is not None and model.value.data in _OLD_MODELS and _is_since_humble(params, file):
+        yield NavigationProblem("model", model.span, str(model.value.data), _OLD_MODELS[str(model.value.data)])
+
+
+def _is_since_humble(params: Params, file: ParameterFile) -> bool:
+    """Whether a file is for Humble or newer: the tree says so, or it is for a node that older ones do not have."""
+    if params.distribution is not None:
+        return params.distribution not in _BEFORE_PLUGINS
+    return any(str(block.key).rpartition("/")[2] in _SINCE_HUMBLE for block in file.blocks)
+
+
+def _number(parameter: Parameter) -> float | None:
+    value = parameter.value.data
+    return float(value) if isinstance(value, (int, float)) and not isinstance(value, bool) else None
+
+
+def _numbers(parameter: Parameter | None) -> list[float]:
+    """The numbers of a list; empty when it holds anything else."""
+    value = parameter.value.data if parameter is not None else None
+    found = value if isinstance(value, list) else []
+    return found if all(isinstance(each, (int, float)) and not isinstance(each, bool) for each in found) else []
+
+
+_CHECKS: dict[str, Callable[[Params, ParameterFile, Block], Iterator[NavigationProblem]]] = {
+    "local_costmap": _costmap,
+    "global_costmap": _costmap,
+    "velocity_smoother": _smoother,
+    "amcl": _amcl,
+}

@@ -1,0 +1,96 @@
+"""What nodes of public packages make of the parameters that files give them: names that they do not have, and types."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.facts.ros.parameters import PublicNode
+from bringup_lint.facts.ros.parameters import node_called
+from bringup_lint.facts.ros.parameters import public_node
+from bringup_lint.graph.launch.started import literal_text
+from bringup_lint.model.params import matches
+from bringup_lint.named_tuple import NamedTuple
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.params.loads import Load
+    from bringup_lint.graph.params.params import Params
+    from bringup_lint.model.params import Block
+    from bringup_lint.model.params import Parameter
+    from bringup_lint.model.params import ParameterFile
+
+_OFFICIAL = ("nav2_", "dwb_", "opennav_")
+"""Packages of Navigation2 whose plugins declare the types of the table."""
+
+
+class PublicBlock(NamedTuple):
+    file: ParameterFile
+    block: Block
+    node: PublicNode
+
+
+class Unknown(NamedTuple):
+    """Parameters of one block that its node does not have."""
+
+    node: PublicNode
+    name: str
+    """Of the node."""
+    parameters: tuple[Parameter, ...]
+
+
+def unknown(params: Params, launch: Launch) -> Iterator[Unknown]:
+    for _file, block, node in _blocks(params, launch):
+        lacking = [
+            each
+            for each in block.parameters
+            if not node.declares(str(each.name)) and not params.is_named_in_code(str(each.name))
+        ]
+        if lacking:
+            yield Unknown(node, str(block.key).rpartition("/")[2], tuple(lacking))
+
+
+def of_wrong_type(params: Params, launch: Launch, given: str, declared: str) -> Iterator[tuple[Parameter, PublicNode]]:
+    """The values of one type that a public node declares as another; arrays of them too."""
+    pairs = ((given, declared), (f"{given}_array", f"{declared}_array"))
+    for file, block, node in _blocks(params, launch):
+        for each in block.parameters:
+            type_ = node.type_of(str(each.name)) if _is_official(each, node) else None
+            if (each.value.type, type_) in pairs and _arrives(params, file, each):
+                yield each, node
+
+
+def _blocks(params: Params, launch: Launch) -> Iterator[PublicBlock]:
+    for file in params.judged:
+        if file.accepted and not file.uncertain and params.is_used(file):
+            for block in file.blocks:
+                node = _node_of(params.loads(file), block)
+                if node is not None and node.package not in launch.workspace.packages:
+                    yield PublicBlock(file, block, node)
+
+
+def _node_of(loads: list[Load], block: Block) -> PublicNode | None:
+    """The one public node that a block is for: by what launch files start, else by its name."""
+    started = {
+        (literal_text(load.node.package), literal_text(load.node.plugin) or literal_text(load.node.executable))
+        for load in loads
+        if "*" not in block.name and load.node.fqn is not None and matches(block.name, load.node.fqn)
+    }
+    if not started:
+        return node_called(str(block.key).rpartition("/")[2])
+    nodes = {public_node(str(package), str(program)) for package, program in started}
+    return nodes.pop() if len(nodes) == 1 else None
+
+
+def _is_official(parameter: Parameter, node: PublicNode) -> bool:
+    """Whether the type of a parameter is known: in a section of Navigation2, by the package of the plugin."""
+    section = str(parameter.name).partition(".")
+    if not node.has_plugins or not section[1]:
+        return True
+    plugins = [each.value.data for each in parameter.block.parameters if each.name == f"{section[0]}.plugin"]
+    return bool(plugins) and all(str(each).startswith(_OFFICIAL) for each in plugins)
+
+
+def _arrives(params: Params, file: ParameterFile, parameter: Parameter) -> bool:
+    """Whether nothing that a launch file gives later takes the place of a value."""
+    return not params.loads(file) or bool(params.effective(file, parameter))

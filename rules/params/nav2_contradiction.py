@@ -1,0 +1,110 @@
+"""Values of Navigation2 that a server refuses, or that contradict each other.
+
+## What it finds
+In parameter files that something names: a `footprint` of a costmap that is no polygon, or has the same corner twice in
+a row; an `inflation_radius` below the inscribed radius of the robot; `observation_sources` of an obstacle layer without
+a section of their own, where no other file knows the name; a source that marks farther away than it clears; limits of
+`velocity_smoother` with the wrong sign; `min_particles` of amcl above `max_particles`; and from Humble on the names
+that amcl's motion models had before.
+
+## Why it matters on a robot
+A footprint that is refused leaves the robot with its radius, and the costmap lets it drive into what the corners touch.
+With inflation below the inscribed radius, the planner goes along walls where the robot does not fit. An obstacle beyond
+the range of clearing stays in the costmap after it left. A limit of the wrong sign, or an old motion model, ends the
+server when it configures, and the lifecycle manager takes the whole navigation down.
+
+## Bad
+```yaml
+velocity_smoother:
+  ros__parameters:
+    max_decel: [2.0, 0.0, 3.0]
+```
+
+## Good
+```yaml
+velocity_smoother:
+  ros__parameters:
+    max_decel: [-2.0, 0.0, -3.0]
+```
+
+## When to ignore it
+When a launch file writes another value over the one in the file.
+
+## References
+- navigation2, array_parser.cpp, footprint.cpp, inflation_layer.cpp, obstacle_layer.cpp, velocity_smoother.cpp,
+  amcl_node.cpp
+- https://docs.nav2.org/configuration/
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+from bringup_lint.api.params import NavigationProblem
+from bringup_lint.api.params import navigation_problems
+
+
+@rule(
+    "warning",
+    symptoms=[
+        "The footprint parameter is invalid",
+        "is smaller than the computed inscribed radius",
+        "Positive values set of deceleration",
+        "Negative values set of acceleration",
+        "You've set min_particles to be greater than max particles",
+    ],
+)
+def nav2_contradiction(robot: Robot) -> Iterator[Finding]:
+    for each in navigation_problems(robot.params):
+        yield finding(
+            each.where,
+            _message(each),
+            advice=_advice(each),
+            related=[note(each.other, "compared with this")] if each.other is not None else [],
+            severity="error" if each.kind in ("sign", "model", "footprint") else None,
+        )
+
+
+def _message(each: NavigationProblem) -> str:
+    match each.kind:
+        case "footprint":
+            return f"The footprint is refused, {each.detail}: the costmap takes robot_radius instead"
+        case "corner":
+            return f"The footprint has a corner twice in a row ({each.detail}): a part of the robot is outside of it"
+        case "inflation":
+            return f"The inflation radius is below the inscribed radius of {each.detail} m: paths touch obstacles"
+        case "ranges":
+            return f"'{each.name}' clears less far than it marks ({each.detail}): obstacles beyond stay in the costmap"
+        case "source":
+            return f"The source '{each.name}' of {each.detail} has no section: the layer reads the topic '{each.name}'"
+        case "sign":
+            return f"{each.name} has the wrong sign ({each.detail}): the velocity smoother refuses it, or never stops"
+        case "particles":
+            return f"min_particles is above max_particles ({each.detail}): amcl raises the maximum"
+    return f"amcl has no motion model '{each.name}' since Humble: it ends when it configures"
+
+
+def _advice(each: NavigationProblem) -> str:
+    match each.kind:
+        case "footprint":
+            return 'write "[[x, y], [x, y], [x, y]]" with the corners in metres'
+        case "corner":
+            return "write every corner once, in order around the robot"
+        case "inflation":
+            return "inflate by more than the inscribed radius"
+        case "ranges":
+            return "set raytrace_max_range above obstacle_max_range"
+        case "source":
+            return f"add a section {each.name} with topic and data_type, or take it off the list"
+        case "sign":
+            return (
+                "write 0 or positive numbers"
+                if each.name.startswith("max_") and "decel" not in each.name
+                else ("write 0 or negative numbers")
+            )
+        case "particles":
+            return "swap the numbers"
+    return f"write {each.detail}"
