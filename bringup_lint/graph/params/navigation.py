@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 Point = tuple[float, float]
 
-_NUMBER = regex(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?\Z")
+_NUMBER = regex(r"[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?\Z")
 _CORNERS = 3
 _SIDES = 16
 """A robot with a radius is a polygon of so many corners (nav2_costmap_2d, footprint.cpp)."""
