@@ -15,6 +15,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.params.navigation import NavigationProblem
     from bringup_lint.graph.params.navigation import navigation_problems
     from bringup_lint.graph.params.public import Unknown
+    from bringup_lint.graph.params.public import of_wrong_public_type
+    from bringup_lint.graph.params.public import unknown_to_public
     from bringup_lint.graph.params.qos_overrides import OverrideProblem
     from bringup_lint.graph.params.qos_overrides import QosOverride
     from bringup_lint.graph.params.qos_overrides import qos_overrides
@@ -50,9 +52,11 @@ __all__ = [
     "UnknownPlugin",
     "UntypedPlugin",
     "navigation_problems",
+    "of_wrong_public_type",
     "qos_overrides",
     "simulated",
     "undeclared",
+    "unknown_to_public",
     "unreached",
     "unused",
 ]

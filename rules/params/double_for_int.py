@@ -42,6 +42,7 @@ from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.params import Item
 from bringup_lint.api.params import Parameter
+from bringup_lint.api.params import of_wrong_public_type
 
 _WHOLE = regex(r"([+-]?(?:0|[1-9][0-9]*))\.0*\Z")
 
@@ -61,7 +62,7 @@ def double_for_int(robot: Robot) -> Iterator[Finding]:
     for parameter, declared, items in robot.params.of_wrong_type("double", "integer"):
         related = [note(declared.place, "declared as an integer here")]
         yield _finding(parameter, items, "the node", related)
-    for parameter, node, items in robot.params.of_wrong_public_type("double", "integer"):
+    for parameter, node, items in of_wrong_public_type(robot.params, robot.launch, "double", "integer"):
         yield _finding(parameter, items, node.package, [])
 
 

@@ -43,6 +43,7 @@ from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.params import Item
 from bringup_lint.api.params import Parameter
+from bringup_lint.api.params import of_wrong_public_type
 
 _DECIMAL = regex(r"[+-]?(?:0|[1-9][0-9]*)\Z")
 
@@ -62,7 +63,7 @@ def int_for_double(robot: Robot) -> Iterator[Finding]:
     for parameter, declared, items in robot.params.of_wrong_type("integer", "double"):
         related = [note(declared.place, "declared as a double here")]
         yield _finding(parameter, items, "the node", related)
-    for parameter, node, items in robot.params.of_wrong_public_type("integer", "double"):
+    for parameter, node, items in of_wrong_public_type(robot.params, robot.launch, "integer", "double"):
         yield _finding(parameter, items, node.package, [])
 
 

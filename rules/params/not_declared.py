@@ -47,6 +47,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.launch import literal_text
 from bringup_lint.api.params import Unknown
 from bringup_lint.api.params import undeclared
+from bringup_lint.api.params import unknown_to_public
 from bringup_lint.api.spelling import nearest
 from bringup_lint.api.topics import LaunchedNode
 
@@ -68,7 +69,7 @@ def not_declared(robot: Robot) -> Iterator[Finding]:
             chain=robot.provenance.chain_to_node(found.node.started),
             confidence="medium",
         )
-    for each in robot.params.unknown_to_public():
+    for each in unknown_to_public(robot.params, robot.launch):
         if not said & {parameter.key.span for parameter in each.parameters}:
             yield _of_public(each)
 

@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING
 from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.started import literal_text
-from bringup_lint.graph.params import public
 from bringup_lint.graph.params import values as param_values
 from bringup_lint.graph.params.values import Item
 from bringup_lint.graph.purpose import Purpose
@@ -28,7 +27,6 @@ from bringup_lint.source import Source
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:
-    from bringup_lint.facts.ros.parameters import PublicNode
     from bringup_lint.graph.files import Files
     from bringup_lint.graph.launch.launch import Launch
     from bringup_lint.graph.launch.started import Started
@@ -189,7 +187,7 @@ class Params:
         """How the workspace declares a parameter: what all nodes that may get it agree on, None when that is not
         known."""
         file = self._by_source.get(id(parameter.span.source))
-        if file is None or self._tree_files.target.ros in _UNTYPED:
+        if file is None or not self.is_typed:
             return None
         found = None
         for load in _for_named(parameter, self.effective(file, parameter)):
@@ -248,16 +246,10 @@ class Params:
         """Whether a source of the tree that has to do with parameters names one, or its last part."""
         return name in self._names_in_code or name.rpartition(".")[2] in self._names_in_code
 
-    def unknown_to_public(self) -> Iterator[public.Unknown]:
-        """Blocks of nodes of public packages with parameters that these do not have."""
-        return public.unknown(self, self._launch())
-
-    def of_wrong_public_type(self, given: str, declared: str) -> Iterator[tuple[Parameter, PublicNode, list[Item]]]:
-        """The values of one type that a node of a public package declares as another, each with its items."""
-        if self._tree_files.target.ros in _UNTYPED:
-            return
-        for parameter, node in public.of_wrong_type(self, self._launch(), given, declared):
-            yield parameter, node, self.items(parameter)
+    @property
+    def is_typed(self) -> bool:
+        """Whether a declared parameter takes one type only, in the distribution that the tree is for."""
+        return self.distribution not in _UNTYPED
 
     @cached_property
     def _names_in_code(self) -> frozenset[str]:

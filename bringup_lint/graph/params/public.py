@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch.launch import Launch
     from bringup_lint.graph.params.loads import Load
     from bringup_lint.graph.params.params import Params
+    from bringup_lint.graph.params.values import Item
     from bringup_lint.model.params import Block
     from bringup_lint.model.params import Parameter
     from bringup_lint.model.params import ParameterFile
@@ -39,7 +40,7 @@ class Unknown(NamedTuple):
     parameters: tuple[Parameter, ...]
 
 
-def unknown(params: Params, launch: Launch) -> Iterator[Unknown]:
+def unknown_to_public(params: Params, launch: Launch) -> Iterator[Unknown]:
     for _file, block, node in _blocks(params, launch):
         lacking = [
             each
@@ -50,14 +51,18 @@ def unknown(params: Params, launch: Launch) -> Iterator[Unknown]:
             yield Unknown(node, str(block.key).rpartition("/")[2], tuple(lacking))
 
 
-def of_wrong_type(params: Params, launch: Launch, given: str, declared: str) -> Iterator[tuple[Parameter, PublicNode]]:
-    """The values of one type that a public node declares as another; arrays of them too."""
+def of_wrong_public_type(
+    params: Params, launch: Launch, given: str, declared: str
+) -> Iterator[tuple[Parameter, PublicNode, list[Item]]]:
+    """The values of one type that a public node declares as another, each with its items; arrays of them too."""
+    if not params.is_typed:
+        return
     pairs = ((given, declared), (f"{given}_array", f"{declared}_array"))
     for file, block, node in _blocks(params, launch):
         for each in block.parameters:
             type_ = node.type_of(str(each.name)) if _is_official(each, node) else None
             if (each.value.type, type_) in pairs and _arrives(params, file, each):
-                yield each, node
+                yield each, node, params.items(each)
 
 
 def _blocks(params: Params, launch: Launch) -> Iterator[PublicBlock]:
