@@ -56,6 +56,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.undefined_names import undefined
     from bringup_lint.graph.nodes.questions.unread_parameters import unread_parameters
     from bringup_lint.graph.nodes.questions.unsafe_ends import unsafe_ends
+    from bringup_lint.graph.nodes.questions.unstamped import unstamped
     from bringup_lint.graph.topics.questions.undeclared import asked_in_vain
     from bringup_lint.graph.topics.questions.undeclared import is_called_nowhere
     from bringup_lint.graph.topics.questions.undeclared import unset
@@ -119,6 +120,7 @@ __all__ = [
     "unread_pipes",
     "unsafe_ends",
     "unset",
+    "unstamped",
     "untyped_reads",
     "valid_node_name",
     "waits",

@@ -51,6 +51,17 @@ class DeafLoop(NamedTuple):
     """It has no condition at all."""
 
 
+class Unstamped(NamedTuple):
+    """A reading that is published with the time 0."""
+
+    made: Span
+    """Where the message is made."""
+    type: str
+    """``nav_msgs/msg/Odometry``."""
+    sent: Span
+    """The call that publishes it."""
+
+
 class Read(NamedTuple):
     """``get_parameter`` of a literal name."""
 
@@ -90,4 +101,5 @@ class CppNode:
     threads: list[Located] = field(default_factory=list)
     """Variables and members to which it gives a thread, each where it does."""
     deaf_loops: list[DeafLoop] = field(default_factory=list)
+    unstamped: list[Unstamped] = field(default_factory=list)
     problems: list[Problem] = field(default_factory=list)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Callable
+from collections.abc import Iterable
 from collections.abc import Iterator
 from typing import Any
 from typing import TypedDict
@@ -20,6 +21,21 @@ from bringup_lint.source import Span
 
 INFINITE = float("inf")
 """A deadline or lease duration that is not set."""
+
+
+TIMED = frozenset(
+    f"{package}/msg/{name}"
+    for package, names in {
+        "nav_msgs": ("Odometry",),
+        "sensor_msgs": ("Imu", "JointState", "LaserScan", "MagneticField", "NavSatFix", "PointCloud2", "Range", "Image"),
+        "geometry_msgs": ("TransformStamped", "TwistWithCovarianceStamped"),
+    }.items()
+    for name in names
+)
+"""Readings whose receivers place them in time. Commands and goals are left out: there, 0 means now."""
+TRANSFORM = "geometry_msgs/msg/TransformStamped"
+JOINTS = "sensor_msgs/msg/JointState"
+"""A reading on ``joint_states``, and a command on other topics."""
 
 
 def _unread(*_: object) -> Any:
@@ -142,6 +158,12 @@ class Endpoint:
     """The function in which it is made."""
     implied: bool = False
     """Made inside a library class, such as the publisher of a ``TransformBroadcaster``."""
+
+
+def reports_joints(endpoints: Iterable[Endpoint]) -> bool:
+    """Whether joint states are published, and no command of their type."""
+    names = [str(each.name or "") for each in endpoints if each.role == "publisher" and each.type == JOINTS]
+    return bool(names) and all(name.rpartition("/")[2] == "joint_states" for name in names)
 
 
 @dataclass(frozen=True, slots=True)

@@ -20,6 +20,7 @@ from bringup_lint.parsers.cpp_node.parameters import is_open
 from bringup_lint.parsers.cpp_node.parameters import reads
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.parsers.cpp_node.threads import threads
+from bringup_lint.parsers.cpp_node.unstamped import unstamped
 from bringup_lint.parsers.cpp_node.values import Names
 from bringup_lint.parsers.cpp_node.waits import waits
 from bringup_lint.pattern import regex
@@ -58,7 +59,8 @@ def parse(source: Source) -> CppNode:
     node.classes = node_classes(code)
     node.components = components(code)
     node.names = node_names(code)
-    _read_calls(node, code)
+    names = Names(code)
+    _read_calls(node, code, names)
     node.declares_others |= bool(LOOSE.search(source.text))
     node.executors = bool(_EXECUTORS.search(source.text))
     node.devices = list(_devices(code))
@@ -68,6 +70,7 @@ def parse(source: Source) -> CppNode:
         node.sent = sent(code, node.callbacks[:CALLBACKS])
     node.lookups = list(lookups(code, node.callbacks[:CALLBACKS]))
     node.waits = list(waits(code, node.callbacks[:CALLBACKS]))
+    node.unstamped = list(unstamped(code, names, node.endpoints))
     node.deaf_loops = list(dict.fromkeys(deaf_loops(code)))
     return node
 
@@ -81,8 +84,7 @@ def _open_brackets(text: str) -> int:
     return most
 
 
-def _read_calls(node: CppNode, code: Code) -> None:
-    names = Names(code)
+def _read_calls(node: CppNode, code: Code, names: Names) -> None:
     for call in code.calls:
         made = endpoint(code, names, call)
         if made is not None:

@@ -47,7 +47,11 @@ class Names:
     def interface(self, call: Call) -> str | None:
         """``geometry_msgs/msg/Twist`` for the first template argument of a call."""
         given = call.template.named_children if call.template is not None else []
-        text = "".join(self.code.text(given[0]).split()).lstrip(":") if given else ""
+        return self.type(self.code.text(given[0])) if given else None
+
+    def type(self, written: str) -> str | None:
+        """``geometry_msgs/msg/Twist`` for a type as it is written; None for what is no interface."""
+        text = "".join(written.split()).lstrip(":")
         for _ in range(4):
             head, colons, rest = text.partition("::")
             text = self._aliases[head] + colons + rest if head in self._aliases else text

@@ -1,0 +1,117 @@
+"""Readings that a Python node publishes without a time stamp."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.graph.nodes.questions.message_types import message_type
+from bringup_lint.graph.nodes.sources.syntax import FUNCTIONS
+from bringup_lint.graph.nodes.sources.syntax import Syntax
+from bringup_lint.model.cpp_source import Unstamped
+from bringup_lint.model.node_source import JOINTS
+from bringup_lint.model.node_source import TIMED
+from bringup_lint.model.node_source import TRANSFORM
+from bringup_lint.model.node_source import reports_joints
+from bringup_lint.model.python import walk
+from bringup_lint.pattern import regex
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.nodes.nodes import Nodes
+
+_SENDS = ("publish", "sendTransform")
+_CAMERAS = regex(r"\b(?:VideoCapture|[Pp]icamera2?|pyrealsense2|pypylon|depthai|ArducamCamera)\b")
+"""What takes pictures: those of another node that are published again show how something works."""
+
+
+def unstamped(nodes: Nodes) -> Iterator[list[Unstamped]]:
+    """The readings without a stamp, those of one source together."""
+    for file in nodes.programs:
+        if any(send in file.source.text for send in _SENDS):
+            found = list(_in_file(nodes.syntax(file)))
+            if found:
+                yield found
+    for source in nodes.cpp:
+        if source.unstamped:
+            yield source.unstamped
+
+
+def _in_file(syntax: Syntax) -> Iterator[Unstamped]:
+    seen: set[ast.AST] = set()
+    endpoints = [*(each for cls in syntax.file.classes for each in cls.endpoints), *syntax.file.strays]
+    for call in syntax.calls:
+        if not isinstance(call.func, ast.Attribute) or call.func.attr not in _SENDS or len(call.args) != 1:
+            continue
+        made = _made(syntax, call.args[0])
+        kind = _unstamped(syntax, made) if made is not None and made not in seen else None
+        if made is None or kind is None or (kind == TRANSFORM and not _is_moving(syntax, call)):
+            continue
+        if kind == JOINTS and not reports_joints(endpoints):
+            continue
+        seen.add(made)
+        yield Unstamped(syntax.file.span_of(made), kind, syntax.file.span_of(call))
+
+
+def _made(syntax: Syntax, value: ast.expr) -> ast.Call | None:
+    """The call that makes a message, when nothing but fields is set between there and its publication."""
+    if isinstance(value, ast.Call):
+        return value if value.keywords or value.args else None
+    scope = syntax.function(value) if isinstance(value, ast.Name) else _class_of(syntax, value)
+    name = ast.unparse(value)
+    if scope is None or not isinstance(value, (ast.Name, ast.Attribute)):
+        return None
+    if isinstance(value, ast.Attribute) and name != f"self.{value.attr}":
+        return None
+    uses = [each for each in walk(scope) if isinstance(each, type(value)) and ast.unparse(each) == name]
+    makings = [each for each in uses if isinstance(each.ctx, ast.Store)]
+    if len(makings) != 1 or not all(each in makings or _is_plain_use(syntax, each) for each in uses):
+        return None
+    outer = next(syntax.above(makings[0]))[0]
+    made = outer.value if isinstance(outer, (ast.Assign, ast.AnnAssign)) else None
+    return made if isinstance(made, ast.Call) else None
+
+
+def _class_of(syntax: Syntax, node: ast.AST) -> ast.ClassDef | None:
+    return next((outer for outer, _ in syntax.above(node) if isinstance(outer, ast.ClassDef)), None)
+
+
+def _is_plain_use(syntax: Syntax, use: ast.AST) -> bool:
+    """Whether a place sets a field but the stamp, or publishes the message."""
+    above = syntax.above(use)
+    outer, name = next(above)
+    if isinstance(outer, ast.Attribute):
+        further = next(above)[0]
+        return outer.attr != "header" or (isinstance(further, ast.Attribute) and further.attr == "frame_id")
+    is_sent = isinstance(outer, ast.Call) and name == "args" and isinstance(outer.func, ast.Attribute)
+    return is_sent and outer.func.attr in _SENDS  # type: ignore[attr-defined]
+
+
+def _unstamped(syntax: Syntax, made: ast.Call) -> str | None:
+    """The type of a message that is made without its header; None for any other call."""
+    given = {each.arg: each.value for each in made.keywords}
+    if None in given or ("header" in given and not _is_bare_header(given["header"])):
+        return None
+    if isinstance(made.func, ast.Attribute) and made.func.attr == "cv2_to_imgmsg":
+        return "sensor_msgs/msg/Image" if len(made.args) < 3 and _CAMERAS.search(syntax.file.source.text) else None
+    kind = message_type(syntax.qualified(made))
+    return kind if kind in TIMED and not made.args else None
+
+
+def _is_bare_header(value: ast.expr) -> bool:
+    """``Header(frame_id=...)``."""
+    return isinstance(value, ast.Call) and not value.args and {each.arg for each in value.keywords} <= {"frame_id"}
+
+
+def _is_moving(syntax: Syntax, call: ast.Call) -> bool:
+    """Whether a transform goes to a broadcaster which is not that of transforms that never change."""
+    if not isinstance(call.func, ast.Attribute) or call.func.attr != "sendTransform":
+        return False
+    kind = syntax.file.named(call.func.value, syntax.function(call)) or ""
+    return "static" not in f"{kind} {ast.unparse(call.func.value)}".lower() and "Static" not in _around(syntax, call)
+
+
+def _around(syntax: Syntax, call: ast.Call) -> str:
+    """The text of the class that a call is in, or of its function."""
+    scopes = [outer for outer, _ in syntax.above(call) if isinstance(outer, (*FUNCTIONS, ast.ClassDef))]
+    return syntax.file.span_of(scopes[-1]).text if scopes else ""

@@ -1,0 +1,69 @@
+"""A reading is published with the time 0.
+
+## What it finds
+Odometry, joint states, IMU, laser, point cloud, range, GPS and magnetometer readings, and transforms, that Python and
+C++ nodes make, fill and publish without a time stamp; and images that a node takes itself from a camera. Only messages
+of which every use is seen: one that is handed to something else may get its stamp there.
+
+## Why it matters on a robot
+The stamp stays 0, which is 1970. robot_localization ignores such readings, `robot_state_publisher` and tf2 place the
+joints and frames in the past, where a lookup for now finds nothing, and no reading can be joined with that of another
+sensor. Nothing logs that the stamp is missing: echo shows the messages, and the robot does not localize.
+
+## Bad
+```python
+odom = Odometry()
+odom.header.frame_id = 'odom'
+self.publisher.publish(odom)
+```
+
+## Good
+```python
+odom = Odometry()
+odom.header.stamp = self.get_clock().now().to_msg()
+odom.header.frame_id = 'odom'
+self.publisher.publish(odom)
+```
+
+## When to ignore it
+When the only receiver of the messages does not look at their time.
+
+## References
+- robot_localization, ros_filter.cpp: readings that are not newer than the last reset (0 at start) are dropped
+- tf2, cache.cpp: a lookup finds transforms by their stamps
+- https://www.ros.org/reps/rep-0105.html
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import nodes
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+HARM = {
+    "geometry_msgs/msg/TransformStamped": "a lookup for now finds no transform",
+    "nav_msgs/msg/Odometry": "robot_localization ignores it",
+    "sensor_msgs/msg/Imu": "robot_localization ignores it",
+    "geometry_msgs/msg/TwistWithCovarianceStamped": "robot_localization ignores it",
+    "sensor_msgs/msg/JointState": "the transforms of the joints lie in the past",
+}
+OTHERS = "it cannot be transformed or joined with other sensors"
+
+
+@rule("warning", silent="the messages arrive, and only those who look at their time drop them")
+def stamp_missing(robot: Robot) -> Iterator[Finding]:
+    for first, *others in nodes.unstamped(robot.nodes):
+        kind = first.type.rpartition("/")[2]
+        yield finding(
+            first.made,
+            f"{kind} is published with the time 0, because nothing sets its stamp: {HARM.get(first.type, OTHERS)}",
+            advice="set header.stamp to the time of the reading, or to that of the node's clock",
+            related=[
+                note(first.sent, "published here"),
+                *(note(each.made, f"no stamp in this {each.type.rpartition('/')[2]} either") for each in others),
+            ],
+            severity=nodes.lowered(robot.nodes.purpose(first.made.source), "warning"),
+        )
