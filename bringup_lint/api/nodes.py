@@ -54,6 +54,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.undefined_names import dict_ranges
     from bringup_lint.graph.nodes.questions.undefined_names import range_text
     from bringup_lint.graph.nodes.questions.undefined_names import undefined
+    from bringup_lint.graph.nodes.questions.unreached_stops import unreached_stops
     from bringup_lint.graph.nodes.questions.unread_parameters import unread_parameters
     from bringup_lint.graph.nodes.questions.unsafe_ends import unsafe_ends
     from bringup_lint.graph.nodes.questions.unstamped import unstamped
@@ -116,6 +117,7 @@ __all__ = [
     "unfit_callbacks",
     "unhandled_shutdown",
     "unhandled_transforms",
+    "unreached_stops",
     "unread_parameters",
     "unread_pipes",
     "unsafe_ends",

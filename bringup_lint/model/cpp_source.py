@@ -39,6 +39,8 @@ class Waiting(NamedTuple):
     """``for 2 s``, ``as long as the program runs``; empty when it lasts forever."""
     callback: Callback
     """The callback that runs it."""
+    is_certain: bool = False
+    """What it waits for is in the callback group that it blocks: several threads do not help."""
 
 
 class DeafLoop(NamedTuple):

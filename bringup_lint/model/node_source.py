@@ -27,7 +27,16 @@ TIMED = frozenset(
     f"{package}/msg/{name}"
     for package, names in {
         "nav_msgs": ("Odometry",),
-        "sensor_msgs": ("Imu", "JointState", "LaserScan", "MagneticField", "NavSatFix", "PointCloud2", "Range", "Image"),
+        "sensor_msgs": (
+            "Imu",
+            "JointState",
+            "LaserScan",
+            "MagneticField",
+            "NavSatFix",
+            "PointCloud2",
+            "Range",
+            "Image",
+        ),
         "geometry_msgs": ("TransformStamped", "TwistWithCovarianceStamped"),
     }.items()
     for name in names

@@ -9,13 +9,16 @@ Calls in a callback, or in the methods that it calls, that keep the executor bus
 - A loop without an end in the constructor: the node never gets to an executor.
 - Calls that wait for the executor itself: `client.call()`, `Rate.sleep()`, `rclpy.spin_until_future_complete(self,
   ...)`.
+- Loops that wait for a flag which only another callback sets, for the answer to `call_async()`, or for a message to
+  change that is here already.
 
 Several threads (`MultiThreadedExecutor`) run the callbacks of other groups in the meantime, and all others while an
 action server executes a goal: rclpy does that outside all callback groups.
 
 In C++ the same for `sleep_for`, `sleep`, `system`, `wait_for_service()` without a timeout, `wait` of a condition
-variable, `while (rclcpp::ok())`, `rclcpp::spin` and `rclcpp::spin_until_future_complete`, in files that make no
-executor with several threads and no callback groups.
+variable, `while (rclcpp::ok())`, loops that wait for a flag, `rclcpp::spin` and `rclcpp::spin_until_future_complete`,
+in files that make no executor with several threads and no callback groups; and for `get()` and `wait()` of the answer
+to a client in the callback group that the callback blocks, however many threads there are.
 
 ## Why it matters on a robot
 A single-threaded executor runs one callback after the other. While one blocks, no timer fires and no message is
@@ -69,7 +72,8 @@ def blocking_in_callback(robot: Robot) -> Iterator[Finding]:
 def _in_python(robot: Robot) -> Iterator[Finding]:
     for file, wait, stopped, certain in nodes.stopped_callbacks(robot.nodes):
         where = f"{wait.name}()" if wait.callback.function is None else wait.name
-        message = f"{wait.what} in {where} stops the node's {_others(len(stopped))} {wait.how_long}"
+        whom = f"the node's {_others(len(stopped))}" if stopped else "the node"
+        message = f"{wait.what} in {where} stops {whom} {wait.how_long}"
         if not wait.how_long:
             message = f"{wait.what} in {where} waits forever: only the executor that it blocks could end the wait"
         yield finding(

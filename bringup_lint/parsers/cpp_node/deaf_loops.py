@@ -6,9 +6,9 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.model.cpp_source import DeafLoop
+from bringup_lint.parsers.cpp_node.awaited import LEAVES
 from bringup_lint.parsers.cpp_node.syntax import Call
 from bringup_lint.parsers.cpp_node.syntax import Code
-from bringup_lint.parsers.cpp_node.waits import LEAVES
 from bringup_lint.parsers.cpp_node.waits import Bodies
 from bringup_lint.parsers.cpp_node.waits import runs
 from bringup_lint.pattern import regex

@@ -12,10 +12,13 @@ from bringup_lint.model.cpp_source import FOREVER
 from bringup_lint.model.cpp_source import UNTIL_OTHER_NODE
 from bringup_lint.model.cpp_source import Waiting
 from bringup_lint.model.node_source import Callback
+from bringup_lint.parsers.cpp_node.awaited import LEAVES
+from bringup_lint.parsers.cpp_node.awaited import Partners
 from bringup_lint.parsers.cpp_node.endpoints import seconds
 from bringup_lint.parsers.cpp_node.syntax import Call
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.pattern import regex
+from bringup_lint.source import Span
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -26,8 +29,8 @@ DEPTH = 3
 """Calls of methods of the same file that are followed."""
 _AT_START = regex(r"(?i)_?(?:on_?)?(?:init|setup|start_?up)")
 """Names of callbacks of a timer that runs once, before the node has anything else to do."""
-LEAVES = frozenset({"break_statement", "return_statement", "throw_statement", "co_return_statement", "goto_statement"})
 _LOCK = regex(r"\bunique_lock\b\s{0,4}(?:<[^<>;]{0,60}>)?\s{0,4}(?P<name>\w{1,60})\s{0,4}[({]")
+_BODIES = ("function_definition", "lambda_expression")
 _ENDLESS = ("true", "1", "rclcpp::ok()")
 
 
@@ -103,8 +106,9 @@ def runs(body: Node, node: Node) -> bool:
 def waits(code: Code, callbacks: list[Callback]) -> Iterator[Waiting]:
     """The calls that block in the callbacks of a file, each place once."""
     bodies = Bodies(code)
+    partners = Partners(code, {each.span.start: body for each in callbacks if (body := bodies.of(each)) is not None})
     locks = frozenset(match["name"] for match in _LOCK.finditer(code.source.text))
-    seen: set[int] = set()
+    told: list[Span] = []
     reached: set[int] = set()
     for callback in callbacks:
         body = bodies.of(callback) if not _AT_START.match(callback.name or "") else None
@@ -112,11 +116,27 @@ def waits(code: Code, callbacks: list[Callback]) -> Iterator[Waiting]:
             continue
         reached.add(body.id)
         for each in bodies.reached(body):
-            node = each.node if isinstance(each, Call) else each
-            found = _call(code, each, locks) if isinstance(each, Call) else _loop(code, each)
-            if found is not None and node.id not in seen:
-                seen.add(node.id)
-                yield Waiting(code.span(node), *found, callback)
+            found = _waiting(code, each, locks, partners, callback)
+            if found is not None and not any(span.start <= found.span.start < span.end for span in told):
+                told.append(found.span)
+                yield found
+
+
+def _waiting(
+    code: Code, each: Call | Node, locks: frozenset[str], partners: Partners, callback: Callback
+) -> Waiting | None:
+    """How a call or loop keeps the executor busy; None when it does not."""
+    if not isinstance(each, Call):
+        condition = partners.loop(each, callback)
+        found = (condition, "") if condition is not None else _loop(code, each)
+        return Waiting(code.span(each), *found, callback) if found is not None else None
+    if each.name in ("get", "wait"):
+        function = next((outer for outer in code.above(each.node) if outer.type in _BODIES), None)
+        asked = partners.answer(each, function, callback) if function is not None else None
+        if asked is not None:
+            return Waiting(code.span(each.node), asked, "", callback, True)
+    blocked = _call(code, each, locks)
+    return Waiting(code.span(each.node), *blocked, callback) if blocked is not None else None
 
 
 def _call(code: Code, call: Call, locks: frozenset[str]) -> tuple[str, str] | None:

@@ -55,7 +55,7 @@ def blocking(ending: Ending, cls: NodeClass) -> Iterator[Blocking]:
             waits = blocked(ending, node, cls)
             if waits is None:
                 continue
-            seen.add(node)
+            seen.update(ast.walk(node) if isinstance(node, ast.While) else (node,))
             found = _in_callback(cls, callback, name, node, waits)
             if found is not None and ((name, waits.what) not in told or waits.how_long):
                 told.add((name, waits.what))
@@ -72,4 +72,10 @@ def _in_callback(
         return None
     asked = next((each for each in clients if waits.what == f"{each.attribute}.call()"), None)
     partner = asked.callback_group if asked is not None else None
-    return Blocking(callback, name, node, *waits, partner, nested)
+    if waits.awaited is not None:
+        others = [each for each in waits.awaited.by if each.name != callback.name]
+        if waits.awaited.by and not others:
+            return None
+        groups = [waits.awaited.group] if waits.awaited.is_answer else [each.group for each in others]
+        partner = next((each for each in groups if each != callback.group), callback.group)
+    return Blocking(callback, name, node, waits.what, waits.how_long, partner, nested)

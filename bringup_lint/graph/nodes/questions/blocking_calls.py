@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import ast
 
+from bringup_lint.graph.nodes.questions.awaited import Awaited
+from bringup_lint.graph.nodes.questions.awaited import awaited
+from bringup_lint.graph.nodes.questions.endless_loops import has_no_exit
 from bringup_lint.graph.nodes.questions.endless_loops import is_endless
 from bringup_lint.graph.nodes.questions.short_programs import is_short
 from bringup_lint.graph.nodes.sources.ending import Ending
@@ -15,6 +18,9 @@ from bringup_lint.named_tuple import NamedTuple
 
 UNTIL_TIMEOUT = "until its timeout"
 """How long a call with a time-out lasts whose length is not known."""
+FOREVER = "forever"
+LONG = 60
+"""Code points of a condition that is shown."""
 SHORT = 0.1
 """Seconds; a shorter sleep delays nothing that matters."""
 _PROGRAMS = frozenset(
@@ -36,12 +42,14 @@ class Blocked(NamedTuple):
     """In words: ``time.sleep(2)``."""
     how_long: str
     """``for 2 s``, ``as long as the program runs``; empty when it waits for what the same executor must do."""
+    awaited: Awaited | None = None
+    """The callback whose work a loop waits for."""
 
 
 def blocked(ending: Ending, node: ast.Call | ast.While, cls: NodeClass) -> Blocked | None:
     """What a call or loop in a callback waits for; None when it does not block, or that is not known."""
     if isinstance(node, ast.While):
-        return Blocked("'while True'", "forever") if is_endless(node) else None
+        return _loop(ending, node, cls)
     if any(isinstance(above, ast.Await) for above, _ in _next(ending, node)):
         return None
     name = ending.syntax.qualified(node)
@@ -49,6 +57,16 @@ def blocked(ending: Ending, node: ast.Call | ast.While, cls: NodeClass) -> Block
     if found is not None:
         return found
     return _of_keyboard(ending, node) or _of_attribute(ending, node, cls)
+
+
+def _loop(ending: Ending, node: ast.While, cls: NodeClass) -> Blocked | None:
+    what = f"'while {ast.unparse(node.test)}'"
+    if is_endless(ending, node):
+        return Blocked(what, FOREVER)
+    found = awaited(ending, node, cls)
+    if found is None or len(what) > LONG:
+        return None
+    return Blocked(what, "" if found.by or found.is_answer else FOREVER, found)
 
 
 def _of_library(ending: Ending, call: ast.Call, name: str, cls: NodeClass) -> Blocked | None:
@@ -70,7 +88,9 @@ def _of_keyboard(ending: Ending, call: ast.Call) -> Blocked | None:
     if isinstance(function, ast.Name) and function.id == "input" and ending.file.imports.get("input") is None:
         return Blocked("input()", "until somebody types")
     if isinstance(function, ast.Attribute) and function.attr == "read_loop" and not call.args and _has_evdev(ending):
-        return Blocked("read_loop()", "until a key is pressed")
+        loops = [outer for outer, name in _next(ending, call) if isinstance(outer, ast.For) and name == "iter"]
+        is_endless = any(has_no_exit(each) for each in loops)
+        return Blocked("read_loop()", FOREVER if is_endless else "until a key is pressed")
     return None
 
 

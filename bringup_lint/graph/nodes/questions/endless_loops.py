@@ -14,14 +14,16 @@ from bringup_lint.model.node_source import NodeClass
 from bringup_lint.named_tuple import NamedTuple
 
 
-def is_endless(node: ast.While) -> bool:
-    """Whether a ``while True`` never ends."""
-    if not isinstance(node.test, ast.Constant) or not node.test.value:
-        return False
-    return has_no_exit(node)
+def is_endless(ending: Ending, node: ast.While) -> bool:
+    """Whether a ``while True`` or ``while rclpy.ok()`` never ends, and runs no executor."""
+    return is_forever(ending, node) and has_no_exit(node) and not spins(node)
 
 
-def has_no_exit(node: ast.While) -> bool:
+def spins(node: ast.While) -> bool:
+    return any("spin" in ast.unparse(call.func) for call in own_calls(node.body))
+
+
+def has_no_exit(node: ast.While | ast.For) -> bool:
     """Whether nothing in a loop leaves it, and nothing in it waits for the executor."""
     leaves = (ast.Break, ast.Return, ast.Raise, ast.Await, ast.Yield, ast.YieldFrom)
     exits = [call for call in own_calls(node.body) if isinstance(call.func, ast.Attribute) and call.func.attr == "exit"]
@@ -41,13 +43,11 @@ def endless_constructors(ending: Ending, cls: NodeClass) -> Iterator[Endless]:
     if init is None or "Thread" in ending.file.source.text or "multiprocessing" in ending.file.source.text:
         return
     for node in reached(ending.syntax, body_of(init.node), cls):
-        if isinstance(node, ast.While) and _is_forever(ending, node) and has_no_exit(node):
-            calls = own_calls(node.body)
-            if not any("spin" in ast.unparse(call.func) for call in calls):
-                yield Endless(node, ast.unparse(node.test))
+        if isinstance(node, ast.While) and is_endless(ending, node):
+            yield Endless(node, ast.unparse(node.test))
 
 
-def _is_forever(ending: Ending, node: ast.While) -> bool:
+def is_forever(ending: Ending, node: ast.While) -> bool:
     if isinstance(node.test, ast.Call):
         return ending.syntax.qualified(node.test) == "rclpy.ok"
     return isinstance(node.test, ast.Constant) and bool(node.test.value)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from bringup_lint.graph.nodes.questions.blocking import Blocking
 from bringup_lint.graph.nodes.questions.blocking import blocking
 from bringup_lint.graph.nodes.questions.blocking import deadlocks
+from bringup_lint.graph.nodes.questions.blocking_calls import FOREVER
 from bringup_lint.graph.nodes.questions.callback_code import only_stores
 from bringup_lint.graph.nodes.questions.endless_loops import Endless
 from bringup_lint.graph.nodes.questions.endless_loops import endless_constructors
@@ -25,6 +26,8 @@ if TYPE_CHECKING:
 _WORK = ("subscription", "timer", "service", "action", "client")
 _URGENT = ("subscription", "timer", "action")
 """What must not wait: a service may answer a few seconds later."""
+_SERVED = ("subscription", "service")
+"""Callbacks that are to run once for each message or request: a timer whose callback never ends may be meant."""
 _SPIN = "rclcpp::spin"
 _SOON = ("for ", "as long as ")
 """Waits that end by themselves: a subscription that only keeps the newest message may be served after them."""
@@ -78,6 +81,8 @@ def _stopped(nodes: Nodes, file: NodeSource, node: NodeClass, wait: Blocking, th
             return None
     if not wait.how_long or wait.nested:
         return found if deadlocks(wait, threads) else None
+    if wait.how_long == FOREVER and callback.role in _SERVED:
+        return found
     urgent = [each for each in found if each.role in _URGENT]
     if wait.how_long.startswith(_SOON):
         ending = nodes.ending(file)
@@ -96,9 +101,9 @@ def never_run(nodes: Nodes) -> Iterator[NeverRun]:
 
 def stopped_in_cpp(nodes: Nodes) -> Iterator[StoppedInCpp]:
     for node in nodes.cpp:
-        if node.executors:
-            continue
         for wait in node.waits:
+            if node.executors and not wait.is_certain:
+                continue
             found = [each for each in node.callbacks if each.span != wait.callback.span and each.role in _URGENT]
-            if found or wait.how_long == UNTIL_OTHER_NODE or wait.what == _SPIN:
+            if found or wait.how_long == UNTIL_OTHER_NODE or wait.what == _SPIN or wait.is_certain:
                 yield StoppedInCpp(node.source, wait, found)
