@@ -92,10 +92,10 @@ class CppNode:
     """It may declare parameters under names that are not literal, or all that it is given."""
     waits: list[Waiting] = field(default_factory=list)
     lookups: list[Lookup] = field(default_factory=list)
-    kept: dict[str, frozenset[str]] = field(default_factory=dict)
-    """Callback of a subscription -> the members that it alone fills, from its message."""
-    sent: dict[str, frozenset[str]] = field(default_factory=dict)
-    """Callback of a timer that publishes or writes something -> the words of what it runs."""
+    kept: dict[int, frozenset[str]] = field(default_factory=dict)
+    """Where the callback of a subscription is handed over -> the members that it alone fills, from its message."""
+    sent: dict[int, frozenset[str]] = field(default_factory=dict)
+    """Where the callback of a timer that publishes or writes something is handed over -> the words of what it runs."""
     executors: bool = False
     """It makes an executor of several threads, or callback groups."""
     devices: list[Located] = field(default_factory=list)

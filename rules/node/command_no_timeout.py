@@ -3,7 +3,8 @@
 ## What it finds
 A node that keeps the last velocity it was sent, and whose timer or thread sends it on again and again; and code that
 writes velocities to pins, to an I2C bus or to a motor driver, which keep what was written last. Messages of other
-types count by their names: `MotorSpeeds`, `ThrusterCommand`. In both cases when nothing in the source looks at a
+types count by their names: `MotorSpeeds`, `ThrusterCommand`; numbers by that of their topic: `thruster/command`; and
+the axes of a joystick that a timer goes on with. In all cases when nothing in the source looks at a
 time: no time-out, no stamp that is read, no difference of two times, and no count of the turns without a message.
 
 ## Why it matters on a robot
@@ -70,5 +71,6 @@ def command_no_timeout(robot: Robot) -> Iterator[Finding]:
             held.subscription.span,
             f"Velocities are written to {held.bus}, which keeps the last: without new commands the robot drives on",
             advice=ADVICE,
+            related=[note(held.writer, "writes them")] if held.writer is not None else [],
             severity=nodes.lowered(robot.nodes.purpose(held.source), "warning"),
         )

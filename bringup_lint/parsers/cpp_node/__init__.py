@@ -38,6 +38,8 @@ _OF_NODES = regex(
     r"\bcreate_(?:publisher|subscription|service|client|server|wall_timer|timer)\b|_parameters?\w{0,64}\s*[<(]"
     r"|\bNode\b|\bLifecycleNode\b|/dev/|RCLCPP_COMPONENTS_REGISTER_NODE|\bstd::thread\b"
 )
+_ROLES = {"subscription", "timer"}
+"""The callbacks of a node that may go on with what it got before."""
 _BRACKET = regex(r"[()\[\]{}]")
 _EXECUTORS = regex(r"MultiThreadedExecutor|EventsExecutor|create_callback_group|component_container_(?:mt|isolated)")
 _OPENING = regex(r"(?i)f?open(?:_?(?:serial|port|device))?\Z|set_?port\Z|VideoCapture\Z|Serial\Z")
@@ -65,7 +67,7 @@ def parse(source: Source) -> CppNode:
     node.executors = bool(_EXECUTORS.search(source.text))
     node.devices = list(_devices(code))
     node.threads = list(threads(code))
-    if "Twist" in source.text or "Ackermann" in source.text:
+    if {each.role for each in node.callbacks} >= _ROLES:
         node.kept = kept(code, node.callbacks[:CALLBACKS])
         node.sent = sent(code, node.callbacks[:CALLBACKS])
     node.lookups = list(lookups(code, node.callbacks[:CALLBACKS]))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from bisect import bisect_left
 from collections import Counter
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.named_tuple import NamedTuple
@@ -22,22 +23,32 @@ _SENDS = regex(r"(?i)(?:publish|write|send|set_?(?:motor|speed|velocity|pwm|whee
 _WORD = regex(r"[A-Za-z_]\w*")
 
 
-def kept(code: Code, callbacks: list[Callback]) -> dict[str, frozenset[str]]:
-    """Callback of a subscription -> the members that it fills from its message, and that nothing else fills."""
+def kept(code: Code, callbacks: list[Callback]) -> dict[int, frozenset[str]]:
+    """Where the callback of a subscription is handed over -> the members that it fills from its message, and that
+    nothing else fills."""
     bodies = Bodies(code)
     assignments = _Assignments(code)
-    found: dict[str, frozenset[str]] = {}
+    found: dict[int, frozenset[str]] = {}
     for callback in callbacks:
-        if callback.name in found:
-            continue
-        body = bodies.of(callback) if callback.role == "subscription" and callback.name else None
-        if callback.name is not None and body is not None:
-            found[callback.name] = assignments.filled(body)
+        body = bodies.of(callback) if callback.role == "subscription" else None
+        if body is not None:
+            taken = (assignments.filled(each) for each in (body, *_handed_on(code, bodies, body)))
+            found[callback.span.start] = frozenset().union(*taken)
     return found
 
 
-def sent(code: Code, callbacks: list[Callback]) -> dict[str, frozenset[str]]:
-    """Callback of a timer that sends something -> the words of what it runs."""
+def _handed_on(code: Code, bodies: Bodies, body: Node) -> Iterator[Node]:
+    """The methods of the file to which a lambda hands its message."""
+    if body.type != "lambda_expression":
+        return
+    for call in bodies.own(body):
+        inner = bodies.functions.get(call.name, [])
+        if call.arguments and len(inner) == 1 and call.qualified in (call.name, f"this->{call.name}"):
+            yield inner[0]
+
+
+def sent(code: Code, callbacks: list[Callback]) -> dict[int, frozenset[str]]:
+    """Where the callback of a timer that sends something is handed over -> the words of what it runs."""
     bodies = Bodies(code)
     words_of: dict[int, frozenset[str]] = {}
 
@@ -46,10 +57,8 @@ def sent(code: Code, callbacks: list[Callback]) -> dict[str, frozenset[str]]:
             words_of[node.id] = frozenset(_WORD.findall(code.text(node)))
         return words_of[node.id]
 
-    found: dict[str, frozenset[str]] = {}
+    found: dict[int, frozenset[str]] = {}
     for callback in callbacks:
-        if callback.name in found:
-            continue
         body = bodies.of(callback) if callback.role == "timer" else None
         if body is None:
             continue
@@ -57,7 +66,7 @@ def sent(code: Code, callbacks: list[Callback]) -> dict[str, frozenset[str]]:
         if any(_SENDS.match(call.name) for call in calls):
             inner = (bodies.functions.get(name, []) for name in dict.fromkeys(call.name for call in calls))
             nodes = (body, *(function for functions in inner for function in functions))
-            found[callback.name or "a lambda"] = frozenset().union(*map(words, nodes))
+            found[callback.span.start] = frozenset().union(*map(words, nodes))
     return found
 
 

@@ -14,6 +14,7 @@ from bringup_lint.graph.nodes.questions.motion import is_motor_command
 from bringup_lint.graph.nodes.questions.motion import moves
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import NodeClass
+from bringup_lint.model.python import walk
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Span
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
 
 _TYPES = frozenset({"Twist", "TwistStamped", "AckermannDrive", "AckermannDriveStamped"})
 _SENDS = regex(r"(?i)(?:publish|write|send|set_?(?:motor|speed|velocity|pwm|wheel)\w*|drive)\Z")
+_NUMBERS = frozenset({"Float64MultiArray", "Float32MultiArray"})
 _TIMED = regex(
     r"time_?out|watch_?dog|dead_?man|stale|expir|elapsed|heart_?beat|fail_?safe|deadline|\blease|since_?last"
     r"|last_?\w{0,20}(?:time|stamp|recv|received|call)|(?:time|stamp)\w{0,20}last|no_?(?:cmd|command)|\bstamp\b|\bage\b"
@@ -48,10 +50,13 @@ _OTHER_TIMEOUTS = regex(
 
 _PYTHON_BUS = regex(
     r"^[ \t]*(?:import|from)[ \t]+(?P<bus>smbus2?|RPi\.GPIO|gpiozero|pigpio|lgpio|Jetson\.GPIO"
-    r"|(?i:adafruit_\w+)|board|pysabertooth|roboclaw\w*|qwiic_\w+|odrive)\b",
+    r"|(?i:adafruit_\w+|pca9685\w*)|board|pysabertooth|roboclaw\w*|qwiic_\w+|odrive|rpi_hardware_pwm|gpiod|wiringpi)\b",
     re.M,
 )
-_CPP_BUS = regex(r"(?P<bus>/dev/i2c-\d+|linux/i2c-dev\.h|wiringPi\.h|pigpio\w*\.h|lgpio\.h|wiringPiI2C\.h)")
+_CPP_BUS = regex(
+    r"(?P<bus>/dev/i2c-\d+|/sys/class/(?:pwm|gpio)\b|linux/i2c-dev\.h|wiringPi\.h|pigpio\w*\.h|lgpio\.h|gpiod\.h"
+    r"|wiringPiI2C\.h)"
+)
 _I2C = regex(r"/dev/i2c-\d+")
 """Pins, and buses whose chips keep what was written last."""
 
@@ -76,7 +81,7 @@ class Repeated(NamedTuple):
     """The callback of the timer."""
     where: Span
     sender: Span | None = None
-    """The method that sends it, where it is known."""
+    """The call that sends it, where it is known."""
 
 
 def repeated(nodes: Nodes) -> Iterator[Repeated]:
@@ -108,10 +113,11 @@ def looks_at_time(text: str) -> bool:
 def _in_class(nodes: Nodes, file: NodeSource, node: NodeClass) -> Iterator[Repeated]:
     syntax = nodes.syntax(file)
     for endpoint in node.endpoints:
-        if not _is_command(endpoint) and not is_motor_command(endpoint):
+        if not _is_held(endpoint) and not _is_joystick(node, endpoint):
             continue
         for loop in loops(syntax, node):
-            if not any(isinstance(each, ast.Call) and _sends(each, node) for each in loop.code):
+            sender = next((each for each in loop.code if isinstance(each, ast.Call) and _sends(each, node)), None)
+            if sender is None:
                 continue
             found = sorted(held_over(syntax, node, endpoint.callback, loop))
             for name in found[:1]:
@@ -121,8 +127,16 @@ def _in_class(nodes: Nodes, file: NodeSource, node: NodeClass) -> Iterator[Repea
                     f"self.{name}",
                     f"{loop.name}()",
                     loop.span,
-                    node.methods[loop.name].name.span,
+                    file.span_of(sender),
                 )
+
+
+def _is_joystick(node: NodeClass, endpoint: Endpoint) -> bool:
+    """Whether a callback takes the axes of a joystick, which sends nothing any more when it drops out."""
+    method = node.methods.get(endpoint.callback or "") if endpoint.type == "sensor_msgs/msg/Joy" else None
+    return method is not None and any(
+        isinstance(each, ast.Attribute) and each.attr == "axes" for each in walk(method.node)
+    )
 
 
 def _sends(call: ast.Call, node: NodeClass) -> bool:
@@ -143,25 +157,35 @@ def _is_motion(endpoint: Endpoint) -> bool:
 
 
 def _in_cpp(nodes: Nodes, source: CppNode) -> Iterator[Repeated]:
-    if (
-        not source.kept
-        or not source.sent
-        or not _moves_something(source)
-        or looks_at_time(_with_header(nodes, source.source))
-    ):
+    commands = [each for each in source.endpoints if _is_held(each)]
+    if not commands or not source.kept or not source.sent or not _moves_something(source):
         return
-    for endpoint in filter(_is_command, source.endpoints):
-        held = source.kept.get(endpoint.callback or "", frozenset())
-        for timer, words in source.sent.items():
-            place = next((each.span for each in source.timers if each.callback == timer), None)
+    if looks_at_time(_with_header(nodes, source.source)):
+        return
+    for endpoint in commands:
+        held = next((names for at, names in source.kept.items() if _is_within(at, endpoint.span)), frozenset())
+        for each in source.callbacks:
+            words = source.sent.get(each.span.start, frozenset()) if each.role == "timer" else frozenset()
             for name in sorted(held & words)[:1]:
-                yield Repeated(source.source, endpoint, name, f"{timer}()", place or endpoint.span)
+                place = next((timer.span for timer in source.timers if _is_within(each.span.start, timer.span)), None)
+                timer = f"{each.name}()" if each.name is not None else "The timer"
+                yield Repeated(source.source, endpoint, name, timer, place or endpoint.span)
+
+
+def _is_within(at: int, span: Span) -> bool:
+    return span.start <= at < span.end
 
 
 def _moves_something(source: CppNode) -> bool:
     """Whether a file publishes what moves something, or publishes nothing and so writes to hardware."""
     publishers = [each for each in source.endpoints if each.role == "publisher"]
-    return not publishers or any(map(_is_motion, publishers))
+    return not publishers or any(_is_motion(each) or _is_command_topic(each) for each in publishers)
+
+
+def _is_command_topic(endpoint: Endpoint) -> bool:
+    """Whether numbers are published under the name of a command, as those of a gait that is walked on with."""
+    kind = (endpoint.type or "").rpartition("/")[2]
+    return kind in _NUMBERS and (endpoint.name or "").rpartition("/")[2] in ("command", "commands", "cmd")
 
 
 def _with_header(nodes: Nodes, source: Source) -> str:
@@ -188,6 +212,8 @@ class Held(NamedTuple):
     subscription: Endpoint
     bus: str
     """The bus or the library that writes to it: ``/dev/i2c-1``, ``the I2C bus``, ``smbus``."""
+    writer: Span | None = None
+    """The first statement of the callback that uses the message, where it is known."""
 
 
 def held(nodes: Nodes) -> Iterator[Held]:
@@ -197,15 +223,29 @@ def held(nodes: Nodes) -> Iterator[Held]:
         bus = next(filter(None, (_bus(text, _PYTHON_BUS) for text in texts)), None)
         if bus is None or any(map(looks_at_time, texts)):
             continue
-        yield from (Held(file.source, each, bus) for each in file.strays if _is_held(each))
+        yield from (Held(file.source, each, bus, _writer(file, each)) for each in file.strays if _is_held(each))
         for node in file.classes:
             if node.is_node is True and not _ends_in_loop(nodes, file, node):
-                yield from (Held(file.source, each, bus) for each in node.endpoints if _is_held(each))
+                yield from (
+                    Held(file.source, each, bus, _writer(file, each)) for each in node.endpoints if _is_held(each)
+                )
     for source in nodes.cpp:
         text = _with_header(nodes, source.source)
         bus = _bus(text, _CPP_BUS)
         if bus is not None and not source.sent and not looks_at_time(text):
             yield from (Held(source.source, each, bus) for each in source.endpoints if _is_held(each))
+
+
+def _writer(file: NodeSource, endpoint: Endpoint) -> Span | None:
+    functions = (each for each in file.nodes if isinstance(each, ast.FunctionDef))
+    named = [each for each in functions if each.name == endpoint.callback]
+    if len(named) != 1 or not named[0].args.args:
+        return None
+    message = named[0].args.args[-1].arg
+    for statement in named[0].body:
+        if any(isinstance(each, ast.Name) and each.id == message for each in walk(statement)):
+            return file.span_of(statement)
+    return None
 
 
 def _ends_in_loop(nodes: Nodes, file: NodeSource, node: NodeClass) -> bool:
