@@ -22,7 +22,7 @@ _WIFI = {
     "code-server": regex(r"^(?P<name>password):[ \t]*[\"']?(?P<value>[^\s\"'#]+)[\"']?[ \t\r]*$", re.M),
 }
 """Kind of file -> where it holds a password."""
-_WORD = r"(?P<quote>[\"']?)(?P<value>[^\s\"'{}!#]+)(?P=quote)"
+_WORD = r"(?P<quote>[\"']?)(?P<value>[^\s\"'{}!#][^\s\"'{}#]*)(?P=quote)"
 _VARIABLES = (
     regex(r"^[ \t]*[\"']?(?P<name>[A-Za-z_]\w*)[\"']?:[ \t]+" + _WORD + r"[ \t\r]*(?:#.*)?$", re.M),
     regex(r"(?<![\w#])(?P<name>ansible_\w*pass(?:word)?)[ \t]*=[ \t]*" + _WORD + r"(?=\s|$)"),
