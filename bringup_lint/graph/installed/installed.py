@@ -34,11 +34,11 @@ MOST_FILES = 200
 """Files that one script may write."""
 _MARKS = regex(r"/etc/|/systemd|/udev|/usr/l|\.config/|/opt/|sysctl|\.rules|\.service")
 """What a script says that installs something."""
-_BY_LINE = frozenset({"sysctl", "udev-rules", "sudoers", "env-file"})
+_BY_LINE = frozenset({"sysctl", "udev-rules", "sudoers", "env-file", "limits-conf"})
 """Kinds of which every line speaks for itself, so that lines added to a file can be judged."""
 _EXPANDING = frozenset({"shell-script", "env-file"})
 """Kinds that know variables themselves: what is not known in them cannot be told from what is wrong."""
-_NOT_JOINED = regex(r"launch|python|limits|params|package|cmake|authorized-keys|ssh-")
+_NOT_JOINED = regex(r"launch|python|params|package|cmake|authorized-keys|ssh-")
 _COPIES = frozenset({"cp", "install", "ln", "mv", "rsync"})
 _VALUED = {"install": ("-o", "-g", "-m", "-S"), "rsync": ("-e",), "cp": ("-S",), "mv": ("-S",), "ln": ("-S",)}
 

@@ -30,7 +30,8 @@ def granted_limits(unit: Unit, units: Units) -> Iterator[tuple[str, Grant]]:
         return
     groups = identity.groups(units.users)
     files = units.files
-    for grants in files.parsed(parse, files.of_kind("limits-conf")):
+    own = [source for source in files.of_kind("limits-conf") if source.origin is None]
+    for grants in files.parsed(parse, own):
         for grant in grants:
             of_group = grant.domain.startswith("@") and grant.domain[1:] in groups
             if grant.item in LIMIT_OF and (of_group or grant.domain == identity.name):
