@@ -7,6 +7,7 @@ A program in Exec*= that belongs to the robot (below /usr/local, /opt, /etc, /ho
 - error: it does not exist in a complete root file system;
 - error: it is not executable there;
 - error: it is a script without a `#!` line, also in a repository;
+- error: a script or user data of the tree writes it, and nothing makes it executable, also in a repository;
 - warning, with medium confidence: a repository ships other files for the same folder, or its units start other
   files from the same folder of the checkout, but it does not have this one, and no step creates it.
 
@@ -53,6 +54,7 @@ from bringup_lint.api.systemd import unstartable
 TEXTS = {
     Defect.MISSING: ("is not in this root file system", "ship it with mode 0755"),
     Defect.NOT_EXECUTABLE: ("is not executable (mode {mode:04o})", "run chmod 0755 {program}"),
+    Defect.WRITTEN: ("is written without execute permission", "run chmod 0755 {program} after it is written"),
     Defect.NO_INTERPRETER: (
         "is a script without a #! line",
         "name the interpreter in the first line, for example #!/bin/bash",

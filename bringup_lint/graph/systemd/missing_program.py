@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from enum import Enum
 
+from bringup_lint.graph.files import Files
 from bringup_lint.graph.systemd.filesystem import Filesystem
 from bringup_lint.graph.systemd.process import Process
 from bringup_lint.named_tuple import NamedTuple
@@ -13,6 +15,9 @@ from bringup_lint.source import Source
 
 _OWN = regex(r"/(?:usr/local|opt|etc|home|root|srv|var|data)/.+")
 """Where programs lie that no package of the distribution brings."""
+_MODE = regex(r"^[ \t-]*(?:permissions|mode)[\"']?[ \t]*:", re.M)
+_CHANGES = regex(r"\b(?:chmod|setfacl|install|cp|mv|rsync)\b[^\n]*")
+_SEVERAL = regex(r"(?:chmod|setfacl)[^\n]*(?:[*$]|[ \t]-\w{0,5}R)")
 _SCRIPT = regex(r"\.(?:sh|bash|py|pl)$")
 
 
@@ -20,6 +25,7 @@ class Defect(Enum):
     MISSING = "it is not in the root file system"
     NOT_EXECUTABLE = "its mode lets nobody execute it"
     NO_INTERPRETER = "it is a script without a #! line"
+    WRITTEN = "what writes it gives it no execute permission"
 
 
 class Unstartable(NamedTuple):
@@ -46,5 +52,20 @@ def unstartable(process: Process, filesystem: Filesystem) -> Iterator[Unstartabl
         return
     if source.mode is not None and not source.mode & 0o111:
         yield Unstartable(Defect.NOT_EXECUTABLE, source)
+    if source.origin is not None and source.origin.certain and not _is_made_executable(filesystem.files, source):
+        yield Unstartable(Defect.WRITTEN, source)
     if source.text and not source.template and not source.text.startswith("#!") and _SCRIPT.search(program):
         yield Unstartable(Defect.NO_INTERPRETER, source)
+
+
+def _is_made_executable(files: Files, source: Source) -> bool:
+    """Whether what writes a file, or another file that names it, may make it executable: a script with ``chmod`` or
+    ``install``, user data and plays with a mode."""
+    assert source.origin is not None
+    writer = source.origin.whole.source
+    if writer.kind != "shell-script" and _MODE.search(writer.text):
+        return True
+    if any(source.basename in line or _SEVERAL.search(line) for line in _CHANGES.findall(writer.text)):
+        return True
+    others = (each.text for each in files.sources if each is not writer)
+    return any(source.basename in text and _CHANGES.search(text) for text in others)
