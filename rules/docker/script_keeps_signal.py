@@ -81,22 +81,13 @@ def _handing(robot: Robot, said: set[Source | None]) -> Iterator[Finding]:
             if runner.in_container and step.script is not None and step.script not in said:
                 scripts.setdefault(step.script, (step.command.words[0], []))[1].append(runner)
     for script, (word, runners) in scripts.items():
-        commands = [" ".join(service.command) for service in robot.compose.services]
-        if any("ros2" in command for command in (*commands, *_default_commands(runners))):
+        if any("ros2" in " ".join(service.command) for service in robot.compose.services):
             yield finding(
                 word,
                 f"{script.basename} runs its command without exec: docker stop signals the shell, and Docker kills ROS",
                 advice='write exec "$@"',
                 related=[note(runner.where, f"{runner.name} starts the script") for runner in runners],
             )
-
-
-def _default_commands(runners: list[Runner]) -> Iterator[str]:
-    """The commands that images run where nobody gives another one."""
-    for runner in runners:
-        instruction = runner.stage.last("CMD") if runner.stage is not None else None
-        if instruction is not None:
-            yield str(instruction.value)
 
 
 def _given(runner: Runner) -> Iterator[Step]:
