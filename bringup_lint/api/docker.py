@@ -9,6 +9,7 @@ from bringup_lint.on_demand import on_demand
 if TYPE_CHECKING:
     from bringup_lint.graph.containers.base_images import ros_distro
     from bringup_lint.graph.containers.base_images import runs_as_root
+    from bringup_lint.graph.containers.base_images import ubuntu_codename
     from bringup_lint.graph.containers.build_context import lacking_sources
     from bringup_lint.graph.containers.devcontainers import Broken
     from bringup_lint.graph.containers.devcontainers import broken_references
@@ -27,6 +28,7 @@ if TYPE_CHECKING:
     from bringup_lint.model.dockerfile import Dockerfile
     from bringup_lint.model.dockerfile import Stage
     from bringup_lint.model.dockerfile import stays_in_shell
+    from bringup_lint.model.dockerfile import substituted
     from bringup_lint.model.image_build import image_name
     from bringup_lint.parsers.dockerfile import assignments
     from bringup_lint.parsers.dockerfile import blocks_of_run
@@ -64,5 +66,7 @@ __all__ = [
     "ros_distro",
     "runs_as_root",
     "stays_in_shell",
+    "substituted",
+    "ubuntu_codename",
     "user_name",
 ]

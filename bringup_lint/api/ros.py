@@ -8,6 +8,7 @@ from bringup_lint.on_demand import on_demand
 
 if TYPE_CHECKING:
     from bringup_lint.facts.ros.distros import at_least
+    from bringup_lint.facts.ros.distros import codename_of
     from bringup_lint.facts.ros.distros import distro_end
     from bringup_lint.facts.ros.distros import distros_since
     from bringup_lint.facts.ros.needed import not_rosdep
@@ -35,6 +36,7 @@ __all__ = [
     "MAX_DOMAIN",
     "RMW_IMPLEMENTATIONS",
     "at_least",
+    "codename_of",
     "distro_end",
     "distros_since",
     "domain_id",

@@ -120,14 +120,16 @@ class Service:
         return Build(*(part.value if part else None for part in parts))
 
     @property
-    def build_arguments(self) -> frozenset[str]:
-        """The names of the ARGs that it gives to its build."""
+    def build_arguments(self) -> dict[str, Located | None]:
+        """The ARGs that it gives to its build, with their values where these are written here."""
         node = self.get("build")
         given = node.get("args") if isinstance(node, Mapping) else None
         if isinstance(given, Mapping):
-            return frozenset(str(key.value) for key, _ in given.merged)
-        words = given.scalars if isinstance(given, Sequence) else ()
-        return frozenset(word.value.partition("=")[0] for word in words)
+            values = ((key.value, value) for key, value in given.merged)
+            return {str(name): value.value if isinstance(value, Scalar) else None for name, value in values}
+        words = [word.value for word in given.scalars] if isinstance(given, Sequence) else []
+        pairs = ((word, word.find("=")) for word in words)
+        return {str(word.partition("=")[0]): word.part(at + 1, len(word)) if at > 0 else None for word, at in pairs}
 
     @property
     def inline_dockerfile(self) -> bool:

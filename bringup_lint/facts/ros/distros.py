@@ -57,6 +57,12 @@ def distros_since(first: str) -> tuple[str, ...]:
     return supported()[supported().index(first) :]
 
 
+def codename_of(distro: str) -> str:
+    """The Ubuntu that a distribution has packages for; empty for names of no distribution."""
+    found = every().get(distro)
+    return found.codename if found is not None else ""
+
+
 def systemd_of(distro: str) -> int:
     """The systemd of the Ubuntu release that a supported distribution is built for."""
     systemd = every()[distro].systemd

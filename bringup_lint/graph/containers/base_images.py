@@ -7,6 +7,12 @@ from bringup_lint.pattern import regex
 
 _LIBRARY = r"(?:docker\.io/)?(?:library/)?(?:(?:arm64v8|amd64|arm32v7)/)?"
 _ROS = regex(rf"{_LIBRARY}(?:osrf/)?ros:(?P<distro>[a-z]+)(?:-[\w.-]+)?")
+_UBUNTU = regex(rf"{_LIBRARY}ubuntu:(?P<release>[\w.]+)(?:-[\w.]+)?")
+_ON_UBUNTU = regex(r"[\w./:-]*[.:-]ubuntu-?(?P<year>\d\d)\.?04(?:[-\w.]*)")
+_JETSON = regex(r"nvcr\.io/nvidia/l4t-[\w-]+:r(?P<major>\d\d)[\w.-]*")
+_CODENAMES = {"18.04": "bionic", "20.04": "focal", "22.04": "jammy", "24.04": "noble"}
+_OF_JETSON = {"32": "bionic", "34": "focal", "35": "focal", "36": "jammy"}
+"""Release of Jetson Linux -> the Ubuntu of its images."""
 _UNLISTED = regex(
     rf"{_LIBRARY}(?:ros|ubuntu|debian|python|osrf/ros2?)(?::[^@]*)?"
     r"|(?:docker\.io/)?nvidia/cuda:.*|nvcr\.io/nvidia/cuda:.*"
@@ -22,6 +28,22 @@ def ros_distro(image: str) -> str:
     """The distribution of an image of ROS; empty for other images and for tags without one (``latest``)."""
     match = _ROS.fullmatch(image)
     return match["distro"] if match is not None and match["distro"] in distros.every() else ""
+
+
+def ubuntu_codename(image: str) -> str:
+    """The Ubuntu of an image of Ubuntu, of ROS, of CUDA or for Jetson; empty where the name does not say it."""
+    jetson = _JETSON.fullmatch(image)
+    if jetson is not None:
+        return _OF_JETSON.get(jetson["major"], "")
+    ubuntu = _UBUNTU.fullmatch(image)
+    if ubuntu is not None:
+        release = _CODENAMES.get(ubuntu["release"], ubuntu["release"])
+        return release if release in _CODENAMES.values() else ""
+    on_ubuntu = _ON_UBUNTU.fullmatch(image)
+    if on_ubuntu is not None:
+        return _CODENAMES.get(f"{on_ubuntu['year']}.04", "")
+    distro = ros_distro(image)
+    return distros.codename_of(distro) if distro != "rolling" else ""
 
 
 def has_no_package_lists(image: str) -> bool:
