@@ -8,7 +8,7 @@ from bringup_lint.pattern import regex
 _LIBRARY = r"(?:docker\.io/)?(?:library/)?(?:(?:arm64v8|amd64|arm32v7)/)?"
 _ROS = regex(rf"{_LIBRARY}(?:osrf/)?ros:(?P<distro>[a-z]+)(?:-[\w.-]+)?")
 _UBUNTU = regex(rf"{_LIBRARY}ubuntu:(?P<release>[\w.]+)(?:-[\w.]+)?")
-_ON_UBUNTU = regex(r"[\w./:-]*[.:-]ubuntu-?(?P<year>\d\d)\.?04(?:[-\w.]*)")
+_ON_UBUNTU = regex(r"[.:-]ubuntu-?(?P<year>\d\d)\.?04(?!\d)")
 _JETSON = regex(r"nvcr\.io/nvidia/l4t-[\w-]+:r(?P<major>\d\d)[\w.-]*")
 _CODENAMES = {"18.04": "bionic", "20.04": "focal", "22.04": "jammy", "24.04": "noble"}
 _OF_JETSON = {"32": "bionic", "34": "focal", "35": "focal", "36": "jammy"}
@@ -39,7 +39,7 @@ def ubuntu_codename(image: str) -> str:
     if ubuntu is not None:
         release = _CODENAMES.get(ubuntu["release"], ubuntu["release"])
         return release if release in _CODENAMES.values() else ""
-    on_ubuntu = _ON_UBUNTU.fullmatch(image)
+    on_ubuntu = _ON_UBUNTU.search(image)
     if on_ubuntu is not None:
         return _CODENAMES.get(f"{on_ubuntu['year']}.04", "")
     distro = ros_distro(image)

@@ -17,7 +17,7 @@ _OWN = regex(r"/(?:usr/local|opt|etc|home|root|srv|var|data)/.+")
 """Where programs lie that no package of the distribution brings."""
 _MODE = regex(r"^[ \t-]*(?:permissions|mode)[\"']?[ \t]*:", re.M)
 _CHANGES = regex(r"\b(?:chmod|setfacl|install|cp|mv|rsync)\b[^\n]*")
-_SEVERAL = regex(r"(?:chmod|setfacl)[^\n]*(?:[*$]|[ \t]-\w{0,5}R)")
+_SEVERAL = regex(r"[*$]|[ \t]-\w{0,5}R")
 _SCRIPT = regex(r"\.(?:sh|bash|py|pl)$")
 
 
@@ -65,7 +65,8 @@ def _is_made_executable(files: Files, source: Source) -> bool:
     writer = source.origin.whole.source
     if writer.kind != "shell-script" and _MODE.search(writer.text):
         return True
-    if any(source.basename in line or _SEVERAL.search(line) for line in _CHANGES.findall(writer.text)):
+    changes = _CHANGES.findall(writer.text)
+    if any(source.basename in line or (line.startswith("chmod") and _SEVERAL.search(line)) for line in changes):
         return True
     others = (each.text for each in files.sources if each is not writer)
     return any(source.basename in text and _CHANGES.search(text) for text in others)
