@@ -137,13 +137,14 @@ class Launch:
     def _unseen(self) -> frozenset[int]:
         return frozenset(id(file) for file in self.files if file.reads_all or _substitutes(file))
 
+    @memo
     def place(self, value: Value) -> Place | None:
         """A resolved value as a path, in terms of the package or folder it is relative to."""
         return place(value)
 
     def find(self, value: Value) -> Found | None:
         """The file that a resolved value names; None when the tree cannot tell."""
-        return self.workspace.find(place(value))
+        return self.workspace.find(self.place(value))
 
     def locate(self, value: Value) -> LaunchFile | None:
         """The launch file that a resolved value names, if it is in the tree."""
@@ -411,7 +412,7 @@ class Launch:
             return True
         expansion = self.expansion(file)
         packages = {str(literal_text(node.package)) for node in expansion.nodes if node.by_default is not False}
-        always = (place(include.file) for include in expansion.includes if not include.conditions)
+        always = (self.place(include.file) for include in expansion.includes if not include.conditions)
         packages |= {target.package for target in always if target is not None}
         return any(SIMULATORS.search(package) for package in packages)
 

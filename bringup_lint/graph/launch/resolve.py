@@ -35,6 +35,7 @@ from bringup_lint.source import Span
 
 DEPTH = 40
 LENGTH = 100_000
+PARTS = 1000
 TRUE = ("true", "1")
 FALSE = ("false", "0")
 
@@ -150,10 +151,19 @@ def texts_of(values: Iterable[Value]) -> list[str] | None:
 
 
 def _concat(self: Resolver, value: Concat) -> Value:
+    if _stays(value.parts):
+        return value
     parts: list[Value] = []
     for part in self.values(value.parts):
         parts.extend(part.parts if isinstance(part, Concat) else (part,))
     return joined(parts, value.span)
+
+
+def _stays(parts: tuple[Value, ...]) -> bool:
+    """Whether the parts of a text mean the same in every scope, and are not all known."""
+    if len(parts) > PARTS or any(type(part) in _RESOLVE for part in parts):
+        return False
+    return texts_of(parts) is None
 
 
 def joined(parts: list[Value], span: Span) -> Value:
@@ -164,7 +174,7 @@ def joined(parts: list[Value], span: Span) -> Value:
             return filled[0]
         text = "".join(texts)
         return Literal(Located(text, span), span) if len(text) <= LENGTH else Unknown("too large", span)
-    return Concat(tuple(parts), span) if len(parts) <= 1000 else Unknown("too large", span)
+    return Concat(tuple(parts), span) if len(parts) <= PARTS else Unknown("too large", span)
 
 
 def _path(self: Resolver, value: PathJoin) -> Value:
