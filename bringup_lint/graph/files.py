@@ -91,8 +91,7 @@ class Files:
         models = []
         for source in sources:
             try:
-                with limited(budget.FILE):
-                    models.append(_model(parse, source))
+                models.append(_model(parse, source))
             except Exception as error:
                 self.failures.append((source, error))
             except OutOfTime:
@@ -181,8 +180,13 @@ def _model(parse: Callable[[Source], Model], source: Source) -> Model:
     """The model of a source, made once for all layers; the one of an earlier run where the source outlives a run. Only
     a function of a module is known again: one with a context may answer otherwise the next time."""
     if not isinstance(parse, FunctionType) or parse.__closure__ or parse.__name__ == "<lambda>":
+        return _in_time(parse, source)
+    return source.once(parse, lambda: _in_time(parse, source))
+
+
+def _in_time(parse: Callable[[Source], Model], source: Source) -> Model:
+    with limited(budget.FILE):
         return parse(source)
-    return source.once(parse, lambda: parse(source))
 
 
 def _source_of(place: Source | Located | Span) -> Source:

@@ -9,6 +9,8 @@ from queue import SimpleQueue
 from typing import Any
 from typing import TypeVar
 
+from bringup_lint.garbage import collect_between_runs
+
 Result = TypeVar("Result")
 
 
@@ -27,6 +29,7 @@ class Worker:
 
     def run(self) -> None:
         """Work until ``stop`` is called."""
+        collect_between_runs()
         while (job := self._jobs.get()) is not None:
             future, work = job
             if future.set_running_or_notify_cancel():

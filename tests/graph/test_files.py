@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import re
 
+import pytest
+
 from bringup_lint.discover.tree import Tree
 from bringup_lint.graph.files import Files
 from bringup_lint.source import Source
@@ -29,3 +31,12 @@ def read(source: Source) -> Model:
 def test_what_several_layers_ask_for_is_parsed_once() -> None:
     files = Files(Tree(sources=[Source("a.py", kind="python-node"), Source("b.py", kind="python-node")]))
     assert files.parsed(read, files.sources) == files.parsed(read, files.sources)
+
+
+def test_no_timer_is_set_for_what_is_parsed_already(monkeypatch: pytest.MonkeyPatch) -> None:
+    files = Files(Tree(sources=[Source("a.py", kind="python-node")]))
+    files.parsed(read, files.sources)
+    set_for: list[float] = []
+    monkeypatch.setattr("bringup_lint.graph.files.limited", set_for.append)
+    files.parsed(read, files.sources)
+    assert not set_for

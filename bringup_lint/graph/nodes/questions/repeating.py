@@ -102,11 +102,15 @@ def _is_command(endpoint: Endpoint) -> bool:
 
 def _ignores_time(nodes: Nodes, file: NodeSource) -> bool:
     files = nodes.imported(file)
-    return files is not None and not any(looks_at_time(each.source.text) for each in files)
+    return files is not None and not any(looks_at_time(each.source) for each in files)
 
 
-def looks_at_time(text: str) -> bool:
-    """Whether code compares times, or speaks of a time-out that is not one of reading or writing."""
+def looks_at_time(source: Source) -> bool:
+    """Whether a file compares times, or speaks of a time-out that is not one of reading or writing."""
+    return source.once(looks_at_time, lambda: _looks_at_time(source.text))
+
+
+def _looks_at_time(text: str) -> bool:
     return bool(_TIMED.search(_OTHER_TIMEOUTS.sub("", _COMMENT.sub("", text))))
 
 
@@ -160,7 +164,7 @@ def _in_cpp(nodes: Nodes, source: CppNode) -> Iterator[Repeated]:
     commands = [each for each in source.endpoints if _is_held(each)]
     if not commands or not source.kept or not source.sent or not _moves_something(source):
         return
-    if looks_at_time(_with_header(nodes, source.source)):
+    if _looks_at_time(_with_header(nodes, source.source)):
         return
     for endpoint in commands:
         held = next((names for at, names in source.kept.items() if _is_within(at, endpoint.span)), frozenset())
@@ -219,9 +223,9 @@ class Held(NamedTuple):
 def held(nodes: Nodes) -> Iterator[Held]:
     """Nodes that take velocities to pins or to a bus without a controller of its own, and look at no time."""
     for file in nodes.programs:
-        texts = [each.source.text for each in nodes.imported(file) or ()]
-        bus = next(filter(None, (_bus(text, _PYTHON_BUS) for text in texts)), None)
-        if bus is None or any(map(looks_at_time, texts)):
+        sources = [each.source for each in nodes.imported(file) or ()]
+        bus = next(filter(None, (_bus(each.text, _PYTHON_BUS) for each in sources)), None)
+        if bus is None or any(map(looks_at_time, sources)):
             continue
         yield from (Held(file.source, each, bus, _writer(file, each)) for each in file.strays if _is_held(each))
         for node in file.classes:
@@ -232,7 +236,7 @@ def held(nodes: Nodes) -> Iterator[Held]:
     for source in nodes.cpp:
         text = _with_header(nodes, source.source)
         bus = _bus(text, _CPP_BUS)
-        if bus is not None and not source.sent and not looks_at_time(text):
+        if bus is not None and not source.sent and not _looks_at_time(text):
             yield from (Held(source.source, each, bus) for each in source.endpoints if _is_held(each))
 
 
