@@ -13,6 +13,9 @@ if TYPE_CHECKING:
     from bringup_lint.facts.ros.distros import distros_since
     from bringup_lint.facts.ros.needed import not_rosdep
     from bringup_lint.facts.ros.variables import variables
+    from bringup_lint.graph.dependencies.interfaces import Ungenerated
+    from bringup_lint.graph.dependencies.interfaces import missing_interfaces
+    from bringup_lint.graph.dependencies.interfaces import ungenerated
     from bringup_lint.parsers import json5
     from bringup_lint.parsers import ros_arguments
     from bringup_lint.parsers.ros_values import DISCOVERY_RANGES
@@ -35,6 +38,7 @@ __all__ = [
     "LOGGING_SWITCHES",
     "MAX_DOMAIN",
     "RMW_IMPLEMENTATIONS",
+    "Ungenerated",
     "at_least",
     "codename_of",
     "distro_end",
@@ -42,7 +46,9 @@ __all__ = [
     "domain_id",
     "highest_port",
     "json5",
+    "missing_interfaces",
     "not_rosdep",
     "ros_arguments",
+    "ungenerated",
     "variables",
 ]

@@ -1,0 +1,218 @@
+"""Messages, services and actions of the packages of a workspace: what they define, generate, and are asked for."""
+
+from __future__ import annotations
+
+import ast
+import os
+from collections.abc import Iterator
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from bringup_lint.model.python import syntax_of
+from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.parsers.cmake_commands import Command
+from bringup_lint.parsers.cmake_commands import commands
+from bringup_lint.pattern import regex
+from bringup_lint.source import Located
+from bringup_lint.source import Source
+from bringup_lint.source import Span
+
+if TYPE_CHECKING:
+    from bringup_lint.discover.tree import Tree
+    from bringup_lint.graph.files import Files
+    from bringup_lint.graph.workspace import Package
+    from bringup_lint.graph.workspace import Workspace
+
+KINDS = ("msg", "srv", "action")
+GENERATE = "rosidl_generate_interfaces"
+_GROUP = "rosidl_interface_packages"
+_FILE = regex(r"(?:^|/)(?P<name>[A-Z][A-Za-z0-9]*)\.(?P<kind>msg|srv|action|idl)\Z")
+_IMPLICIT = frozenset(("builtin_interfaces", "action_msgs", "service_msgs", "unique_identifier_msgs"))
+"""Packages that the command adds by itself, in some distributions."""
+_OTHER_TYPE = regex(r"(?m)^[ \t]*(?P<package>[a-z][a-z0-9_]*)/(?:msg/)?[A-Z]\w*(?:\[[^\]\n]*\])?[ \t]+\w")
+
+
+class MissingInterface(NamedTuple):
+    """An import of a message, service or action that the package of the tree does not have."""
+
+    name: Located
+    kind: str
+    owner: Package
+    known: tuple[str, ...]
+    """Those of the same kind that the package defines."""
+    file: str | None
+    """The definition, where one lies in the tree without being generated."""
+
+
+class Ungenerated(NamedTuple):
+    """A package that does not generate what it defines, or that CMake refuses."""
+
+    kind: str
+    """``none`` of the definitions is generated, ``group`` of the manifest is missing, a ``dependency``, or a ``file``
+    that is listed."""
+    package: Package
+    where: Span
+    names: tuple[str, ...]
+    """The definitions, the packages whose types they use, or the files."""
+
+
+class Interfaces:
+    """The definitions of one package, by kind and name, each with its path."""
+
+    def __init__(self, tree: Tree, package: Package) -> None:
+        self._tree = tree
+        self._package = package
+
+    @cached_property
+    def defined(self) -> dict[tuple[str, str], str]:
+        found = {}
+        start = len(self._package.folder) + 1
+        for path in self._tree.paths:
+            if not path.endswith((".msg", ".srv", ".action", ".idl")):
+                continue
+            full = os.path.abspath(path)
+            match = _FILE.search(full)
+            if match is not None and full.startswith(f"{self._package.folder}/"):
+                below = full[start:].split("/")
+                kind = (
+                    match["kind"] if match["kind"] != "idl" else next((each for each in below if each in KINDS), "msg")
+                )
+                found[kind, match["name"]] = full
+        return found
+
+    @cached_property
+    def commands(self) -> list[Command]:
+        """Of the CMakeLists.txt of the package; empty when it has none."""
+        source = next((each.source for each in self._package.builds if each.source.kind == "cmake"), None)
+        return list(commands(source)) if source is not None else []
+
+    @cached_property
+    def generators(self) -> list[Command]:
+        return [each for each in self.commands if each.name == GENERATE]
+
+    @cached_property
+    def is_closed(self) -> bool:
+        """Whether nothing but the one command of the CMakeLists.txt can generate an interface."""
+        others = [each.name for each in self.commands if "idl" in each.name and each.name != GENERATE]
+        made = [each for each in self.commands if each.name in ("configure_file", "include", "execute_process")]
+        # A package without definitions lies in a submodule that is not there, or generates them.
+        return len(self.generators) == 1 and not others and not made and bool(self.defined)
+
+    @cached_property
+    def listed(self) -> frozenset[str] | None:
+        """The names of the files that the command lists; None when they are computed."""
+        words = [str(each) for each in self.generators[0].arguments[1:]]
+        if any("$" in word for word in words) or not words:
+            return None
+        return frozenset(os.path.basename(word).partition(".")[0] for word in words if "." in word)
+
+    def lacks(self, kind: str, name: str) -> bool:
+        listed = self.listed
+        return (kind, name) not in self.defined or (listed is not None and name not in listed)
+
+
+def missing_interfaces(files: Files, workspace: Workspace) -> Iterator[MissingInterface]:
+    """The imports of nodes that raise an exception because the interface does not exist."""
+    known: dict[str, Interfaces] = {}
+    sources = (each for each in files.of_kind("python-node") if each.judged)
+    for source in sources:
+        for package, kind, name in _imported(source):
+            owner = workspace.packages.get(package)
+            if owner is None or owner.manifest.is_ros1 or not _is_required(workspace, source, package):
+                continue
+            interfaces = known.setdefault(package, Interfaces(files.tree, owner))
+            if interfaces.is_closed and interfaces.lacks(kind, str(name).partition("_")[0]):
+                names = tuple(sorted(each for of, each in interfaces.defined if of == kind))
+                yield MissingInterface(name, kind, owner, names, interfaces.defined.get((kind, str(name))))
+
+
+def _is_required(workspace: Workspace, source: Source, package: str) -> bool:
+    """Whether the package of a source declares another one: else it may mean one of the same name from elsewhere."""
+    importer = workspace.owner(source)
+    return importer is not None and (importer.name == package or package in workspace.required(importer))
+
+
+def _imported(source: Source) -> Iterator[tuple[str, str, Located]]:
+    """Package, kind and name of the interfaces that a module imports without a way round it."""
+    if not any(f".{kind}" in source.text for kind in KINDS):
+        return
+    tree = syntax_of(source.text)
+    if tree is None:
+        return
+    for statement in tree.body:
+        if isinstance(statement, ast.ImportFrom) and not statement.level:
+            package, _, kind = (statement.module or "").partition(".")
+            if kind in KINDS:
+                yield from ((package, kind, _name(source, alias)) for alias in statement.names if alias.name != "*")
+
+
+def _name(source: Source, alias: ast.alias) -> Located:
+    line = source.line_text(alias.lineno)
+    start = source.line_starts[alias.lineno - 1] + len(line.encode()[: alias.col_offset].decode("utf-8", "ignore"))
+    return Located(alias.name, source.span(start, start + len(alias.name)))
+
+
+def ungenerated(files: Files, workspace: Workspace) -> Iterator[Ungenerated]:
+    """The packages of the tree's authors whose definitions are not generated, or make the build fail."""
+    for package in workspace.packages.values():
+        interfaces = Interfaces(files.tree, package)
+        if package.manifest.build_type == "ament_cmake" and package.complete and interfaces.defined:
+            yield from _of_package(files, package, interfaces)
+
+
+def _of_package(files: Files, package: Package, interfaces: Interfaces) -> Iterator[Ungenerated]:
+    if not interfaces.generators:
+        own = tuple(sorted(name for (kind, name), path in interfaces.defined.items() if _is_place(package, kind, path)))
+        is_meant = "rosidl" in package.manifest.source.text or any(_speaks(each) for each in interfaces.commands)
+        if own and is_meant and not any("idl" in each.name or each.name == "include" for each in interfaces.commands):
+            yield Ungenerated("none", package, _place(interfaces), own)
+        return
+    command = interfaces.generators[0]
+    if command.conditional or len(interfaces.generators) > 1 or not command.arguments:
+        return
+    absent = sorted(str(word) for word in command.arguments[1:] if _is_absent(files.tree, package, word))
+    if absent:
+        yield Ungenerated("file", package, command.arguments[0].span, tuple(absent))
+    skips = any(str(word).startswith("SKIP_") for word in command.arguments)
+    if not skips and _GROUP not in package.manifest.source.text and package.manifest.name is not None:
+        yield Ungenerated("group", package, package.manifest.name.span, ())
+    # What a dependency depends on is found through it, so that any list may do.
+    if not any("DEPENDENCIES" in word or "$" in word for word in command.arguments[1:]):
+        used = sorted(_used(files, package, interfaces) - _IMPLICIT)
+        if used:
+            yield Ungenerated("dependency", package, command.arguments[0].span, tuple(used))
+
+
+def _is_absent(tree: Tree, package: Package, word: str) -> bool:
+    """Whether a listed file is not in the tree, and nothing makes it."""
+    if "$" in word or _FILE.search(word) is None:
+        return False
+    path = os.path.normpath(os.path.join(package.folder, word))
+    return not tree.exists(path) and not tree.is_ignored(path)
+
+
+def _is_place(package: Package, kind: str, path: str) -> bool:
+    """Whether a definition lies where those of a package do."""
+    return os.path.dirname(path) == os.path.join(package.folder, kind)
+
+
+def _place(interfaces: Interfaces) -> Span:
+    """Where the CMakeLists.txt speaks of interfaces, else its first argument."""
+    given = [each for each in interfaces.commands if each.arguments]
+    return next((each for each in given if _speaks(each)), given[0]).arguments[0].span
+
+
+def _speaks(command: Command) -> bool:
+    """Whether a command has to do with the generation of interfaces."""
+    return any("rosidl" in argument or argument.endswith(".msg") for argument in command.arguments)
+
+
+def _used(files: Files, package: Package, interfaces: Interfaces) -> set[str]:
+    """The other packages whose types the listed definitions have fields of."""
+    found = set()
+    listed = interfaces.listed
+    for (kind, name), path in interfaces.defined.items():
+        source = files.tree.read(path, judged=False) if kind in KINDS and not path.endswith(".idl") else None
+        if source is not None and _is_place(package, kind, path) and (listed is None or name in listed):
+            found |= {match["package"] for match in _OTHER_TYPE.finditer(source.text)}
+    return found - {package.name}

@@ -1,0 +1,82 @@
+"""A package does not generate the interfaces that it defines.
+
+## What it finds
+Packages with files in `msg`, `srv` or `action` that speak of their generation, in package.xml or CMakeLists.txt, and
+never call `rosidl_generate_interfaces`. Packages that call it without
+`<member_of_group>rosidl_interface_packages</member_of_group>` in package.xml, or without the packages whose types
+their interfaces have fields of in `DEPENDENCIES`, or with a file that does not exist.
+
+## Why it matters on a robot
+Without the call, no header and no Python module is made: what includes or imports the interface does not build, or ends
+at its start. Without the group, or without the dependencies, `colcon build` stops at the package.
+
+## Bad
+```cmake
+rosidl_generate_interfaces(${PROJECT_NAME} "msg/HopperState.msg")   # it has a field std_msgs/Header
+```
+
+## Good
+```cmake
+rosidl_generate_interfaces(${PROJECT_NAME} "msg/HopperState.msg" DEPENDENCIES std_msgs)
+```
+
+## When to ignore it
+When another package generates the files.
+
+## References
+- rosidl_cmake, rosidl_generate_interfaces.cmake
+- https://docs.ros.org/en/jazzy/Tutorials/Beginner-Client-Libraries/Custom-ROS2-Interfaces.html
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+from bringup_lint.api.ros import Ungenerated
+from bringup_lint.api.ros import ungenerated
+
+GROUP = "rosidl_interface_packages"
+
+
+@rule(
+    "error",
+    symptoms=["Packages installing interfaces must include", "rosidl_generate_interfaces() the passed file"],
+)
+def interface_not_generated(robot: Robot) -> Iterator[Finding]:
+    for each in ungenerated(robot.files, robot.launch.workspace):
+        if not robot.dependencies.judged(each.package):
+            continue
+        yield finding(
+            each.where,
+            _message(each),
+            advice=_advice(each),
+            related=[note(each.package.place, f"the package {each.package.name}")] if each.kind != "group" else [],
+            severity="warning" if each.kind == "none" else None,
+        )
+
+
+def _message(each: Ungenerated) -> str:
+    name = each.package.name
+    match each.kind:
+        case "group":
+            return f"{name} generates interfaces and is no member of {GROUP}: its build stops"
+        case "file":
+            return f"{name} generates {', '.join(each.names)}, which does not exist: its build stops"
+        case "dependency":
+            return f"The interfaces of {name} have fields of {', '.join(each.names)}, no DEPENDENCIES: its build stops"
+    more = f" and {len(each.names) - 1} more" if len(each.names) > 1 else ""
+    return f"{name} defines {each.names[0]}{more} and generates no interface: nothing can include or import them"
+
+
+def _advice(each: Ungenerated) -> str:
+    match each.kind:
+        case "group":
+            return f"add <member_of_group>{GROUP}</member_of_group> to package.xml"
+        case "file":
+            return "correct the name, or add the file"
+        case "dependency":
+            return f"add DEPENDENCIES {' '.join(each.names)} to rosidl_generate_interfaces"
+    return "call rosidl_generate_interfaces with the files, or remove them"
