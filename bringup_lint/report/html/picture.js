@@ -146,6 +146,7 @@ function draw() {
   byId("whole").hidden = state.only === null;
   roam(state.at >= 0 && state.at < nodes.length ? state.at : 0, false);
   light();
+  count();
 }
 
 /* Layers of several nodes, the smallest first. */

@@ -11,9 +11,16 @@ function matches() {
 function search(text) {
   byId("search").value = text;
   state.query = text.toLowerCase().split(/\s+/).filter(Boolean);
-  const found = light();
-  byId("matches").textContent = found && data.nodes.length ? `${found.size} of ${counted(drawn.nodes.length, "node")}` : "";
+  light();
+  count();
   filter();
+}
+
+/* How many nodes the search finds, folded ones too; of what the focus leaves where it leaves some out. */
+function count() {
+  const shown = drawn.nodes.flatMap(({ members }) => members);
+  const found = shown.filter((member) => holds(wordsOf(member))).length;
+  byId("matches").textContent = state.query.length && data.nodes.length ? `${found} of ${counted(shown.length, "node")}` : "";
 }
 
 function nextMatch() {
