@@ -12,7 +12,10 @@ from bringup_lint.registry import Registry
 from bringup_lint.registry import Rule
 
 FIXES = {"none": "", "safe": "safe", "unsafe": "unsafe"}
-FILTER = '<input class="filter" type="search" placeholder="Part of a line, or a rule" aria-label="Filter the table">'
+FILTER = (
+    '<input class="filter" type="search" placeholder="Part of a line, or a rule" aria-label="Filter the table">'
+    '<output class="filtered"></output>'
+)
 
 
 def index_pages(registry: Registry) -> Iterator[tuple[str, str]]:

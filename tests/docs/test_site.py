@@ -4,7 +4,12 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from collections.abc import Iterator
+from functools import partial
+from http.server import SimpleHTTPRequestHandler
+from http.server import ThreadingHTTPServer
 from pathlib import Path
+from threading import Thread
 from urllib.parse import urlparse
 
 import pytest
@@ -56,3 +61,41 @@ def test_every_key_of_the_configuration_is_described(site: Path) -> None:
 def test_links_to_rules_lead_to_their_pages(site: Path) -> None:
     page = (site / "guides/index.html").read_text("utf-8")
     assert "../rules/env/bashrc-only/" in page and "rules/env/bashrc_only.py" not in page
+
+
+@pytest.fixture(scope="module")
+def address(site: Path) -> Iterator[str]:
+    """Of the site as a server gives it away: the search needs one."""
+    handler = partial(Quiet, directory=str(site))
+    with ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
+        Thread(target=server.serve_forever, daemon=True).start()
+        yield f"http://127.0.0.1:{server.server_port}"
+        server.shutdown()
+
+
+class Quiet(SimpleHTTPRequestHandler):
+    def log_message(self, *arguments: object) -> None:
+        pass
+
+
+def test_the_filter_says_how_many_rows_it_shows(browser, address: str) -> None:
+    tab = browser.new_page()
+    tab.goto(f"{address}/rules/log-lines/")
+    tab.fill(".filter", "start request repeated")
+    shown = tab.locator("tbody tr:visible").count()
+    assert shown and tab.inner_text(".filtered").startswith(f"{shown} of ")
+    tab.fill(".filter", "")
+    assert tab.inner_text(".filtered") == ""
+    tab.close()
+
+
+def test_a_line_that_is_pasted_is_searched(browser, address: str) -> None:
+    """Pasted with the mouse: no key is pressed."""
+    tab = browser.new_page()
+    tab.goto(address)
+    tab.click(".md-search__input")
+    tab.fill(".md-search__input", "netplan")
+    tab.wait_for_selector("text=matching documents", timeout=20_000)
+    tab.fill(".md-search__input", "zzzzqq")
+    tab.wait_for_selector("text=No matching documents", timeout=20_000)
+    tab.close()
