@@ -259,8 +259,10 @@ def _graded(found: Finding, rule: Rule | None, selection: Selection) -> Finding:
 
 
 def _as_safe_as(rule: Rule | None, fix: Fix | None) -> Fix | None:
-    """The fix, unsafe unless the rule says that its fixes are safe."""
-    if fix is None or rule is None or rule.meta.fix == "safe":
+    """The fix, unsafe unless the rule says that its fixes are safe, and where it changes more places than it names."""
+    from bringup_lint.parsers.repeated_values import changes_repeated_values
+
+    if fix is None or rule is None or (rule.meta.fix == "safe" and not changes_repeated_values(fix)):
         return fix
     return replace(fix, applicability=Applicability.UNSAFE)
 

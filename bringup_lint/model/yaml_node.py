@@ -177,6 +177,8 @@ class YamlFile:
     source: Source
     documents: list[Document] = field(default_factory=list)
     problems: list[Problem] = field(default_factory=list)
+    repeated: list[Node] = field(default_factory=list)
+    """What aliases repeat, once for each alias."""
 
     @property
     def root(self) -> Node | None:

@@ -156,9 +156,11 @@ class _Builder:
         return Scalar(value, span, style, event.tag or "")
 
     def alias(self, event: yaml.AliasEvent) -> Node:
+        target = self.anchors.get(event.anchor)
+        if target is not None:
+            self.file.repeated.append(target)
         if not self.follow_aliases:
             return Alias(self.span(*self.range(event)))
-        target = self.anchors.get(event.anchor)
         if target is None:
             self.problem(YamlCode.UNDEFINED_ALIAS, *self.range(event), f"*{event.anchor} has no anchor before it")
         elif any(target is node for node in self.open):

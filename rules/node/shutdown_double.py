@@ -9,7 +9,8 @@ container or a launch file of the robot starts the program.
 ## Why it matters on a robot
 On SIGINT and SIGTERM rclpy shuts the context down before the `finally` runs. The second shutdown raises an
 exception, so every Ctrl-C and every stop by systemd ends with a traceback and status 1. The unit is "failed", and
-real crashes are lost in the noise.
+real crashes are lost in the noise. The fix is unsafe: with status 0, `Restart=on-failure` and `OnFailure=` of its unit
+no longer take a stop for a crash.
 
 ## Bad
 ```python
@@ -53,7 +54,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("warning", fix="safe", symptoms=["failed to shutdown: rcl_shutdown already called on the given context"])
+@rule("warning", fix="unsafe", symptoms=["failed to shutdown: rcl_shutdown already called on the given context"])
 def shutdown_double(robot: Robot) -> Iterator[Finding]:
     found: dict[tuple[object, bool], list[Late]] = {}
     for file in robot.nodes.programs:

@@ -23,12 +23,16 @@ HEAD = """# Fixes
 `--fix` applies the safe fixes, `--fix --unsafe-fixes` all of them. A safe fix changes nothing that works: afterwards
 the robot does the same, or what it corrects keeps a program from starting at all and there is one way to write it. An
 unsafe fix changes what the robot does: who may log in, what starts, stops, is ordered or is rotated, which value a node
-gets, which nodes find each other. It is also unsafe to bring a line into effect that its reader ignores today, and to
-guess a name.
+gets, which nodes find each other, with which status it ends. It is also unsafe to bring a line into effect that its
+reader ignores today, to guess a name, and to change a value of YAML that an alias repeats.
+
+After a fix, a file that could be read before can still be read: where fixes would break it, such as two that give one
+name to two keys, the one that breaks it is left out, and the others are applied.
 
 For each fix, a test compares what the tool in the last column says of the file before and after the fix: it must not
 find anything new; netplan and launch, which stop at the first mistake, must still accept what they accepted. Where the
-column names none, the parser of bringup-lint alone judges the fixed file. What launch says is recorded, too.
+column names none, the parser of bringup-lint alone judges the fixed file. What launch says is recorded, too. `udevadm
+verify` is that of systemd 254 or newer, which reads the rules without a device.
 
 | rule | fix | judged by |
 |---|---|---|

@@ -137,6 +137,8 @@ def ids(text: str, folder: Path) -> set[str]:
     return found | ({"shutdown-double"} if told else set())
 
 
+CODES = {"shutdown": 1, "shutdown-tried": 0}
+"""Exit codes before and after the fix of ``node/shutdown-double``, which is unsafe because they differ."""
 SIGNALS = (signal.SIGTERM, signal.SIGINT)
 AT_ONCE = 8
 """Processes that run side by side."""
@@ -173,6 +175,8 @@ def agree(name: str, said: set[str], term: Stopped, interrupt: Stopped) -> str:
         wrong.append("shuts down once")
     if "shutdown-double" not in said and twice[0]:
         wrong.append("shuts down twice")
+    if CODES.get(name, term.code) != term.code:
+        wrong.append(f"ends with {term.code}")
     late = "shutdown-publish-after-context" in said
     if late and term.received:
         wrong.append("publishes though the context is gone")
