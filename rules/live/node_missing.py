@@ -49,14 +49,15 @@ CRASHED = "look at its log: it crashed or was never started"
 def node_missing(robot: Robot) -> Iterator[Finding]:
     observed = robot.observed
     domain = observed.graph.domain
-    count = len({node.name for nodes in observed.missing.values() for node in nodes})
-    if count > 1 and not observed.names & observed.expected.must:
+    absent = {node.name for nodes in observed.missing.values() for node in nodes}
+    if len(absent) > 1 and not observed.names & observed.expected.must:
         entry, nodes = next(iter(observed.missing.items()))
-        seen = {other: len(there) for other, there in observed.elsewhere.items() if there}
-        also = "".join(f"; domain {other} shows {_others(number)}" for other, number in seen.items())
+        due = {node.name for entry in observed.due for node in observed.expected.entries[entry]}
+        seen = {other: {str(node.name) for node in there} for other, there in observed.elsewhere.items() if there}
+        also = "".join(f"; {_shown(other, there, due)}" for other, there in seen.items())
         yield finding(
             entry.where,
-            f"None of the {count} nodes that the files start runs on domain {domain}{also}",
+            f"None of the {len(due)} nodes that the files start runs on domain {domain}{also}",
             advice=look_at(seen) if seen else "check whether anything was started at all, and in which domain",
             related=[note(node.where, f"{node.name} is started here") for node in nodes[:5]],
         )
@@ -77,5 +78,9 @@ def look_at(domains: Iterable[int]) -> str:
     return f"look there with {asked}; what runs on another domain did not get the variable"
 
 
-def _others(number: int) -> str:
-    return "1 other node" if number == 1 else f"{number} other nodes"
+def _shown(domain: int, names: set[str], due: set[str]) -> str:
+    """What another domain shows: nodes that should run on this one, or others of the robot."""
+    there = len(names & due)
+    if there:
+        return f"{there} of them {'runs' if there == 1 else 'run'} on domain {domain}"
+    return f"domain {domain} shows " + ("1 other node" if len(names) == 1 else f"{len(names)} other nodes")

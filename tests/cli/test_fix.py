@@ -252,3 +252,14 @@ def test_a_misspelt_key_does_not_take_the_place_of_the_right_one(tmp_path: Path,
     path.write_text(f"[Service]\n{there}\nExecStart=/bin/x\nRestrat=no\n")
     lint("--fix", "--unsafe-fixes", "--select", "systemd/unknown-key", cwd=tmp_path)
     assert ("Restart=no\n" in path.read_text()) is is_fixed
+
+
+@pytest.mark.parametrize("comment", ["# a\r# ::error::b\n", "# a\r\n# b\r# ::error::c\r\n", "# ::error::a\r"])
+def test_diff_shows_nothing_of_a_file_with_a_carriage_return_alone(tmp_path: Path, comment: str) -> None:
+    path = tmp_path / "compose.yaml"
+    path.write_bytes(f"{comment}services:\n  driver:\n    image: a\n    user: 1000\n".encode())
+    before = path.read_bytes()
+    run = lint("--diff", "--select", "compose/invalid-value", cwd=tmp_path)
+    assert (run.code, run.stdout) == (0, "")
+    assert "(its file is a link, not UTF-8, or ends its lines with CR alone)" in run.stderr
+    assert path.read_bytes() == before

@@ -7,11 +7,17 @@ import os
 import socket
 import subprocess
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
 from bringup_lint.discover.reading import SIZE_LIMIT
+from bringup_lint.discover.reading import Begun
+from bringup_lint.discover.reading import Unreadable
+from bringup_lint.discover.reading import begin
+from bringup_lint.discover.reading import read_bytes
+from bringup_lint.discover.reading import read_head
 from tests.conftest import PROJECT
 from tests.lint import lint
 
@@ -257,3 +263,24 @@ def test_a_small_file_is_opened_once(tree: Path, monkeypatch: pytest.MonkeyPatch
     monkeypatch.setattr(os, "open", counted)
     assert got_through(concise(cwd=tree))
     assert opened.count("small.yaml") == 1
+
+
+@pytest.fixture
+def fifo(tmp_path: Path) -> Iterator[Path]:
+    """One that has something to read, and somebody who may write more."""
+    path = tmp_path / "fifo"
+    os.mkfifo(path)
+    end = os.open(path, os.O_RDWR)
+    os.write(end, b"[Service]\n")
+    yield path
+    os.close(end)
+
+
+def test_only_regular_files_are_read(fifo: Path) -> None:
+    words = {fifo: "a FIFO", Path("/dev/null"): "a character device", fifo.parent: "a directory"}
+    for path, word in words.items():
+        for follow in (False, True):
+            with pytest.raises(Unreadable, match=f"not a regular file but {word}"):
+                read_bytes(str(path), follow=follow)
+        assert begin(str(path), 10) == Begun(str(path), 10)
+        assert read_head(str(path), 10) == ""
