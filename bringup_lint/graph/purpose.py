@@ -62,6 +62,13 @@ PATHS: tuple[tuple[Purpose, re.Pattern[str]], ...] = (
     ),
     (Purpose.TEST, regex(r"(?:^|/)(?:test[_-][^/]*|attack[^/]*|[^/]*[_.-](?:tests?|testing))\.[a-z.]+$", re.I)),
     (Purpose.TEST, _word("mitm|attacker|adversary")),
+    (
+        Purpose.ROBOT,
+        regex(
+            r"(?:^|/)\.devcontainer/(?:.*/)?(?:(?:release|deploy)[^/]*dockerfile|dockerfile[._-](?:release|deploy))$",
+            re.I,
+        ),
+    ),
     (Purpose.DEVELOPMENT, _folder(r"\.?devcontainer|\.vscode")),
     (Purpose.DEVELOPMENT, _word("dev|devel|develop|development|devcontainer|laptop|workstation|wsl2?")),
     (Purpose.DEVELOPMENT, _word("(?:docker|monitoring|operator|remote)[_-]pc")),

@@ -8,8 +8,9 @@ services in compose files all set `user:`. Silent if the Dockerfile or the entry
 runuser or fixuid, which drop privileges, or if the entry script is that of a base image that is not known.
 
 It is info for images that a robot hardly runs by themselves: without USER, CMD and ENTRYPOINT; a shell in which
-somebody works or logs in with ssh; a builder, a simulator or a demonstration; and a Dockerfile that nothing builds
-while another one in its place is built.
+somebody works or logs in with ssh; a builder, a simulator or a demonstration; a Dockerfile that nothing builds
+while another one in its place is built; and an image that copies nothing, builds nothing and has nothing of ROS: it
+runs a program of the distribution.
 
 ## Why it matters on a robot
 An intruder in one node is root in the container. If the host uses another user, Fast DDS's shared memory cannot be
@@ -37,6 +38,7 @@ When every deployment sets `user:` or `--user` for this image.
 - CWE-250
 """
 
+import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -63,6 +65,10 @@ BUILD = regex(
 """A command line, or the start of its list, that builds or tests something and then ends."""
 DAEMONS = regex(r"(?:^|[\s\"'/\[])(?:mosquitto|nginx|apache2|httpd|chronyd|avahi-daemon)(?=[\s\"',\]]|$)")
 """Daemons that root starts and that become another user by themselves."""
+DISTRIBUTION = regex(r"(?:ubuntu|debian|alpine)(?::|$)")
+PACKAGES = regex(r"\b(?:apt-get|apt|apk)\b")
+OWN = regex(r"\bros|colcon|catkin|\bgit\b|curl|wget|\bpip3?\b|npm|cargo|make", re.I)
+"""What brings ROS, or programs of other people, into an image."""
 SYSTEMD = regex(r"/(?:s?bin/init|lib/systemd/systemd)\b")
 
 
@@ -79,7 +85,7 @@ def root_user(robot: Robot) -> Iterator[Finding]:
         if users and all(service.user is not None for service in users):
             continue
         if not _drops_in_script(robot, stage) and not _entrypoint_is_unknown(robot, stage):
-            lowered = not is_deployed(robot.compose, file) or _serves_logins(stage)
+            lowered = not is_deployed(robot.compose, file) or _serves_logins(stage) or _runs_packaged(stage)
             yield from _of(stage, [service for service in users if service.user is None], lowered)
 
 
@@ -126,6 +132,16 @@ def _serves_logins(stage: Stage) -> bool:
     if any(each is not None and "ros2" in each.value for each in starts):
         return False
     return any(LOGINS.search(each.value) for each in stage.instructions)
+
+
+def _runs_packaged(stage: Stage) -> bool:
+    """Whether an image takes nothing but packages of a distribution, none of them of ROS."""
+    each = [instruction for one in stage.chain for instruction in one.instructions]
+    if any(instruction.name in ("COPY", "ADD") for instruction in each):
+        return False
+    text = " ".join(str(instruction.value) for instruction in each)
+    is_plain = DISTRIBUTION.match(stage.origin) is not None
+    return is_plain and PACKAGES.search(text) is not None and OWN.search(text) is None
 
 
 def _entrypoint_is_unknown(robot: Robot, stage: Stage) -> bool:

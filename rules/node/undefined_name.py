@@ -48,7 +48,8 @@ def undefined_name(robot: Robot) -> Iterator[Finding]:
             end = "what follows in its try block never runs" if found.caught else "the node exits"
             end = "what follows at the end of the node never runs" if found.late else end
             line = f"from {module} import {name}" if module else f"import {name}"
-            severity = "info" if found.late else "error"
+            started = found.function != "main" or robot.nodes.runs_main(file.source)
+            severity = "info" if found.late or not started else "error"
             where = found.function or "the file"
             edits = nodes.import_edits(file, module, name) if module is not None else []
             yield finding(

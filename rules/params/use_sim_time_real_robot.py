@@ -4,7 +4,8 @@
 `use_sim_time: true` in a file that the bring-up of a robot loads. Reported only when everything that the launch file
 starts is known, and none of it simulates or sets the parameter again. Files for simulation, tests and recordings are
 not reported. It is an error for the nodes of Nav2, robot_localization and slam_toolbox, and for those whose
-source in the tree has timers in ROS time. Other nodes may do without that time: it is a warning.
+source in the tree has timers in ROS time. Other nodes may do without that time: it is a warning, and an info when
+their source in the tree never asks for the time.
 
 ## Why it matters on a robot
 Nothing publishes /clock: the time stays at zero, and timers never fire. The nodes run and do nothing.
@@ -44,6 +45,8 @@ from bringup_lint.api.launch import Started
 from bringup_lint.api.params import simulated
 
 TIMERS = regex(r"\bcreate_(?:timer|rate)\s*\(|\bget_clock\(\)\s*(?:\.|->)\s*sleep_")
+NOW = regex(r"(?<!::)\bnow\s*\(\)")
+"""The ROS time, and not that of a clock of C++."""
 WAITING = regex(r"nav2_|opennav_|robot_localization$|slam_toolbox$")
 """Packages whose nodes compare the time with the stamps of transforms, or have timers in ROS time."""
 
@@ -59,16 +62,19 @@ def use_sim_time_real_robot(robot: Robot) -> Iterator[Finding]:
             related=[note(found.load.node.span, "gets the value here")],
             chain=robot.provenance.chain_to_load(found.load, note(found.parameter.span, "the node waits for /clock")),
             fix=fix("write false", (found.parameter.span, "false"), safe=False),
-            severity=None if _has_timers(robot, found.load.node) else "warning",
+            severity=_severity(robot, found.load.node),
         )
 
 
-def _has_timers(robot: Robot, node: Started) -> bool:
-    """Whether something in the node surely waits for the ROS time."""
+def _severity(robot: Robot, node: Started) -> str | None:
+    """By what is known of the node: whether it surely waits for the ROS time, and whether it asks for it at all."""
     name = launch.literal_text(node.package) or ""
     package = robot.launch.workspace.packages.get(name)
     if package is None:
-        return WAITING.match(name) is not None
+        return None if WAITING.match(name) else "warning"
     sources = robot.files.of_kind("python-node", "cpp-node")
     own = (each for each in sources if robot.launch.workspace.owner(each) is package)
-    return any(TIMERS.search(each.text) for each in own if node.label() in each.text)
+    texts = [each.text for each in own if node.label() in each.text]
+    if any(map(TIMERS.search, texts)):
+        return None
+    return "warning" if not texts or any(map(NOW.search, texts)) else "info"

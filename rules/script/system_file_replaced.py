@@ -3,7 +3,8 @@
 ## What it finds
 `>` or `tee` without `-a` on a file that the distribution fills: `/etc/sysctl.conf`, `/etc/sudoers`,
 `/etc/ssh/sshd_config`, `/etc/NetworkManager/NetworkManager.conf`, `/etc/passwd`, `/etc/group`, `/etc/modules`,
-`/etc/default/grub`, `/etc/bash.bashrc`.
+`/etc/default/grub`, `/etc/bash.bashrc`. In Debian and Ubuntu, `/etc/sysctl.conf` and `/etc/modules` hold comments
+only: an info, unless another script of the tree writes to the same file.
 
 ## Why it matters on a robot
 Everything that the distribution, another script or the administrator had set in the file is gone, and an update of the
@@ -32,6 +33,7 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import rule
 
@@ -47,12 +49,17 @@ FOLDERS = {
     "/etc/group": "",
 }
 """Files that the distribution fills, and where settings of one's own belong."""
+EMPTY = ("/etc/sysctl.conf", "/etc/modules")
+"""Those of them that have nothing but comments (packages procps and kmod)."""
 FEW = 3
 """Lines; who writes more means the whole file."""
 
 
 @rule("warning", symptoms=["==> Modified (by you or by a script) since installation."])
 def system_file_replaced(robot: Robot) -> Iterator[Finding]:
+    writers: dict[str, set[Source]] = {}
+    for source, written in robot.scripts.written(*FOLDERS):
+        writers.setdefault(written.path, set()).add(source)
     for _, written in robot.scripts.written(*FOLDERS):
         if written.appends or written.path not in FOLDERS or written.text is None:
             continue
@@ -63,4 +70,5 @@ def system_file_replaced(robot: Robot) -> Iterator[Finding]:
                 f"This replaces the whole of {written.path}: everything else in it is lost",
                 advice=f"write a file in {folder}" if folder else "use adduser, usermod and groupadd",
                 confidence=None if written.certain else "medium",
+                severity="info" if written.path in EMPTY and len(writers[written.path]) == 1 else None,
             )

@@ -29,6 +29,8 @@ services:
     [
         ("deploy/robot.service", Purpose.ROBOT),
         (".devcontainer/docker-compose.yml", Purpose.DEVELOPMENT),
+        (".devcontainer/release/release.Dockerfile", Purpose.ROBOT),
+        (".devcontainer/base/Dockerfile", Purpose.DEVELOPMENT),
         ("docker/pc/compose.yaml", Purpose.DEVELOPMENT),
         ("onboard/pc/compose.yaml", Purpose.ROBOT),
         ("docker-compose.dev.yml", Purpose.DEVELOPMENT),

@@ -127,6 +127,10 @@ class Nodes:
     def _unused(self) -> Unused:
         return Unused(self.files, self.launch.workspace)
 
+    def runs_main(self, source: Source) -> bool:
+        """Whether something may start a file as a program, rather than only import it."""
+        return not self._unused.is_no_program(source)
+
     def is_for_robot(self, source: Source) -> bool:
         return self.purpose(source) is Purpose.ROBOT
 
