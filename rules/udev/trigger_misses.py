@@ -6,8 +6,8 @@ rules that the same script or role installs: `--subsystem-match=` of another sub
 that match `ACTION=="add"` and set a mode, a group or a program. Links that such rules make belong to
 udev/action-add-only-symlink.
 
-Silent if a further trigger reaches the devices, if the options choose devices in other ways, and if the script, or
-one that runs it, starts the computer again.
+It is an info in the tasks of a role that no playbook of the tree uses. Silent if a further trigger reaches the
+devices, if the options choose devices in other ways, and if the script, or one that runs it, starts the computer again.
 
 ## Why it matters on a robot
 The devices that are plugged in keep their old names and modes until somebody plugs them in anew or the robot is
@@ -32,6 +32,7 @@ When the devices are plugged in after the installation, or the robot is started 
 - udevadm(8), trigger: the default action is change
 """
 
+import os
 import re
 from collections.abc import Iterator
 from typing import NamedTuple
@@ -86,7 +87,18 @@ def trigger_misses(robot: Robot) -> Iterator[Finding]:
         installed = {file for file in files if _is_installed(source, file)}
         missed = [each for each in robot.udev.judged if each.source in installed and _misses(triggers, each)]
         if missed:
-            yield _finding(triggers, missed)
+            yield _finding(triggers, missed, "info" if _is_unused_role(robot, source) else None)
+
+
+def _is_unused_role(robot: Robot, source: Source) -> bool:
+    """Whether a file is of a role of Ansible that no other file names, in a tree with playbooks."""
+    found = ROLE.fullmatch(source.name)
+    name = os.path.basename((found["role"] or "").rstrip("/")) if found is not None else ""
+    if not name:
+        return False
+    named = re.compile(rf"(?<![\w-]){re.escape(name)}(?![\w-])")
+    others = [each.text for each in robot.of_kind("ansible") if each is not source]
+    return any("hosts:" in text for text in others) and not any(map(named.search, others))
 
 
 def _restarts(robot: Robot, source: Source) -> bool:
@@ -100,7 +112,7 @@ def _reach_all(source: Source, triggers: list[Trigger]) -> bool:
     return source.kind == "ansible" and any(not trigger.subsystems for trigger in triggers)
 
 
-def _finding(triggers: list[Trigger], missed: list[UdevRule]) -> Finding:
+def _finding(triggers: list[Trigger], missed: list[UdevRule], severity: str | None) -> Finding:
     subsystems = sorted({name for each in missed for name in each.subsystems})
     reaching = next((each for each in triggers if _reaches(each, missed[0], links=True)), None)
     by_action = reaching is not None
@@ -113,6 +125,7 @@ def _finding(triggers: list[Trigger], missed: list[UdevRule]) -> Finding:
         else f"This trigger leaves out {devices}: those that are there keep their names and modes until the next boot",
         advice="write udevadm trigger --action=add" if by_action else "write udevadm trigger without --subsystem-match",
         related=[note(each.line.tokens[0].key, "a rule that no event reaches") for each in missed[:5]],
+        severity=severity,
     )
 
 
