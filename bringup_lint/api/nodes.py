@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.callback_fit import Unfit
     from bringup_lint.graph.nodes.questions.callback_fit import unfit_callbacks
     from bringup_lint.graph.nodes.questions.early_results import early_results
+    from bringup_lint.graph.nodes.questions.inactive_publishers import inactive_publishers
     from bringup_lint.graph.nodes.questions.late_attributes import late_attributes
     from bringup_lint.graph.nodes.questions.message_fields import NoField
     from bringup_lint.graph.nodes.questions.message_fields import consequence
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.message_fields import is_checked
     from bringup_lint.graph.nodes.questions.message_fields import misfits
     from bringup_lint.graph.nodes.questions.message_fields import missing_fields
+    from bringup_lint.graph.nodes.questions.misread_parameters import misread_parameters
     from bringup_lint.graph.nodes.questions.missing_attributes import missing_attributes
     from bringup_lint.graph.nodes.questions.missing_attributes import taken_attributes
     from bringup_lint.graph.nodes.questions.motion import moves
@@ -91,11 +93,13 @@ __all__ = [
     "handler_never_runs",
     "held",
     "import_edits",
+    "inactive_publishers",
     "is_called_nowhere",
     "is_checked",
     "late_attributes",
     "lowered",
     "misfits",
+    "misread_parameters",
     "missing_attributes",
     "missing_fields",
     "moves",

@@ -6,6 +6,7 @@ from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
 from bringup_lint.model.node_source import Callback
 from bringup_lint.model.node_source import Endpoint
+from bringup_lint.model.node_source import Misread
 from bringup_lint.model.node_source import Parameter
 from bringup_lint.model.node_source import Timer
 from bringup_lint.named_tuple import NamedTuple
@@ -104,4 +105,7 @@ class CppNode:
     """Variables and members to which it gives a thread, each where it does."""
     deaf_loops: list[DeafLoop] = field(default_factory=list)
     unstamped: list[Unstamped] = field(default_factory=list)
+    activation: Located | None = None
+    """The one ``on_activate`` that it defines for a lifecycle node."""
+    misread: list[Misread] = field(default_factory=list)
     problems: list[Problem] = field(default_factory=list)

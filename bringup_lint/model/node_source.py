@@ -197,6 +197,29 @@ class Parameter:
     span: Span
 
 
+class Misread(NamedTuple):
+    """A parameter that is read as another type than it has."""
+
+    place: Span
+    """Where it is read."""
+    name: Located
+    """Where it is declared."""
+    declared: str
+    """``double``, ``integer``, ``bool`` or ``string``."""
+    read: str
+    call: str
+    """The method or field by which it is read: ``as_int()``, ``integer_value``."""
+    is_empty: bool = False
+    """The read gives an empty value; else it throws."""
+
+
+def type_of_default(value: object) -> str | None:
+    """The type that a parameter gets from its default; None for lists and what is not known."""
+    return {bool: "bool", int: "integer", float: "double"}.get(
+        type(value), "string" if isinstance(value, str) else None
+    )
+
+
 @dataclass(eq=False, slots=True)
 class NodeClass:
     """A class of nodes, or a single node that a function makes with ``rclpy.create_node`` or ``Node(...)``."""

@@ -6,6 +6,7 @@ Calls in a callback, or in the methods that it calls, that keep the executor bus
 - `time.sleep` of 0.1 s or more, `requests.*`, `subprocess.run` and similar functions (not for programs that return
   at once, such as `systemctl poweroff`), `input()`, reads of a serial
   port without a timeout, and `while True`.
+- In the callback of a timer, measurements of `psutil` that last longer than its period.
 - A loop without an end in the constructor: the node never gets to an executor.
 - Calls that wait for the executor itself: `client.call()`, `Rate.sleep()`, `rclpy.spin_until_future_complete(self,
   ...)`.
@@ -70,10 +71,12 @@ def blocking_in_callback(robot: Robot) -> Iterator[Finding]:
 
 
 def _in_python(robot: Robot) -> Iterator[Finding]:
-    for file, wait, stopped, certain in nodes.stopped_callbacks(robot.nodes):
+    for file, wait, stopped, certain, period in nodes.stopped_callbacks(robot.nodes):
         where = f"{wait.name}()" if wait.callback.function is None else wait.name
         whom = f"the node's {_others(len(stopped))}" if stopped else "the node"
         message = f"{wait.what} in {where} stops {whom} {wait.how_long}"
+        if period is not None:
+            message += f": the timer is due every {period:.2g} s"
         if not wait.how_long:
             message = f"{wait.what} in {where} waits forever: only the executor that it blocks could end the wait"
         yield finding(

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from bringup_lint.model.cpp_source import CppNode
+from bringup_lint.parsers.cpp_node.classes import activation
 from bringup_lint.parsers.cpp_node.classes import components
 from bringup_lint.parsers.cpp_node.classes import node_classes
 from bringup_lint.parsers.cpp_node.classes import node_names
@@ -14,6 +15,7 @@ from bringup_lint.parsers.cpp_node.endpoints import timer
 from bringup_lint.parsers.cpp_node.kept import kept
 from bringup_lint.parsers.cpp_node.kept import sent
 from bringup_lint.parsers.cpp_node.lookups import lookups
+from bringup_lint.parsers.cpp_node.misread import misread
 from bringup_lint.parsers.cpp_node.parameters import LOOSE
 from bringup_lint.parsers.cpp_node.parameters import declarations
 from bringup_lint.parsers.cpp_node.parameters import is_open
@@ -72,6 +74,8 @@ def parse(source: Source) -> CppNode:
         node.sent = sent(code, node.callbacks[:CALLBACKS])
     node.lookups = list(lookups(code, node.callbacks[:CALLBACKS]))
     node.waits = list(waits(code, node.callbacks[:CALLBACKS]))
+    node.activation = activation(code)
+    node.misread = list(misread(code))
     node.unstamped = list(unstamped(code, names, node.endpoints))
     node.deaf_loops = list(dict.fromkeys(deaf_loops(code)))
     return node

@@ -14,6 +14,8 @@ if TYPE_CHECKING:
     from tree_sitter import Node
 
 _BASES = regex(r"(?:^|::)(?:Lifecycle)?Node\Z")
+_LIFECYCLE = regex(r"[:,]\s{0,40}(?:public\s{1,4})?(?:\w{1,40}::)?LifecycleNode\b")
+"""As a base, or among the initializers of a constructor."""
 _COMPONENT = regex(r"^[ \t]*RCLCPP_COMPONENTS_REGISTER_NODE\s*\(\s*(?P<name>[\w:]+)\s*\)", re.M)
 _MAKERS = ("make_shared", "make_unique")
 
@@ -31,6 +33,19 @@ def node_classes(code: Code) -> list[str]:
 
 def components(code: Code) -> list[str]:
     return [found["name"] for found in _COMPONENT.finditer(code.source.text)]
+
+
+def activation(code: Code) -> Located | None:
+    """Where a file of a lifecycle node defines ``on_activate``; None when it does not, or for several nodes."""
+    if not _LIFECYCLE.search(code.source.text):
+        return None
+    named = [(each, code.defined_name(each) or "") for each in code.written.get("function", ())]
+    found = [each for each, name in named if name.rpartition("::")[2] == "on_activate"]
+    if len(found) != 1:
+        return None
+    whole = code.span(found[0])
+    start = whole.source.text.index("on_activate", whole.start)
+    return code.source.located(start, start + len("on_activate"))
 
 
 def node_names(code: Code) -> list[Located]:

@@ -98,7 +98,13 @@ def _is_count(code: Code, node: Node) -> bool:
     operator = code.text(node.child_by_field_name("operator"))
     if node.type == "assignment_expression":
         return operator != "=" or code.text(node.child_by_field_name("right")) in _LITERALS
-    return node.type == "binary_expression" and operator in _ORDERS
+    return node.type == "binary_expression" and operator in _ORDERS and not _is_result(code, node)
+
+
+def _is_result(code: Code, node: Node) -> bool:
+    """``ioctl(...) < 0``: whether a call failed, which counts nothing."""
+    left = node.child_by_field_name("left")
+    return left is not None and left.type == "call_expression" and code.text(node.child_by_field_name("right")) in "0-1"
 
 
 def _head(code: Code, loop: Node) -> Span:

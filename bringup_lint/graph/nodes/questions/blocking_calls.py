@@ -30,6 +30,8 @@ _REQUESTS = frozenset(
     f"requests.{verb}" for verb in ("get", "post", "put", "delete", "patch", "head", "options", "request")
 )
 _OPENS = frozenset({*_REQUESTS, "urllib.request.urlopen"})
+_MEASURES = frozenset({"psutil.cpu_percent", "psutil.cpu_times_percent"})
+"""Functions that wait as long as their first argument says."""
 _SPINS = {"rclpy.spin": 99, "rclpy.spin_until_future_complete": 3, "rclpy.spin_once": 99}
 """Functions that run the executor, and the position of their time-out."""
 _SERIAL_READS = frozenset({"read", "readline", "readlines", "read_until"})
@@ -73,6 +75,8 @@ def _of_library(ending: Ending, call: ast.Call, name: str, cls: NodeClass) -> Bl
     """A function of rclpy, of the standard library or of requests."""
     if name == "time.sleep":
         return _sleep(ending, call)
+    if name in _MEASURES:
+        return _measure(ending, call, name)
     if name in _PROGRAMS and not _has(call, "timeout") and not is_short(ending, call):
         return None if _ends_behind(ending, call) else Blocked(name, "as long as the program runs")
     if name in _OPENS:
@@ -114,6 +118,14 @@ def _sleep(ending: Ending, call: ast.Call) -> Blocked | None:
         return None
     each_turn = " a turn of its loop" if loops and turns is None else ""
     return Blocked(f"time.sleep({seconds:g})", f"for {total:g} s{each_turn}")
+
+
+def _measure(ending: Ending, call: ast.Call, name: str) -> Blocked | None:
+    given = next((each.value for each in call.keywords if each.arg == "interval"), next(iter(call.args), None))
+    seconds = ending.file.constant(given, ending.syntax.function(call)) if given is not None else None
+    if not isinstance(seconds, (int, float)) or seconds < SHORT:
+        return None
+    return Blocked(f"{name}({seconds:g})", f"for {seconds:g} s")
 
 
 def _ends_behind(ending: Ending, call: ast.Call) -> bool:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ast
-import os
 import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
@@ -12,6 +11,7 @@ from bringup_lint.graph.nodes.questions.kept_commands import held_over
 from bringup_lint.graph.nodes.questions.kept_commands import loops
 from bringup_lint.graph.nodes.questions.motion import is_motor_command
 from bringup_lint.graph.nodes.questions.motion import moves
+from bringup_lint.graph.nodes.questions.with_header import with_header
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.python import walk
@@ -164,7 +164,7 @@ def _in_cpp(nodes: Nodes, source: CppNode) -> Iterator[Repeated]:
     commands = [each for each in source.endpoints if _is_held(each)]
     if not commands or not source.kept or not source.sent or not _moves_something(source):
         return
-    if _looks_at_time(_with_header(nodes, source.source)):
+    if _looks_at_time(with_header(nodes, source.source)):
         return
     for endpoint in commands:
         held = next((names for at, names in source.kept.items() if _is_within(at, endpoint.span)), frozenset())
@@ -190,18 +190,6 @@ def _is_command_topic(endpoint: Endpoint) -> bool:
     """Whether numbers are published under the name of a command, as those of a gait that is walked on with."""
     kind = (endpoint.type or "").rpartition("/")[2]
     return kind in _NUMBERS and (endpoint.name or "").rpartition("/")[2] in ("command", "commands", "cmd")
-
-
-def _with_header(nodes: Nodes, source: Source) -> str:
-    """The text of a file and of those beside it and in the package that are called the same."""
-    stem = os.path.basename(source.name).partition(".")[0]
-    owner = nodes.launch.workspace.owner(source)
-    texts = [source.text]
-    for each in nodes.files.of_kind("cpp-node"):
-        if each is not source and os.path.basename(each.name).partition(".")[0] == stem:
-            if nodes.launch.workspace.owner(each) is owner:
-                texts.append(each.text)
-    return "\n".join(texts)
 
 
 def guards_commands(text: str) -> bool:
@@ -234,7 +222,7 @@ def held(nodes: Nodes) -> Iterator[Held]:
                     Held(file.source, each, bus, _writer(file, each)) for each in node.endpoints if _is_held(each)
                 )
     for source in nodes.cpp:
-        text = _with_header(nodes, source.source)
+        text = with_header(nodes, source.source)
         bus = _bus(text, _CPP_BUS)
         if bus is not None and not source.sent and not _looks_at_time(text):
             yield from (Held(source.source, each, bus) for each in source.endpoints if _is_held(each))

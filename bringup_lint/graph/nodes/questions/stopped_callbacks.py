@@ -18,6 +18,7 @@ from bringup_lint.model.node_source import Callback
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
 from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
     from bringup_lint.graph.nodes.nodes import Nodes
@@ -29,6 +30,7 @@ _URGENT = ("subscription", "timer", "action")
 _SERVED = ("subscription", "service")
 """Callbacks that are to run once for each message or request: a timer whose callback never ends may be meant."""
 _SPIN = "rclcpp::spin"
+_SECONDS = regex(r"for (\d+(?:\.\d+)?) s\Z")
 _SOON = ("for ", "as long as ")
 """Waits that end by themselves: a subscription that only keeps the newest message may be served after them."""
 
@@ -41,6 +43,8 @@ class Stopped(NamedTuple):
     callbacks: list[Callback]
     certain: bool
     """One thread runs them all."""
+    period: float | None = None
+    """Seconds between the calls of the timer which the wait itself makes late."""
 
 
 class NeverRun(NamedTuple):
@@ -62,8 +66,9 @@ def stopped_callbacks(nodes: Nodes) -> Iterator[Stopped]:
         threads = nodes.threads(node)
         for wait in blocking(nodes.ending(file), node):
             found = _stopped(nodes, file, node, wait, threads)
-            if found is not None:
-                yield Stopped(file, wait, found, threads == "one")
+            period = _missed(node, wait)
+            if found is not None or period is not None:
+                yield Stopped(file, wait, found or [], threads == "one", period)
 
 
 def _stopped(nodes: Nodes, file: NodeSource, node: NodeClass, wait: Blocking, threads: str) -> list[Callback] | None:
@@ -88,6 +93,16 @@ def _stopped(nodes: Nodes, file: NodeSource, node: NodeClass, wait: Blocking, th
         ending = nodes.ending(file)
         urgent = [each for each in urgent if each.role != "subscription" or not only_stores(ending, node, each)]
     return found if urgent else None
+
+
+def _missed(node: NodeClass, wait: Blocking) -> float | None:
+    """The period of the timer that is due again before its callback has measured; None when there is time, and for a
+    sleep, which may pace the timer on purpose."""
+    seconds = _SECONDS.match(wait.how_long)
+    if seconds is None or wait.callback.role != "timer" or not wait.what.startswith("psutil."):
+        return None
+    periods = [each.period for each in node.timers if each.callback == wait.callback.name and each.period is not None]
+    return periods[0] if len(periods) == 1 and 0 < periods[0] < float(seconds[1]) else None
 
 
 def never_run(nodes: Nodes) -> Iterator[NeverRun]:

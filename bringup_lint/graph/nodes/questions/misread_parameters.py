@@ -1,0 +1,62 @@
+"""Parameters that a node reads as another type than it declares them with."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.graph.nodes.sources.syntax import Syntax
+from bringup_lint.model.node_source import Misread
+from bringup_lint.model.node_source import NodeClass
+from bringup_lint.model.node_source import type_of_default
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.nodes.nodes import Nodes
+
+_FIELDS = {"double_value": "double", "integer_value": "integer", "bool_value": "bool", "string_value": "string"}
+_VALUE = "get_parameter_value"
+
+
+def misread_parameters(nodes: Nodes) -> Iterator[list[Misread]]:
+    """Those of one source together. In Python the field of another type is empty, and in C++ the call throws."""
+    for file in nodes.programs:
+        if _VALUE not in file.source.text or "dynamic_typing" in file.source.text:
+            continue
+        found = list(_in_file(nodes.syntax(file)))
+        if found:
+            yield found
+    for source in nodes.cpp:
+        if source.misread:
+            yield source.misread
+
+
+def _in_file(syntax: Syntax) -> Iterator[Misread]:
+    for node in syntax.file.nodes:
+        if not isinstance(node, ast.Attribute) or node.attr not in _FIELDS or syntax.is_dead(node):
+            continue
+        name = _asked(node.value)
+        cls = _class_of(syntax, node) if name is not None else None
+        declared = cls.all_parameters.get(str(name)) if cls is not None else None
+        kind = type_of_default(declared.default) if declared is not None and declared.known else None
+        if declared is not None and kind is not None and kind != _FIELDS[node.attr]:
+            yield Misread(syntax.file.span_of(node), declared.name, kind, _FIELDS[node.attr], node.attr, True)
+
+
+def _asked(value: ast.expr) -> str | None:
+    """The name in ``self.get_parameter("name").get_parameter_value()``."""
+    outer = value.func if isinstance(value, ast.Call) else None
+    if not isinstance(outer, ast.Attribute) or outer.attr != _VALUE or not isinstance(outer.value, ast.Call):
+        return None
+    call = outer.value
+    if not isinstance(call.func, ast.Attribute) or call.func.attr != "get_parameter" or len(call.args) != 1:
+        return None
+    if not isinstance(call.func.value, ast.Name) or call.func.value.id != "self":
+        return None
+    name = call.args[0]
+    return name.value if isinstance(name, ast.Constant) and isinstance(name.value, str) else None
+
+
+def _class_of(syntax: Syntax, node: ast.AST) -> NodeClass | None:
+    outer = next((outer for outer, _ in syntax.above(node) if isinstance(outer, ast.ClassDef)), None)
+    return next((each for each in syntax.file.classes if each.node is outer), None) if outer is not None else None
