@@ -59,6 +59,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.unreached_stops import unreached_stops
     from bringup_lint.graph.nodes.questions.unread_parameters import unread_parameters
     from bringup_lint.graph.nodes.questions.unsafe_ends import unsafe_ends
+    from bringup_lint.graph.nodes.questions.unsafe_hardware import unsafe_hardware
     from bringup_lint.graph.nodes.questions.unstamped import unstamped
     from bringup_lint.graph.topics.questions.undeclared import asked_in_vain
     from bringup_lint.graph.topics.questions.undeclared import is_called_nowhere
@@ -125,6 +126,7 @@ __all__ = [
     "unread_parameters",
     "unread_pipes",
     "unsafe_ends",
+    "unsafe_hardware",
     "unset",
     "unstamped",
     "untyped_reads",

@@ -3,7 +3,8 @@
 ## What it finds
 A program whose node publishes velocities or efforts (`cmd_vel`, `*_command`, ...) and does nothing when it exits:
 no `finally` or `except` that publishes, no signal handler, no `on_deactivate` or `on_shutdown` that publishes. A
-program that leaves SIGTERM to the operating system (`SignalHandlerOptions.NO` without a handler) is also reported.
+program that leaves SIGTERM to the operating system (`SignalHandlerOptions.NO` without a handler) is also reported,
+and one that takes commands for motors to pins or to an I2C bus, which keep what was written last, and stops nothing.
 The finding is info when the tree has a mux, smoother or controller with its own timeout, when MoveIt Servo receives
 the topic and has an `incoming_command_timeout`, when the node only relays
 commands, when a relay with a timer in the tree receives the topic, and when it is a lifecycle node.
@@ -72,4 +73,14 @@ def shutdown_no_safe_state(robot: Robot) -> Iterator[Finding]:
             ],
             chain=robot.nodes.chain_to(file, note(place, "no stop command")),
             severity="info" if is_caught else nodes.lowered(robot.nodes.purpose(file.source), "warning"),
+        )
+    for file, last, bus, command in nodes.unsafe_hardware(robot.nodes):
+        place = file.span_of(last.call)
+        yield finding(
+            place,
+            f"The node exits without stopping what it drives: {bus} keeps the last value that was written",
+            advice="spin in a try that takes KeyboardInterrupt and ExternalShutdownException, and stop in its finally",
+            related=[note(command.span, f"the commands of {command.name or 'this topic'} stay in force")],
+            chain=robot.nodes.chain_to(file, note(place, "no stop command")),
+            severity=nodes.lowered(robot.nodes.purpose(file.source), "warning"),
         )

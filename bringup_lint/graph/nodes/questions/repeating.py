@@ -117,7 +117,7 @@ def _looks_at_time(text: str) -> bool:
 def _in_class(nodes: Nodes, file: NodeSource, node: NodeClass) -> Iterator[Repeated]:
     syntax = nodes.syntax(file)
     for endpoint in node.endpoints:
-        if not _is_held(endpoint) and not _is_joystick(node, endpoint):
+        if not is_held(endpoint) and not _is_joystick(node, endpoint):
             continue
         for loop in loops(syntax, node):
             sender = next((each for each in loop.code if isinstance(each, ast.Call) and _sends(each, node)), None)
@@ -161,7 +161,7 @@ def _is_motion(endpoint: Endpoint) -> bool:
 
 
 def _in_cpp(nodes: Nodes, source: CppNode) -> Iterator[Repeated]:
-    commands = [each for each in source.endpoints if _is_held(each)]
+    commands = [each for each in source.endpoints if is_held(each)]
     if not commands or not source.kept or not source.sent or not _moves_something(source):
         return
     if _looks_at_time(with_header(nodes, source.source)):
@@ -211,21 +211,26 @@ class Held(NamedTuple):
 def held(nodes: Nodes) -> Iterator[Held]:
     """Nodes that take velocities to pins or to a bus without a controller of its own, and look at no time."""
     for file in nodes.programs:
-        sources = [each.source for each in nodes.imported(file) or ()]
-        bus = next(filter(None, (_bus(each.text, _PYTHON_BUS) for each in sources)), None)
-        if bus is None or any(map(looks_at_time, sources)):
+        bus = driven_bus(nodes, file)
+        if bus is None or any(looks_at_time(each.source) for each in nodes.imported(file) or ()):
             continue
-        yield from (Held(file.source, each, bus, _writer(file, each)) for each in file.strays if _is_held(each))
+        yield from (Held(file.source, each, bus, _writer(file, each)) for each in file.strays if is_held(each))
         for node in file.classes:
             if node.is_node is True and not _ends_in_loop(nodes, file, node):
                 yield from (
-                    Held(file.source, each, bus, _writer(file, each)) for each in node.endpoints if _is_held(each)
+                    Held(file.source, each, bus, _writer(file, each)) for each in node.endpoints if is_held(each)
                 )
     for source in nodes.cpp:
         text = with_header(nodes, source.source)
         bus = _bus(text, _CPP_BUS)
         if bus is not None and not source.sent and not _looks_at_time(text):
-            yield from (Held(source.source, each, bus) for each in source.endpoints if _is_held(each))
+            yield from (Held(source.source, each, bus) for each in source.endpoints if is_held(each))
+
+
+def driven_bus(nodes: Nodes, file: NodeSource) -> str | None:
+    """The bus or library for pins that a Python source, or one of the workspace that it imports, writes to."""
+    texts = (each.source.text for each in nodes.imported(file) or ())
+    return next(filter(None, (_bus(text, _PYTHON_BUS) for text in texts)), None)
 
 
 def _writer(file: NodeSource, endpoint: Endpoint) -> Span | None:
@@ -248,7 +253,7 @@ def _ends_in_loop(nodes: Nodes, file: NodeSource, node: NodeClass) -> bool:
     return any(_WRITES.search(ast.unparse(each.func)) for each in called)
 
 
-def _is_held(endpoint: Endpoint) -> bool:
+def is_held(endpoint: Endpoint) -> bool:
     """Whether what comes in is a velocity, bare numbers included: motors keep those that were written last."""
     if _is_command(endpoint) or is_motor_command(endpoint):
         return True
