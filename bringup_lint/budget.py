@@ -9,8 +9,6 @@ from __future__ import annotations
 import signal
 import threading
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager
 from types import FrameType
 
 FILE = 120.0
@@ -20,6 +18,8 @@ RULE = 300.0
 RUN = 1200.0
 """CPU seconds of all rules."""
 
+_SHORTEST = 0.001
+"""CPU seconds for what has nothing left: a timer of none would never ring."""
 _active = 0
 
 
@@ -27,26 +27,35 @@ class OutOfTime(BaseException):
     """A budget is spent. Not an ``Exception``, so that nothing that isolates failures takes it for one."""
 
 
-@contextmanager
-def limited(seconds: float) -> Iterator[None]:
+class limited:
     """Raise OutOfTime after so many CPU seconds of this process, or when an outer limit ends, which then raises again
     outside. Only the main thread of a system with timers can be interrupted; elsewhere there is no limit."""
-    global _active
-    if not hasattr(signal, "setitimer") or threading.current_thread() is not threading.main_thread():
-        yield
-        return
-    if signal.getsignal(signal.SIGPROF) is not _stop:
-        signal.signal(signal.SIGPROF, _stop)
-    outer = signal.getitimer(signal.ITIMER_PROF)[0]
-    started = time.process_time()
-    _active += 1
-    signal.setitimer(signal.ITIMER_PROF, max(0.001, min(seconds, outer) if outer else seconds))
-    try:
-        yield
-    finally:
-        left = outer and max(0.001, outer - (time.process_time() - started))
-        signal.setitimer(signal.ITIMER_PROF, left)
-        _active -= 1
+
+    __slots__ = ("_is_set", "_outer", "_seconds", "_started")
+
+    def __init__(self, seconds: float) -> None:
+        self._seconds = seconds
+
+    def __enter__(self) -> None:
+        global _active
+        self._is_set = hasattr(signal, "setitimer") and threading.current_thread() is threading.main_thread()
+        if not self._is_set:
+            return
+        if not _active and signal.getsignal(signal.SIGPROF) is not _stop:
+            signal.signal(signal.SIGPROF, _stop)
+        self._started = time.process_time()
+        _active += 1
+        seconds = self._seconds
+        self._outer = signal.setitimer(signal.ITIMER_PROF, max(_SHORTEST, seconds))[0]
+        if self._outer and self._outer < seconds:
+            signal.setitimer(signal.ITIMER_PROF, max(_SHORTEST, self._outer))
+
+    def __exit__(self, *_: object) -> None:
+        global _active
+        if self._is_set:
+            left = self._outer and max(_SHORTEST, self._outer - (time.process_time() - self._started))
+            signal.setitimer(signal.ITIMER_PROF, left)
+            _active -= 1
 
 
 def _stop(number: int, frame: FrameType | None) -> None:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import gc
 
-YOUNG_OBJECTS = 1_000_000
-"""How many objects more than before start the search in a run: more than a repository of 5,000 files has."""
+YOUNG_OBJECTS = 500_000
+"""How many objects more than before start the search in a run: more than a repository of 3,000 files has."""
 OF_MANY_RUNS = 200_000
 """The same where runs follow each other: what a robot leaves is garbage, as its layers know each other."""
 

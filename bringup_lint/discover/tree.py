@@ -272,7 +272,10 @@ class Tree:
     def real_path(self, path: str) -> str:
         """The absolute path without links; links that lead nowhere, or out of the tree, stay as they are."""
         path = os.path.abspath(path)
-        return disk.realpath(path) if self.holds(path) and self.holds(disk.realpath(path)) else path
+        if not self.holds(path):
+            return path
+        real = disk.realpath(path)
+        return real if self.holds(real) else path
 
     def exists(self, path: str) -> bool:
         """Whether there is a file, folder or link at a path of the tree, walked or not. Nobody looks for what lies

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import warnings
 from collections import deque
+from collections.abc import Callable
 from collections.abc import Iterator
 from typing import Union
 
@@ -40,13 +41,20 @@ def fields_of(node: ast.AST) -> tuple[str, ...]:
 def children(node: ast.AST) -> list[ast.AST]:
     """As ``ast.iter_child_nodes``, in a third of the time, without contexts and operators."""
     found: list[ast.AST] = []
-    for name in fields_of(node):
-        value = getattr(node, name, None)
-        if isinstance(value, list):
-            found += [child for child in value if isinstance(child, ast.AST)]
-        elif isinstance(value, ast.AST):
-            found.append(value)
+    _add_children(node, found.append)
     return found
+
+
+def _add_children(node: ast.AST, add: Callable[[ast.AST], object]) -> None:
+    fields = _FIELDS.get(type(node))
+    for name in fields_of(node) if fields is None else fields:
+        value = getattr(node, name, None)
+        if isinstance(value, ast.AST):
+            add(value)
+        elif isinstance(value, list):
+            for child in value:
+                if isinstance(child, ast.AST):
+                    add(child)
 
 
 def walk(node: ast.AST) -> Iterator[ast.AST]:
@@ -54,5 +62,5 @@ def walk(node: ast.AST) -> Iterator[ast.AST]:
     todo = deque([node])
     while todo:
         node = todo.popleft()
-        todo.extend(children(node))
+        _add_children(node, todo.append)
         yield node
