@@ -1,0 +1,107 @@
+"""Software is installed without a check of where it comes from.
+
+## What it finds
+In scripts and Dockerfiles:
+
+- `deb [trusted=yes] ...`, `apt-get --allow-unauthenticated`, `--force-yes`, `AllowUnauthenticated=true` and
+  `AllowInsecureRepositories=true`: apt installs packages that nobody signed;
+- in Dockerfiles, `wget --no-check-certificate` and `curl --insecure` of a file on the internet.
+
+Repositories in a local folder and addresses of the own network are not reported.
+
+## Why it matters on a robot
+Whoever is between the robot and the server, in the wifi of a fair or at the customer's, gives it a package of his own,
+and its installation runs as root.
+
+## Bad
+```dockerfile
+RUN echo "deb [trusted=yes] https://download.example.org/debian/ /" > /etc/apt/sources.list.d/example.list
+```
+
+## Good
+```dockerfile
+ADD https://download.example.org/key.asc /etc/apt/keyrings/example.asc
+RUN echo "deb [signed-by=/etc/apt/keyrings/example.asc] https://download.example.org/debian/ /" \\
+    > /etc/apt/sources.list.d/example.list
+```
+
+## When to ignore it
+When the file is compared with a checksum of its own afterwards.
+
+## References
+- apt-secure(8), sources.list(5): Trusted
+- CWE-494: Download of Code Without Integrity Check
+"""
+
+import re
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Located
+from bringup_lint.api import Robot
+from bringup_lint.api import Source
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import regex
+from bringup_lint.api import rule
+
+UNSIGNED = regex(
+    r"\bdeb \[[^\]\n]{0,200}\b(?P<trusted>trusted=yes)\b[^\]\n]{0,200}\]"
+    r"(?! *(?:file:|copy:|cdrom:|https?://(?:localhost|127\.)))"
+    r"|(?P<option>(?:APT::Get::AllowUnauthenticated|Acquire::AllowInsecureRepositories)(?==(?:true|1|yes)\b))"
+    r"|\bapt(?:-get)?\b[^\n|;&]{0,200}?(?P<asked>--allow-unauthenticated|--force-yes)\b"
+)
+UNCHECKED = regex(
+    r"\b(?:wget\b[^\n|;&]{0,200}?(?P<wget>--no-check-certificate)|curl\b[^\n|;&]{0,200}? (?P<curl>-k|--insecure) )"
+)
+ADDRESS = regex(r"https://(?P<host>[a-zA-Z][\w-]*(?:\.[\w-]+)+)(?P<path>/\S*)?")
+LOCAL = regex(r"\.(?:local|lan|internal|home)$")
+CHECKED = regex(r"\b(?:sha(?:1|256|512)sum|md5sum|gpg --verify|cosign)\b")
+
+
+@rule(
+    "warning",
+    tags=["CWE-494", "CWE-295"],
+    silent="apt and wget are told to accept what they would refuse",
+)
+def unverified_source(robot: Robot) -> Iterator[Finding]:
+    for source in robot.of_kind("shell-script", "dockerfile"):
+        if source.judged and not source.template and source.origin is None:
+            unsigned = [_word(source, match) for match in UNSIGNED.finditer(source.text) if _is_said(source, match)]
+            yield from _finding(
+                unsigned,
+                "apt installs what nobody signed: whoever is between the robot and the server can give it a package",
+                "import the key of the repository and name it with signed-by=",
+            )
+            if source.kind == "dockerfile" and not CHECKED.search(source.text):
+                yield from _finding(
+                    list(_unchecked(source)),
+                    "This file comes from whoever answers: the certificate of the server is not checked",
+                    "remove the option, and install ca-certificates",
+                )
+
+
+def _finding(places: list[Located], message: str, advice: str) -> Iterator[Finding]:
+    if places:
+        first, *others = places
+        yield finding(first, message, advice=advice, related=[note(other, "and here") for other in others[:9]])
+
+
+def _unchecked(source: Source) -> Iterator[Located]:
+    """The options of downloads from the internet."""
+    for match in UNCHECKED.finditer(source.text):
+        rest = source.text[match.start() : match.end() + 400].replace("\\\n", " ").partition("\n")[0]
+        address = ADDRESS.search(re.split(r"[|;]|&&", rest)[0])
+        if address is not None and address["path"] and not LOCAL.search(address["host"]) and _is_said(source, match):
+            yield _word(source, match)
+
+
+def _word(source: Source, match: re.Match[str]) -> Located:
+    name = match.lastgroup or ""
+    return source.located(*match.span(name))
+
+
+def _is_said(source: Source, match: re.Match[str]) -> bool:
+    """Whether a match is no comment."""
+    line = source.text[: match.start()].rpartition("\n")[2]
+    return not line.lstrip().startswith("#") and " # " not in line
