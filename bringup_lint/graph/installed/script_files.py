@@ -70,7 +70,7 @@ def missing_files(scripts: Scripts, source: Source) -> Iterator[NamedFile]:
         folder = _start(each, base) if each.folder is None else _below(source, each.folder)
         if each.folder is not None and not any(path.startswith(str(folder).lstrip(".")) for path in there):
             continue
-        if folder is not None and _is_missing(tree, source, folder, each) and not _is_made(scripts, source, each):
+        if folder is not None and _is_missing(scripts, source, folder, each) and not _is_made(scripts, source, each):
             yield each
 
 
@@ -179,20 +179,29 @@ def _base(tree: Tree, source: Source, named: list[NamedFile]) -> _Base:
     return _Base(best, counts[best]) if certain else _Base()
 
 
-def _is_missing(tree: Tree, source: Source, base: str, named: NamedFile) -> bool:
+def _is_missing(scripts: Scripts, source: Source, base: str, named: NamedFile) -> bool:
+    tree = scripts.files.tree
     path = posixpath.normpath(posixpath.join(base, named.path))
     folder, _, name = path.rpartition("/")
     if tree.exists(path) or _GENERATED.search(path) or tree.is_ignored(path.replace("*", "any")):
         return False
     if any(os.path.abspath(path).startswith(each) for each in tree.submodules):
         return False
-    if tree.matches(f"{path}.*"):
+    if tree.matches(f"{path}.*") and not _is_only_template(scripts, path):
         return False
     if "*" in name:
         return not tree.matches(path) and (tree.exists(folder or ".") or _is_missing_folder(tree, source, folder))
     if len(re.findall(rf"(?<![\w.-]){re.escape(name)}(?![\w-])", _without_comments(source.text))) > 1:
         return False
     return tree.exists(folder or ".") or (named.folder is not None and _is_missing_folder(tree, source, folder))
+
+
+def _is_only_template(scripts: Scripts, path: str) -> bool:
+    """Whether a template is all that is there, and no file of the tree says that it is filled in."""
+    name = posixpath.basename(path)
+    if not scripts.files.tree.is_file(f"{path}.in"):
+        return False
+    return not scripts.files.mentions(re.compile(rf"{re.escape(name)}\.in\b|\*\.in\b|configure_file"))
 
 
 def _is_missing_folder(tree: Tree, source: Source, folder: str) -> bool:
