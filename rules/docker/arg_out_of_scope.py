@@ -1,0 +1,117 @@
+"""A stage reads an ARG that is declared before FROM only.
+
+## What it finds
+A step, or another instruction of a stage, with a variable whose `ARG` is above the first FROM and that neither the
+stage nor the images below it declare. Images of Ubuntu, Debian and CUDA are known to set no such variable, and those of
+ROS set `ROS_DISTRO` alone; what other images set is not known.
+
+## Why it matters on a robot
+Such an ARG is there for FROM only. Inside the stage the variable is empty: `ros-${ROS_DISTRO}-nav2-bringup` becomes
+`ros--nav2-bringup`, a folder becomes `/`, and a version the newest one.
+
+## Bad
+```dockerfile
+ARG ROVER_WS=/opt/rover
+FROM ros:jazzy-ros-base
+WORKDIR ${ROVER_WS}
+```
+
+## Good
+```dockerfile
+ARG ROVER_WS=/opt/rover
+FROM ros:jazzy-ros-base
+ARG ROVER_WS
+WORKDIR ${ROVER_WS}
+```
+
+## When to ignore it
+When the empty value is meant.
+
+## References
+- https://docs.docker.com/reference/dockerfile/#understand-how-arg-and-from-interact
+"""
+
+import re
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Located
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import regex
+from bringup_lint.api import rule
+from bringup_lint.api.docker import Dockerfile
+from bringup_lint.api.docker import Stage
+from bringup_lint.api.docker import assignments
+from bringup_lint.api.docker import ros_distro
+from bringup_lint.api.docker import ubuntu_codename
+
+READING = ("RUN", "ENV", "WORKDIR", "COPY", "ADD", "USER", "LABEL", "EXPOSE", "VOLUME")
+ASSIGNED = r"(?:^|[\s;&(\"'])(?:export\s+|local\s+)?{name}=|\bread\b[^\n]{{0,80}}\b{name}\b|\bfor\s+{name}\b"
+OF_ROS = ("ROS_DISTRO", "LANG", "LC_ALL")
+OF_SHELL = ("HOME", "USER", "PATH", "SHELL", "PWD", "HOSTNAME", "DEBIAN_FRONTEND")
+DEBIAN = regex(r"(?:docker\.io/)?(?:library/)?debian(?::[\w.-]+)?")
+
+
+@rule("warning", symptoms=["UndefinedVar: Usage of undefined variable *"])
+def arg_out_of_scope(robot: Robot) -> Iterator[Finding]:
+    for file in robot.dockerfiles:
+        for stage in file.stages if file.arguments else ():
+            yield from _of_stage(file, stage)
+
+
+def _of_stage(file: Dockerfile, stage: Stage) -> Iterator[Finding]:
+    if not ubuntu_codename(stage.origin) and not DEBIAN.fullmatch(stage.origin):
+        return
+    declared = {name for one in stage.chain for name in _declared(one)}
+    if ros_distro(stage.origin):
+        declared.update(OF_ROS)
+    for name in file.arguments:
+        if name in declared or name in OF_SHELL:
+            continue
+        uses = list(_uses(stage, name))
+        if uses:
+            first, *others = uses
+            yield finding(
+                first,
+                f"{name} is empty here: the ARG above the first FROM is there for FROM only",
+                advice=f"write ARG {name} after this FROM, too",
+                related=[
+                    note(_declaration(file, name), "declared here"),
+                    *(note(other, "empty here, too") for other in others[:9]),
+                ],
+            )
+
+
+def _declaration(file: Dockerfile, name: str) -> Located:
+    """The place above the first FROM that names an ARG."""
+    source = file.source
+    found = re.search(rf"(?<![\w$]){re.escape(name)}\b", source.text)
+    return source.located(*(found.span() if found else (0, 0)))
+
+
+def _declared(stage: Stage) -> Iterator[str]:
+    """The variables that a stage declares or sets itself."""
+    for instruction in stage.all("ARG"):
+        yield from (str(word).partition("=")[0] for word in instruction.value.words())
+    for instruction in stage.all("ENV"):
+        yield from (name for name, _ in assignments(instruction))
+
+
+def _uses(stage: Stage, name: str) -> Iterator[Located]:
+    """Where instructions of a stage read a variable that has no value and no default."""
+    read = re.compile(rf"(?<![\\$])\$(?:{name}\b|\{{{name}\}})")
+    assigned = re.compile(ASSIGNED.format(name=name))
+    for instruction in stage.all(*READING):
+        value = instruction.value
+        if instruction.name == "RUN" and (instruction.heredocs or assigned.search(value)):
+            continue
+        match = next((each for each in read.finditer(value) if not _is_quoted(value, each.start())), None)
+        if match is not None:
+            yield value.part(*match.span())
+
+
+def _is_quoted(text: str, at: int) -> bool:
+    """Whether a place is in single quotes, as far as their number says it."""
+    return text.count("'", 0, at) % 2 == 1
