@@ -1,0 +1,79 @@
+"""A variable of a written file is replaced while the file is written.
+
+## What it finds
+A here-document whose end word is not quoted, and that writes a file with a variable of this file's own: `$MAINPID` in
+a unit, which systemd sets, or a variable that the written script assigns itself and the writing script does not.
+
+## Why it matters on a robot
+The shell that writes the file puts the value in, which it does not have: `kill -HUP $MAINPID` becomes `kill -HUP`, and
+`cd "$WS"` becomes `cd ""`. The unit or script on the robot is not the one that is in the repository.
+
+## Bad
+```sh
+cat <<EOF | sudo tee /etc/systemd/system/rover.service
+ExecReload=/bin/kill -HUP $MAINPID
+EOF
+```
+
+## Good
+```sh
+cat <<'EOF' | sudo tee /etc/systemd/system/rover.service
+ExecReload=/bin/kill -HUP $MAINPID
+EOF
+```
+
+## When to ignore it
+When whoever runs the script gives it the variable.
+
+## References
+- bash(1), "Here Documents"
+- systemd.exec(5), $MAINPID
+"""
+
+import re
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Located
+from bringup_lint.api import Robot
+from bringup_lint.api import Source
+from bringup_lint.api import finding
+from bringup_lint.api import regex
+from bringup_lint.api import rule
+from bringup_lint.api.shell import Written
+
+UNKNOWN = regex(r"\{\{ (?P<name>[A-Za-z_]\w*) \}\}")
+OF_SYSTEMD = ("MAINPID", "SERVICE_RESULT", "EXIT_CODE", "EXIT_STATUS")
+OF_LOGIN = ("HOME", "USER", "LOGNAME", "PATH", "PWD", "HOSTNAME", "SUDO_USER", "ROS_DISTRO", "DISPLAY")
+
+
+@rule("error", silent="the shell replaces the variable with nothing, and writes the file")
+def heredoc_expanded(robot: Robot) -> Iterator[Finding]:
+    for source, written in robot.scripts.written("<<"):
+        for name in dict.fromkeys(UNKNOWN.findall(str(written.text or ""))):
+            place = _place(source, written, name) if _is_own(source, written, name) else None
+            if place is not None:
+                yield finding(
+                    place,
+                    f"The script replaces ${name} with nothing while it writes {written.path}",
+                    advice="quote the end word of the here-document (<<'EOF'), or write a backslash before the dollar",
+                    confidence=None if written.certain else "medium",
+                )
+
+
+def _is_own(source: Source, written: Written, name: str) -> bool:
+    """Whether a variable belongs to the file that is written."""
+    text = str(written.text)
+    if name in OF_SYSTEMD:
+        return "[Service]" in text and not re.search(rf"\b{name}=", source.text)
+    assigned = re.compile(
+        rf"^[ \t]*(?:export |local |readonly )?{name}=|\bfor {name} in\b|\bread (?:-\w+ )*{name}\b", re.M
+    )
+    return len(assigned.findall(source.text)) == len(assigned.findall(text)) > 0
+
+
+def _place(source: Source, written: Written, name: str) -> Located | None:
+    """Where the here-document names a variable."""
+    document = source.text.find("<<", max(source.text.rfind("\n", 0, written.where.span.start), 0))
+    found = re.compile(rf"(?<!\\)\$(?:{name}\b|\{{{name}\}})").search(source.text, max(document, 0))
+    return source.located(*found.span()) if found is not None else None
