@@ -62,18 +62,27 @@ def heredoc_expanded(robot: Robot) -> Iterator[Finding]:
 
 
 def _is_own(source: Source, written: Written, name: str) -> bool:
-    """Whether a variable belongs to the file that is written."""
+    """Whether a variable belongs to the file that is written: systemd sets it, or only this file does."""
     text = str(written.text)
+    start, end = _extent(written)
+    around = source.text[:start] + source.text[end:]
     if name in OF_SYSTEMD:
-        return "[Service]" in text and not re.search(rf"\b{name}=", source.text)
-    assigned = re.compile(
-        rf"^[ \t]*(?:export |local |readonly )?{name}=|\bfor {name} in\b|\bread (?:-\w+ )*{name}\b", re.M
-    )
-    return len(assigned.findall(source.text)) == len(assigned.findall(text)) > 0
+        return "[Service]" in text and not re.search(rf"\b{name}=", around)
+    if name in OF_LOGIN or re.search(rf"\b{name}=[^\n]*\{{\{{ {name} \}}\}}", text):
+        return False
+    sets = re.compile(rf"^[ \t]*(?:export |local |readonly )?{name}=", re.M)
+    known = re.compile(rf"\b{name}\+?=|\b(?:for|read|getopts|declare|mapfile)\b[^\n]*\b{name}\b")
+    return sets.search(text) is not None and known.search(around) is None
+
+
+def _extent(written: Written) -> tuple[int, int]:
+    """Where the text of a written file is in its script."""
+    places = written.text.places if written.text is not None else []
+    return min((start for start, _ in places), default=0), max((end for _, end in places), default=0)
 
 
 def _place(source: Source, written: Written, name: str) -> Located | None:
     """Where the here-document names a variable."""
-    document = source.text.find("<<", max(source.text.rfind("\n", 0, written.where.span.start), 0))
-    found = re.compile(rf"(?<!\\)\$(?:{name}\b|\{{{name}\}})").search(source.text, max(document, 0))
+    start, end = _extent(written)
+    found = re.compile(rf"(?<!\\)\$(?:{name}\b|\{{{name}\}})").search(source.text, start, end)
     return source.located(*found.span()) if found is not None else None
