@@ -45,6 +45,8 @@ from bringup_lint.api.shell import Written
 UNKNOWN = regex(r"\{\{ (?P<name>[A-Za-z_]\w*) \}\}")
 OF_SYSTEMD = ("MAINPID", "SERVICE_RESULT", "EXIT_CODE", "EXIT_STATUS")
 OF_LOGIN = ("HOME", "USER", "LOGNAME", "PATH", "PWD", "HOSTNAME", "SUDO_USER", "ROS_DISTRO", "DISPLAY")
+SOURCES = regex(r"^[ \t]*(?:source|\.)[ \t]", re.M)
+"""Another file may set the variable of the script that writes."""
 
 
 @rule("error", silent="the shell replaces the variable with nothing, and writes the file")
@@ -57,6 +59,7 @@ def heredoc_expanded(robot: Robot) -> Iterator[Finding]:
                     place,
                     f"The script replaces ${name} with nothing while it writes {written.path}",
                     advice="quote the end word of the here-document (<<'EOF'), or write a backslash before the dollar",
+                    severity=None if name in OF_SYSTEMD else "warning",
                     confidence=None if written.certain else "medium",
                 )
 
@@ -68,7 +71,7 @@ def _is_own(source: Source, written: Written, name: str) -> bool:
     around = source.text[:start] + source.text[end:]
     if name in OF_SYSTEMD:
         return "[Service]" in text and not re.search(rf"\b{name}=", around)
-    if name in OF_LOGIN or re.search(rf"\b{name}=[^\n]*\{{\{{ {name} \}}\}}", text):
+    if name in OF_LOGIN or SOURCES.search(around) or re.search(rf"\b{name}=[^\n]*\{{\{{ {name} \}}\}}", text):
         return False
     sets = re.compile(rf"^[ \t]*(?:export |local |readonly )?{name}=", re.M)
     known = re.compile(rf"\b{name}\+?=|\b(?:for|read|getopts|declare|mapfile)\b[^\n]*\b{name}\b")
