@@ -57,8 +57,9 @@ DEBIAN = regex(r"(?:docker\.io/)?(?:library/)?debian(?::[\w.-]+)?")
 @rule("warning", symptoms=["UndefinedVar: Usage of undefined variable *"])
 def arg_out_of_scope(robot: Robot) -> Iterator[Finding]:
     for file in robot.dockerfiles:
-        for stage in file.stages if file.arguments else ():
-            yield from _of_stage(file, stage)
+        if file.arguments:
+            for stage in file.stages:
+                yield from _of_stage(file, stage)
 
 
 def _of_stage(file: Dockerfile, stage: Stage) -> Iterator[Finding]:
