@@ -101,7 +101,14 @@ def _tell(sources: Iterable[Source], places: Places, how: str) -> None:
     sources = list(sources)
     if sources:
         findings = [found for source in sources for found in places[source]]
-        say(f"Suppressed {counted(len(findings), 'finding')} in {counted(len(sources), 'file')} {how}.")
+        copies = _on_copies(places)
+        again = sum(id(found) in copies for found in findings)
+        also = f" ({again} of them on copies of lines, which a report counts once)" if again else ""
+        say(f"Suppressed {counted(len(findings), 'finding')}{also} in {counted(len(sources), 'file')} {how}.")
+
+
+def _on_copies(places: Places) -> set[int]:
+    return {id(copy) for findings in places.values() for found in findings for copy in found.copies}
 
 
 def _configured(places: Places, config: Config, reason: str) -> tuple[NotWritten, ...]:

@@ -42,6 +42,17 @@ def test_a_comment_is_above_the_line(tree: Path) -> None:
     assert check(tree, "--add-ignores", "again").stderr == ""
 
 
+def test_copies_of_a_line_are_counted_apart(tmp_path: Path) -> None:
+    """The report shows one finding; each copy needs a comment of its own."""
+    for name in ("a.service", "b.service"):
+        (tmp_path / name).write_text(UNIT)
+    shown = check(tmp_path)
+    assert len(shown.stdout.splitlines()) == 1
+    run = check(tmp_path, "--add-ignores", "known")
+    said = "Suppressed 2 findings (1 of them on copies of lines, which a report counts once) in 2 files by comments.\n"
+    assert run.stderr == said
+
+
 def test_what_the_baseline_knows_gets_no_comment(tree: Path) -> None:
     check(tree, "--write-baseline", "known.json")
     check(tree, "--baseline", "known.json", "--add-ignores", "known")
