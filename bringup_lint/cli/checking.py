@@ -140,6 +140,7 @@ def deliver(
     from bringup_lint.cli.terminal import wants_colour
     from bringup_lint.finish import rendered
     from bringup_lint.report import DRAWN
+    from bringup_lint.report import FINDINGS_ALONE
     from bringup_lint.report import Part
 
     drawn = any(output.format in DRAWN for output in outputs)
@@ -152,6 +153,9 @@ def deliver(
     for said in report.notifications:
         if said.level == "note" and not options.get("quiet"):
             complain(said.message)
+    if not options.get("quiet") and all(output.format in FINDINGS_ALONE for output in outputs):
+        for words in report.by_configuration:
+            complain(f"{words}: --no-ignores" if "suppressed" in words else words)
     report, kept = _with_baseline(report, config, options)
     failures, code = [*unwritten, *kept], report.exit_code
     for output in outputs:

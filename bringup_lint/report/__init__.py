@@ -10,9 +10,11 @@ from bringup_lint.report.model import Report
 from bringup_lint.report.model import RuleDoc
 from bringup_lint.report.model import Target
 
-__all__ = ["DRAWN", "FORMATS", "Notification", "Part", "Report", "RuleDoc", "Target", "render"]
+__all__ = ["DRAWN", "FINDINGS_ALONE", "FORMATS", "Notification", "Part", "Report", "RuleDoc", "Target", "render"]
 
 FORMATS = ("text", "concise", "json", "sarif", "html", "github", "gitlab", "junit", "markdown", "rdjson")
+FINDINGS_ALONE = ("concise", "gitlab", "rdjson")
+"""The formats that have no place for anything but findings."""
 DRAWN = ("html", "markdown")
 """The formats that show the picture of the bring-up."""
 

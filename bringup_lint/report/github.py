@@ -24,8 +24,10 @@ _PROPERTY = str.maketrans({"%": "%25", "\r": "%0D", "\n": "%0A", ":": "%3A", ","
 
 
 def render(report: Report) -> str:
-    """One command a finding, errors first: GitHub shows no more than ten of a level for one step."""
-    return "".join((*map(_annotation, report.worst_first), *map(_told, report.notifications)))
+    """One command a finding, errors first: GitHub shows no more than ten of a level for one step. What a configuration
+    keeps from being reported is a notice at the end."""
+    told = (*report.notifications, *(Notification("note", said) for said in report.by_configuration))
+    return "".join((*map(_annotation, report.worst_first), *map(_told, told)))
 
 
 def _annotation(finding: Finding) -> str:

@@ -35,7 +35,7 @@ def render(report: Report) -> str:
 
 def _suites(report: Report) -> Iterator[str]:
     at = utc(report.started or 0)[:19]
-    yield from _suite(0, _TOOL, list(_run(report)), at)
+    yield from _suite(0, _TOOL, list(_run(report)), at, "\n".join(report.by_configuration))
     findings = sorted(report.findings, key=_file)
     for number, (name, group) in enumerate(groupby(findings, key=_file), 1):
         yield from _suite(number, name, [_case(finding) for finding in group], at)
@@ -45,7 +45,7 @@ def _file(finding: Finding) -> str:
     return finding.source.name
 
 
-def _suite(number: int, name: str, cases: list[Case], at: str) -> Iterator[str]:
+def _suite(number: int, name: str, cases: list[Case], at: str, said: str = "") -> Iterator[str]:
     counts = Counter(case.outcome for case in cases)
     yield (
         f"  <testsuite id={_quoted(str(number))} package={_quoted(_TOOL)} name={_quoted(name)} timestamp={_quoted(at)}"
@@ -54,7 +54,7 @@ def _suite(number: int, name: str, cases: list[Case], at: str) -> Iterator[str]:
     )
     yield "    <properties/>"
     yield from (case.text for case in cases)
-    yield "    <system-out/>"
+    yield f"    <system-out>{escape(str(sound(said)))}</system-out>" if said else "    <system-out/>"
     yield "    <system-err/>"
     yield "  </testsuite>"
 

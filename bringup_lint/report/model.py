@@ -137,6 +137,14 @@ class Report:
         yield from sorted(Counter(each.span.source.basename for each in silencing if each.external).items())
 
     @property
+    def by_configuration(self) -> Iterator[str]:
+        """What configurations keep from being reported, in words."""
+        silencing = [each.suppression for each in self.findings if each.suppression and each.suppression.external]
+        for name, number in sorted(Counter(each.span.source.basename for each in silencing).items()):
+            yield f"{number} suppressed by {name}"
+        yield from self.narrowed
+
+    @property
     def worst_first(self) -> list[Finding]:
         """The findings that no comment suppresses, errors before warnings, for readers that stop early."""
         return sorted(self.shown, key=lambda finding: -finding.severity)

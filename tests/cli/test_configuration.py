@@ -10,6 +10,8 @@ from pathlib import Path
 
 import pytest
 
+from bringup_lint.report import FINDINGS_ALONE
+from bringup_lint.report import FORMATS
 from tests.conftest import PROJECT
 from tests.lint import lint
 
@@ -183,3 +185,37 @@ def test_no_message_about_a_configuration_holds_a_secret(tree: Path) -> None:
     run = lint(cwd=tree)
     assert run.code == 2 and "robot:" in run.stderr
     assert "Orange-Lighthouse7" not in run.stderr
+
+
+SILENCING = """exclude = ["old/"]
+[per-file-ignores]
+"robot.service" = ["systemd/legacy-key"]
+"""
+KEPT_BACK = ("1 suppressed by bringup-lint.toml", "1 path excluded by bringup-lint.toml")
+
+
+@pytest.fixture
+def silenced(tmp_path: Path) -> Path:
+    """A tree whose configuration suppresses a finding and leaves out a folder."""
+    (tmp_path / "old").mkdir()
+    for name in ("robot.service", "old/robot.service"):
+        (tmp_path / name).write_text("[Service]\nExecStart=/bin/x\nStartLimitInterval=9\n")
+    (tmp_path / "bringup-lint.toml").write_text(SILENCING)
+    return tmp_path
+
+
+@pytest.mark.parametrize("output_format", FORMATS)
+def test_each_run_says_what_a_configuration_keeps_back(silenced: Path, output_format: str) -> None:
+    run = lint("--select", "systemd/legacy-key", "--output-format", output_format, ".", cwd=silenced)
+    told, quiet = (run.stderr, run.stdout) if output_format in FINDINGS_ALONE else (run.stdout, run.stderr)
+    path = KEPT_BACK[1]
+    assert path in told
+    assert "bringup-lint.toml" not in quiet
+    assert KEPT_BACK[0] in told or '"suppressed_by"' in told or "suppressedBy" in told or "suppressions" in told
+
+
+def test_quiet_runs_and_whole_reports_say_it_nowhere_else(silenced: Path) -> None:
+    options = ("--select", "systemd/legacy-key", "--output-format", "concise")
+    assert lint(*options, "--quiet", ".", cwd=silenced).stderr == ""
+    assert lint(*options, "--output-format", "json", "--output-file", "r.json", ".", cwd=silenced).stderr == ""
+    assert lint(*options, "--no-ignores", "robot.service", cwd=silenced).stderr == ""
