@@ -35,6 +35,10 @@ NAME = r"""(?:(?<!no)pass(?:word|wd|phrase|wort|code)|(?<![a-z])pass|(?<![a-z])p
 _BARE = r"""(?:\\[ "'$]|[^\s"'\\])*"""
 _HEAD = r"""[\w.-]{0,80}?"""
 _LINE = r"[^\n]{0,300}?"
+_OPTION = r"""[ \t"',]"""
+"""What is before an option: a blank, or what separates the words of a list."""
+_GAP = r"""["']?(?:[ \t]+|,[ \t]*|\n[ \t]{0,80}-[ \t]+)["']?"""
+"""What is between an option and its value: blanks, or what separates the words of a list."""
 _NEXT = r"(?:,|\n)\s{0,80}(?:\#[^\n]*\n\s{0,80})?"
 """The next key of a YAML mapping, perhaps after a comment."""
 
@@ -107,18 +111,22 @@ _PAIRS = (
 _COMMANDS = (
     _form("--", rf"""(?<![\w-])--{_HEAD}{NAME}[ \t]+["']?(?P<secret>[^\s"'=-][^\s"']*)"""),
     _form("--", rf"""(?<![\w-])--{_HEAD}{NAME}["'],?\s{{1,80}}(?:-[ \t]+)?["']?(?P<secret>[^\s"'-][^\s"']*)["']?"""),
+    _form("requirepass masterauth", rf"""--(?:requirepass|masterauth){_GAP}(?P<secret>[^\s"',-][^\s"',]*)"""),
+    _form("redis-cli", rf"""\bredis-cli\s{{0,80}}-[ \t]+-a{_GAP}(?P<secret>[^\s"',-][^\s"',]*)"""),
+    _form("--", rf"""(?<![\w-])--{_HEAD}{NAME}["']?[ \t]*\n[ \t]{{0,80}}-[ \t]+["']?(?P<secret>[^\s"'-][^\s"']*)"""),
     _form("--", rf"""(?<![\w-])--{_HEAD}{NAME}["'],["'](?P<secret>[^"'\n-][^"'\n]*)"""),
     _form(
         "curl wget",
-        rf"""\b(?:curl|wget)\b{_LINE}[ \t](?:-u|--user|--proxy-user)[ =]?["']?[^\s:"']+:(?P<secret>[^\s"']+)""",
+        rf"""\b(?:curl|wget)\b{_LINE}{_OPTION}(?:-u|--user|--proxy-user)(?:{_GAP}|=?["']?)
+        [^\s:"',]+:(?P<secret>[^\s"',]+)""",
     ),
-    _form("mysql mariadb", rf"""\b(?:mysql|mariadb)\w*\b{_LINE}[ \t](?-i:-p)["']?(?P<secret>[^\s"'=-][^\s"']*)"""),
-    _form("sshpass", r"""\bsshpass[ \t]+(?-i:-p)[ \t]*["']?(?P<secret>[^\s"']+)"""),
-    _form("login", rf"""\blogin\b{_LINE}[ \t](?-i:-p)[ \t]+["']?(?P<secret>[^\s"'-][^\s"']*)"""),
+    _form("mysql mariadb", rf"""\b(?:mysql|mariadb)\w*\b{_LINE}{_OPTION}(?-i:-p)["']?(?P<secret>[^\s"',=-][^\s"']*)"""),
+    _form("sshpass", rf"""\bsshpass{_GAP}(?-i:-p)(?:{_GAP}|["']?)(?P<secret>[^\s"',]+)"""),
+    _form("login", rf"""\blogin\b{_LINE}{_OPTION}(?-i:-p){_GAP}(?P<secret>[^\s"'-][^\s"']*)"""),
     _form(
-        "mosquitto_", rf"""\bmosquitto_(?:pub|sub|rr)\b{_LINE}[ \t](?-i:-P)[ \t]+["']?(?P<secret>[^\s"'-][^\s"']*)"""
+        "mosquitto_", rf"""\bmosquitto_(?:pub|sub|rr)\b{_LINE}{_OPTION}(?-i:-P){_GAP}(?P<secret>[^\s"',-][^\s"',]*)"""
     ),
-    _form("redis-cli", rf"""\bredis-cli\b{_LINE}[ \t]-a[ \t]+["']?(?P<secret>[^\s"'-][^\s"']*)"""),
+    _form("redis-cli", rf"""\bredis-cli{_LINE}{_OPTION}-a{_GAP}(?P<secret>[^\s"',-][^\s"',]*)"""),
     _form("useradd usermod", rf"""\buser(?:add|mod)\b{_LINE}[ \t](?-i:-p)[ \t]+["']?(?P<secret>[^\s"'-][^\s"']*)"""),
     _form(
         "sudo", r"""\becho[ \t]+["']?(?P<secret>[^\s"'|]+)["']?[ \t]*\|[ \t]*sudo[ \t]+(?:-\w+[ \t]+){0,4}(?-i:-\w*S)"""

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.finding.secret_forms import FORMS
+from bringup_lint.finding.secret_forms import NAME
 from bringup_lint.finding.secret_forms import NAMES
 from bringup_lint.finding.secret_forms import WORDS
 from bringup_lint.finding.secret_forms import Form
@@ -17,7 +18,7 @@ MERE_NAME = regex(r"pass(?:word|wd|phrase|wort)|secret|token", re.IGNORECASE)
 """A value that only repeats its name tells nothing, and masking it everywhere would mask prose."""
 _NO_SECRET = regex(
     r"\$[({a-z_]|\$\$?\{|\{\{|\{\w+\}$|@\w+@|%[a-z%]$|/(?:etc|run|var|home|opt|usr|srv|tmp|root|mnt|dev|proc)\b|[.~]{1,2}/"
-    r"|file:|env:|pkcs11:|vault:|secret://|op://|!\w+$|<\w|\(|\["
+    r"|[|>][-+\d]{0,2}$|file:|env:|pkcs11:|vault:|secret://|op://|!\w+$|<\w|\(|\["
     r"|\S+\.(?:pem|key|crt|p12|txt|env|ya?ml|json)$"
     r"|(?:true|false|yes|no|on|off|null|none|str|string|required|optional|prompt|ask|never|\d|\*+)$",
     re.IGNORECASE,
@@ -29,6 +30,16 @@ _PASSWORDS = regex(
     rf"^(?P<indent>[ \t]*)[\"']?[\w-]*(?:passwords|passphrases|tokens)[\"']?[ \t]*:{_BODY}",
     re.MULTILINE | re.IGNORECASE,
 )
+_SCALAR_KEY = rf"""["']?[\w.-]{{0,80}}?{NAME}["']?[ \t]*:[ \t]+[|>][-+\d]{{0,2}}"""
+_BLOCK_SCALARS = tuple(
+    regex(rf"^(?P<indent>[ \t]*){key}", re.MULTILINE | re.IGNORECASE | re.VERBOSE)
+    for key in (
+        _SCALAR_KEY + _BODY,
+        rf"-[ \t]+{_SCALAR_KEY}" + _BODY.replace("[ \\t]+", "[ \\t]{3,}"),
+    )
+)
+"""Blocks of lines below a key, and below the first key of an item, whose other keys have two columns more."""
+_WHOLE_LINE = regex(r"^[ \t]*(\S[^\n]*)", re.MULTILINE)
 _CHPASSWD = regex(rf"^(?P<indent>[ \t]*)list:[ \t]*[|>][-+]?{_BODY}", re.MULTILINE)
 _LINE = regex(r"^[ \t]*(?:-[ \t]+)?[\w.-]+:(\S+)", re.MULTILINE)
 _ENTRY = regex(r"^[ \t]*[\"']?[\w.@-]+[\"']?[ \t]*:[ \t]+[\"']?([^\s\"'#][^\n\"'#]*)", re.MULTILINE)
@@ -83,10 +94,13 @@ def _possible(lowered: str) -> Iterator[Form]:
 
 
 def _blocks(text: str, lowered: str) -> Iterator[tuple[int, int]]:
-    """The values below ``passwords:``, and in the list of cloud-init's ``chpasswd:``."""
+    """The values below ``passwords:``, in blocks of lines, and in the list of cloud-init's ``chpasswd:``."""
     if any(word in lowered for word in ("passwords", "passphrases", "tokens")):
         for block in _PASSWORDS.finditer(text):
             yield from _inner(_ENTRY, text, *block.span("body"))
+    if any(mark in lowered for mark in (": |", ": >")):
+        for block in (found for pattern in _BLOCK_SCALARS for found in pattern.finditer(text)):
+            yield from _inner(_WHOLE_LINE, text, *block.span("body"))
     if "chpasswd:" in lowered:
         for block in _CHPASSWD.finditer(text):
             yield from _inner(_LINE, text, *block.span("body"))
