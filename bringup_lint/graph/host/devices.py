@@ -163,12 +163,9 @@ class Devices:
     def is_single_camera(self, use: DeviceUse) -> bool:
         """Whether a program opens the only camera that the tree names by its number.
 
-        A unit or a parameter file says what this robot has: there, the number counts. A container that gets the first
-        one needs it for whichever camera is there.
+        A unit, a container or a parameter file says what this robot has: there, the number counts.
         """
-        kind = use.path.span.source.kind
-        first = kind == "compose" and use.path == f"{_CAMERA}0"
-        if not use.path.startswith(_CAMERA) or (kind in _OF_THE_ROBOT and not first):
+        if not use.path.startswith(_CAMERA) or use.path.span.source.kind in _OF_THE_ROBOT:
             return False
         cameras = {str(other.path) for other in self.uses if _BY_DISCOVERY.fullmatch(other.path)}
         return len([path for path in cameras if path.startswith(_CAMERA)]) == 1
