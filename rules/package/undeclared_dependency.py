@@ -11,7 +11,9 @@ neither the package.xml nor that of a package of the workspace on which it depen
 - when launch files start another package of the same workspace, and a script or an image builds the one that needs it
   with `--packages-up-to`, without the other;
 - when the same is so, and the changelog of the package shows that it is released, which makes a Debian package of it
-  alone.
+  alone;
+- when the package.xml declares nothing that is needed at run time, and launch files start three packages or more,
+  viewers and simulators aside.
 
 Other packages of which launch files start nodes or include files are an info: they are there on most robots. Nothing is
 said of other modules and libraries.
@@ -67,6 +69,9 @@ REST = regex(r"[ \t]*(?:<!--[^\n<>]*-->[ \t]*)?(?=\r?\n)")
 """The end of a line that has nothing or a comment."""
 DEPENDENCY = regex(r"[ \t]*<\w+_?depend\b")
 PLACEHOLDER = regex(r"^(?:your|my)_(?:package|pkg|robot|node)|package_name$")
+ASIDE = regex(r"^(?:rviz|rqt|plotjuggler)|_gui$|(?:^|_)(?:gz|gazebo|sim|ign|ignition|webots|mujoco|isaac)(?:_|$)")
+"""Viewers and simulators, which no robot needs."""
+SEVERAL = 3
 SHOWN = 12
 """Places that a finding shows."""
 ASKED = {
@@ -108,6 +113,8 @@ def undeclared_dependency(robot: Robot) -> Iterator[Finding]:
             yield _left_out(robot, package, apart, started)
         elif released:
             yield _found(package, released, started, _of_release(package, released[0]), None)
+        elif started and _declares_nothing(package, started):
+            yield _found(package, started, started, _of_nothing(package, started), None)
         elif started:
             yield _harmless(robot, package, started)
 
@@ -134,6 +141,23 @@ def _left_out(robot: Robot, package: launch.Package, needs: list[Need], started:
 
 def _of_release(package: launch.Package, need: Need) -> str:
     return f"The Debian package of {package.name} does not bring {need.name}: installed alone, its {_end(need)}"
+
+
+def _declares_nothing(package: launch.Package, started: list[Need]) -> bool:
+    """Whether a package.xml that nobody has filled in is one of a package which starts others."""
+    return not any(tag in BESIDE for tag, _ in package.manifest.depends) and len(_of_robots(started)) >= SEVERAL
+
+
+def _of_robots(started: list[Need]) -> list[Need]:
+    return [need for need in started if not ASIDE.search(need.name)]
+
+
+def _of_nothing(package: launch.Package, started: list[Need]) -> str:
+    first, *others = _of_robots(started)
+    return (
+        f"{package.name} declares nothing that it needs at run time: rosdep and colcon build --packages-up-to do not "
+        f"know that its launch files start {first.name} and {len(others)} others"
+    )
 
 
 def _of_robot(robot: Robot, needs: list[Need]) -> str:
