@@ -53,7 +53,7 @@ STARTED = (".launch.py", "_launch.py", ".launch.xml", "_launch.xml", ".launch.ya
 def file_not_installed(robot: Robot) -> Iterator[Finding]:
     missing: dict[tuple[str, str], list[Missing]] = {}
     for file in robot.launch.judged:
-        for reference in robot.launch.references(file):
+        for reference in {each.span: each for each in robot.launch.references(file)}.values():
             found = reference.found
             package = found.package
             if package is None or found.file is None or found.installed is not False:

@@ -61,18 +61,18 @@ class Interfaces:
 
     def __init__(self, tree: Tree, package: Package) -> None:
         self._tree = tree
-        self._package = package
+        self.package = package
 
     @cached_property
     def defined(self) -> dict[tuple[str, str], str]:
         found = {}
-        start = len(self._package.folder) + 1
+        start = len(self.package.folder) + 1
         for path in self._tree.paths:
             if not path.endswith((".msg", ".srv", ".action", ".idl")):
                 continue
             full = os.path.abspath(path)
             match = _FILE.search(full)
-            if match is not None and full.startswith(f"{self._package.folder}/"):
+            if match is not None and full.startswith(f"{self.package.folder}/"):
                 below = full[start:].split("/")
                 kind = (
                     match["kind"] if match["kind"] != "idl" else next((each for each in below if each in KINDS), "msg")
@@ -83,7 +83,7 @@ class Interfaces:
     @cached_property
     def commands(self) -> list[Command]:
         """Of the CMakeLists.txt of the package; empty when it has none."""
-        source = next((each.source for each in self._package.builds if each.source.kind == "cmake"), None)
+        source = next((each.source for each in self.package.builds if each.source.kind == "cmake"), None)
         return list(commands(source)) if source is not None else []
 
     @cached_property
@@ -118,9 +118,11 @@ def missing_interfaces(files: Files, workspace: Workspace) -> Iterator[MissingIn
     for source in sources:
         for package, kind, name in _imported(source):
             owner = workspace.packages.get(package)
-            if owner is None or owner.manifest.is_ros1 or not _is_required(workspace, source, package):
+            if owner is None or owner.manifest.is_ros1:
                 continue
             interfaces = known.setdefault(package, Interfaces(files.tree, owner))
+            if not _is_required(workspace, source, package) and not _is_used(interfaces, source):
+                continue
             if interfaces.is_closed and interfaces.lacks(kind, str(name).partition("_")[0]):
                 names = tuple(sorted(each for of, each in interfaces.defined if of == kind))
                 yield MissingInterface(name, kind, owner, names, interfaces.defined.get((kind, str(name))))
@@ -130,6 +132,12 @@ def _is_required(workspace: Workspace, source: Source, package: str) -> bool:
     """Whether the package of a source declares another one: else it may mean one of the same name from elsewhere."""
     importer = workspace.owner(source)
     return importer is not None and (importer.name == package or package in workspace.required(importer))
+
+
+def _is_used(interfaces: Interfaces, source: Source) -> bool:
+    """Whether a source also imports what the package has, so that it means this one."""
+    found = ((kind, str(name)) for package, kind, name in _imported(source) if package == interfaces.package.name)
+    return any(each in interfaces.defined for each in found)
 
 
 def _imported(source: Source) -> Iterator[tuple[str, str, Located]]:

@@ -6,12 +6,16 @@ from collections.abc import Callable
 from collections.abc import Iterator
 
 from bringup_lint.graph.launch.expansion import Expansion
+from bringup_lint.graph.launch.resolve import Resolver
+from bringup_lint.graph.launch.scope import Scope
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.workspace import Found
+from bringup_lint.graph.workspace import place
 from bringup_lint.model.launch import ComposableNode
 from bringup_lint.model.launch import LaunchFile
 from bringup_lint.model.launch_values import Concat
 from bringup_lint.model.launch_values import DerivedFile
+from bringup_lint.model.launch_values import DictValue
 from bringup_lint.model.launch_values import ParameterFile
 from bringup_lint.model.launch_values import PathJoin
 from bringup_lint.model.launch_values import Value
@@ -33,6 +37,8 @@ class Reference(NamedTuple):
     """Under a condition that is open, or off by default."""
     aborts: bool = False
     """launch itself opens the file: it fills in substitutions, or reads the values for a component."""
+    key: str = ""
+    """The parameter or launch argument that a path is the value of."""
 
 
 Find = Callable[[Value], "Found | None"]
@@ -48,6 +54,20 @@ def references(expansion: Expansion, file: LaunchFile, find: Find) -> Iterator[R
     for node in expansion.nodes:
         if node.file is file:
             yield from _of_node(node, find)
+    yield from _passed(expansion, file, find)
+
+
+def _passed(expansion: Expansion, file: LaunchFile, find: Find) -> Iterator[Reference]:
+    """Paths that includes are given, and the defaults of arguments, which may reach one that is not in the tree."""
+    for include in expansion.includes:
+        if include.source is file:
+            for name, value in include.arguments.items():
+                yield from _paths(value, find, bool(include.conditions), name)
+    resolver = Resolver(Scope())
+    for declared in expansion.declared:
+        if declared.file is file and declared.action.default is not None:
+            default = resolver.value(declared.action.default)
+            yield from _paths(default, find, bool(declared.conditions), declared.name)
 
 
 def _of_node(node: Started, find: Find) -> Iterator[Reference]:
@@ -72,17 +92,21 @@ def _base(source: Value) -> Value:
     return source
 
 
-def _paths(value: Value, find: Find, optional: bool) -> Iterator[Reference]:
+def _paths(value: Value, find: Find, optional: bool, key: str = "") -> Iterator[Reference]:
     """Every path inside a value that is relative to a package or to this file."""
     if isinstance(value, (PathJoin, Concat)):
         found = find(value)
         if found is not None:
-            yield Reference("path", value, value.span, _name(value), found, optional)
+            yield Reference("path", value, value.span, _name(value), found, optional, key=key)
             return
+    if isinstance(value, DictValue):
+        for name, inner in value.items:
+            yield from _paths(inner, find, optional, text(name) or key)
+        return
     for inner in children(value):
-        yield from _paths(inner, find, optional)
+        yield from _paths(inner, find, optional, key)
 
 
 def _name(value: Value) -> str:
-    last = value.parts[-1] if isinstance(value, (PathJoin, Concat)) else value
-    return (text(last) or "").rpartition("/")[2]
+    where = place(value)
+    return (where.path if where is not None else text(value) or "").rpartition("/")[2]

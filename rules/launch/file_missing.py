@@ -1,0 +1,96 @@
+"""A launch file names a file that does not exist.
+
+## What it finds
+Maps, worlds, robot descriptions and configurations in the share folder of a package of the workspace, or beside the
+launch file, that neither exist in the source nor are made by the build: as parameters, as arguments of programs, and
+as arguments of included launch files, defaults among them. Files that git ignores or a build makes are left alone, and
+names that say that the program writes the file. Included launch files and parameter files have rules of their own.
+
+## Why it matters on a robot
+The program that is given the path ends, or runs without the file: map_server does not activate, RViz shows an empty
+view, and xacro makes the whole launch fail.
+
+## Bad
+```python
+DeclareLaunchArgument('map', default_value=os.path.join(share, 'maps', 'barn.yaml'))   # the file is maps/stable.yaml
+```
+
+## Good
+```python
+DeclareLaunchArgument('map', default_value=os.path.join(share, 'maps', 'stable.yaml'))
+```
+
+## When to ignore it
+When the file is made on the robot, such as a map that is recorded there.
+
+## References
+- launch, `PathJoinSubstitution`
+- https://docs.nav2.org/configuration/packages/configuring-map-server.html
+"""
+
+import os
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import regex
+from bringup_lint.api import rule
+from bringup_lint.api.launch import Package
+from bringup_lint.api.launch import Reference
+from bringup_lint.api.spelling import nearest
+
+_READ = (".yaml", ".yml", ".rviz", ".urdf", ".xacro", ".srdf", ".sdf", ".world", ".xml", ".lua", ".json", ".bt")
+"""Files that programs read and people write."""
+_WRITTEN = regex(r"(?i)save|output|out_|log|record|export|write|dump|result|calib|cache|generated|tmp")
+"""Names of files that a program makes."""
+_WRITES = regex(r"open\([^()\n]{1,200}[\"'][wa]b?\+?[\"']|\.write_text\(|\bdump\(|\bcopy(?:file)?\(")
+"""A launch file makes files itself."""
+_MAKES = regex(r"add_custom_(?:command|target)|BINARY_DIR|execute_process")
+"""A build makes files."""
+
+
+@rule("warning", symptoms=["No such file or directory: '*/share/*'", "Failed to load map yaml file"])
+def file_missing(robot: Robot) -> Iterator[Finding]:
+    places: dict[str, list[tuple[Reference, Package]]] = {}
+    for reference, package in robot.launch.missing("path"):
+        made = any(_MAKES.search(build.source.text) for build in package.builds)
+        if _is_read(reference) and not made and not _is_ignored(robot, reference, package):
+            places.setdefault(f"{package.name}/{reference.name}", []).append((reference, package))
+    for (first, package), *others in places.values():
+        near = nearest(first.name, sorted(_names(robot, package)), 3)
+        spans = {each.span: each for each, _ in others if each.span != first.span}
+        yield finding(
+            first.span,
+            f"{first.name} does not exist in {package.name}: what is given the path runs without it, or ends",
+            advice=f"use {near[0]}" if near else "correct the path, or add the file",
+            related=[
+                note(package.place, f"the package {package.name}"),
+                *(note(each, "it is named here, too") for each in spans),
+            ],
+            chain=robot.provenance.chain_to(first.span, f"{first.name} is named"),
+            severity="info" if first.optional else None,
+        )
+
+
+def _is_read(reference: Reference) -> bool:
+    """Whether a path means a file that has to be there."""
+    is_written = _WRITTEN.search(reference.name) or _WRITTEN.search(reference.key)
+    if _WRITES.search(reference.span.source.text):
+        return False
+    return reference.name.endswith(_READ) and not is_written
+
+
+def _is_ignored(robot: Robot, reference: Reference, package: Package) -> bool:
+    """Whether git ignores files of this kind in any folder of the package."""
+    suffix = os.path.splitext(reference.name)[1]
+    folders = ("", "maps", "map", "config", "worlds", "urdf")
+    paths = (os.path.join(package.folder, folder, f"{'x'}{suffix}") for folder in folders)
+    return any(robot.tree.is_ignored(os.path.join(os.path.dirname(path), reference.name)) for path in paths)
+
+
+def _names(robot: Robot, package: Package) -> set[str]:
+    """The names of the files in a package."""
+    start = f"{package.folder}{os.sep}"
+    return {os.path.basename(path) for path in robot.tree.paths if os.path.abspath(path).startswith(start)}
