@@ -166,17 +166,29 @@ def _read(run: Run) -> Iterator[Located]:
 
 
 def _base(tree: Tree, source: Source, named: list[NamedFile]) -> _Base:
-    here = posixpath.dirname(source.name)
     moves = [match["to"] for match in _MOVES.finditer(source.text)]
-    if any("dirname" not in to for to in moves):
-        return _Base()
-    folders = [here]
-    while not moves and folders[-1] not in ("", "/"):
-        folders.append(posixpath.dirname(folders[-1]))
+    folders = _moved(source, moves) if moves else _above(posixpath.dirname(source.name))
     counts = {each: sum(tree.is_file(posixpath.join(each, one.path)) for one in named) for each in folders}
-    best = max(folders, key=lambda each: counts[each])
-    certain = counts[best] and list(counts.values()).count(counts[best]) == 1
-    return _Base(best, counts[best]) if certain else _Base()
+    best = max(folders, key=lambda each: counts[each], default="")
+    certain = counts.get(best) and list(counts.values()).count(counts[best]) == 1
+    return _Base(best, max(counts[best], _LEAST if moves else 0)) if certain else _Base()
+
+
+def _moved(source: Source, moves: list[str]) -> list[str]:
+    """The folder into which a script goes first, when it is said from its own one and the script stays there."""
+    first = moves[0]
+    if len(moves) > 1 or not _SELF.search(first):
+        return []
+    path = _steps(first, first.count("dirname") - 1)
+    return [] if path is None else [_below(source, path)]
+
+
+def _above(folder: str) -> list[str]:
+    """A folder, and all above it."""
+    folders = [folder]
+    while folders[-1] not in ("", "/"):
+        folders.append(posixpath.dirname(folders[-1]))
+    return folders
 
 
 def _is_missing(scripts: Scripts, source: Source, base: str, named: NamedFile) -> bool:
