@@ -167,4 +167,7 @@ class _Makers:
             if f"{path}/" in f"{each}/" or os.path.basename(each) in path.split("/"):
                 return True
         name = os.path.basename(path).partition("*")[0]
+        if word.startswith("../"):
+            copied = re.compile(rf"\b(?:cp|mv|ln|rsync|tar|copy(?:tree)?)\b[^\n]{{0,200}}\b{re.escape(name)}\b")
+            return any(name in text and copied.search(text) for text in self._texts)
         return any(name in text for text in self._texts)
