@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.commands.wrappers import program_name
     from bringup_lint.graph.commands.wrappers import unwrapped
     from bringup_lint.graph.installed.ansible.names import missing_names
+    from bringup_lint.graph.installed.ansible.shells import sh_commands
     from bringup_lint.graph.installed.script import Run
     from bringup_lint.graph.installed.script import Written
     from bringup_lint.graph.installed.script_arguments import short_calls
@@ -42,6 +43,7 @@ __all__ = [
     "missing_names",
     "plays",
     "program_name",
+    "sh_commands",
     "shell_blocks",
     "shell_commands",
     "short_calls",

@@ -2,7 +2,9 @@
 
 ## What it finds
 - `source` in a script that begins with `#!/bin/sh`, and `.` with a `setup.bash` there;
-- `source` or `.` with a `setup.zsh` in a script for bash or sh.
+- `source` or `.` with a `setup.zsh` in a script for bash or sh;
+- `source`, and `set -o pipefail`, in a task of Ansible's `shell` module without `executable: /bin/bash`;
+- `[[ ]]` and an array, `NAME=(a b)`, in a script that begins with `#!/bin/sh`.
 
 Lines under a condition are not reported, nor scripts that something of the tree reads with `source`, or starts with
 the name of another shell.
@@ -45,20 +47,42 @@ from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.shell import SH_IS_BASH
 from bringup_lint.api.shell import Run
+from bringup_lint.api.shell import sh_commands
+from bringup_lint.api.shell import shell_blocks
 
 SHELL = regex(r"#!\s*\S*/(?:env\s+)?(sh|dash|bash|zsh)\b")
 SETUP = regex(r"(?:^|/)(?:local_)?setup\.(bash|zsh)$")
+OF_TASK = {
+    "source": "Ansible's shell module runs /bin/sh, which is dash on Ubuntu and Debian and has no 'source': "
+    "what follows has no such environment",
+    "set": "Ansible's shell module runs /bin/sh, which is dash on Ubuntu and Debian and has no pipefail: the task "
+    "fails",
+}
+OF_ARRAYS = (
+    "/bin/sh is dash on Ubuntu and Debian and has no arrays: the script stops here with a syntax error",
+    "begin the script with #!/bin/bash",
+)
+OF_CONDITIONS = (
+    "/bin/sh is dash on Ubuntu and Debian and has no [[ ]]: the condition is never true",
+    "begin the script with #!/bin/bash, or write [ ]",
+)
+ARRAY = regex(r"(?m)^[ \t]*(\w+)\+?=\(")
+MOST = 20
 BOTH = regex(r"\b(?:ZSH_VERSION|ZSH_NAME|BASH_VERSION|BASH_SOURCE)\b")
 
 
-@rule("error", symptoms=["source: not found", "bad substitution", "ros2: command not found"])
+@rule("error", symptoms=["source: not found", "[[: not found", "bad substitution", "ros2: command not found"])
 def other_shell(robot: Robot) -> Iterator[Finding]:
     found: dict[Source, list[tuple[Located, str, str]]] = {}
     by_services = _run_by_services(robot)
-    for source, run in robot.scripts.run("source", "."):
+    for source, run in robot.scripts.run("source", ".", "[["):
         wrong = _wrong(source, run) if run.certain and source not in by_services else None
         if wrong is not None:
             found.setdefault(source, []).append((run.words[0], *wrong))
+    for source in robot.of_kind("shell-script"):
+        array = _array(source)
+        if array is not None and source not in by_services:
+            found.setdefault(source, []).insert(0, (array, *OF_ARRAYS))
     for source, ((first, message, advice), *others) in found.items():
         replaced = SHELL.match(source.said)
         if replaced is not None and replaced[1] == "sh" and robot.mentions(SH_IS_BASH):
@@ -70,6 +94,23 @@ def other_shell(robot: Robot) -> Iterator[Finding]:
                 advice=advice,
                 related=[note(word, "here too") for word, _, _ in others],
             )
+    yield from _of_tasks(robot)
+
+
+def _of_tasks(robot: Robot) -> Iterator[Finding]:
+    """One finding for each file of tasks and word that dash refuses."""
+    found: dict[tuple[Source, str], list[Located]] = {}
+    for command in sh_commands(robot.files):
+        word = command.words[0] if command.words else None
+        if word == "source" or (word == "set" and "pipefail" in command.words[1:]):
+            found.setdefault((word.span.source, str(word)), []).append(word)
+    for (_, name), (first, *others) in found.items():
+        yield finding(
+            first,
+            OF_TASK[name],
+            advice="write executable: /bin/bash below the args of the task",
+            related=[note(word, "here too") for word in others[:MOST]],
+        )
 
 
 def _run_by_services(robot: Robot) -> set[Source]:
@@ -83,11 +124,22 @@ def _run_by_services(robot: Robot) -> set[Source]:
     }
 
 
+def _array(source: Source) -> Located | None:
+    """The first array outside of functions and conditions in a script for sh, at which dash stops reading."""
+    shebang = SHELL.match(source.text)
+    if shebang is None or shebang[1] not in ("sh", "dash") or not source.judged or source.template:
+        return None
+    names = {name for block in shell_blocks(source) for name, _ in block.arrays}
+    return next((source.located(*match.span()) for match in ARRAY.finditer(source.text) if match[1] in names), None)
+
+
 def _wrong(source: Source, run: Run) -> tuple[str, str] | None:
     shebang = SHELL.match(source.text)
     if shebang is None or len(run.words) < 2:
         return None
     own = shebang[1]
+    if run.name == "[[":
+        return OF_CONDITIONS if own in ("sh", "dash") else None
     named = SETUP.search(run.text(run.words[1]))
     other = named[1] if named is not None else ""
     if own in ("sh", "dash") and run.name == "source":
