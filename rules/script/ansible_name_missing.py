@@ -1,11 +1,12 @@
-"""A play names a role, a handler or a file that does not exist.
+"""A play names a role, a handler, a file or hosts that do not exist.
 
 ## What it finds
 In Ansible's playbooks and roles:
 - a role of `roles:`, `include_role` or `import_role` of which no folder `roles/NAME` and no requirements file speaks;
 - a handler of `notify:` that no handler of the tree is called, by its name or its `listen`;
 - a file of `copy: src`, `template: src`, `include_tasks` or `import_tasks` that is not in the folders in which Ansible
-  looks for it.
+  looks for it;
+- a name of `hosts:` that the inventories of the tree lack and that one of their groups is nearly called.
 
 Silent for names with variables, roles of collections (`namespace.name`), files that git ignores, and where handlers of
 the tree have names with variables.
@@ -50,6 +51,7 @@ from bringup_lint.api.shell import missing_names
 TEXTS = {
     "role": ("There is no role {}: the play does not start", "correct the name, or add the role"),
     "handler": ("No handler is called '{}': the play stops when this task changes something", "write its exact name"),
+    "hosts": ("The inventory has no {}: the play is skipped, and its hosts get nothing", "did you mean {}?"),
     "file": ("Ansible finds no {}: the play stops at this task", "correct the name, or add the file"),
 }
 
@@ -61,18 +63,19 @@ TEXTS = {
         "the role * was not found in",
         "The requested handler * was not found",
         "Could not find or access",
+        "Could not match supplied host pattern, ignoring:",
     ],
 )
 def ansible_name_missing(robot: Robot) -> Iterator[Finding]:
-    found: dict[tuple[Source, str, str], list[Located]] = {}
+    found: dict[tuple[Source, str, str, str], list[Located]] = {}
     for missing in missing_names(robot.files, robot.of_kind("ansible")):
         where = missing.where
-        found.setdefault((where.span.source, missing.what, str(where)), []).append(where)
-    for (_, what, name), (first, *others) in found.items():
+        found.setdefault((where.span.source, missing.what, str(where), missing.meant), []).append(where)
+    for (_, what, name, meant), (first, *others) in found.items():
         message, advice = TEXTS[what]
         yield finding(
             first,
             message.format(name),
-            advice=advice,
+            advice=advice.format(meant),
             related=[note(other, "named here too") for other in others[:20]],
         )

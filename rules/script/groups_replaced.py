@@ -2,7 +2,8 @@
 
 ## What it finds
 - `usermod -G dialout USER` in a script, without `-a`;
-- a task of Ansible's `user` module that gives `groups` to a user that the playbook logs in as, without `append: true`.
+- a task of Ansible's `user` module that gives `groups` to a user that the playbook logs in as, without `append: true`:
+  `{{ ansible_user }}`, or the name that the inventory, `ansible.cfg` or `remote_user` gives.
 
 Silent for a user that the same script creates, for lists with `sudo`, and for groups that a variable gives.
 
@@ -46,9 +47,12 @@ from bringup_lint.api.yaml import Sequence
 
 GROUPS = regex(r"-[a-zA-Z]*G|--groups")
 APPENDS = regex(r"-[a-zA-Z]{0,9}a[a-zA-Z]{0,9}|--append")
+MOST_SETTINGS = 64 * 1024
+"""Characters of an ``ansible.cfg`` that are read."""
 CREATES = ("useradd", "adduser")
 OF_LOGIN = regex(r"\{\{ *(?:ansible_(?:user|user_id|ssh_user|env\.(?:USER|SUDO_USER))|lookup\('env', *'USER'\)) *\}\}")
 """The user that Ansible logs in as exists before the play."""
+LOGIN = regex(r"(?m)\b(?:ansible_(?:ssh_)?user|remote_user)[\"']?[ \t]*[:=][ \t]*[\"']?([a-z_][\w-]*)")
 
 
 @rule("warning", symptoms=["is not in the sudoers file", "could not open port /dev/tty*: Permission denied"])
@@ -90,19 +94,29 @@ def _is_created(robot: Robot, source: Source, run: Run) -> bool:
 
 
 def _of_tasks(robot: Robot) -> Iterator[Finding]:
+    logins = _logins(robot)
     for source in robot.of_kind("ansible"):
         if not source.judged or "groups" not in source.text:
             continue
         for task in tasks(source):
             for module, settings in task.modules:
                 if module.rpartition(".")[2] == "user" and isinstance(settings, Mapping):
-                    yield from _of_module(settings)
+                    yield from _of_module(settings, logins)
 
 
-def _of_module(settings: Mapping) -> Iterator[Finding]:
+def _logins(robot: Robot) -> frozenset[str]:
+    """The users that the files of Ansible say to log in as, but root."""
+    texts = [source.text for source in robot.of_kind("ansible", "ansible-vars")]
+    texts += [robot.tree.head(path, MOST_SETTINGS) for path in robot.tree.named("ansible.cfg")]
+    return frozenset(name for text in texts for name in LOGIN.findall(text)) - {"root"}
+
+
+def _of_module(settings: Mapping, logins: frozenset[str]) -> Iterator[Finding]:
     name, groups = settings.scalar("name"), settings.get("groups")
     append = settings.scalar("append")
-    if name is None or groups is None or not OF_LOGIN.search(name.value) or (append and append.boolean is not False):
+    if name is None or groups is None or (append and append.boolean is not False):
+        return
+    if not OF_LOGIN.search(name.value) and name.value not in logins:
         return
     words = list(groups.scalars) if isinstance(groups, Sequence) else [groups] if isinstance(groups, Scalar) else []
     text = ",".join(str(word.value) for word in words)

@@ -1,4 +1,4 @@
-"""The roles, handlers and files that plays and roles name and that Ansible certainly does not find."""
+"""The roles, handlers, files and hosts that plays and roles name and that Ansible certainly does not find."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.installed.ansible.handlers import Handlers
+from bringup_lint.graph.installed.ansible.hosts import PlayHosts
 from bringup_lint.graph.installed.ansible.roles import Roles
 from bringup_lint.graph.installed.ansible.task_files import TaskFiles
 from bringup_lint.named_tuple import NamedTuple
@@ -20,19 +21,23 @@ if TYPE_CHECKING:
 class MissingName(NamedTuple):
     where: Located
     what: str
-    """``role``, ``handler`` or ``file``."""
+    """``role``, ``handler``, ``file`` or ``hosts``."""
+    meant: str = ""
+    """The name that it nearly is; only of ``hosts``."""
 
 
 def missing_names(files: Files, sources: Iterable[Source]) -> Iterator[MissingName]:
-    """Each place that names a role, a handler or a file that is not there, in the order of the sources."""
+    """Each place that names a role, a handler, a file or hosts that are not there, in the order of the sources."""
     roles = Roles(files)
     handlers = Handlers(files, roles)
     task_files = TaskFiles(files)
+    hosts = PlayHosts(files)
     for source in sources:
         if _is_read(source):
             yield from (MissingName(where, "role") for where in roles.missing(source))
             yield from (MissingName(where, "handler") for where in handlers.missing(source))
             yield from (MissingName(where, "file") for where in task_files.missing(source))
+            yield from (MissingName(where, "hosts", meant) for where, meant in hosts.misspelt(source))
 
 
 def _is_read(source: Source) -> bool:

@@ -13,6 +13,7 @@ from bringup_lint.dataclass import dataclass
 from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.model.yaml_node import Node
 from bringup_lint.model.yaml_node import Scalar
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.ansible_tasks import Task
 from bringup_lint.parsers.ansible_tasks import tasks
 from bringup_lint.pattern import regex
@@ -37,14 +38,21 @@ _ASKS = regex(r"\bexists\b|\bis (?:not )?(?:file|link)\b")
 """A condition that a file is there."""
 
 
+class _Named(NamedTuple):
+    path: Located
+    folders: tuple[str, ...]
+    """Where Ansible looks for it, below the role and beside the file."""
+    dest: Located | None
+
+
 @dataclass(eq=False)
 class TaskFiles:
     files: Files
 
     def missing(self, source: Source) -> Iterator[Located]:
-        for word, folders in _named(source):
-            if self._is_missing(source, word, folders) and not self._is_made(word):
-                yield word
+        for named in _named(source):
+            if self._is_missing(source, named.path, named.folders) and not self._is_made(named.path):
+                yield named.path
 
     def _is_made(self, path: str) -> bool:
         """Whether something else than the tasks that read a file names it: it may put it there before."""
@@ -58,16 +66,17 @@ class TaskFiles:
 
     @cached_property
     def _read(self) -> Counter[str]:
-        """How often tasks read a file of a name."""
-        named = (word for source in self.files.of_kind("ansible") for word, _ in _named(source))
-        return Counter(os.path.basename(word.rstrip("/")) for word in named)
+        """How often the tasks that read a file of a name say the name: in ``dest``, too."""
+        named = [each for source in self.files.of_kind("ansible") for each in _named(source)]
+        words = [word for each in named for word in (each.path, each.dest) if word is not None]
+        return Counter(os.path.basename(word.rstrip("/")) for word in words)
 
     def _is_missing(self, source: Source, path: str, folders: tuple[str, ...]) -> bool:
         if "{{" in path or "*" in path or _ELSEWHERE.match(path):
             return False
         here = os.path.dirname(os.path.abspath(source.name))
         role = _ROLE.match(os.path.abspath(source.name))
-        if role is None and not self._is_project:
+        if role is None and not self._is_project and not self._has_folder(here, folders, path):
             return False
         tops = [here, os.path.dirname(here), *([role["role"]] if role is not None else [])]
         tree = self.files.tree
@@ -75,6 +84,11 @@ class TaskFiles:
             return False
         outer = _paths([f"{top}/../.." for top in tops], folders, path)
         return not any(tree.holds(each) and tree.exists(each) for each in outer)
+
+    def _has_folder(self, here: str, folders: tuple[str, ...], path: str) -> bool:
+        """Whether one of the folders in which a play looks for a file is there: ``templates``, and the file's own."""
+        inner = {os.path.dirname(each) for each in _paths([here], folders, path)} - {here}
+        return any(self.files.tree.exists(each) for each in inner)
 
     @cached_property
     def _is_project(self) -> bool:
@@ -87,8 +101,8 @@ def _paths(tops: list[str], folders: tuple[str, ...], path: str) -> list[str]:
     return [os.path.normpath(os.path.join(top, folder, path)) for top in tops for folder in folders]
 
 
-def _named(source: Source) -> Iterator[tuple[Located, tuple[str, ...]]]:
-    """The files that tasks read, with the folders in which Ansible looks for them."""
+def _named(source: Source) -> Iterator[_Named]:
+    """The files that tasks read."""
     for task in tasks(source):
         if not _may_fail(task):
             yield from _of_task(task)
@@ -101,12 +115,13 @@ def _may_fail(task: Task) -> bool:
     return asked or task.may_fail or task.keys.get("loop") is not None
 
 
-def _of_task(task: Task) -> Iterator[tuple[Located, tuple[str, ...]]]:
+def _of_task(task: Task) -> Iterator[_Named]:
     for module, settings in task.modules:
         folders = _FOLDERS.get(module.rpartition(".")[2])
         word = _file(settings)
         if folders is not None and word is not None:
-            yield word, folders
+            dest = settings.scalar("dest") if isinstance(settings, Mapping) else None
+            yield _Named(word, folders, dest.value if dest is not None else None)
 
 
 def _file(settings: Node) -> Located | None:
