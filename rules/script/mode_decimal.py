@@ -1,0 +1,82 @@
+"""Ansible takes a mode without leading zero for a decimal number.
+
+## What it finds
+`mode: 644` in a task of Ansible that writes a file or makes a folder: a number without quotes and without a leading
+zero.
+
+## Why it matters on a robot
+YAML reads 644 as six hundred and forty-four, which is 1204 in octal: the owner may only write, the group may read
+nothing, and the sticky bit is set. A unit or udev rule of root works by chance. What a user of the robot reads, as the
+configuration of DDS or the environment of a service, cannot be opened.
+
+## Bad
+```yaml
+- ansible.builtin.copy: {src: cyclonedds.xml, dest: /etc/mower/cyclonedds.xml, mode: 644}
+```
+
+## Good
+```yaml
+- ansible.builtin.copy: {src: cyclonedds.xml, dest: /etc/mower/cyclonedds.xml, mode: "0644"}
+```
+
+## When to ignore it
+Never.
+
+## References
+- https://docs.ansible.com/ansible/latest/collections/ansible/builtin/copy_module.html, "mode"
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import Source
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import note
+from bringup_lint.api import regex
+from bringup_lint.api import rule
+from bringup_lint.api.shell import tasks
+from bringup_lint.api.yaml import Mapping
+from bringup_lint.api.yaml import Scalar
+
+MODULES = frozenset(
+    "archive assemble blockinfile copy file get_url ini_file lineinfile replace template unarchive".split()
+)
+MODE = regex(r"[1-7]?[0-7]{3}")
+LARGEST = 0o7777
+MOST = 20
+
+
+@rule("error", fix="unsafe", silent="Ansible sets the wrong mode without a word")
+def mode_decimal(robot: Robot) -> Iterator[Finding]:
+    for source in robot.of_kind("ansible"):
+        modes = list(_modes(source)) if source.judged and "mode" in source.text else []
+        if modes:
+            first, *others = modes
+            yield finding(
+                first.value,
+                _message(first),
+                advice=f'write mode: "0{first.value}"',
+                related=[note(other.value, "and this one") for other in others[:MOST]],
+                fix=fix("write it in quotes", *((each.span, f'"0{each.value}"') for each in modes), safe=False),
+            )
+
+
+def _message(mode: Scalar) -> str:
+    number = int(mode.value)
+    if number > LARGEST:
+        return f"mode {mode.value} is a decimal number to YAML, and no mode of a file: the task fails"
+    return f"mode {mode.value} is a decimal number to YAML: the file gets {number:04o}"
+
+
+def _modes(source: Source) -> Iterator[Scalar]:
+    for task in tasks(source):
+        for module, settings in task.modules:
+            mode = settings.scalar("mode") if isinstance(settings, Mapping) else None
+            if mode is not None and module.rpartition(".")[2] in MODULES and _is_decimal(mode):
+                yield mode
+
+
+def _is_decimal(mode: Scalar) -> bool:
+    return not mode.style and not mode.tag and not mode.value.startswith("0") and bool(MODE.fullmatch(mode.value))
