@@ -1,0 +1,90 @@
+"""A recording that starts by itself always writes to the same folder.
+
+## What it finds
+`ros2 bag record -o FOLDER` in a unit, a container or a cron job, or in a script that one of these starts, with a folder
+that is the same at every start. In a container it has to be on a volume, or the container has a restart policy.
+
+Not reported: folders below `/tmp` and `/run`, and those that something of the tree deletes or moves.
+
+## Why it matters on a robot
+rosbag2 does not write into a folder that is there: it prints "Output folder already exists" and ends. The first start
+records, and after the next boot, or the first crash, nothing is recorded any more.
+
+## Bad
+```sh
+ros2 bag record -o /srv/bags/survey /odom /scan
+```
+
+## Good
+```sh
+ros2 bag record -o "/srv/bags/survey-$(date +%Y%m%d-%H%M%S)" /odom /scan
+```
+
+## When to ignore it
+When something outside of the tree moves the recordings away before the next start.
+
+## References
+- https://github.com/ros2/rosbag2, ros2bag/verb/record.py
+"""
+
+import posixpath
+import re
+from collections.abc import Iterator
+from collections.abc import Sequence
+from itertools import pairwise
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Located
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import regex
+from bringup_lint.api import rule
+from bringup_lint.api.docker import Runner
+from bringup_lint.api.shell import unwrapped
+
+OPTIONS = ("-o", "--output")
+FIXED = regex(r"(?!/tmp/|/run/|/dev/)[~\w./-]*[\w-]")
+DELETES = r"\b(?:rm|mv|rmtree|unlink|rename|move)\b"
+
+
+@rule("warning", confidence="medium", symptoms=["Output folder '*' already exists."])
+def recording_folder_taken(robot: Robot) -> Iterator[Finding]:
+    seen = set()
+    for runner in robot.runners.all:
+        if runner.kind.name in ("SCRIPT", "IMAGE") or (runner.unit is None and runner.purpose.value != "robot"):
+            continue
+        for command in runner.commands:
+            words = unwrapped(command.words)
+            folder = _folder(words)
+            if folder is None or folder.span in seen or not _stays(runner, folder):
+                continue
+            seen.add(folder.span)
+            if not _is_cleared(robot, folder):
+                yield finding(
+                    folder,
+                    f"{runner.name} records to {folder} at every start: the second time, ros2 bag ends because it exists",
+                    advice=f"put the time into the name: {folder}-$(date +%Y%m%d-%H%M%S)",
+                    related=[note(runner.where, f"{runner.name} starts it")],
+                )
+
+
+def _folder(words: Sequence[Located]) -> Located | None:
+    """The folder that a recording is told to make, when it is always the same."""
+    if tuple(words[:3]) != ("ros2", "bag", "record"):
+        return None
+    named = next((word for before, word in pairwise(words) if before in OPTIONS), None)
+    return named if named is not None and FIXED.fullmatch(named) else None
+
+
+def _stays(runner: Runner, folder: str) -> bool:
+    """Whether the folder is still there at the next start."""
+    if runner.service is None:
+        return True
+    below = [str(volume.target) for volume in runner.service.volumes]
+    return bool(runner.restarts) or any(posixpath.join(folder, "").startswith(f"{each.rstrip('/')}/") for each in below)
+
+
+def _is_cleared(robot: Robot, folder: str) -> bool:
+    name = re.escape(posixpath.basename(folder))
+    return robot.mentions(re.compile(rf"{DELETES}[^\n]{{0,200}}{name}|{name}[^\n]{{0,200}}{DELETES}"))
