@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from bringup_lint.parsers.ansible_tasks import tasks
     from bringup_lint.parsers.shell import shell_blocks
     from bringup_lint.parsers.shell import shell_commands
+    from bringup_lint.parsers.shell_tokens import tokens
 else:
     __getattr__ = on_demand(globals())
 
@@ -48,5 +49,6 @@ __all__ = [
     "shell_commands",
     "short_calls",
     "tasks",
+    "tokens",
     "unwrapped",
 ]

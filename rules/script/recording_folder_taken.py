@@ -63,7 +63,7 @@ def recording_folder_taken(robot: Robot) -> Iterator[Finding]:
             if not _is_cleared(robot, folder):
                 yield finding(
                     folder,
-                    f"{runner.name} records to {folder} at every start: the second time, ros2 bag ends because it exists",
+                    f"{runner.name} records to {folder} at every start: the second time, it exists, and ros2 bag ends",
                     advice=f"put the time into the name: {folder}-$(date +%Y%m%d-%H%M%S)",
                     related=[note(runner.where, f"{runner.name} starts it")],
                 )
