@@ -304,4 +304,4 @@ def test_collected_lines() -> None:
 
 def test_two_words_of_another_program_are_no_match() -> None:
     """logrotate says of a file that it ignores it because of a pattern match."""
-    assert answer("[WARNING]: Could not match supplied host pattern, ignoring: robots") == Answer()
+    assert answer("[WARNING]: log_path (existing) did not fit the pattern, ignoring: robots") == Answer()
