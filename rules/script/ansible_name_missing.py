@@ -67,6 +67,8 @@ TEXTS = {
     ],
 )
 def ansible_name_missing(robot: Robot) -> Iterator[Finding]:
+    if not robot.of_kind("ansible"):
+        return
     found: dict[tuple[Source, str, str, str], list[Located]] = {}
     for missing in missing_names(robot.files, robot.of_kind("ansible")):
         where = missing.where

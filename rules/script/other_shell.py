@@ -99,6 +99,8 @@ def other_shell(robot: Robot) -> Iterator[Finding]:
 
 def _of_tasks(robot: Robot) -> Iterator[Finding]:
     """One finding for each file of tasks and word that dash refuses."""
+    if not robot.of_kind("ansible"):
+        return
     found: dict[tuple[Source, str], list[Located]] = {}
     for command in sh_commands(robot.files):
         word = command.words[0] if command.words else None
