@@ -138,9 +138,11 @@ def test_action_names_what_it_has() -> None:
 
 
 def test_action_passes_zizmor() -> None:
-    if not shutil.which("zizmor"):
+    path = os.pathsep.join((os.path.dirname(sys.executable), os.environ["PATH"]))
+    zizmor = shutil.which("zizmor", path=path)
+    if not zizmor:
         pytest.skip("zizmor is not installed")
-    checked("zizmor", "--offline", "--no-progress", "action.yml", cwd=PROJECT)
+    checked(zizmor, "--offline", "--no-progress", "action.yml", cwd=PROJECT)
 
 
 def test_gitlab_template(mower: Path, tmp_path: Path) -> None:
