@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.callback_fit import Unfit
     from bringup_lint.graph.nodes.questions.callback_fit import unfit_callbacks
     from bringup_lint.graph.nodes.questions.early_results import early_results
+    from bringup_lint.graph.nodes.questions.half_made import half_made
     from bringup_lint.graph.nodes.questions.inactive_publishers import inactive_publishers
     from bringup_lint.graph.nodes.questions.late_attributes import late_attributes
     from bringup_lint.graph.nodes.questions.message_fields import NoField
@@ -91,6 +92,7 @@ __all__ = [
     "endless_rates",
     "fed_without_condition",
     "guards_commands",
+    "half_made",
     "handler_never_runs",
     "held",
     "import_edits",

@@ -5,7 +5,8 @@
 `self.subscriptions`, `self.publishers`, `self.clients`, `self.services`, `self.timers` and the other properties of
 `rclpy.node.Node` that cannot be set; and `get_parameter('x').double_value` or `.as_double()`, which are those of
 ParameterValue and of C++; and attributes that only a subscription sets and that a timer or another subscription uses
-without asking whether the message came. Classes with bases that are not in the tree are left out.
+without asking whether the message came; and those that a `try` of the constructor sets, whose `except` goes on, and
+that the constructor or a callback uses afterwards. Classes with bases that are not in the tree are left out.
 
 ## Why it matters on a robot
 Python looks an attribute up when the line runs: in the callback for a fault or an emergency stop, perhaps weeks later,
@@ -78,6 +79,18 @@ def undefined_attribute(robot: Robot) -> Iterator[Finding]:
                 *(note(each.file.span_of(each.place), f"self.{each.place.attr} likewise") for each in more),
             ],
             severity=nodes.lowered(robot.nodes.purpose(late.file.source), "warning"),
+        )
+    for file, handler, place, set_at, function in nodes.half_made(robot.nodes):
+        where = handler.type if handler.type is not None else set_at
+        yield finding(
+            file.span_of(where),
+            f"AttributeError in {function}(): the constructor goes on without self.{place.attr}, and the node exits",
+            advice="raise the exception again, or set the attribute to None and look at it where it is used",
+            related=[
+                note(file.span_of(set_at), "not set when this fails"),
+                note(file.span_of(place), "used all the same"),
+            ],
+            severity=nodes.lowered(robot.nodes.purpose(file.source), "warning"),
         )
     for file in robot.nodes.programs:
         reads = list(nodes.untyped_reads(robot.nodes.syntax(file)))

@@ -147,12 +147,12 @@ def _used(
         if place.attr not in setters or place.attr in seen or syntax.function(place) is not method.node:
             continue
         setter, set_at = setters[place.attr]
-        if setter.name != user.name and _is_certain(syntax, method.node, place):
+        if setter.name != user.name and is_certain(syntax, method.node, place):
             seen.add(place.attr)
             yield LateAttribute(file, place, user, setter, set_at)
 
 
-def _is_certain(syntax: Syntax, method: ast.AST, place: ast.Attribute) -> bool:
+def is_certain(syntax: Syntax, method: ast.AST, place: ast.Attribute) -> bool:
     """Whether a place runs each time that its method does, and nothing takes the exception."""
     if syntax.catches(place, CAUGHT) or syntax.is_dead(place):
         return False
