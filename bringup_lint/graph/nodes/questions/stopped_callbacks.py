@@ -30,6 +30,8 @@ _URGENT = ("subscription", "timer", "action")
 _SERVED = ("subscription", "service")
 """Callbacks that are to run once for each message or request: a timer whose callback never ends may be meant."""
 _SPIN = "rclcpp::spin"
+_MEASURES = "psutil."
+"""Short waits of a status node, which matter when its timer is due again before they end."""
 _SECONDS = regex(r"for (\d+(?:\.\d+)?) s\Z")
 _SOON = ("for ", "as long as ")
 """Waits that end by themselves: a subscription that only keeps the newest message may be served after them."""
@@ -77,6 +79,8 @@ def _stopped(nodes: Nodes, file: NodeSource, node: NodeClass, wait: Blocking, th
     rclpy runs the execute callback of an action server as a task of the executor, which is in no callback group
     (``ActionServer.notify_execute``): several threads run the others meanwhile."""
     callback = wait.callback
+    if wait.what.startswith(_MEASURES):
+        return None
     found = [each for each in node.callbacks if each.role in _WORK and each.name != callback.name]
     if threads == "several":
         if callback.role == "action":
@@ -99,7 +103,7 @@ def _missed(node: NodeClass, wait: Blocking) -> float | None:
     """The period of the timer that is due again before its callback has measured; None when there is time, and for a
     sleep, which may pace the timer on purpose."""
     seconds = _SECONDS.match(wait.how_long)
-    if seconds is None or wait.callback.role != "timer" or not wait.what.startswith("psutil."):
+    if seconds is None or wait.callback.role != "timer" or not wait.what.startswith(_MEASURES):
         return None
     periods = [each.period for each in node.timers if each.callback == wait.callback.name and each.period is not None]
     return periods[0] if len(periods) == 1 and 0 < periods[0] < float(seconds[1]) else None
