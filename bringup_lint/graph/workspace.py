@@ -65,6 +65,16 @@ class Found(NamedTuple):
     package: Package | None
 
 
+class Made(NamedTuple):
+    """A program that is built and that ``ros2 run`` does not find."""
+
+    target: Located
+    elsewhere: Located | None
+    """Where it is installed into another folder."""
+    others: Located | None
+    """The installation of other programs."""
+
+
 @dataclass(eq=False)
 class Package:
     manifest: Manifest
@@ -110,6 +120,25 @@ class Package:
             return False
         return self.executables_known and self.installs_known and self._scripts_misplaced
 
+    @property
+    def scripts_folder(self) -> Located | None:
+        """Where setup.cfg says that console scripts go."""
+        return next((build.scripts_folder for build in self.builds if build.scripts_folder), None)
+
+    @cached_property
+    def without_mode(self) -> dict[str, Located]:
+        """The programs that are only installed as plain files, by the place of the file."""
+        programs = {name for build in self.builds for name in build.executables if name not in build.without_mode}
+        plain = {name: place for build in self.builds for name, place in build.without_mode.items()}
+        return {name: place for name, place in plain.items() if name not in programs}
+
+    def made(self, program: str) -> Made | None:
+        """A program that CMake makes, and does not install where ``ros2 run`` looks."""
+        for build in self.builds:
+            if program in build.built:
+                return Made(build.built[program], build.elsewhere.get(program), build.programs_at)
+        return None
+
     @cached_property
     def _scripts_misplaced(self) -> bool:
         if not all(build.scripts_folder_known for build in self.builds):
@@ -145,6 +174,16 @@ class Package:
             for build in self.builds
             for install in build.installs
         ]
+
+    def taking_others(self, path: str) -> Install | None:
+        """What installs other files of the folder of a file, by an absolute path."""
+        for build in self.builds:
+            folder = os.path.dirname(os.path.abspath(build.source.name))
+            for install in build.installs:
+                source = os.path.normpath(os.path.join(folder, install.source))
+                if not install.tree and os.path.dirname(source) == os.path.dirname(path):
+                    return install
+        return None
 
     def takes(self, path: str) -> bool:
         """Whether the build installs a source file, whatever becomes its name and place."""

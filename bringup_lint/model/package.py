@@ -25,6 +25,10 @@ class Manifest:
     """Tag -> the last dependency with it."""
     format: int = 1
     """Of the manifest: the first one has ``run_depend`` and no ``exec_depend``."""
+    exported_type: Located | None = None
+    """The build type as it is exported, in any condition."""
+    groups: frozenset[str] = frozenset()
+    """The groups of packages that it is a member of (REP 149)."""
     for_both: bool = False
     """Conditions on ROS_VERSION make it a package of ROS 1 as well."""
     problems: list[Problem] = field(default_factory=list)
@@ -57,6 +61,14 @@ class Install(NamedTuple):
     """The build ends when it is missing: no condition, and not ``OPTIONAL``."""
 
 
+class Packages(NamedTuple):
+    """The Python packages that setuptools installs."""
+
+    where: Span
+    names: tuple[str, ...] | None
+    """As they are listed; None for those that ``find_packages`` finds, folders with an ``__init__.py`` each."""
+
+
 @dataclass(eq=False, slots=True)
 class Build:
     """What a build description installs. ``..._known``: everything of it was understood."""
@@ -68,10 +80,20 @@ class Build:
     """What ``ros2 run`` finds, by name."""
     entry_points: dict[str, str] = field(default_factory=dict)
     """Console script -> ``package.module:function``."""
-    scripts_folder: str | None = None
+    scripts_folder: Located | None = None
     """Where setup.cfg puts console scripts, e.g. ``$base/lib/my_robot``; None when it does not say."""
     scripts_folder_known: bool = True
     executables_known: bool = True
+    built: dict[str, Located] = field(default_factory=dict)
+    """Programs that CMake makes, whether they are installed or not, by the place where they are named."""
+    elsewhere: dict[str, Located] = field(default_factory=dict)
+    """Targets that are installed where ``ros2 run`` does not look, by the place where the installation names them."""
+    programs_at: Located | None = None
+    """The first target that is installed where ``ros2 run`` looks."""
+    without_mode: dict[str, Located] = field(default_factory=dict)
+    """Programs of ``install(FILES)``, which takes the executable bit away, by the place of the file."""
+    python_packages: Packages | None = None
+    """What ``packages`` of ``setup()`` names; None when it is not known."""
     names_computed: bool = False
     """Names of targets are put together from variables that are not known."""
     installs_python: bool = False

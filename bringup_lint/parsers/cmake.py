@@ -184,7 +184,13 @@ class Reader:
             files = [str(word) for word in words[1:] if _CPP.search(word)]
             self.build.targets.setdefault(str(words[0]), []).extend(files)
 
-    do_add_executable = do_add_library = do_ament_auto_add_library = do_target_sources = target
+    do_add_library = do_ament_auto_add_library = do_target_sources = target
+
+    def do_add_executable(self, command: Command) -> None:
+        names = [word for word in self.words(command.arguments[:1]) if word is not None]
+        if not {"IMPORTED", "ALIAS"} & set(command.arguments):
+            self.build.built.update((str(name), name) for name in names)
+        self.target(command)
 
     def do_set_target_properties(self, command: Command) -> None:
         """``set_target_properties(target ... PROPERTIES OUTPUT_NAME name)``."""
@@ -212,6 +218,8 @@ class Reader:
             if self.build.executables.pop(target, None) is not None:
                 self.build.executables[str(name)] = name
                 self.build.targets[str(name)] = self.build.targets.get(target, [])
+            if self.build.built.pop(target, None) is not None:
+                self.build.built[str(name)] = name
 
     def do_target_link_libraries(self, command: Command) -> None:
         words = [str(word) for word in self.words(command.arguments) if word is not None]
@@ -287,8 +295,7 @@ class Reader:
             if runtime:
                 self.build.executables_known = self.build.executables_known and kind == "TARGETS" and not options
         elif kind == "TARGETS":
-            if destination.startswith("lib/"):
-                self.executable(sources)
+            self.targets(destination, sources, options)
         elif kind in ("PROGRAMS", "FILES"):
             self.files(kind, destination, sources, options)
         else:
@@ -297,6 +304,13 @@ class Reader:
                 self.install(destination, source, True, filtered)
             if destination.startswith("lib/") and filtered:
                 self.build.executables_known = False
+
+    def targets(self, destination: str, sources: list[Located], options: list[Located]) -> None:
+        if destination.startswith("lib/"):
+            self.executable(sources)
+            self.build.programs_at = self.build.programs_at or next(iter(sources), None)
+            return
+        self.build.elsewhere.update((str(word), word) for word in self.words(sources) if word is not None)
 
     def files(self, kind: str, destination: str, sources: list[Located], options: list[Located]) -> None:
         renamed = [after for before, after in itertools.pairwise(options) if before == "RENAME"]
@@ -308,8 +322,15 @@ class Reader:
                 if word is None:
                     self.build.executables_known = False
                 else:
-                    program = word.rpartition("/")[2]
-                    self.build.executables[program] = Located(program, word.span)
+                    self.program(kind, word, "PERMISSIONS" in options)
+
+    def program(self, kind: str, word: Located, has_mode: bool) -> None:
+        name = word.rpartition("/")[2]
+        if kind == "FILES" and not has_mode and name not in self.build.executables:
+            self.build.without_mode[name] = word
+        elif kind == "PROGRAMS" or has_mode:
+            self.build.without_mode.pop(name, None)
+        self.build.executables[name] = Located(name, word.span)
 
     def destination(self, options: list[Located]) -> str | None:
         """The destination of programs, else the only one."""

@@ -36,10 +36,13 @@ def parse(source: Source) -> Manifest:
             manifest.places[tag] = element.span
             if tag == "buildtool_depend":
                 tools.add(str(element.text))
+        elif tag == "member_of_group":
+            manifest.groups |= {str(element.text)}
         elif tag == "export":
             for exported in element.find_all("build_type"):
                 manifest.for_both |= bool(_ROS_1.search(exported.get("condition") or ""))
                 manifest.build_type = str(exported.text)
+                manifest.exported_type = exported.text
     if not manifest.build_type:
         manifest.build_type = "catkin" if "catkin" in tools else ("ament_cmake" if tools else "")
     return manifest

@@ -16,6 +16,7 @@ from bringup_lint.model.launch_values import Unknown
 from bringup_lint.model.launch_values import Value
 from bringup_lint.model.package import Build
 from bringup_lint.model.package import Install
+from bringup_lint.model.package import Packages
 from bringup_lint.model.python import syntax_of
 from bringup_lint.parsers.launch_python import budget
 from bringup_lint.parsers.launch_python.calls import call
@@ -35,7 +36,11 @@ from bringup_lint.source import Source
 from bringup_lint.source import Span
 
 _SETUP = ("setuptools.setup", "distutils.core.setup", "setup")
+_FIND = ("setuptools.find_packages", "find_packages")
 _GLOB = ("glob.glob", "glob.iglob", "glob")
+_ELSEWHERE = frozenset(("package_dir", "py_modules", "cmdclass", "package_data", "include_package_data"))
+"""Keywords of ``setup()`` by which modules come from other places, too."""
+_FOLDER = regex(r"^[ \t]*install[_-]scripts[ \t]*[=:][ \t]*([^\s#;]+)", re.M)
 _SCRIPT = regex(r"^[^\S\n]*([\w.-]+)[ \t]*=[ \t]*([\w.]*(?::[\w.]*)?)", re.M)
 
 
@@ -56,6 +61,8 @@ def parse(source: Source) -> Build:
             return Unknown("setup", span)
         if isinstance(function, Symbol) and function.name in _GLOB and positional:
             return Operation("glob", (positional[0],), span)
+        if isinstance(function, Symbol) and function.name in _FIND and not positional and "where" not in keywords:
+            return Operation("find_packages", (), span)
         return call(state, function, positional, keywords, more, span)
 
     state = State(
@@ -69,10 +76,22 @@ def parse(source: Source) -> Build:
         return _unknown(build)
     _data_files(build, found[0].get("data_files"))
     _scripts(build, found[0].get("entry_points"))
+    if not _ELSEWHERE & set(found[0]):
+        build.python_packages = _packages(found[0].get("packages"))
     build.scripts_folder_known = not {"options", "cmdclass"} & set(found[0])
     if "scripts" in found[0]:
         _plain_scripts(build, found[0]["scripts"])
     return build
+
+
+def _packages(thing: Any) -> Packages | None:
+    """``packages``: a list of names, or what ``find_packages`` finds."""
+    if isinstance(thing, Operation) and thing.name == "find_packages":
+        return Packages(thing.span, None)
+    items = thing.plain() if isinstance(thing, Sequence) else None
+    names = [path_text(item) for item in items or ()]
+    known = tuple(name for name in names if name is not None)
+    return Packages(items[0].span, known) if items and len(known) == len(names) else None
 
 
 def _plain_scripts(build: Build, thing: Any) -> None:
@@ -177,7 +196,7 @@ def parse_cfg(source: Source) -> Build:
         parser.read_string(source.text)
     except (configparser.Error, ValueError):
         return _unknown(build)
-    build.scripts_folder = _scripts_folder(parser)
+    build.scripts_folder = _scripts_folder(parser, source)
     scripts = parser.get("options.entry_points", "console_scripts", fallback="")
     for match in _SCRIPT.finditer(scripts):
         build.executables[match[1]] = Located(match[1], source.whole)
@@ -189,7 +208,11 @@ def parse_cfg(source: Source) -> Build:
     return build
 
 
-def _scripts_folder(parser: configparser.RawConfigParser) -> str | None:
+def _scripts_folder(parser: configparser.RawConfigParser, source: Source) -> Located | None:
     """``install_scripts`` of ``[install]``; setuptools takes a hyphen for an underscore."""
     options = parser.items("install") if parser.has_section("install") else []
-    return next((value.strip() for name, value in options if name.replace("-", "_") == "install_scripts"), None)
+    value = next((value.strip() for name, value in options if name.replace("-", "_") == "install_scripts"), None)
+    if value is None:
+        return None
+    written = next((match for match in _FOLDER.finditer(source.text) if match[1] == value), None)
+    return Located(value, Span(source, *written.span(1)) if written else source.whole)

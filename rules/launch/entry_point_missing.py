@@ -2,8 +2,9 @@
 
 ## What it finds
 Entries of `console_scripts` in setup.py or setup.cfg whose module is not in the package, or whose function the module
-does not define or import. Packages of other names, modules that git ignores, compiled modules and modules with
-`from x import *` are not judged. A script that no launch file starts is a warning.
+does not define or import, and entries without a colon between the module and the function. Packages of other names,
+modules that git ignores, compiled modules and modules with `from x import *` are not judged. A script that no launch
+file starts is a warning.
 
 ## Why it matters on a robot
 The build succeeds and installs the executable. It ends at its start with `ModuleNotFoundError` or `ImportError`, and so
@@ -51,13 +52,22 @@ def entry_point_missing(robot: Robot) -> Iterator[Finding]:
             yield finding(
                 entry.script,
                 f"`ros2 run {package.name} {entry.script}` fails with {_lack(entry)}",
-                advice="name the module and function that exist, or remove the script",
+                advice=_advice(entry),
                 related=[note(entry.file.whole, "the module")] if entry.file else [],
                 severity=None if runs else "warning",
             )
 
 
 def _lack(entry: MissingEntry) -> str:
+    if ":" not in entry.package.entry_points[str(entry.script)]:
+        return f"an exception: {entry.module} is taken for a module, a colon names the function in it"
     if entry.file is None:
         return f"ModuleNotFoundError: {entry.package.name} has no module {entry.module}"
     return f"ImportError: {os.path.basename(entry.file.name)} has no function {entry.function}"
+
+
+def _advice(entry: MissingEntry) -> str:
+    module, _, function = entry.module.rpartition(".")
+    if ":" in entry.package.entry_points[str(entry.script)]:
+        return "name the module and function that exist, or remove the script"
+    return f"write {entry.module}:main" if entry.file else f"write {module}:{function}"

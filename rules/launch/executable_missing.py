@@ -2,7 +2,8 @@
 
 ## What it finds
 Executables of workspace packages that neither setup.py (`console_scripts`) nor CMakeLists.txt (`install`, component
-registration) provides, and console scripts that setup.cfg does not put into `lib/<package>`. For gazebo_ros: every
+registration) provides, console scripts that setup.cfg does not put into `lib/<package>`, and scripts that
+`install(FILES)` installs without their executable bit. For gazebo_ros: every
 executable except `spawn_entity.py`; from Humble on also `spawner.py` of controller_manager. A node that
 does not start by default is a warning.
 
@@ -27,16 +28,20 @@ external project generates.
 - launch_ros, `ExecutableInPackage`
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Fix
 from bringup_lint.api import Located
+from bringup_lint.api import Related
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import launch
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.spelling import nearest
 
@@ -47,8 +52,16 @@ RENAMED = {("controller_manager", "spawner.py"): "spawner", ("controller_manager
 BEFORE = (None, "foxy", "galactic")
 
 
+Start = tuple[launch.Started, Located]
+"""A node, and the name of its executable."""
+SYMLINKS = regex(r"--symlink-install\b")
+"""With links in the place of files, a script keeps the mode that it has in the source."""
+
+
 @rule("error", fix="unsafe", symptoms=["not found on the libexec directory"])
 def executable_missing(robot: Robot) -> Iterator[Finding]:
+    elsewhere: dict[str, list[Start]] = {}
+    made: dict[str, list[Start]] = {}
     for node in robot.launch.nodes:
         name, executable = launch.literal_text(node.package), launch.literal_text(node.executable)
         if name is None or executable is None:
@@ -56,17 +69,24 @@ def executable_missing(robot: Robot) -> Iterator[Finding]:
         package = robot.launch.workspace.packages.get(name)
         if package is not None:
             yield from of_workspace(robot, node, package, executable)
+            if executable in package.executables and package.is_misplaced(executable):
+                elsewhere.setdefault(name, []).append((node, executable))
+            elif package.made(executable) and robot.launch.workspace.lacks(package, executable):
+                made.setdefault(name, []).append((node, executable))
         elif name in PUBLIC and executable not in PUBLIC[name]:
             yield unknown(node, name, executable)
         elif (name, executable) in RENAMED and robot.target.ros not in BEFORE and node.file.source.judged:
             yield renamed(robot, node, name, executable)
+    packages = robot.launch.workspace.packages
+    yield from (misplaced(robot, packages[package], started) for package, started in elsewhere.items())
+    yield from (only_made(robot, packages[package], started) for package, started in made.items())
 
 
 def of_workspace(robot: Robot, node: launch.Started, package: launch.Package, executable: Located) -> Iterator[Finding]:
-    if executable in package.executables and package.is_misplaced(executable):
-        yield misplaced(robot, node, package, executable)
-    if robot.launch.workspace.lacks(package, executable):
+    if robot.launch.workspace.lacks(package, executable) and not package.made(executable):
         yield missing(robot, node, package, executable)
+    elif executable in package.without_mode and package.installs_known:
+        yield without_mode(robot, node, package, executable)
 
 
 def unknown(node: launch.Started, package: str, executable: Located) -> Finding:
@@ -90,15 +110,59 @@ def renamed(robot: Robot, node: launch.Started, package: str, executable: Locate
     )
 
 
-def misplaced(robot: Robot, node: launch.Started, package: launch.Package, executable: Located) -> Finding:
-    """A console script in ``bin``, where launch does not look."""
+def misplaced(robot: Robot, package: launch.Package, started: list[Start]) -> Finding:
+    """Console scripts where launch does not look: in ``bin``, or in the folder of another package."""
+    (node, executable), *others = started
+    folder = package.scripts_folder
+    place = folder or package.executables[executable]
+    where = str(folder).removeprefix("$base/") if folder else "bin"
     return finding(
         executable,
         f"'{executable}' is not installed in lib/{package.name}: launch aborts",
         advice=f"write 'install_scripts=$base/lib/{package.name}' in the section [install] of setup.cfg",
         chain=robot.provenance.chain_to_node(node),
-        related=[note(package.executables[executable], "the console script, which goes to bin")],
-        severity=_severity(node),
+        related=[note(place, f"the console scripts go to {where}"), *_others(others)],
+        severity=_severity_of(started),
+    )
+
+
+def only_made(robot: Robot, package: launch.Package, started: list[Start]) -> Finding:
+    """Programs that CMake builds, and installs not at all or elsewhere."""
+    (node, executable), *others = started
+    made = package.made(executable)
+    related = [note(made.target, "built here")] if made else []
+    if made and made.elsewhere:
+        related.append(note(made.elsewhere, f"installed here, and not into lib/{package.name}"))
+    elif made and made.others:
+        related.append(note(made.others, f"installed into lib/{package.name} is this, without {executable}"))
+    return finding(
+        executable,
+        f"'{executable}' is built and not installed in lib/{package.name}: launch aborts",
+        advice=f"add it to install(TARGETS ... DESTINATION lib/{package.name})",
+        chain=robot.provenance.chain_to_node(node),
+        related=[*related, *_others(others)],
+        severity=_severity_of(started),
+    )
+
+
+def _others(started: list[Start]) -> list[Related]:
+    return [note(other, f"'{other}' is not found either") for _, other in started]
+
+
+def _severity_of(started: list[Start]) -> str | None:
+    return "warning" if all(_severity(each) for each, _ in started) else None
+
+
+def without_mode(robot: Robot, node: launch.Started, package: launch.Package, executable: Located) -> Finding:
+    """A script that CMake installs as a plain file, which nobody may run."""
+    linked = robot.files.mentions(SYMLINKS)
+    return finding(
+        executable,
+        f"'{executable}' is installed without its executable bit: launch does not find it, and aborts",
+        advice="install it with install(PROGRAMS ...)",
+        chain=robot.provenance.chain_to_node(node),
+        related=[note(package.without_mode[executable], "install(FILES) gives it the mode 644")],
+        severity="info" if linked else _severity(node),
     )
 
 

@@ -33,6 +33,7 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Related
 from bringup_lint.api import Robot
 from bringup_lint.api import Source
 from bringup_lint.api import finding
@@ -85,7 +86,7 @@ def _without_launch_files(robot: Robot, said: set[str]) -> Iterator[Finding]:
                 judged[0],
                 f"No launch file of {package.name} is installed: ros2 launch {package.name} finds none of them",
                 advice=f"install the folder '{folder}' in {build.basename}",
-                related=[note(build, "what the package installs")],
+                related=[_installation(package, os.path.abspath(judged[0].name))],
                 severity="warning",
             )
 
@@ -104,14 +105,29 @@ def _is_launched_by_path(robot: Robot, sources: list[Source]) -> bool:
 def not_installed(robot: Robot, first: Missing, others: list[Missing]) -> Finding:
     """One finding for a folder without an install rule, with the other places that use it."""
     reference, package, path = first
-    build = package.builds[0].source
+    span = reference.span
+    used = {(each.span.source.name, each.span.start): (each, file) for each, _, file in reversed(others)}
+    used.pop((span.source.name, span.start), None)
+    either = [note(each.span, f"{os.path.basename(file)} is not installed either") for each, file in used.values()]
     return finding(
-        reference.span,
+        span,
         f"{path} of {package.name} is not installed: it exists in the source and is missing on the robot",
-        advice=f"install the folder '{path.partition('/')[0]}' in {build.basename}"
-        if "/" in path
-        else f"install it in {build.basename}",
-        chain=robot.provenance.chain_to(reference.span, f"{path} is opened"),
-        related=[note(build, "what the package installs")]
-        + [note(other.span, f"{os.path.basename(each)} is not installed either") for other, _, each in others],
+        advice=_advice(package, path),
+        chain=robot.provenance.chain_to(span, f"{path} is opened"),
+        related=[_installation(package, os.path.join(package.folder, path)), *reversed(either)],
     )
+
+
+def _advice(package: Package, path: str) -> str:
+    build = package.builds[0].source.basename
+    if "/" in path:
+        return f"install the folder '{path.partition('/')[0]}' in {build}"
+    return f"install it in {build}"
+
+
+def _installation(package: Package, path: str) -> Related:
+    """The pattern that misses a file of its folder, or the description of the build."""
+    beside = package.taking_others(path)
+    if beside is None or os.path.basename(beside.source) == "package.xml":
+        return note(package.builds[0].source, "what the package installs")
+    return note(beside.where, f"this does not match {os.path.basename(path)}")

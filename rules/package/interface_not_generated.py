@@ -4,7 +4,8 @@
 Packages with files in `msg`, `srv` or `action` that speak of their generation, in package.xml or CMakeLists.txt, and
 never call `rosidl_generate_interfaces`. Packages that call it without
 `<member_of_group>rosidl_interface_packages</member_of_group>` in package.xml, or without the packages whose types
-their interfaces have fields of in `DEPENDENCIES`, or with a file that does not exist.
+their interfaces have fields of in `DEPENDENCIES`, or with a file that does not exist. Definitions that the call does
+not name, and whose header a node of the tree includes.
 
 ## Why it matters on a robot
 Without the call, no header and no Python module is made: what includes or imports the interface does not build, or ends
@@ -65,6 +66,8 @@ def _message(each: Ungenerated) -> str:
             return f"{name} generates interfaces and is no member of {GROUP}: its build stops"
         case "file":
             return f"{name} generates {', '.join(each.names)}, which does not exist: its build stops"
+        case "unlisted":
+            return f"{name} does not generate {', '.join(each.names)}, which a node includes: its build stops"
         case "dependency":
             return f"The interfaces of {name} have fields of {', '.join(each.names)}, no DEPENDENCIES: its build stops"
     more = f" and {len(each.names) - 1} more" if len(each.names) > 1 else ""
@@ -77,6 +80,8 @@ def _advice(each: Ungenerated) -> str:
             return f"add <member_of_group>{GROUP}</member_of_group> to package.xml"
         case "file":
             return "correct the name, or add the file"
+        case "unlisted":
+            return f"add {' '.join(each.names)} to rosidl_generate_interfaces"
         case "dependency":
             return f"add DEPENDENCIES {' '.join(each.names)} to rosidl_generate_interfaces"
     return "call rosidl_generate_interfaces with the files, or remove them"

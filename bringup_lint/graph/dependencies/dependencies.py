@@ -18,6 +18,10 @@ from bringup_lint.graph.dependencies.needs import of_launch
 from bringup_lint.graph.dependencies.needs import of_nodes
 from bringup_lint.graph.dependencies.provided import ROSDEP
 from bringup_lint.graph.dependencies.provided import Provided
+from bringup_lint.graph.dependencies.subpackages import LeftOut
+from bringup_lint.graph.dependencies.subpackages import left_out
+from bringup_lint.graph.dependencies.unexported import Unexported
+from bringup_lint.graph.dependencies.unexported import unexported
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.pattern import regex
 
@@ -87,6 +91,14 @@ class Dependencies:
     def missing_files(self, package: Package) -> list[Install]:
         """What a build installs in any case, and that is not in the tree."""
         return missing_files(self._files, package)
+
+    def left_out_modules(self, package: Package) -> Iterator[LeftOut]:
+        """What a Python package imports of itself, and does not install."""
+        return left_out(self._files.tree, package)
+
+    def unexported(self, package: Package) -> Iterator[Unexported]:
+        """The descriptions of plugins that a package builds and does not export."""
+        return unexported(self._files, package)
 
     def is_of_workspace(self, need: Need) -> bool:
         """Whether a package of the tree is needed."""

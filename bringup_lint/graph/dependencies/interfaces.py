@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import os
+import re
 from collections.abc import Iterator
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.workspace import Package
     from bringup_lint.graph.workspace import Workspace
 
+_WORD_START = regex(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])")
 KINDS = ("msg", "srv", "action")
 GENERATE = "rosidl_generate_interfaces"
 _GROUP = "rosidl_interface_packages"
@@ -48,8 +50,8 @@ class Ungenerated(NamedTuple):
     """A package that does not generate what it defines, or that CMake refuses."""
 
     kind: str
-    """``none`` of the definitions is generated, ``group`` of the manifest is missing, a ``dependency``, or a ``file``
-    that is listed."""
+    """``none`` of the definitions is generated, ``group`` of the manifest is missing, a ``dependency``, a ``file``
+    that is listed, or a definition is ``unlisted`` whose header a node includes."""
     package: Package
     where: Span
     names: tuple[str, ...]
@@ -183,7 +185,11 @@ def _of_package(files: Files, package: Package, interfaces: Interfaces) -> Itera
         yield Ungenerated("file", package, command.arguments[0].span, tuple(absent))
     skips = any(str(word).startswith("SKIP_") for word in command.arguments)
     if not skips and _GROUP not in package.manifest.source.text and package.manifest.name is not None:
-        yield Ungenerated("group", package, package.manifest.name.span, ())
+        last = next(reversed(package.manifest.places.values()), package.manifest.name.span)
+        yield Ungenerated("group", package, last, ())
+    unlisted = sorted(_unlisted(files, package, interfaces))
+    if unlisted:
+        yield Ungenerated("unlisted", package, command.arguments[0].span, tuple(unlisted))
     # What a dependency depends on is found through it, so that any list may do.
     if not any("DEPENDENCIES" in word or "$" in word for word in command.arguments[1:]):
         used = sorted(_used(files, package, interfaces) - _IMPLICIT)
@@ -197,6 +203,22 @@ def _is_absent(tree: Tree, package: Package, word: str) -> bool:
         return False
     path = os.path.normpath(os.path.join(package.folder, word))
     return not tree.exists(path) and not tree.is_ignored(path)
+
+
+def _unlisted(files: Files, package: Package, interfaces: Interfaces) -> Iterator[str]:
+    """The definitions that the command does not list, and whose code nodes in C++ use."""
+    for (kind, name), path in interfaces.defined.items():
+        if not interfaces.is_closed or interfaces.listed is None or name in interfaces.listed:
+            continue
+        is_included = files.mentions(_in_cpp(package.name, kind, name))
+        if is_included and _is_place(package, kind, path) and not files.tree.is_ignored(path):
+            yield f"{kind}/{os.path.basename(path)}"
+
+
+def _in_cpp(package: str, kind: str, name: str) -> re.Pattern[str]:
+    """The header of an interface, or its class."""
+    header = _WORD_START.sub("_", name).lower()
+    return re.compile(rf"\b{package}/{kind}/{header}\.h|\b{package}::{kind}::{name}\b")
 
 
 def _is_place(package: Package, kind: str, path: str) -> bool:

@@ -24,7 +24,7 @@ class MissingEntry(NamedTuple):
     script: Located
     module: str
     function: str
-    """Empty when the whole module is missing."""
+    """Empty when the whole module is missing, or no function is named."""
     file: Source | None
     """The module, where it exists."""
 
@@ -37,14 +37,17 @@ def missing_entries(tree: Tree, package: Package) -> Iterator[MissingEntry]:
         if stem is None:
             continue
         path = next((each for each in (f"{stem}.py", f"{stem}/__init__.py") if tree.exists(each)), None)
-        if path is None:
+        if ":" not in target and (path is not None or tree.exists(f"{os.path.dirname(stem)}.py")):
+            source = tree.beside(package.manifest.source, os.path.relpath(path, package.folder)) if path else None
+            yield MissingEntry(package, package.executables[name], module, "", source)
+        elif path is None:
             if not _may_be_made(tree, stem):
                 yield MissingEntry(package, package.executables[name], module, "", None)
-            continue
-        source = tree.beside(package.manifest.source, os.path.relpath(path, package.folder))
-        first = function.partition(".")[0]
-        if first and source is not None and not _defines(source.text, first):
-            yield MissingEntry(package, package.executables[name], module, function, source)
+        else:
+            source = tree.beside(package.manifest.source, os.path.relpath(path, package.folder))
+            first = function.partition(".")[0]
+            if first and source is not None and not _defines(source.text, first):
+                yield MissingEntry(package, package.executables[name], module, function, source)
 
 
 def _stem(tree: Tree, package: Package, module: str) -> str | None:

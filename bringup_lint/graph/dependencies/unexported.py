@@ -1,0 +1,86 @@
+"""Descriptions of plugins that no build exports to the ament index, where pluginlib looks for them."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.parsers.xml import parse
+from bringup_lint.pattern import regex
+from bringup_lint.source import Located
+from bringup_lint.source import Source
+from bringup_lint.source import Span
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.files import Files
+    from bringup_lint.graph.workspace import Package
+    from bringup_lint.model.xml import Element
+
+_EXPORTS = regex(
+    r"\b(?:pluginlib_export_plugin_description_file|ament_index_register_resource)\b\s*\([^()]*\$\{"
+    r"|\binclude\([^()\n]*(?:/|\$)"
+)
+"""What may export a file under any name."""
+_END = regex(r"^[ \t]*(ament_(?:auto_)?package)[ \t]*\(", re.M)
+_LIBRARY = regex(r"^(?:.*/)?(?:lib)?([^/]+?)(?:\.so)?$")
+_CODE = (".cpp", ".cc", ".cxx", ".hpp", ".h")
+_MOST = 200_000
+"""Characters of a source that are looked at."""
+
+
+class Unexported(NamedTuple):
+    name: Located
+    """The class that pluginlib does not find."""
+    base: str
+    description: Source
+    path: str
+    """Of the description, relative to the package."""
+    end: Span
+    """``ament_package()``, above which the export belongs."""
+
+
+def unexported(files: Files, package: Package) -> Iterator[Unexported]:
+    """The first class of each description whose library a package builds, and which its build does not name."""
+    builds = [build for build in package.builds if build.source.kind == "cmake"]
+    text = "\n".join(build.source.text for build in builds).replace("${PROJECT_NAME}", package.name)
+    end = _END.search(builds[0].source.text) if builds else None
+    if end is None or not package.complete or _EXPORTS.search(text):
+        return
+    targets = {target for build in builds for target in build.targets}
+    for path in files.tree.paths:
+        name, absolute = os.path.basename(path), os.path.abspath(path)
+        if not path.endswith(".xml") or not absolute.startswith(package.folder + os.sep) or name in text:
+            continue
+        source = files.tree.read(path)
+        found = _first_class(source, targets) if source is not None else None
+        if source is None or found is None or not _makes_plugins(files, package):
+            continue
+        place = found.get("name") or found.get("type")
+        if place is not None:
+            span = builds[0].source.span(*end.span(1))
+            yield Unexported(place, str(found.get("base_class_type")), source, _below(absolute, package), span)
+
+
+def _makes_plugins(files: Files, package: Package) -> bool:
+    """Whether the sources of a package name classes for pluginlib."""
+    own = (path for path in files.tree.paths if os.path.abspath(path).startswith(package.folder + os.sep))
+    code = (path for path in own if path.endswith(_CODE))
+    return any("PLUGINLIB_EXPORT_CLASS" in files.tree.head(path, _MOST) for path in code)
+
+
+def _below(path: str, package: Package) -> str:
+    return os.path.relpath(path, package.folder)
+
+
+def _first_class(source: Source, targets: set[str]) -> Element | None:
+    """The first class in one of the libraries; None when the file describes no plugins of them."""
+    root = parse(source).root if "base_class_type" in source.text else None
+    for element in root.walk() if root is not None else ():
+        library = element.parent
+        match = _LIBRARY.match(str(library.get("path") or "")) if library is not None else None
+        if element.local == "class" and element.get("base_class_type") and match and match[1] in targets:
+            return element
+    return None

@@ -1,0 +1,56 @@
+"""A node imports a Python package that setup.py does not install.
+
+## What it finds
+Console scripts and modules of an ament_python package that need a folder of modules beside them, which `packages` of
+setup.py does not install: it lists the outer package only, or `find_packages` passes over a folder without an
+`__init__.py`. Imports inside `try`, `if` and functions are not judged. It is an info when something of the tree
+builds with `--symlink-install`, which leads to the source and hides the mistake.
+
+## Why it matters on a robot
+The node works where the workspace is built with `--symlink-install`, and ends with "No module named" on a robot that
+has the installed tree, a container or a Debian package.
+
+## Bad
+```python
+packages=['arm_driver'],   # arm_driver/bus/frames.py is imported by arm_driver/node.py
+```
+
+## Good
+```python
+packages=find_packages(exclude=['test']),   # and there is an arm_driver/bus/__init__.py
+```
+
+## When to ignore it
+When the robot always runs from the source workspace.
+
+## References
+- setuptools, "Package Discovery and Namespace Packages"
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import regex
+from bringup_lint.api import rule
+
+SYMLINKS = regex(r"--symlink-install\b")
+
+
+@rule("error", symptoms=["ModuleNotFoundError: No module named"])
+def module_not_installed(robot: Robot) -> Iterator[Finding]:
+    for package in robot.launch.workspace.packages.values():
+        if not robot.dependencies.judged(package):
+            continue
+        for module, folder, listed in robot.dependencies.left_out_modules(package):
+            path = folder.replace(".", "/")
+            found = listed.names is None
+            yield finding(
+                module,
+                f"setup.py does not install {folder}: on the robot this ends with \"No module named '{folder}'\"",
+                advice=f"add {path}/__init__.py" if found else f"add '{folder}' to packages, or use find_packages()",
+                related=[note(listed.where, "takes folders with an __init__.py" if found else "what is installed")],
+                severity="info" if robot.files.mentions(SYMLINKS) else None,
+            )

@@ -1,0 +1,50 @@
+"""A package builds a plugin and does not export its description.
+
+## What it finds
+XML files that describe classes of pluginlib in a library that the package builds, where no
+`pluginlib_export_plugin_description_file` of its CMakeLists.txt names the file.
+
+## Why it matters on a robot
+pluginlib looks for plugins in the ament index only. It ends with "According to the loaded plugin descriptions the class
+... with base class type ... does not exist": controller_manager loads no hardware, a Nav2 server does not configure.
+
+## Bad
+```cmake
+add_library(lift_hardware SHARED src/lift.cpp)   # lift_hardware.xml describes lift_hardware/Lift
+ament_package()
+```
+
+## Good
+```cmake
+add_library(lift_hardware SHARED src/lift.cpp)
+pluginlib_export_plugin_description_file(hardware_interface lift_hardware.xml)
+ament_package()
+```
+
+## When to ignore it
+When the class is loaded by other means than pluginlib.
+
+## References
+- pluginlib, `pluginlib_export_plugin_description_file`
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["According to the loaded plugin descriptions the class"])
+def plugin_not_exported(robot: Robot) -> Iterator[Finding]:
+    for package in robot.launch.workspace.packages.values():
+        for each in robot.dependencies.unexported(package) if robot.dependencies.judged(package) else ():
+            base = each.base.rpartition("::")[0].partition("::")[0] or "BASE"
+            yield finding(
+                each.name,
+                f"{package.name} does not export {each.description.basename}: pluginlib finds no class {each.name}",
+                advice=f"add pluginlib_export_plugin_description_file({base} {each.path}) to the CMakeLists.txt",
+                related=[note(each.end, "the export belongs above")],
+            )
