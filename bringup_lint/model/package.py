@@ -27,8 +27,6 @@ class Manifest:
     """Of the manifest: the first one has ``run_depend`` and no ``exec_depend``."""
     exported_type: Located | None = None
     """The build type as it is exported, in any condition."""
-    groups: frozenset[str] = frozenset()
-    """The groups of packages that it is a member of (REP 149)."""
     for_both: bool = False
     """Conditions on ROS_VERSION make it a package of ROS 1 as well."""
     problems: list[Problem] = field(default_factory=list)

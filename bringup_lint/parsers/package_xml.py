@@ -36,8 +36,6 @@ def parse(source: Source) -> Manifest:
             manifest.places[tag] = element.span
             if tag == "buildtool_depend":
                 tools.add(str(element.text))
-        elif tag == "member_of_group":
-            manifest.groups |= {str(element.text)}
         elif tag == "export":
             for exported in element.find_all("build_type"):
                 manifest.for_both |= bool(_ROS_1.search(exported.get("condition") or ""))
