@@ -40,7 +40,9 @@ from bringup_lint.api import rule
 @rule("error", symptoms=["According to the loaded plugin descriptions the class"])
 def plugin_not_exported(robot: Robot) -> Iterator[Finding]:
     for package in robot.launch.workspace.packages.values():
-        for each in robot.dependencies.unexported(package) if robot.dependencies.judged(package) else ():
+        if not robot.dependencies.judged(package):
+            continue
+        for each in robot.dependencies.unexported(package):
             base = each.base.rpartition("::")[0].partition("::")[0] or "BASE"
             yield finding(
                 each.name,

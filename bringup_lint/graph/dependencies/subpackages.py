@@ -58,7 +58,9 @@ def _needed(tree: Tree, package: Package, listed: Packages) -> Iterator[Located]
 def _imported(source: Source, own: str) -> Iterator[Located]:
     """The modules that a module of a Python package imports at its top, with full names."""
     module = syntax_of(source.text)
-    for statement in module.body if module else ():
+    if module is None:
+        return
+    for statement in module.body:
         if isinstance(statement, ast.Import):
             names = [each.name for each in statement.names]
         elif isinstance(statement, ast.ImportFrom):

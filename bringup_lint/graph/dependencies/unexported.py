@@ -78,7 +78,9 @@ def _below(path: str, package: Package) -> str:
 def _first_class(source: Source, targets: set[str]) -> Element | None:
     """The first class in one of the libraries; None when the file describes no plugins of them."""
     root = parse(source).root if "base_class_type" in source.text else None
-    for element in root.walk() if root is not None else ():
+    if root is None:
+        return None
+    for element in root.walk():
         library = element.parent
         match = _LIBRARY.match(str(library.get("path") or "")) if library is not None else None
         if element.local == "class" and element.get("base_class_type") and match and match[1] in targets:
