@@ -19,6 +19,7 @@ from bringup_lint.parsers.cyclonedds_schema import schema
 from bringup_lint.parsers.cyclonedds_values import THREADS
 from bringup_lint.parsers.cyclonedds_values import fault_of
 from bringup_lint.parsers.cyclonedds_values import words
+from bringup_lint.parsers.names_beside import MOST_NAMES
 from bringup_lint.parsers.names_beside import attributes_beside
 from bringup_lint.parsers.names_beside import elements_beside
 from bringup_lint.parsers.names_beside import is_free
@@ -61,7 +62,11 @@ def can_be_renamed(configuration: Configuration, name: Located, meant: Item) -> 
     if repeats(meant):
         return True
     names = attributes_beside(name) if meant.is_attribute else elements_beside(configuration.document, name)
-    lowered = Counter(each.lower() for each in names.elements())
+    if len(names) > MOST_NAMES:
+        return False
+    lowered: Counter[str] = Counter()
+    for each, number in names.items():
+        lowered[each.lower()] += number
     parent = schema(configuration.version).items.get(meant.path.rpartition("@" if meant.is_attribute else "/")[0])
     known = {each.lower() for each in (parent.attributes if meant.is_attribute else parent.children)} if parent else ()
     words = {meant.name.lower(), *(each.lower() for each in meant.aliases)} - {name.lower()}
