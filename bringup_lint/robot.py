@@ -63,6 +63,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.plugins.refused import Refused
     from bringup_lint.graph.plugins.unknown import UnknownPlugin
     from bringup_lint.graph.plugins.untyped import UntypedPlugin
+    from bringup_lint.graph.plugins.xacro_arguments import UnknownArgument
     from bringup_lint.graph.provenance import Provenance
     from bringup_lint.graph.runners.runners import Runners
     from bringup_lint.graph.secrets.in_clear import Secret
@@ -383,7 +384,14 @@ class Robot:
         """What is wrong with robot descriptions, that of one file together."""
         from bringup_lint.graph.plugins.refused import refused_descriptions
 
-        return list(refused_descriptions(self.files))
+        return list(refused_descriptions(self.files, self.launch.workspace.packages))
+
+    @property
+    def unknown_xacro_arguments(self) -> Iterator[UnknownArgument]:
+        """Arguments that launch files give to xacro, and that the description does not declare."""
+        from bringup_lint.graph.plugins.xacro_arguments import unknown_arguments
+
+        return unknown_arguments(self.launch, self.tree)
 
     @cached_property
     def untyped_controllers(self) -> list[UntypedController]:

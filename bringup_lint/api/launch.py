@@ -26,7 +26,10 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch.lifecycle import setting
     from bringup_lint.graph.launch.lifecycle import transitions_elsewhere
     from bringup_lint.graph.launch.references import Reference
+    from bringup_lint.graph.launch.refused_words import in_degrees
     from bringup_lint.graph.launch.refused_words import refused_transforms
+    from bringup_lint.graph.launch.refused_words import unknown_flags
+    from bringup_lint.graph.launch.refused_words import unspaced_commands
     from bringup_lint.graph.launch.refused_words import unsplit_commands
     from bringup_lint.graph.launch.refused_words import unsplit_ros_arguments
     from bringup_lint.graph.launch.resolve import text_of
@@ -139,6 +142,7 @@ __all__ = [
     "delayed",
     "exclusive",
     "full_name",
+    "in_degrees",
     "literal",
     "literal_text",
     "managers",
@@ -157,6 +161,8 @@ __all__ = [
     "truth",
     "undelayed",
     "understood",
+    "unknown_flags",
+    "unspaced_commands",
     "unsplit_commands",
     "unsplit_ros_arguments",
     "waiting_comment",

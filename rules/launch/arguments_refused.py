@@ -4,7 +4,9 @@
 - `ExecuteProcess(cmd=['ros2 topic pub ...'])` without `shell=True`: launch looks for a program with blanks in its name
 - `arguments=['--ros-args -r __ns:=/left']` in Python: one word, which rcl does not take for ROS arguments
 - `static_transform_publisher` with another number of arguments than it takes: 8 (x y z yaw pitch roll frame child),
-  9 (with a quaternion) or options alone
+  9 (with a quaternion) or options alone; and with options (`--frame-id`) before Humble
+- yaw, pitch and roll of `static_transform_publisher` above 2π: they are in radians (a warning)
+- `Command(['xacro', path])` without a blank after the program
 
 ## Why it matters on a robot
 launch splits nothing that is already a list. In the first case the process is not started (FileNotFoundError), and
@@ -30,6 +32,7 @@ When the program itself splits its arguments.
 - geometry2, static_transform_broadcaster_program.cpp
 """
 
+import math
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -38,6 +41,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import launch
 from bringup_lint.api import rule
 
+WITHOUT_FLAGS = ("dashing", "eloquent", "foxy", "galactic")
 SPLIT = "give each word as an element of its own"
 
 
@@ -68,4 +72,34 @@ def arguments_refused(robot: Robot) -> Iterator[Finding]:
             "exist",
             advice="give x y z yaw pitch roll frame child, each as an element of its own",
             severity="warning" if node.by_default is not True else None,
+        )
+    yield from unspaced(robot)
+    yield from transforms(robot)
+
+
+def unspaced(robot: Robot) -> Iterator[Finding]:
+    for program in launch.unspaced_commands(robot.launch):
+        yield finding(
+            program.span,
+            "launch joins the parts of a command without blanks: no program has this name, and launch aborts",
+            advice="write 'xacro ' with a blank at its end",
+        )
+
+
+def transforms(robot: Robot) -> Iterator[Finding]:
+    for angle, number in launch.in_degrees(robot.launch):
+        yield finding(
+            angle,
+            f"{angle} is in radians, {abs(number) / math.tau:.1f} turns: the frame does not point where it should",
+            advice=f"write {math.radians(number):.4g}",
+            severity="warning",
+        )
+    if robot.target.ros not in WITHOUT_FLAGS:
+        return
+    for flag in launch.unknown_flags(robot.launch):
+        yield finding(
+            flag,
+            f"static_transform_publisher has no options in {robot.target.ros.capitalize()}: it ends, and the frame "
+            "does not exist",
+            advice="give x y z yaw pitch roll frame child, each as an element of its own",
         )

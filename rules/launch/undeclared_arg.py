@@ -33,10 +33,12 @@ When the file is only ever included, by a launch file outside this tree that set
 - launch, `LaunchConfiguration.perform`
 """
 
+import re
 from collections.abc import Iterable
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Related
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -89,6 +91,8 @@ def undeclared(robot: Robot, expansion: Expansion, uses: list[Used], missing: se
     related += [note(declared[other].action.span, f"'{other}' is declared here") for other in near]
     if late is not None:
         related.append(note(late.action.span, "declared here, after the read"))
+    if late is None and not near:
+        related += unlisted(uses[first].file, name)
     related += [note(used.argument.name, "read here, too") for used in uses if used is not uses[first]]
     return finding(
         uses[first].argument.name,
@@ -97,6 +101,19 @@ def undeclared(robot: Robot, expansion: Expansion, uses: list[Used], missing: se
         severity=grades[first],
         related=related,
     )
+
+
+def unlisted(file: LaunchFile, name: str) -> list[Related]:
+    """The declaration that a Python file makes, and leaves out of its launch description."""
+    text = file.source.text
+    made = re.search(rf"DeclareLaunchArgument\(\s*(?:name\s*=\s*)?['\"]({re.escape(name)})['\"]", text)
+    lists = re.search(r"\breturn (LaunchDescription)\(\[", text)
+    if made is None or lists is None or file.format != "python":
+        return []
+    return [
+        note(file.source.span(*made.span(1)), "declared here"),
+        note(file.source.span(*lists.span(1)), "which the launch description does not hold"),
+    ]
 
 
 def grade(robot: Robot, expansion: Expansion, used: Used, missing: set[str]) -> str | None:

@@ -2,9 +2,11 @@
 
 ## What it finds
 In `.urdf` and `.xacro` files: joints of type `revolute` or `prismatic` without `<limit>`, limits of any joint without
-`effort` or `velocity`, and a lower limit above the upper one. In `.urdf` files without xacro that no other description
-includes also: joints whose parent or child link does not exist, links and joints of the same name, and a second link
-without a parent. A file that no launch file and no other description names is reported as info.
+`effort` or `velocity`, a lower limit above the upper one, and limits of revolute joints in degrees (a warning). In
+`.urdf` files without xacro that no other description includes also: joints whose parent or child link does not exist,
+links and joints of the same name, and a second link without a parent. In files for xacro: joints outside of macros
+whose parent or child link no description of the tree has, when all that they include is in the tree. A file that no
+launch file and no other description names is reported as info.
 
 ## Why it matters on a robot
 urdfdom takes a description as a whole or not at all. robot_state_publisher ends at its start, the controller manager
@@ -74,7 +76,7 @@ def _severity(refused: Refused) -> str:
     """Info for a file that nothing loads."""
     if not refused.used:
         return "info"
-    return "warning" if refused.what == "limits" else "error"
+    return "warning" if refused.what in ("limits", "degrees") else "error"
 
 
 def _what(refused: Refused) -> str:
@@ -85,6 +87,8 @@ def _what(refused: Refused) -> str:
             return f"The limit of joint '{refused.name}' has no {refused.detail}"
         case "limits":
             return f"The lower limit of joint '{refused.name}' is above the upper one ({refused.detail})"
+        case "degrees":
+            return f"The limits of joint '{refused.name}' are {refused.detail} radians"
         case "no-link":
             return f"Joint '{refused.detail}' names the link '{refused.name}', which does not exist"
         case "twice":
@@ -95,6 +99,8 @@ def _what(refused: Refused) -> str:
 def _consequence(refused: Refused) -> str:
     if refused.what == "limits":
         return "every goal is out of range"
+    if refused.what == "degrees":
+        return "many turns, which nothing keeps the joint from"
     return "robot_state_publisher refuses the whole description"
 
 
@@ -106,6 +112,8 @@ def _advice(refused: Refused) -> str:
             return f"add {refused.detail}"
         case "limits":
             return "swap them"
+        case "degrees":
+            return "convert them from degrees, for example ${radians(90)}"
         case "no-link":
             return "add the link, or correct the name"
         case "twice":

@@ -25,11 +25,15 @@ from bringup_lint.model.launch_values import Literal
 from bringup_lint.model.launch_values import TypedValue
 from bringup_lint.model.launch_values import Value
 from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
 MANAGERS = ("lifecycle_manager", "nav2_lifecycle_manager::LifecycleManager")
 NAV2_INCLUDES = ("nav2_bringup",)
 """Packages whose launch files start nodes of nav2 only."""
+
+_LIST = regex(r"\[[\w/,\s'\"]*\]\Z")
+_NAME = regex(r"([\w/]+)")
 
 
 class Setting(NamedTuple):
@@ -46,6 +50,15 @@ class Managed(NamedTuple):
     fqn: str
 
 
+def _written_list(value: Value) -> list[Located] | None:
+    """The names of ``value="[one, other]"`` in XML, which launch reads as YAML; None of anything else."""
+    text = literal_text(value)
+    match = _LIST.match(text) if text is not None else None
+    if text is None or match is None:
+        return None
+    return [text.part(*each.span(1)) for each in _NAME.finditer(text)]
+
+
 @dataclass(eq=False)
 class Manager:
     node: Started
@@ -58,6 +71,9 @@ class Manager:
     def managed(self) -> list[Managed] | None:
         """The nodes in order; None when the list is not known to the end."""
         value = self.names.value
+        written = _written_list(value) if value is not None else None
+        if written is not None:
+            return self.called(written)
         if not isinstance(value, ListValue) or value.open:
             return None
         return self.called([literal_text(item) for item in value.items])

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -11,10 +13,14 @@ from bringup_lint.model.launch import ComposableNode
 from bringup_lint.model.launch import Node
 from bringup_lint.model.launch import Process
 from bringup_lint.model.launch_values import Argument
+from bringup_lint.model.launch_values import Command as CommandOutput
 from bringup_lint.model.launch_values import Concat
+from bringup_lint.model.launch_values import PackagePrefix
+from bringup_lint.model.launch_values import PackageShare
 from bringup_lint.model.launch_values import PathJoin
 from bringup_lint.model.launch_values import Value
 from bringup_lint.model.launch_values import understood
+from bringup_lint.model.launch_values import walk
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
@@ -25,6 +31,8 @@ _PROGRAM = regex(r"[a-z][\w.+-]*\s+\S")
 """A program without its path, and the first of its arguments."""
 _LENGTHS = (0, 8, 9)
 """Words of static_transform_publisher (geometry2, static_transform_broadcaster_program.cpp)."""
+_MOST_RADIANS = 2 * math.pi + 0.01
+_XACRO = ("xacro", "ros2 run xacro xacro")
 _TRANSFORM = ("tf2_ros", "static_transform_publisher")
 
 
@@ -59,13 +67,67 @@ def unsplit_ros_arguments(launch: Launch) -> Iterator[Located]:
 
 def refused_transforms(launch: Launch) -> Iterator[tuple[Started, int]]:
     """The starts of static_transform_publisher that it refuses, with the number of its arguments."""
-    for node in _given(launch):
-        if (literal_text(node.package), literal_text(node.executable)) != _TRANSFORM:
-            continue
+    for node in _transforms(launch):
         words = list(_own(node))
         is_known = not any(word is None or word.startswith("-h") or word.startswith("--") for word in words)
         if is_known and len(words) not in _LENGTHS:
             yield node, len(words)
+
+
+def unspaced_commands(launch: Launch) -> Iterator[Value]:
+    """Commands whose program ends where a path begins, without a blank: ``Command(['xacro', path])``."""
+    for node in _given(launch):
+        for given in (*node.parameters, *node.arguments):
+            commands = (each.command for each in walk(given) if isinstance(each, CommandOutput))
+            yield from (each.parts[0] for each in commands if isinstance(each, Concat) and _is_unspaced(each))
+
+
+def _is_unspaced(command: Concat) -> bool:
+    program, path = command.parts[0], command.parts[1]
+    is_path = isinstance(path, (PackageShare, PackagePrefix, PathJoin))
+    return literal_text(program) in _XACRO and is_path
+
+
+def unknown_flags(launch: Launch) -> Iterator[Located]:
+    """The first flag of static_transform_publisher where it takes the words in their order only."""
+    for node in _transforms(launch):
+        flags = (text for text in map(literal_text, node.arguments) if text is not None and text.startswith("--"))
+        first = next(flags, None)
+        if first is not None and first != "--ros-args":
+            yield first
+
+
+def in_degrees(launch: Launch) -> Iterator[tuple[Located, float]]:
+    """The angles of static transforms that are more than a full turn of radians."""
+    for node in _transforms(launch):
+        words = [literal_text(value) for value in node.arguments]
+        for text in _angles(words):
+            number = _number(text)
+            if number is not None and abs(number) > _MOST_RADIANS:
+                yield text, number
+
+
+def _angles(words: list[Located | None]) -> Iterator[Located]:
+    """The values of yaw, pitch and roll, by their flags or in the order of eight words."""
+    own = list(itertools.takewhile(lambda word: word != "--ros-args", words))
+    for before, after in itertools.pairwise(own):
+        if before in ("--yaw", "--pitch", "--roll") and after is not None:
+            yield after
+    if len(own) == _LENGTHS[1] and not any(word is not None and word.startswith("--") for word in own):
+        yield from (word for word in own[3:6] if word is not None)
+
+
+def _number(text: str) -> float | None:
+    try:
+        return float(text)
+    except ValueError:
+        return None
+
+
+def _transforms(launch: Launch) -> Iterator[Started]:
+    for node in _given(launch):
+        if (literal_text(node.package), literal_text(node.executable)) == _TRANSFORM:
+            yield node
 
 
 def _given(launch: Launch) -> Iterator[Started]:

@@ -114,9 +114,13 @@ def _meant(block: Block, name: str) -> bool | None:
     if "*" in space:
         return None
     same_space = not space.strip("/") or space.strip("/") == own_space.strip("/")
-    if same_space and nearest(tail, [own]) and not numbered(tail, own):
-        return True
-    return None
+    is_like = bool(nearest(tail, [own])) or _words(tail) == _words(own)
+    return True if same_space and is_like and not numbered(tail, own) else None
+
+
+def _words(name: str) -> frozenset[str]:
+    """The words of a name, whatever their order, without the one that says that it is a node."""
+    return frozenset(name.split("_")) - {"node"}
 
 
 def _read_elsewhere(params: Params, file: ParameterFile, loads: list[Load]) -> bool:

@@ -39,6 +39,8 @@ class Described:
     """Names with computed parts, each of these written as NUL."""
     values: set[str] = field(default_factory=set)
     """The values of properties and defaults, of which xacro may make names."""
+    links: set[str] = field(default_factory=set)
+    link_patterns: set[str] = field(default_factory=set)
     interfaces: set[str] = field(default_factory=set)
     """The command interfaces of ros2_control."""
     controlled: list[Located] = field(default_factory=list)
@@ -52,6 +54,10 @@ class Described:
     def has(self, name: str) -> bool:
         """Whether the robot has a joint of this name, or may have one."""
         return name in self.joints or name in self.values or any(_fits(pattern, name) for pattern in self.patterns)
+
+    def has_link(self, name: str) -> bool:
+        """Whether the robot has a link of this name, or may have one."""
+        return name in self.links or name in self.values or any(_fits(each, name) for each in self.link_patterns)
 
     def offers(self, name: str) -> bool:
         """Whether a controller may find a joint: hardware offers its joints, whether the robot has them or not."""
@@ -82,6 +88,9 @@ def _add(found: Described, element: Element) -> None:
     name = element.get("name")
     if name is None:
         return
+    if element.local == "link":
+        _add_link(found, name)
+        return
     is_controlled = _is_controlled(element)
     if element.local == "joint" and not is_controlled:
         _add_name(found, name, 1)
@@ -92,6 +101,13 @@ def _add(found: Described, element: Element) -> None:
     elif element.local == "command_interface":
         found.interfaces.add(str(name))
         found.is_open_interface = found.is_open_interface or "$" in name
+
+
+def _add_link(found: Described, name: Located) -> None:
+    if "$" in name:
+        found.link_patterns.add(_SUBSTITUTION.sub("\0", name))
+    else:
+        found.links.add(str(name))
 
 
 def _add_values(found: Described, element: Element) -> None:

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Container
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.discover.kinds.launch import LAUNCH
+from bringup_lint.graph.plugins.described import Described
+from bringup_lint.graph.plugins.described import described
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.xml import parse
 from bringup_lint.source import Located
@@ -18,6 +21,7 @@ if TYPE_CHECKING:
     from bringup_lint.source import Source
 
 _LIMITED = ("revolute", "prismatic")
+_DEGREES = (30, 360)
 _NEEDED = ("effort", "velocity")
 _OUTER = frozenset({"ros2_control", "transmission", "gazebo", "state", "group_state"})
 """Elements whose joints only refer to those of the robot."""
@@ -26,7 +30,7 @@ _OUTER = frozenset({"ros2_control", "transmission", "gazebo", "state", "group_st
 class Refused(NamedTuple):
     where: Span
     what: str
-    """``no-limit``, ``no-attribute``, ``limits``, ``no-link``, ``twice`` or ``roots``."""
+    """``no-limit``, ``no-attribute``, ``limits``, ``degrees``, ``no-link``, ``twice`` or ``roots``."""
     name: str
     detail: str = ""
     other: Span | None = None
@@ -34,14 +38,19 @@ class Refused(NamedTuple):
     """A launch file or another description names the file."""
 
 
-def refused_descriptions(files: Files) -> Iterator[list[Refused]]:
-    """What is wrong with the judged descriptions, that of one file together."""
+def refused_descriptions(files: Files, packages: Container[str]) -> Iterator[list[Refused]]:
+    """What is wrong with the judged descriptions, that of one file together. ``packages``: those of the tree."""
+    known: Described | None = None
     for source in files.of_kind("urdf"):
         root = parse(source).root if source.judged and not source.template else None
         if root is None or root.local != "robot":
             continue
         is_part = _is_named(files, source, "urdf")
         found = [*_joints(root), *(_tree(root) if _is_plain(source) and not is_part else ())]
+        lost = list(_lost(root)) if "xacro" in source.text and not found else []
+        if lost:
+            known = known or described(files.tree, packages)
+            found += (each for each in lost if known.links and not known.is_open and not known.has_link(each.name))
         if found:
             used = is_part or _is_named(files, source, *LAUNCH)
             yield sorted((each._replace(used=used) for each in found), key=_is_read)
@@ -49,7 +58,7 @@ def refused_descriptions(files: Files) -> Iterator[list[Refused]]:
 
 def _is_read(refused: Refused) -> bool:
     """Whether urdfdom takes the description all the same."""
-    return refused.what == "limits"
+    return refused.what in ("limits", "degrees")
 
 
 def _is_named(files: Files, source: Source, *kinds: str) -> bool:
@@ -81,12 +90,12 @@ def _joints(root: Element) -> Iterator[Refused]:
         name = str(joint.get("name") or "")
         limit = joint.find("limit")
         if limit is not None:
-            yield from _limit(limit, name)
+            yield from _limit(limit, name, joint.get("type") == "revolute")
         elif joint.get("type") in _LIMITED:
             yield Refused(joint.tag, "no-limit", name, str(joint.get("type")))
 
 
-def _limit(limit: Element, name: str) -> Iterator[Refused]:
+def _limit(limit: Element, name: str, turns: bool) -> Iterator[Refused]:
     """urdfdom reads the limits of a joint of any type."""
     if limit.children:
         return
@@ -97,6 +106,13 @@ def _limit(limit: Element, name: str) -> Iterator[Refused]:
     lower, upper = _number(limit.get("lower")), _number(limit.get("upper"))
     if lower is not None and upper is not None and lower > upper:
         yield Refused(limit.tag, "limits", name, f"{limit.get('lower')} > {limit.get('upper')}")
+    elif turns and any(number is not None and _is_in_degrees(number) for number in (lower, upper)):
+        yield Refused(limit.tag, "degrees", name, f"{limit.get('lower')} to {limit.get('upper')}")
+
+
+def _is_in_degrees(limit: float) -> bool:
+    """Whether a limit of a revolute joint is a round number of degrees, and many turns in radians."""
+    return _DEGREES[0] <= abs(limit) <= _DEGREES[1] and limit % 5 == 0
 
 
 def _number(text: Located | None) -> float | None:
@@ -124,6 +140,17 @@ def _tree(root: Element) -> Iterator[Refused]:
     roots = [each for each in links if str(each.get("name")) not in children]
     if len(roots) > 1:
         yield Refused(roots[1].tag, "roots", str(roots[1].get("name")), str(roots[0].get("name")), roots[0].tag)
+
+
+def _lost(root: Element) -> Iterator[Refused]:
+    """Links that joints outside of macros and conditions name, and that the file itself does not make."""
+    own = {str(each.get("name")) for each in root.find_all("link")}
+    for joint in root.find_all("joint"):
+        ends = [found.get("link") for end in ("parent", "child") if (found := joint.find(end)) is not None]
+        links = [link for link in ends if link is not None and "$" not in link]
+        lost = [link for link in links if str(link) not in own]
+        if joint.get("type") and len(links) == 2 and len(lost) == 1:
+            yield Refused(lost[0].span, "no-link", str(lost[0]), str(joint.get("name")))
 
 
 def _twice(kind: str, elements: list[Element]) -> Iterator[Refused]:

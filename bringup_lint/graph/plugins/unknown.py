@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable
 from collections.abc import Iterator
+from functools import cache
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -29,6 +31,8 @@ _RENAMED = {
     "joint_state_controller": "joint_state_broadcaster",
 }
 """Packages whose successor has the same classes, but for the name of the package in them."""
+_CLEAR = 3
+"""How many names of a distribution there must be for each name that it does not have."""
 _DEAD = ("recoveries_server",)
 """Nodes that a newer distribution starts no more: what their blocks name is never loaded."""
 
@@ -82,12 +86,22 @@ class Plugins:
         package = match["package"]
         if package in self._workspace.packages or package in self._workspace.ambiguous:
             return self._unknown_in_tree(name, package, match["class"], loaded)
-        distribution = self._files.target.ros
+        distribution = self._files.target.ros or self._implied.get(name.span.path)
         known = _known(distribution)
         if str(name) in known:
             return None
         meant = _meant(known, package, match["class"])
         return UnknownPlugin(name, package, meant, distribution, loaded) if meant is not None else None
+
+    @cached_property
+    def _implied(self) -> dict[str, str]:
+        """The files whose names no single distribution has, each with the one that has all names but one or two."""
+        found: dict[str, set[str]] = {}
+        for name, _ in self._named():
+            if str(name) in _distributions():
+                found.setdefault(name.span.path, set()).add(str(name))
+        implied = {path: _implied_by(names) for path, names in found.items()}
+        return {path: distribution for path, distribution in implied.items() if distribution is not None}
 
     def _unknown_in_tree(self, name: Located, package: str, cls: str, loaded: bool) -> UnknownPlugin | None:
         classes = self._exported.get(package, {})
@@ -102,6 +116,23 @@ def _known(distribution: str | None) -> frozenset[str]:
     """The names that the packages of the table export in a distribution; in any when it is not known."""
     rows = (row for row in table("ros/plugins") if distribution is None or distribution in row["distributions"].split())
     return frozenset(row["name"] for row in rows)
+
+
+@cache
+def _distributions() -> dict[str, frozenset[str]]:
+    """Name -> the distributions that have it."""
+    return {row["name"]: frozenset(row["distributions"].split()) for row in table("ros/plugins")}
+
+
+def _implied_by(names: set[str]) -> str | None:
+    """The distribution that most names mean, where no distribution has all of them."""
+    counts = Counter(each for name in names for each in _distributions()[name])
+    most = max(counts.values(), default=0)
+    is_clear = most < len(names) and most >= _CLEAR * (len(names) - most)
+    best = [each for each, count in counts.items() if count == most]
+    missing = {name for name in names for each in best[:1] if each not in _distributions()[name]}
+    is_one = all(name not in _known(each) for each in best for name in missing)
+    return min(best) if is_clear and is_one else None
 
 
 def _meant(known: frozenset[str], package: str, cls: str) -> str | None:

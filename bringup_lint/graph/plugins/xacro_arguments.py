@@ -1,0 +1,105 @@
+"""Arguments that launch files give to xacro, and that the description does not declare."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.graph.launch.started import literal_text
+from bringup_lint.model.launch_values import Command
+from bringup_lint.model.launch_values import Concat
+from bringup_lint.model.launch_values import walk
+from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.parsers.xml import parse
+from bringup_lint.pattern import regex
+from bringup_lint.source import Located
+from bringup_lint.source import Source
+
+if TYPE_CHECKING:
+    from bringup_lint.discover.tree import Tree
+    from bringup_lint.graph.launch.launch import Launch
+
+_GIVEN = regex(r"(?:^|(?<=\s))(\w+):=")
+_FOUND = regex(r"\$\(find\s+([\w-]+)\s*\)/([^$]+)\Z")
+_USED = regex(r"\$\(arg\s+(\w+)\s*\)")
+_FILES = 60
+"""Descriptions that one includes."""
+
+
+class UnknownArgument(NamedTuple):
+    name: Located
+    description: Source
+    known: tuple[str, ...]
+
+
+def unknown_arguments(launch: Launch, tree: Tree) -> Iterator[UnknownArgument]:
+    """Each argument once, where everything that the description includes is in the tree."""
+    said: set[tuple[str, int]] = set()
+    for node in launch.nodes:
+        if not node.file.source.judged:
+            continue
+        for given in (*node.parameters, *node.arguments):
+            for each in walk(given):
+                if isinstance(each, Command) and isinstance(each.command, Concat):
+                    yield from (one for one in _of_command(launch, tree, each.command) if _is_new(one, said))
+
+
+def _is_new(found: UnknownArgument, said: set[tuple[str, int]]) -> bool:
+    place = (found.name.span.source.name, found.name.span.start)
+    is_new = place not in said
+    said.add(place)
+    return is_new
+
+
+def _of_command(launch: Launch, tree: Tree, command: Concat) -> Iterator[UnknownArgument]:
+    source = _description(launch, tree, command)
+    known = _declared(launch, tree, source) if source is not None else None
+    if source is None or known is None:
+        return
+    for part in command.parts[2:]:
+        text = literal_text(part)
+        names = [text.part(*match.span(1)) for match in _GIVEN.finditer(text)] if text is not None else []
+        yield from (UnknownArgument(name, source, tuple(sorted(known))) for name in names if str(name) not in known)
+
+
+def _description(launch: Launch, tree: Tree, command: Concat) -> Source | None:
+    """The file after ``xacro `` in a command."""
+    program = literal_text(command.parts[0]) or ""
+    at = 2 if program == "xacro" and (literal_text(command.parts[1]) or "x").isspace() else 1
+    if program.strip() != "xacro" or len(command.parts) <= at:
+        return None
+    found = launch.find(command.parts[at])
+    return tree.read(found.file) if found is not None and found.file is not None else None
+
+
+def _declared(launch: Launch, tree: Tree, source: Source) -> set[str] | None:
+    """The arguments of a description and of what it includes; None when something of it is not known."""
+    todo, seen, names = [source], {source.name}, set()
+    while todo:
+        each = todo.pop()
+        root = parse(each).root
+        if root is None or each.template or len(seen) > _FILES:
+            return None
+        names.update(_USED.findall(each.text))
+        for element in root.walk():
+            if element.name == "xacro:arg":
+                names.add(str(element.get("name")))
+            elif element.name == "xacro:include":
+                included = _included(launch, tree, each, str(element.get("filename") or ""))
+                if included is None:
+                    return None
+                if included.name not in seen:
+                    seen.add(included.name)
+                    todo.append(included)
+    return names
+
+
+def _included(launch: Launch, tree: Tree, source: Source, filename: str) -> Source | None:
+    match = _FOUND.match(filename)
+    if match is not None:
+        package = launch.workspace.packages.get(match[1])
+        path = os.path.join(package.folder, match[2]) if package is not None else None
+    else:
+        path = os.path.join(os.path.dirname(source.absolute), filename) if "$" not in filename else None
+    return tree.read(os.path.normpath(path)) if path is not None and tree.is_file(path) else None
