@@ -36,7 +36,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.spelling import nearest
 
 
-@rule("warning")
+@rule("warning", silent="xacro takes arguments that nothing declares without a message")
 def xacro_arg_unknown(robot: Robot) -> Iterator[Finding]:
     for name, description, known in robot.unknown_xacro_arguments:
         near = nearest(name, known, 3)
