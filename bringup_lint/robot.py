@@ -57,6 +57,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.nodes import Nodes
     from bringup_lint.graph.observed.expected import Expected
     from bringup_lint.graph.observed.observed import Observed
+    from bringup_lint.graph.params.map_images import LostImage
     from bringup_lint.graph.params.params import Params
     from bringup_lint.graph.plugins.controllers import UntypedController
     from bringup_lint.graph.plugins.joints import UnknownJoint
@@ -385,6 +386,13 @@ class Robot:
         from bringup_lint.graph.plugins.refused import refused_descriptions
 
         return list(refused_descriptions(self.files, self.launch.workspace.packages))
+
+    @property
+    def lost_map_images(self) -> Iterator[LostImage]:
+        """Maps whose image does not exist, where their folder has one that no map names."""
+        from bringup_lint.graph.params.map_images import lost_images
+
+        return lost_images(self.tree)
 
     @property
     def unknown_xacro_arguments(self) -> Iterator[UnknownArgument]:
