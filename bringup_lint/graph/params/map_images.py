@@ -17,8 +17,6 @@ if TYPE_CHECKING:
 
 _IMAGE = regex(r"^image:[ \t]+['\"]?([^\s'\"#]+)['\"]?[ \t]*(?:#[^\n]*)?\r?$", re.M)
 _IS_MAP = regex(r"^(?:resolution|occupied_thresh):", re.M)
-_NAMED = regex(r"map[^/]*(?:/[^/]*)?\.ya?ml$", re.I)
-"""Files called as maps, or in a folder of them."""
 _ENDINGS = (".pgm", ".png", ".bmp")
 _HEAD = 2_000
 """Characters that a map is described in."""
@@ -33,7 +31,7 @@ class LostImage(NamedTuple):
 def lost_images(tree: Tree) -> Iterator[LostImage]:
     """The maps whose image does not exist, where their folder has one that no map names."""
     for path in tree.paths:
-        if not _NAMED.search(path) or not _IS_MAP.search(tree.head(path, _HEAD)):
+        if not _may_be_map(path) or not _IS_MAP.search(tree.head(path, _HEAD)):
             continue
         source = tree.read(path)
         image = _image(source) if source is not None else None
@@ -42,6 +40,11 @@ def lost_images(tree: Tree) -> Iterator[LostImage]:
         spare = _spare(tree, os.path.dirname(path))
         if spare is not None:
             yield LostImage(image, spare)
+
+
+def _may_be_map(path: str) -> bool:
+    """Whether a file is called as maps are, or lies in a folder of them."""
+    return path.endswith((".yaml", ".yml")) and any("map" in part.lower() for part in path.split("/")[-2:])
 
 
 def _image(source: Source) -> Located | None:
