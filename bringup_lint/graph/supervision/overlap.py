@@ -50,8 +50,12 @@ class Umbrella(NamedTuple):
 
 
 def launches_of(group: list[Unit], units: Units) -> list[UnitLaunch]:
-    """What services that run together launch."""
-    return [UnitLaunch(unit, ros) for unit in group for ros in units.launches(unit)]
+    """What services that run together launch, where no variable makes it another thing for each of them."""
+    return [UnitLaunch(unit, ros) for unit in group for ros in units.launches(unit) if not _varies(ros)]
+
+
+def _varies(ros: Ros) -> bool:
+    return any("$" in word for word in (ros.package or "", ros.target or "", *ros.arguments))
 
 
 def overlaps(launches: list[UnitLaunch], units: Units, launch: Launch) -> Iterator[Overlap]:
