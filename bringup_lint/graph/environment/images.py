@@ -14,6 +14,7 @@ from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
 if TYPE_CHECKING:
+    from bringup_lint.discover.tree import Tree
     from bringup_lint.graph.containers.compose import Compose
     from bringup_lint.graph.environment.ros import RosProcess
     from bringup_lint.model.compose import Service
@@ -41,6 +42,15 @@ _OPAQUE = regex(
     r"|\.deb\b|<<|install[^\n;&]*\$(?!\{?ROS_DISTRO)"
 )
 """What may bring a middleware unseen."""
+_OWN = regex(
+    r"(?:\bsource|(?<!\S)\.)[ \t]+[\"']?/opt/ros/[^\s;&|\"']+/setup\.(?:ba)?sh|\bcolcon[ \t]+build\b|\bros-\$\{?\w+\}?-"
+)
+"""What brings nothing else: the environment of ROS, the build of a workspace without a middleware, and the part of a
+package's name that names the distribution."""
+
+
+_MOST = 64 * 1024
+"""Characters of a list of repositories that are read."""
 
 
 class MissingMiddleware(NamedTuple):
@@ -56,6 +66,8 @@ def missing_middleware(compose: Compose, processes: Iterable[RosProcess]) -> Ite
     """Every place that selects a middleware which the described image surely does not contain."""
     from bringup_lint.graph.runners.containers import image_variables
 
+    if _holds_middleware(compose.tree):
+        return
     found: dict[object, MissingMiddleware] = {}
     for process in processes:
         variable = process.environment.get(RMW)
@@ -73,6 +85,15 @@ def missing_middleware(compose: Compose, processes: Iterable[RosProcess]) -> Ite
         for each in _of_stage(stage, selected[-1]):
             found.setdefault(each.variable.value.span, each)
     yield from found.values()
+
+
+def _holds_middleware(tree: Tree) -> bool:
+    """Whether the workspace may build one."""
+    sources = [*tree.submodules, *tree.named("package.xml")]
+    if any("rmw_" in path or "cyclonedds" in path for path in sources):
+        return True
+    lists = (path for path in tree.paths if path.endswith((".repos", ".rosinstall")))
+    return any("rmw_" in tree.head(path, _MOST) for path in lists)
 
 
 def _of_service(compose: Compose, service: Service, variable: Variable) -> Iterator[MissingMiddleware]:
@@ -98,7 +119,7 @@ def _of_stage(stage: Stage, variable: Variable) -> Iterator[MissingMiddleware]:
             if instruction.name == "ADD" or (instruction.name == "COPY" and instruction.flags):
                 return
             text = str(instruction.value) if instruction.name == "RUN" else ""
-            if package in text.replace("_", "-") or _OPAQUE.search(text):
+            if package in text.replace("_", "-") or _OPAQUE.search(_OWN.sub("", text)):
                 return
     yield from _lacks(list(stage.chain)[-1].image, stage.origin, variable)
 
