@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Iterable
 from collections.abc import Iterator
@@ -89,8 +90,8 @@ def missing_middleware(compose: Compose, processes: Iterable[RosProcess]) -> Ite
 
 def _holds_middleware(tree: Tree) -> bool:
     """Whether the workspace may build one."""
-    sources = [*tree.submodules, *tree.named("package.xml")]
-    if any("rmw_" in path or "cyclonedds" in path for path in sources):
+    folders = [*tree.submodules, *map(os.path.dirname, tree.named("package.xml"))]
+    if any(os.path.basename(folder).startswith(("rmw_", "cyclonedds")) for folder in folders):
         return True
     lists = (path for path in tree.paths if path.endswith((".repos", ".rosinstall")))
     return any("rmw_" in tree.head(path, _MOST) for path in lists)
