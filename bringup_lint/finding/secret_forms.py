@@ -37,7 +37,9 @@ _HEAD = r"""[\w.-]{0,80}?"""
 _LINE = r"[^\n]{0,300}?"
 _OPTION = r"""[ \t"',]"""
 """What is before an option: a blank, or what separates the words of a list."""
-_GAP = r"""["']?(?:[ \t]+|,[ \t]*|\n[ \t]{0,80}-[ \t]+)["']?"""
+_ITEM = r"\n(?:[ \t]{0,80}\#[^\n]{0,200}\n){0,4}[ \t]{0,80}-[ \t]+"
+"""The next item of a YAML list, perhaps after comments."""
+_GAP = rf"""["']?(?:[ \t]+|,[ \t]*|{_ITEM})["']?"""
 """What is between an option and its value: blanks, or what separates the words of a list."""
 _NEXT = r"(?:,|\n)\s{0,80}(?:\#[^\n]*\n\s{0,80})?"
 """The next key of a YAML mapping, perhaps after a comment."""
@@ -113,7 +115,7 @@ _COMMANDS = (
     _form("--", rf"""(?<![\w-])--{_HEAD}{NAME}["'],?\s{{1,80}}(?:-[ \t]+)?["']?(?P<secret>[^\s"'-][^\s"']*)["']?"""),
     _form("requirepass masterauth", rf"""--(?:requirepass|masterauth){_GAP}(?P<secret>[^\s"',-][^\s"',]*)"""),
     _form("redis-cli", rf"""\bredis-cli\s{{0,80}}-[ \t]+-a{_GAP}(?P<secret>[^\s"',-][^\s"',]*)"""),
-    _form("--", rf"""(?<![\w-])--{_HEAD}{NAME}["']?[ \t]*\n[ \t]{{0,80}}-[ \t]+["']?(?P<secret>[^\s"'-][^\s"']*)"""),
+    _form("--", rf"""(?<![\w-])--{_HEAD}{NAME}["']?[ \t]*{_ITEM}["']?(?P<secret>[^\s"'-][^\s"']*)"""),
     _form("--", rf"""(?<![\w-])--{_HEAD}{NAME}["'],["'](?P<secret>[^"'\n-][^"'\n]*)"""),
     _form(
         "curl wget",

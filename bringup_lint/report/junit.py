@@ -35,7 +35,7 @@ def render(report: Report) -> str:
 
 def _suites(report: Report) -> Iterator[str]:
     at = utc(report.started or 0)[:19]
-    yield from _suite(0, _TOOL, list(_run(report)), at, "\n".join(report.by_configuration))
+    yield from _suite(0, _TOOL, list(_run(report)), at, "\n".join(map(printable, report.by_configuration)))
     findings = sorted(report.findings, key=_file)
     for number, (name, group) in enumerate(groupby(findings, key=_file), 1):
         yield from _suite(number, name, [_case(finding) for finding in group], at)
