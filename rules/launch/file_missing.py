@@ -54,9 +54,12 @@ _MAKES = regex(r"add_custom_(?:command|target)|BINARY_DIR|execute_process")
 @rule("warning", symptoms=["No such file or directory: '*/share/*'", "Failed to load map yaml file"])
 def file_missing(robot: Robot) -> Iterator[Finding]:
     places: dict[str, list[tuple[Reference, Package]]] = {}
+    told = {reference.span for kind in ("parameters", "include") for reference, _ in robot.launch.missing(kind)}
     for reference, package in robot.launch.missing("path"):
         made = any(_MAKES.search(build.source.text) for build in package.builds)
-        if _is_read(reference) and not made and not _is_ignored(robot, reference, package):
+        if reference.span in told or made or _is_ignored(robot, reference, package):
+            continue
+        if _is_read(reference):
             places.setdefault(f"{package.name}/{reference.name}", []).append((reference, package))
     for (first, package), *others in places.values():
         near = nearest(first.name, sorted(_names(robot, package)), 3)
