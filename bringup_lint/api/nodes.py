@@ -53,6 +53,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.stopping import handler_never_runs
     from bringup_lint.graph.nodes.questions.stopping import stop_after_shutdown
     from bringup_lint.graph.nodes.questions.stopping import unhandled_shutdown
+    from bringup_lint.graph.nodes.questions.time_clocks import ClockMix
+    from bringup_lint.graph.nodes.questions.time_clocks import clock_mixes
     from bringup_lint.graph.nodes.questions.transforms import unhandled_transforms
     from bringup_lint.graph.nodes.questions.undefined_names import dict_ranges
     from bringup_lint.graph.nodes.questions.undefined_names import range_text
@@ -75,6 +77,7 @@ else:
 __all__ = [
     "UNTIL_TIMEOUT",
     "Callback",
+    "ClockMix",
     "Endpoint",
     "NoField",
     "NodeSource",
@@ -83,6 +86,7 @@ __all__ = [
     "Unfit",
     "asked_in_vain",
     "awaits_asyncio",
+    "clock_mixes",
     "consequence",
     "converted",
     "dict_ranges",

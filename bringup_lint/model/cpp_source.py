@@ -65,6 +65,47 @@ class Unstamped(NamedTuple):
     """The call that publishes it."""
 
 
+class Dropped(NamedTuple):
+    """What is destroyed before an executor can call it."""
+
+    made: Span
+    kind: str
+    """``subscription``, ``service``, ``timer`` or ``action server``."""
+    variable: str | None
+    """The local variable that alone keeps it; None when nothing does."""
+
+
+class EarlyPointer(NamedTuple):
+    """``shared_from_this()`` while the object is made."""
+
+    asked: Span
+    owner: str
+    """The class whose constructor asks."""
+    through: Span | None
+    """The call of the constructor that leads there; None when it asks itself."""
+
+
+class TimeMember(NamedTuple):
+    """A member that holds the system time 0 until something sets it."""
+
+    name: Located
+    owner: str
+    """Its class."""
+
+
+class TimeUse(NamedTuple):
+    """The difference of a member and a ROS time, which throws when the member holds a system time."""
+
+    place: Span
+    name: str
+    owner: str
+    """The class whose member it is."""
+    callback: Callback
+    """The callback that computes it."""
+    set_later: Span | None
+    """Where a message sets the member; None when only the callback itself does, after the difference."""
+
+
 class Read(NamedTuple):
     """``get_parameter`` of a literal name."""
 
@@ -105,6 +146,10 @@ class CppNode:
     """Variables and members to which it gives a thread, each where it does."""
     deaf_loops: list[DeafLoop] = field(default_factory=list)
     unstamped: list[Unstamped] = field(default_factory=list)
+    dropped: list[Dropped] = field(default_factory=list)
+    early_pointers: list[EarlyPointer] = field(default_factory=list)
+    time_members: list[TimeMember] = field(default_factory=list)
+    time_uses: list[TimeUse] = field(default_factory=list)
     activation: Located | None = None
     """The one ``on_activate`` that it defines for a lifecycle node."""
     misread: list[Misread] = field(default_factory=list)

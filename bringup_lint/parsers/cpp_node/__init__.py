@@ -10,6 +10,8 @@ from bringup_lint.parsers.cpp_node.classes import components
 from bringup_lint.parsers.cpp_node.classes import node_classes
 from bringup_lint.parsers.cpp_node.classes import node_names
 from bringup_lint.parsers.cpp_node.deaf_loops import deaf_loops
+from bringup_lint.parsers.cpp_node.dropped import dropped
+from bringup_lint.parsers.cpp_node.early_pointers import early_pointers
 from bringup_lint.parsers.cpp_node.endpoints import endpoint
 from bringup_lint.parsers.cpp_node.endpoints import timer
 from bringup_lint.parsers.cpp_node.kept import kept
@@ -22,6 +24,8 @@ from bringup_lint.parsers.cpp_node.parameters import is_open
 from bringup_lint.parsers.cpp_node.parameters import reads
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.parsers.cpp_node.threads import threads
+from bringup_lint.parsers.cpp_node.time_sources import time_members
+from bringup_lint.parsers.cpp_node.time_sources import time_uses
 from bringup_lint.parsers.cpp_node.unstamped import unstamped
 from bringup_lint.parsers.cpp_node.values import Names
 from bringup_lint.parsers.cpp_node.waits import waits
@@ -77,6 +81,10 @@ def parse(source: Source) -> CppNode:
     node.activation = activation(code)
     node.misread = list(misread(code))
     node.unstamped = list(unstamped(code, names, node.endpoints))
+    node.dropped = list(dropped(code))
+    node.early_pointers = list(dict.fromkeys(early_pointers(code)))
+    node.time_members = list(time_members(code))
+    node.time_uses = list(time_uses(code, node.callbacks[:CALLBACKS]))
     node.deaf_loops = list(dict.fromkeys(deaf_loops(code)))
     return node
 

@@ -157,6 +157,13 @@ class Code:
             node = given.named_children[0]
         return node
 
+    def uses(self, name: str) -> Iterator[Node]:
+        """Where code names a variable or member."""
+        for found in re.finditer(rb"\b%s\b" % name.encode(), self._data):
+            node = self.tree.root_node.descendant_for_byte_range(*found.span())
+            if node is not None and node.type in ("identifier", "field_identifier"):
+                yield node
+
     @cached_property
     def calls(self) -> list[Call]:
         return [call for node in self.written.get("call", ()) if (call := self.call(node)) is not None]

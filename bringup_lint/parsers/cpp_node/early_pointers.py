@@ -1,0 +1,70 @@
+"""Shared pointers that objects of a C++ file ask for before anything owns them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.model.cpp_source import EarlyPointer
+from bringup_lint.parsers.cpp_node.syntax import Call
+from bringup_lint.parsers.cpp_node.syntax import Code
+from bringup_lint.parsers.cpp_node.waits import Bodies
+from bringup_lint.pattern import regex
+
+if TYPE_CHECKING:
+    from tree_sitter import Node
+
+_CALL = "shared_from_this"
+_OWN = regex(r"(?:this->)?(?:(?:rclcpp(?:_lifecycle)?::)?(?:Lifecycle)?Node::)?shared_from_this\Z")
+_MAY_NOT_RUN = frozenset({"try_statement", "preproc_if", "preproc_ifdef"})
+
+
+def early_pointers(code: Code) -> Iterator[EarlyPointer]:
+    """The calls that every constructor of a class makes, itself or in a method of the class that it calls."""
+    if _CALL not in code.source.text:
+        return
+    bodies = Bodies(code)
+    for function in code.written.get("function", ()):
+        owner = class_made(code, function)
+        if owner is None:
+            continue
+        for call in _certain(code, bodies, function):
+            if _OWN.match(call.qualified):
+                yield EarlyPointer(code.span(call.node), owner, None)
+            yield from _in_method(code, bodies, call, owner)
+
+
+def class_made(code: Code, function: Node) -> str | None:
+    """The class of which a definition is a constructor."""
+    if function.child_by_field_name("type") is not None:
+        return None
+    qualifier, _, name = (code.defined_name(function) or "").rpartition("::")
+    return name if name and class_of(code, function, qualifier) == name else None
+
+
+def class_of(code: Code, function: Node, qualifier: str) -> str:
+    """The class of a method: by its qualified name, or the class that its definition is in."""
+    if qualifier:
+        return qualifier.rpartition("::")[2]
+    outer = next((each for each in code.above(function) if each.type in ("class_specifier", "struct_specifier")), None)
+    return code.text(outer.child_by_field_name("name")) if outer is not None else ""
+
+
+def _in_method(code: Code, bodies: Bodies, call: Call, owner: str) -> Iterator[EarlyPointer]:
+    methods = bodies.functions.get(call.name, ())
+    if len(methods) != 1 or call.qualified not in (call.name, f"this->{call.name}"):
+        return
+    qualifier = (code.defined_name(methods[0]) or "").rpartition("::")[0]
+    if class_of(code, methods[0], qualifier) != owner:
+        return
+    for inner in _certain(code, bodies, methods[0]):
+        if _OWN.match(inner.qualified):
+            yield EarlyPointer(code.span(inner.node), owner, code.span(call.node))
+
+
+def _certain(code: Code, bodies: Bodies, function: Node) -> Iterator[Call]:
+    """The calls that a function makes whenever it runs, as far as no condition leaves them out."""
+    for call in bodies.own(function):
+        inside = (each.type for each in code.above(call.node))
+        if not code.is_conditional(call.node) and _MAY_NOT_RUN.isdisjoint(inside):
+            yield call
