@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from bringup_lint.finding import Fix
+from bringup_lint.parsers.yaml_kinds import YAML_KINDS
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 
@@ -14,8 +15,7 @@ def changes_repeated_values(fix: Fix) -> bool:
 
 def _is_repeated(span: Span) -> bool:
     source = span.source
-    is_yaml = ".yaml" in source.basename or ".yml" in source.basename
-    if not is_yaml or "&" not in source.text or "*" not in source.text:
+    if source.kind not in YAML_KINDS or "&" not in source.text or "*" not in source.text:
         return False
     spans = source.once(changes_repeated_values, lambda: _repeated(source))
     return any(each.start <= span.end and span.start <= each.end for each in spans)

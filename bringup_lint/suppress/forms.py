@@ -34,19 +34,6 @@ XML_KINDS = frozenset(
 )
 _NO_COMMENTS = frozenset({"sros2-certificate", "sros2-key", "ssh-private-key"})
 PYTHON_KINDS = frozenset({"launch-python", "python-node", "setup-py"})
-YAML_KINDS = frozenset(
-    {
-        "ansible",
-        "ansible-vars",
-        "cloud-init",
-        "cloud-init-network",
-        "code-server",
-        "compose",
-        "launch-yaml",
-        "netplan",
-        "params",
-    }
-)
 SHELL_KINDS = frozenset({"dockerfile", "shell-script"})
 
 

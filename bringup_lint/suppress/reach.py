@@ -6,9 +6,9 @@ above counts for all of it. Lines are counted from 1.
 
 from __future__ import annotations
 
+from bringup_lint.parsers.yaml_kinds import YAML_KINDS
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
-from bringup_lint.suppress.forms import YAML_KINDS
 from bringup_lint.suppress.forms import starts_of
 from bringup_lint.suppress.unbroken import unbroken
 

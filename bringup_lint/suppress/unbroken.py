@@ -17,12 +17,12 @@ from bringup_lint.model.yaml_node import Node
 from bringup_lint.model.yaml_node import Scalar
 from bringup_lint.model.yaml_node import Sequence
 from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.parsers.yaml_kinds import YAML_KINDS
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 from bringup_lint.suppress.forms import PYTHON_KINDS
 from bringup_lint.suppress.forms import SHELL_KINDS
 from bringup_lint.suppress.forms import XML_KINDS
-from bringup_lint.suppress.forms import YAML_KINDS
 from bringup_lint.suppress.forms import starts_of
 
 Lines = Iterator["tuple[int, int]"]

@@ -17,9 +17,9 @@ from pathlib import Path
 
 import yaml
 
+from bringup_lint.parsers.yaml_kinds import YAML_KINDS
 from bringup_lint.suppress.forms import PYTHON_KINDS
 from bringup_lint.suppress.forms import XML_KINDS
-from bringup_lint.suppress.forms import YAML_KINDS
 from tests.oracles import sshd_server
 from tests.oracles import systemd_daemons
 from tests.oracles import test_launch_grammar

@@ -79,3 +79,11 @@ def test_a_fix_beside_what_an_alias_repeats_is_safe(tmp_path: Path) -> None:
     found = json.loads(lint("--output-format", "json", ".", cwd=tmp_path).stdout)["findings"]
     (each,) = (each for each in found if each["rule"] == "compose/invalid-value")
     assert each["fix"]["applicability"] == "safe"
+
+
+def test_a_file_of_yaml_may_have_any_name(tmp_path: Path) -> None:
+    text = "version: 2\nrenderer: {}networkmanager\nethernets:\n  eth0:\n    renderer: {}\n"
+    (tmp_path / "network-config").write_text(text.format("&r ", "*r"))
+    run = lint("--select", "netplan", "--output-format", "json", ".", cwd=tmp_path)
+    fixes = [each["fix"] for each in json.loads(run.stdout)["findings"] if each["fix"]]
+    assert {each["applicability"] for each in fixes} == {"unsafe"}

@@ -12,10 +12,10 @@ from typing import Any
 
 import yaml
 
+from bringup_lint.parsers.yaml_kinds import YAML_KINDS
 from bringup_lint.source import Source
 from bringup_lint.suppress.forms import PYTHON_KINDS
 from bringup_lint.suppress.forms import XML_KINDS
-from bringup_lint.suppress.forms import YAML_KINDS
 from tests.lint import lint
 
 

@@ -23,6 +23,7 @@ _NAME = regex(r"[A-Za-z_][\w.-]*")
 _GROUP = regex(r"(?m)^[ \t]*(?:\[([A-Za-z_][\w.-]*)(?::\w+)?\]|([A-Za-z_][\w.-]*):[ \t]*$)")
 """A section of an INI inventory, a key of a YAML one."""
 _KEYS = frozenset(("all", "ungrouped", "children", "hosts", "vars"))
+_BUILT_IN = frozenset(("all", "ungrouped", "localhost"))
 _GROWS = regex(r"\badd_host\b|\bgroup_by\b|\bplugin[ \t]*:|\bkeyed_groups\b")
 """What brings groups and hosts that no file lists."""
 
@@ -44,7 +45,9 @@ class PlayHosts:
                     yield scalar.value, like
 
     def _like(self, name: str) -> str | None:
-        if not _NAME.fullmatch(name) or name in self._words or any(numbered(name, each) for each in self._words):
+        if name in _BUILT_IN or not _NAME.fullmatch(name) or name in self._words:
+            return None
+        if any(numbered(name, each) for each in self._words):
             return None
         near = nearest(name, self._groups)
         return near[0] if len(near) == 1 else None
