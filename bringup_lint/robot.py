@@ -59,6 +59,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.observed.observed import Observed
     from bringup_lint.graph.params.map_images import LostImage
     from bringup_lint.graph.params.params import Params
+    from bringup_lint.graph.plugins.claims import Claim
     from bringup_lint.graph.plugins.controllers import UntypedController
     from bringup_lint.graph.plugins.joints import UnknownJoint
     from bringup_lint.graph.plugins.refused import Refused
@@ -393,6 +394,13 @@ class Robot:
         from bringup_lint.graph.params.map_images import lost_images
 
         return lost_images(self.tree)
+
+    @property
+    def claims(self) -> Iterator[Claim]:
+        """Controllers that are activated together and claim the same interface of a joint."""
+        from bringup_lint.graph.plugins.claims import claims
+
+        return claims(self.launch, self.params)
 
     @property
     def unknown_xacro_arguments(self) -> Iterator[UnknownArgument]:
