@@ -26,7 +26,7 @@ _PICTURE = regex(r"(?:cv_bridge::)?CvImage\((?:std_msgs::msg::)?Header(?:\(\)|\{
 _CAMERA = regex(r"VideoCapture|isOpened\(\)")
 _COMMENT = regex(r"//[^\n]*|/\*(?:[^*]|\*(?!/))*(?:\*/|\Z)")
 _SENT = regex(r"(?:publish|sendTransform)\s{0,4}\(\s{0,40}(?:std::move\s{0,4}\(\s{0,4})?\*?\s{0,4}\Z")
-_FIELD = regex(r"\s{0,40}(?:\.|->)\s{0,4}(?:(?!header\b)\w|header\s{0,4}\.\s{0,4}frame_id\b)")
+_FIELD = regex(r"\s{0,40}(?:\.|->)\s{0,4}(?:(?!header\b|set__header\b)\w|header\s{0,4}\.\s{0,4}frame_id\b)")
 _NAME = regex(r"[A-Za-z_]\w*\Z")
 _BEFORE = 80
 """Code points before a name in which the call is written that it is given to."""
@@ -36,11 +36,19 @@ def unstamped(code: Code, names: Names, endpoints: list[Endpoint]) -> Iterator[U
     """The messages that are variables of one function, which sets other fields of them and publishes them."""
     if not any(send in code.source.text for send in _SENDS):
         return
+    publishers = {each.attribute for each in endpoints if each.role == "publisher"}
     for call in code.calls:
         if call.name in _SENDS and len(call.arguments) == 1 and "static" not in call.qualified.lower():
             found = _sent(code, names, call)
-            if found is not None and (found.type != JOINTS or reports_joints(endpoints)):
+            if found is None or (found.type == JOINTS and not reports_joints(endpoints)):
+                continue
+            if found.type == TRANSFORM or _receiver(call) in publishers:
                 yield found
+
+
+def _receiver(call: Call) -> str:
+    """The name on which ``publish`` is called. One that is not made as a publisher may set the stamp itself."""
+    return call.qualified.removeprefix("this->").removesuffix("publish").rstrip("->.")
 
 
 def _sent(code: Code, names: Names, call: Call) -> Unstamped | None:

@@ -7,12 +7,15 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.nodes.questions.message_types import message_type
+from bringup_lint.graph.nodes.questions.missing_attributes import heirs_of
+from bringup_lint.graph.nodes.sources.sending import published
 from bringup_lint.graph.nodes.sources.syntax import FUNCTIONS
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.cpp_source import Unstamped
 from bringup_lint.model.node_source import JOINTS
 from bringup_lint.model.node_source import TIMED
 from bringup_lint.model.node_source import TRANSFORM
+from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import reports_joints
 from bringup_lint.model.python import walk
 from bringup_lint.pattern import regex
@@ -29,7 +32,7 @@ def unstamped(nodes: Nodes) -> Iterator[list[Unstamped]]:
     """The readings without a stamp, those of one source together."""
     for file in nodes.programs:
         if any(send in file.source.text for send in _SENDS):
-            found = list(_in_file(nodes.syntax(file)))
+            found = list(_in_file(nodes, nodes.syntax(file)))
             if found:
                 yield found
     for source in nodes.cpp:
@@ -37,7 +40,7 @@ def unstamped(nodes: Nodes) -> Iterator[list[Unstamped]]:
             yield source.unstamped
 
 
-def _in_file(syntax: Syntax) -> Iterator[Unstamped]:
+def _in_file(nodes: Nodes, syntax: Syntax) -> Iterator[Unstamped]:
     seen: set[ast.AST] = set()
     endpoints = [*(each for cls in syntax.file.classes for each in cls.endpoints), *syntax.file.strays]
     for call in syntax.calls:
@@ -45,7 +48,9 @@ def _in_file(syntax: Syntax) -> Iterator[Unstamped]:
             continue
         made = _made(syntax, call.args[0])
         kind = _unstamped(syntax, made) if made is not None and made not in seen else None
-        if made is None or kind is None or (kind == TRANSFORM and not _is_moving(syntax, call)):
+        if made is None or kind is None or not _is_sent(syntax, call, kind):
+            continue
+        if isinstance(call.args[0], ast.Attribute) and _is_used_outside(nodes, syntax, call, call.args[0].attr):
             continue
         if kind == JOINTS and not reports_joints(endpoints):
             continue
@@ -103,12 +108,47 @@ def _is_bare_header(value: ast.expr) -> bool:
     return isinstance(value, ast.Call) and not value.args and {each.arg for each in value.keywords} <= {"frame_id"}
 
 
+def _is_sent(syntax: Syntax, call: ast.Call, kind: str) -> bool:
+    """Whether a call surely sends: a method of the same name, or of another class, may set the stamp before."""
+    if kind == TRANSFORM:
+        return _is_moving(syntax, call)
+    return published(syntax, call, _node_class(syntax, call)) is not None
+
+
+def _node_class(syntax: Syntax, node: ast.AST) -> NodeClass | None:
+    outer = _class_of(syntax, node)
+    return next((each for each in syntax.file.classes if outer is not None and each.node is outer), None)
+
+
+def _is_used_outside(nodes: Nodes, syntax: Syntax, call: ast.Call, name: str) -> bool:
+    """Whether what has the node, builds on its class or is built on uses an attribute: it may set the stamp."""
+    own = _node_class(syntax, call)
+    if own is None or own.node is None:
+        return True
+    heirs = heirs_of(nodes)
+    family = {*own.lineage, *heirs.get(own, ()), *heirs.get(own.name or "", ())} - {own}
+    if any(name in _attributes(each.node) for each in family if each.node is not None):
+        return True
+    holders = (each for file in nodes.sources if f".{name}" in file.source.text for each in file.nodes)
+    return any(isinstance(each, ast.Attribute) and each.attr == name and not _is_self(each.value) for each in holders)
+
+
+def _attributes(node: ast.ClassDef) -> set[str]:
+    return {each.attr for each in walk(node) if isinstance(each, ast.Attribute)}
+
+
+def _is_self(node: ast.expr) -> bool:
+    return isinstance(node, ast.Name) and node.id == "self"
+
+
 def _is_moving(syntax: Syntax, call: ast.Call) -> bool:
     """Whether a transform goes to a broadcaster which is not that of transforms that never change."""
     if not isinstance(call.func, ast.Attribute) or call.func.attr != "sendTransform":
         return False
     kind = syntax.file.named(call.func.value, syntax.function(call)) or ""
-    return "static" not in f"{kind} {ast.unparse(call.func.value)}".lower() and "Static" not in _around(syntax, call)
+    if kind.rpartition(".")[2] != "TransformBroadcaster":
+        return False
+    return "static" not in ast.unparse(call.func.value).lower() and "Static" not in _around(syntax, call)
 
 
 def _around(syntax: Syntax, call: ast.Call) -> str:
