@@ -22,19 +22,22 @@ _TYPES = regex(
     r"|(?P<integer>(?:unsigned|signed)?(?:int|long|longlong|short|(?:std::)?(?:u?int(?:8|16|32|64)_t|size_t)))\Z"
 )
 """Types of C++, each in a group that is called as the type of a parameter."""
+_ANY_TYPE = ("dynamic_typing", "automatically_declare_parameters_from_overrides")
+"""In a file that says so, a parameter may have another type than that of its default."""
 _READS = {"as_double": "double", "as_int": "integer", "as_bool": "bool", "as_string": "string"}
 
 
 def misread(code: Code) -> Iterator[Misread]:
     """The reads that throw, of parameters that the file declares with one type."""
-    if "get_parameter" not in code.source.text or "dynamic_typing" in code.source.text:
+    text = code.source.text
+    if "get_parameter" not in text or any(word in text for word in _ANY_TYPE):
         return
     types = _declared(code)
     for call in code.calls:
         name = _asked(code, call) if call.name in _READS or call.name in ("get_value", "get_parameter_value") else None
         read = _READS.get(call.name) or _type(code, _template(call))
         kinds = types.get(str(name), {}) if name is not None else {}
-        if read is not None and len(kinds) == 1 and not _is_tried(code, call.node):
+        if read is not None and len(kinds) == 1 and not _is_guarded(code, call.node):
             kind, place = next(iter(kinds.items()))
             if kind is not None and kind != read:
                 yield Misread(code.span(call.node), place, kind, read, f"{call.name}()")
@@ -77,5 +80,10 @@ def _asked(code: Code, call: Call) -> Located | None:
     return code.literal(inner.arguments[0])
 
 
-def _is_tried(code: Code, node: Node) -> bool:
-    return any(outer.type == "try_statement" for outer in code.above(node))
+def _is_guarded(code: Code, node: Node) -> bool:
+    """Whether a place is in a ``try``, or under a condition on a type."""
+    for outer in code.above(node):
+        condition = outer.child_by_field_name("condition")
+        if outer.type == "try_statement" or "type" in code.text(condition).lower():
+            return True
+    return False

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.node_source import Misread
 from bringup_lint.model.node_source import NodeClass
+from bringup_lint.model.node_source import Parameter
 from bringup_lint.model.node_source import type_of_default
 
 if TYPE_CHECKING:
@@ -16,12 +17,14 @@ if TYPE_CHECKING:
 
 _FIELDS = {"double_value": "double", "integer_value": "integer", "bool_value": "bool", "string_value": "string"}
 _VALUE = "get_parameter_value"
+_ANY_TYPE = ("dynamic_typing", "automatically_declare_parameters_from_overrides")
+"""In a source that says so, a parameter may have another type than that of its default."""
 
 
 def misread_parameters(nodes: Nodes) -> Iterator[list[Misread]]:
     """Those of one source together. In Python the field of another type is empty, and in C++ the call throws."""
     for file in nodes.programs:
-        if _VALUE not in file.source.text or "dynamic_typing" in file.source.text:
+        if _VALUE not in file.source.text or any(word in file.source.text for word in _ANY_TYPE):
             continue
         found = list(_in_file(nodes.syntax(file)))
         if found:
@@ -39,8 +42,23 @@ def _in_file(syntax: Syntax) -> Iterator[Misread]:
         cls = _class_of(syntax, node) if name is not None else None
         declared = cls.all_parameters.get(str(name)) if cls is not None else None
         kind = type_of_default(declared.default) if declared is not None and declared.known else None
-        if declared is not None and kind is not None and kind != _FIELDS[node.attr]:
+        if declared is None or kind is None or kind == _FIELDS[node.attr]:
+            continue
+        if not _is_declared_again(syntax, declared) and not _asks_type(syntax, node):
             yield Misread(syntax.file.span_of(node), declared.name, kind, _FIELDS[node.attr], node.attr, True)
+
+
+def _is_declared_again(syntax: Syntax, declared: Parameter) -> bool:
+    """Whether a source declares the parameter in several places, for example one for each model of a device."""
+    calls = (each for each in syntax.calls if isinstance(each.func, ast.Attribute) and each.args)
+    declaring = (each.args[0] for each in calls if each.func.attr == "declare_parameter")  # type: ignore[attr-defined]
+    return sum(isinstance(each, ast.Constant) and each.value == declared.name for each in declaring) > 1
+
+
+def _asks_type(syntax: Syntax, node: ast.AST) -> bool:
+    """Whether the place is under a condition on a type."""
+    outers = (outer for outer, _ in syntax.within(node) if isinstance(outer, (ast.If, ast.IfExp)))
+    return any("type" in ast.unparse(outer.test).lower() for outer in outers)
 
 
 def _asked(value: ast.expr) -> str | None:
