@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
@@ -17,9 +18,15 @@ if TYPE_CHECKING:
     from bringup_lint.model.cpp_source import CppNode
     from bringup_lint.source import Source
 
-_ACTIVATES = regex(r"(?:->|\.)\s{0,4}on_activate\s{0,4}\(|LifecycleNode\s{0,4}::\s{0,4}on_activate\s{0,4}\(")
+_ACTIVATES = regex(
+    r"(?:->|\.)\s{0,4}on_activate\s{0,4}\(|\w\s{0,4}::\s{0,4}on_activate\s{0,4}\(\s{0,4}\w{0,80}\s{0,4}\)"
+)
+"""A call of a publisher, or of a base class under any name; what defines the method has a type before the name."""
 _PLAIN = regex(r"\brclcpp::Publisher\s{0,4}<")
 """Through a pointer to the plain class ``publish`` is that of the plain class, which does not ask."""
+_CODE = (".cpp", ".cc", ".cxx", ".hpp", ".h")
+_MOST = 200_000
+"""Characters of a source that are looked at."""
 _COMMENT = regex(r"//[^\n]*|/\*(?:[^*]|\*(?!/))*(?:\*/|\Z)")
 
 
@@ -49,7 +56,19 @@ def _sent(nodes: Nodes, source: CppNode) -> Iterator[Endpoint]:
     text = _COMMENT.sub("", with_header(nodes, source.source))
     if _ACTIVATES.search(text) or _PLAIN.search(text) or "LifecyclePublisher" not in text:
         return
+    activating = [other for other in _beside(nodes, source.source) if _ACTIVATES.search(other)]
     for each in source.endpoints:
+        if any(each.attribute and each.attribute in other for other in activating):
+            continue
         own = each.role == "publisher" and each.span.text.startswith(("create_publisher", "this->create_publisher"))
         if own and each.attribute and re.search(rf"\b{re.escape(each.attribute)}\s{{0,4}}->\s{{0,4}}publish\b", text):
             yield each
+
+
+def _beside(nodes: Nodes, source: Source) -> Iterator[str]:
+    """The code of the package that a file is in, or of its folder; also what does not look like that of a node."""
+    owner = nodes.launch.workspace.owner(source)
+    folder = owner.folder if owner is not None else os.path.dirname(os.path.abspath(source.name))
+    for path in nodes.files.tree.paths:
+        if path.endswith(_CODE) and os.path.abspath(path).startswith(folder + os.sep):
+            yield _COMMENT.sub("", nodes.files.tree.head(path, _MOST))
