@@ -53,7 +53,7 @@ def shutdown_stop_unreached(robot: Robot) -> Iterator[Finding]:
         place = file.span_of(stop)
         yield finding(
             place,
-            "This stop never runs: SIGINT and SIGTERM end spin() with an exception, the last command stays in force",
+            "SIGINT and SIGTERM skip this stop: they end spin() with an exception, and the last command stays in force",
             advice=OF_MESSAGE if is_motion else OF_HARDWARE,
             related=[note(file.span_of(spin.call), "raises KeyboardInterrupt or ExternalShutdownException")],
             chain=robot.nodes.chain_to(file, note(place, "the stop is not reached")),

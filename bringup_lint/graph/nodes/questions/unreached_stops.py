@@ -36,6 +36,8 @@ _STOPS = regex(
     r"|set_?(?:motors?|speeds?|pwm|throttle|velocity|duty\w{0,10})|output|write\w{0,20}|sendall|send"
 )
 """Names of methods by which hardware is stopped, or told anything at all."""
+_LATER = regex(r"\batexit\.register\b|\.on_shutdown\(|\bweakref\.finalize\b|def __del__\b")
+"""What runs at the end of the context or of the process all the same."""
 _OTHERS = regex(
     r"(?i)executor|thread|timer|server|recorder|bag|file|log|sys\b|std(?:out|err)|cap\b|camera|pipeline|proc"
 )
@@ -54,7 +56,7 @@ def unreached_stops(nodes: Nodes) -> Iterator[UnreachedStop]:
     """The first stop command after each spin that no ``try`` surrounds, where rclpy handles the signals."""
     for file in nodes.programs:
         ending = nodes.ending(file)
-        if not ending.spins or not default_signals(ending) or "atexit.register" in ending.syntax.named:
+        if not ending.spins or not default_signals(ending) or _LATER.search(file.source.text):
             continue
         for spin in ending.spins:
             if not spin.loop and not any(isinstance(outer, ast.Try) for outer, _ in ending.syntax.within(spin.call)):
