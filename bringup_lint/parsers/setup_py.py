@@ -85,12 +85,12 @@ def parse(source: Source) -> Build:
 
 
 def _packages(thing: Any) -> Packages | None:
-    """``packages``: a list of names, or what ``find_packages`` finds."""
+    """``packages``: a list of names, for which setuptools also takes paths, or what ``find_packages`` finds."""
     if isinstance(thing, Operation) and thing.name == "find_packages":
         return Packages(thing.span, None)
     items = thing.plain() if isinstance(thing, Sequence) else None
     names = [path_text(item) for item in items or ()]
-    known = tuple(name for name in names if name is not None)
+    known = tuple(name.replace("/", ".") for name in names if name is not None)
     return Packages(items[0].span, known) if items and len(known) == len(names) else None
 
 

@@ -3,8 +3,9 @@
 ## What it finds
 Maps, worlds, robot descriptions and configurations in the share folder of a package of the workspace, or beside the
 launch file, that neither exist in the source nor are made by the build: as parameters, as arguments of programs, and
-as arguments of included launch files, defaults among them. Files that git ignores or a build makes are left alone, and
-names that say that the program writes the file. Included launch files and parameter files have rules of their own.
+as arguments of included launch files, defaults among them. Files that git ignores or a build makes are left alone,
+those that the launch file asks for before it uses them, and those that a node of the tree or, by its name, a program
+writes. Included launch files and parameter files have rules of their own.
 
 ## Why it matters on a robot
 The program that is given the path ends, or runs without the file: map_server does not activate, RViz shows an empty
@@ -29,6 +30,7 @@ When the file is made on the robot, such as a map that is recorded there.
 """
 
 import os
+import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -45,8 +47,17 @@ _READ = (".yaml", ".yml", ".rviz", ".urdf", ".xacro", ".srdf", ".sdf", ".world",
 """Files that programs read and people write."""
 _WRITTEN = regex(r"(?i)save|output|out_|log|record|export|write|dump|result|calib|cache|generated|tmp")
 """Names of files that a program makes."""
-_WRITES = regex(r"open\([^()\n]{1,200}[\"'][wa]b?\+?[\"']|\.write_text\(|\bdump\(|\bcopy(?:file)?\(")
-"""A launch file makes files itself."""
+_WRITES = regex(
+    r"open\((?:[^()\n]|\([^()\n]{0,80}\)){1,200}[\"'][wa]b?\+?[\"']|\.write_text\(|\bdump\(|\bcopy(?:file)?\(|\bofstream\b"
+)
+"""A launch file or a node makes files itself."""
+_ASKS = r"\b(?:exists|isfile|is_file|access)\s{0,4}\(\s{0,4}"
+_ASKED = regex(
+    rf"{_ASKS}(?:[\w.]{{1,40}}\(\s{{0,4}})?\Z|\b(?P<name>\w{{1,80}})\s{{0,4}}=\s{{0,4}}(?:[\w.]{{1,40}}\(\s{{0,4}})?\Z"
+)
+"""What is before a path: a question whether it exists, or the variable that it is given to."""
+_BEFORE = 160
+"""Code points before a path."""
 _MAKES = regex(r"add_custom_(?:command|target)|BINARY_DIR|execute_process")
 """A build makes files."""
 
@@ -56,6 +67,8 @@ def file_missing(robot: Robot) -> Iterator[Finding]:
     places: dict[str, list[tuple[Reference, Package]]] = {}
     told = {reference.span for kind in ("parameters", "include") for reference, _ in robot.launch.missing(kind)}
     for reference, package in robot.launch.missing("path"):
+        if _is_written_by_node(robot, reference):
+            continue
         made = any(_MAKES.search(build.source.text) for build in package.builds)
         if reference.span in told or made or _is_ignored(robot, reference, package):
             continue
@@ -80,9 +93,26 @@ def file_missing(robot: Robot) -> Iterator[Finding]:
 def _is_read(reference: Reference) -> bool:
     """Whether a path means a file that has to be there."""
     is_written = _WRITTEN.search(reference.name) or _WRITTEN.search(reference.key)
-    if _WRITES.search(reference.span.source.text):
+    if _WRITES.search(reference.span.source.text) or _is_asked_for(reference):
         return False
     return reference.name.endswith(_READ) and not is_written
+
+
+def _is_written_by_node(robot: Robot, reference: Reference) -> bool:
+    """Whether a source that knows the parameter, or the file, writes files."""
+    sources = robot.files.of_kind("python-node", "cpp-node")
+    names = [name for name in (reference.key, os.path.basename(reference.name)) if name]
+    return any(any(name in each.text for name in names) and _WRITES.search(each.text) for each in sources)
+
+
+def _is_asked_for(reference: Reference) -> bool:
+    """Whether the launch file looks whether the path exists, at once or by the name of its variable."""
+    text = reference.span.source.text
+    found = _ASKED.search(text[max(0, reference.span.start - _BEFORE) : reference.span.start])
+    if found is None or found["name"] is None:
+        return found is not None
+    name = found["name"]
+    return re.search(rf"{_ASKS}{name}\b|\b{name}\s{{0,4}}\.\s{{0,4}}(?:exists|is_file)\(", text) is not None
 
 
 def _is_ignored(robot: Robot, reference: Reference, package: Package) -> bool:

@@ -143,7 +143,7 @@ def _is_used(interfaces: Interfaces, source: Source) -> bool:
 
 
 def _imported(source: Source) -> Iterator[tuple[str, str, Located]]:
-    """Package, kind and name of the interfaces that a module imports without a way round it."""
+    """Package, kind and name of the interfaces that a module imports without a way round it, no modules of theirs."""
     if not any(f".{kind}" in source.text for kind in KINDS):
         return
     tree = syntax_of(source.text)
@@ -153,7 +153,9 @@ def _imported(source: Source) -> Iterator[tuple[str, str, Located]]:
         if isinstance(statement, ast.ImportFrom) and not statement.level:
             package, _, kind = (statement.module or "").partition(".")
             if kind in KINDS:
-                yield from ((package, kind, _name(source, alias)) for alias in statement.names if alias.name != "*")
+                yield from (
+                    (package, kind, _name(source, alias)) for alias in statement.names if alias.name[0].isupper()
+                )
 
 
 def _name(source: Source, alias: ast.alias) -> Located:
@@ -211,14 +213,25 @@ def _unlisted(files: Files, package: Package, interfaces: Interfaces) -> Iterato
         if not interfaces.is_closed or interfaces.listed is None or name in interfaces.listed:
             continue
         is_included = files.mentions(_in_cpp(package.name, kind, name))
+        if _is_written(files.tree, package, kind, name):
+            continue
         if is_included and _is_place(package, kind, path) and not files.tree.is_ignored(path):
             yield f"{kind}/{os.path.basename(path)}"
 
 
+def _is_written(tree: Tree, package: Package, kind: str, name: str) -> bool:
+    """Whether the package has a header of its own where that of an interface would be."""
+    header = os.path.join(package.folder, "include", package.name, kind, _header(name))
+    return any(tree.exists(f"{header}{suffix}") for suffix in (".h", ".hpp"))
+
+
+def _header(name: str) -> str:
+    return _WORD_START.sub("_", name).lower()
+
+
 def _in_cpp(package: str, kind: str, name: str) -> re.Pattern[str]:
     """The header of an interface, or its class."""
-    header = _WORD_START.sub("_", name).lower()
-    return re.compile(rf"\b{package}/{kind}/{header}\.h|\b{package}::{kind}::{name}\b")
+    return re.compile(rf"\b{package}/{kind}/{_header(name)}\.h|\b{package}::{kind}::{name}\b")
 
 
 def _is_place(package: Package, kind: str, path: str) -> bool:

@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 _EXPORTS = regex(
     r"\b(?:pluginlib_export_plugin_description_file|ament_index_register_resource)\b\s*\([^()]*\$\{"
     r"|\binclude\([^()\n]*(?:/|\$)"
+    r"|^[ \t]*(?!(?i:pluginlib_))\w{0,80}(?i:plugin)\w{0,80}[ \t]*\(",
+    re.M,
 )
 """What may export a file under any name."""
 _END = regex(r"^[ \t]*(ament_(?:auto_)?package)[ \t]*\(", re.M)
