@@ -45,8 +45,8 @@ def plugin_not_exported(robot: Robot) -> Iterator[Finding]:
         for each in robot.dependencies.unexported(package):
             base = each.base.rpartition("::")[0].partition("::")[0] or "BASE"
             yield finding(
-                each.name,
+                each.end,
                 f"{package.name} does not export {each.description.basename}: pluginlib finds no class {each.name}",
-                advice=f"add pluginlib_export_plugin_description_file({base} {each.path}) to the CMakeLists.txt",
-                related=[note(each.end, "the export belongs above")],
+                advice=f"add pluginlib_export_plugin_description_file({base} {each.path}) above",
+                related=[note(each.name, "this class is described")],
             )
