@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.half_made import half_made
     from bringup_lint.graph.nodes.questions.inactive_publishers import inactive_publishers
     from bringup_lint.graph.nodes.questions.late_attributes import late_attributes
+    from bringup_lint.graph.nodes.questions.making_loops import making_loops
     from bringup_lint.graph.nodes.questions.message_fields import NoField
     from bringup_lint.graph.nodes.questions.message_fields import consequence
     from bringup_lint.graph.nodes.questions.message_fields import converted
@@ -105,6 +106,7 @@ __all__ = [
     "is_checked",
     "late_attributes",
     "lowered",
+    "making_loops",
     "misfits",
     "misread_parameters",
     "missing_attributes",

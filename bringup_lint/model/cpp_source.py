@@ -85,6 +85,16 @@ class EarlyPointer(NamedTuple):
     """The call of the constructor that leads there; None when it asks itself."""
 
 
+class MakingLoop(NamedTuple):
+    """A loop that keeps the constructor of a node from returning as long as rclcpp runs."""
+
+    span: Span
+    owner: str
+    """The class that is made."""
+    through: Span | None
+    """The call of the constructor that leads there; None when the loop is in the constructor itself."""
+
+
 class TimeMember(NamedTuple):
     """A member that holds the system time 0 until something sets it."""
 
@@ -148,6 +158,7 @@ class CppNode:
     unstamped: list[Unstamped] = field(default_factory=list)
     dropped: list[Dropped] = field(default_factory=list)
     early_pointers: list[EarlyPointer] = field(default_factory=list)
+    making_loops: list[MakingLoop] = field(default_factory=list)
     time_members: list[TimeMember] = field(default_factory=list)
     time_uses: list[TimeUse] = field(default_factory=list)
     activation: Located | None = None

@@ -10,6 +10,7 @@ from bringup_lint.parsers.cpp_node.classes import components
 from bringup_lint.parsers.cpp_node.classes import node_classes
 from bringup_lint.parsers.cpp_node.classes import node_names
 from bringup_lint.parsers.cpp_node.deaf_loops import deaf_loops
+from bringup_lint.parsers.cpp_node.deaf_loops import making_loops
 from bringup_lint.parsers.cpp_node.dropped import dropped
 from bringup_lint.parsers.cpp_node.early_pointers import early_pointers
 from bringup_lint.parsers.cpp_node.endpoints import endpoint
@@ -85,6 +86,7 @@ def parse(source: Source) -> CppNode:
     node.early_pointers = list(dict.fromkeys(early_pointers(code)))
     node.time_members = list(time_members(code))
     node.time_uses = list(time_uses(code, node.callbacks[:CALLBACKS]))
+    node.making_loops = list(dict.fromkeys(making_loops(code)))
     node.deaf_loops = list(dict.fromkeys(deaf_loops(code)))
     return node
 

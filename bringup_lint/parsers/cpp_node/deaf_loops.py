@@ -6,7 +6,9 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.model.cpp_source import DeafLoop
+from bringup_lint.model.cpp_source import MakingLoop
 from bringup_lint.parsers.cpp_node.awaited import LEAVES
+from bringup_lint.parsers.cpp_node.early_pointers import while_made
 from bringup_lint.parsers.cpp_node.syntax import Call
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.parsers.cpp_node.waits import Bodies
@@ -22,6 +24,9 @@ _ASKS = regex(
     r"|cancel|kill)"
 )
 """Words by which a loop may know that it is to end, also in a condition."""
+_RUNS = "rclcpp::ok()"
+_SPINS = regex(r"(?i)spin|exit|abort|shutdown")
+"""Words by which a loop runs callbacks, or ends."""
 _SLEEPS = regex(r"\b(?:sleep_for|sleep|usleep|nanosleep)\s{0,4}\(")
 _HANDLES = regex(r"\bsigaction\b|\bsignal\b|InitOptions|(?i:signals?_?(?:handlers?)?\s{0,4}\()")
 """The program treats signals in a way of its own."""
@@ -48,6 +53,18 @@ def deaf_loops(code: Code) -> Iterator[DeafLoop]:
             for each in Bodies(code).reached(function):
                 if not isinstance(each, Call):
                     yield from _deaf(code, each, name.rpartition("::")[2])
+
+
+def making_loops(code: Code) -> Iterator[MakingLoop]:
+    """Loops that run while a node is made, and end only with rclcpp. Those that ask for nothing at all are deaf."""
+    if _RUNS not in code.source.text:
+        return
+    bodies = Bodies(code)
+    for owner, function, through in while_made(code, bodies):
+        for loop in code.written.get("while", ()):
+            is_own = runs(function, loop) and not code.is_conditional(loop)
+            if is_own and _condition(code, loop) == _RUNS and not _SPINS.search(code.text(loop)) and not _leaves(loop):
+                yield MakingLoop(_head(code, loop), owner, through)
 
 
 def _of_main(code: Code, function: Node) -> Iterator[DeafLoop]:

@@ -10,6 +10,7 @@ from bringup_lint.parsers.cpp_node.syntax import Call
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.parsers.cpp_node.waits import Bodies
 from bringup_lint.pattern import regex
+from bringup_lint.source import Span
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -24,14 +25,23 @@ def early_pointers(code: Code) -> Iterator[EarlyPointer]:
     if _CALL not in code.source.text:
         return
     bodies = Bodies(code)
+    for owner, function, through in while_made(code, bodies):
+        for call in _certain(code, bodies, function):
+            if _OWN.match(call.qualified):
+                yield EarlyPointer(code.span(call.node), owner, through)
+
+
+def while_made(code: Code, bodies: Bodies) -> Iterator[tuple[str, Node, Span | None]]:
+    """Class, and what certainly runs while it is made: the constructor, or a method with the call that leads there."""
     for function in code.written.get("function", ()):
         owner = class_made(code, function)
         if owner is None:
             continue
+        yield owner, function, None
         for call in _certain(code, bodies, function):
-            if _OWN.match(call.qualified):
-                yield EarlyPointer(code.span(call.node), owner, None)
-            yield from _in_method(code, bodies, call, owner)
+            method = _method(code, bodies, call, owner)
+            if method is not None:
+                yield owner, method, code.span(call.node)
 
 
 def class_made(code: Code, function: Node) -> str | None:
@@ -50,16 +60,13 @@ def class_of(code: Code, function: Node, qualifier: str) -> str:
     return code.text(outer.child_by_field_name("name")) if outer is not None else ""
 
 
-def _in_method(code: Code, bodies: Bodies, call: Call, owner: str) -> Iterator[EarlyPointer]:
+def _method(code: Code, bodies: Bodies, call: Call, owner: str) -> Node | None:
+    """The definition of a method of the class itself that a call runs."""
     methods = bodies.functions.get(call.name, ())
     if len(methods) != 1 or call.qualified not in (call.name, f"this->{call.name}"):
-        return
+        return None
     qualifier = (code.defined_name(methods[0]) or "").rpartition("::")[0]
-    if class_of(code, methods[0], qualifier) != owner:
-        return
-    for inner in _certain(code, bodies, methods[0]):
-        if _OWN.match(inner.qualified):
-            yield EarlyPointer(code.span(inner.node), owner, code.span(call.node))
+    return methods[0] if class_of(code, methods[0], qualifier) == owner else None
 
 
 def _certain(code: Code, bodies: Bodies, function: Node) -> Iterator[Call]:
