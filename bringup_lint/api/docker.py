@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from bringup_lint.on_demand import on_demand
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.containers.base_images import may_set
     from bringup_lint.graph.containers.base_images import ros_distro
     from bringup_lint.graph.containers.base_images import runs_as_root
     from bringup_lint.graph.containers.base_images import ubuntu_codename
@@ -62,6 +63,7 @@ __all__ = [
     "is_in_container",
     "lacking_sources",
     "last_user",
+    "may_set",
     "other_distros",
     "ros_distro",
     "runs_as_root",

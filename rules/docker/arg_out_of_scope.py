@@ -2,8 +2,9 @@
 
 ## What it finds
 A step, or another instruction of a stage, with a variable whose `ARG` is above the first FROM and that neither the
-stage nor the images below it declare. Images of Ubuntu, Debian and CUDA are known to set no such variable, and those of
-ROS set `ROS_DISTRO` alone; what other images set is not known.
+stage nor the images below it declare. Images of Ubuntu and Debian are known to set no such variable, those of ROS
+set `ROS_DISTRO` alone, and those of CUDA what begins with `CUDA` or `NV`; what other images set is not known. Silent
+for the proxies that Docker declares itself, and in steps that source a file, which may set the variable.
 
 ## Why it matters on a robot
 Such an ARG is there for FROM only. Inside the stage the variable is empty: `ros-${ROS_DISTRO}-nav2-bringup` becomes
@@ -44,14 +45,14 @@ from bringup_lint.api import rule
 from bringup_lint.api.docker import Dockerfile
 from bringup_lint.api.docker import Stage
 from bringup_lint.api.docker import assignments
-from bringup_lint.api.docker import ros_distro
-from bringup_lint.api.docker import ubuntu_codename
+from bringup_lint.api.docker import may_set
 
 READING = ("RUN", "ENV", "WORKDIR", "COPY", "ADD", "USER", "LABEL", "EXPOSE", "VOLUME")
 ASSIGNED = r"(?:^|[\s;&(\"'])(?:export\s+|local\s+)?{name}=|\bread\b[^\n]{{0,80}}\b{name}\b|\bfor\s+{name}\b"
-OF_ROS = ("ROS_DISTRO", "LANG", "LC_ALL")
+OF_DOCKER = regex(r"(?i:https?|ftp|no|all)_proxy")
+"""Arguments that Docker declares itself."""
+SOURCES = regex(r"(?:^|[\s;&(\"'])(?:source|\.)[ \t]+[^\s;&|]")
 OF_SHELL = ("HOME", "USER", "PATH", "SHELL", "PWD", "HOSTNAME", "DEBIAN_FRONTEND")
-DEBIAN = regex(r"(?:docker\.io/)?(?:library/)?debian(?::[\w.-]+)?")
 
 
 @rule("warning", symptoms=["UndefinedVar: Usage of undefined variable *"])
@@ -63,13 +64,9 @@ def arg_out_of_scope(robot: Robot) -> Iterator[Finding]:
 
 
 def _of_stage(file: Dockerfile, stage: Stage) -> Iterator[Finding]:
-    if not ubuntu_codename(stage.origin) and not DEBIAN.fullmatch(stage.origin):
-        return
     declared = {name for one in stage.chain for name in _declared(one)}
-    if ros_distro(stage.origin):
-        declared.update(OF_ROS)
     for name in file.arguments:
-        if name in declared or name in OF_SHELL:
+        if name in declared or name in OF_SHELL or OF_DOCKER.fullmatch(name) or may_set(stage.origin, name):
             continue
         uses = list(_uses(stage, name))
         if uses:
@@ -106,7 +103,7 @@ def _uses(stage: Stage, name: str) -> Iterator[Located]:
     assigned = re.compile(ASSIGNED.format(name=name))
     for instruction in stage.all(*READING):
         value = instruction.value
-        if instruction.name == "RUN" and (instruction.heredocs or assigned.search(value)):
+        if instruction.name == "RUN" and (instruction.heredocs or assigned.search(value) or SOURCES.search(value)):
             continue
         match = next((each for each in read.finditer(value) if not _is_quoted(value, each.start())), None)
         if match is not None:

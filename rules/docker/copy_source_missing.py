@@ -4,7 +4,8 @@
 Files and folders that COPY or ADD name and that the build context does not hold. The context is that of the compose
 service that builds the Dockerfile; without one, no folder from that of the Dockerfile to the top of the repository
 holds the path. What `.dockerignore` leaves out is not in the context either. Paths with variables, files that git
-ignores, and what a submodule, script or build file of the tree may put there are not reported.
+ignores, and what a submodule, script or build file of the tree may put there are not reported, nor folders of a
+workspace (`src`, `install`, `build`) where the Dockerfile is in a package.
 
 ## Why it matters on a robot
 The build stops with "not found". The robot keeps the old image, or a new robot gets none.

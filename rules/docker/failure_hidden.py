@@ -64,6 +64,8 @@ INSTALLERS = {
 STOPS = regex(STRICT, re.M)
 STRICT_SHELL = regex(r'"-\w{0,8}e\w{0,8}"|"errexit"')
 """In SHELL."""
+STRICT_READER = regex(r"\b(?:ba|da|z)?sh[ \t]+(?:-\w+[ \t]+)*-\w{0,8}e")
+"""The shell that a here-document is for."""
 PIPES = regex(r"\bpipefail\b")
 PASSIVE = ("echo", "printf", "true", ":")
 """Fallbacks that make up for nothing."""
@@ -109,7 +111,7 @@ def _of_stage(stage: Stage) -> Iterator[Hidden]:
     strict = STRICT_SHELL.search(shells) is not None
     for run in stage.all("RUN"):
         text = "\n".join([str(run.value), *map(str, run.heredocs)])
-        if strict or STOPS.search(text):
+        if strict or STOPS.search(text) or (run.heredocs and STRICT_READER.search(run.value)):
             continue
         pipefail = PIPES.search(text + shells) is not None
         found = (each for blocks in blocks_of_run(run) for each in _hidden(list(blocks), pipefail))

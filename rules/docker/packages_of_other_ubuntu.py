@@ -49,7 +49,14 @@ from bringup_lint.api.ros import codename_of
 from bringup_lint.api.shell import unwrapped
 
 PACKAGE = regex(r"ros-(?P<distro>[a-z]+)-[a-z][\w*.=-]*")
-OTHER_SOURCES = regex(r"isaac|sources\.list\.d[/\s\"\]]*$|ppa:|\bconda\b|robostack|\bsed\b[^\n]*sources\.list|\bdebs?/")
+OTHER_SOURCES = regex(
+    r"isaac|ppa:|\bconda\b|robostack|\bextrepo\b|\bsed\b[^\n]*sources\.list|\bdebs?/"
+    r"|(?<![\w.])deb (?:\[[^\]\n]{0,200}\] ?)?(?:file|copy|ftp|https?)"
+    r":(?!//(?:packages\.ros\.org|repo\.ros2\.org|[\w-]{1,40}(?:\.[\w-]{1,40}){0,3}\.ubuntu\.com|mirrors?\.))"
+)
+"""What may bring packages that packages.ros.org does not have for this Ubuntu."""
+SOURCES = regex(r"sources\.list(?:\.d)?(?:/[\w.-]*)?[\s\"\]]*$")
+"""The target of COPY and ADD."""
 
 
 @rule("error", symptoms=["E: Unable to locate package ros-*"])
@@ -96,7 +103,8 @@ def _finding(place: Located, other: Located, codename: str, package: Located) ->
 def _foreign(stage: Stage, codename: str) -> Located | None:
     """The first package of a distribution for another Ubuntu that a step surely installs."""
     texts = (str(each.value) for one in stage.chain for each in one.all("RUN", "COPY", "ADD"))
-    if any(OTHER_SOURCES.search(text) for text in texts):
+    copied = (str(each.value) for one in stage.chain for each in one.all("COPY", "ADD"))
+    if any(map(OTHER_SOURCES.search, texts)) or any(map(SOURCES.search, copied)):
         return None
     for command in commands_of(stage):
         words = unwrapped(command.words)

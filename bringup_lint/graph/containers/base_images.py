@@ -13,6 +13,10 @@ _JETSON = regex(r"nvcr\.io/nvidia/l4t-[\w-]+:r(?P<major>\d\d)[\w.-]*")
 _CODENAMES = {"18.04": "bionic", "20.04": "focal", "22.04": "jammy", "24.04": "noble"}
 _OF_JETSON = {"32": "bionic", "34": "focal", "35": "focal", "36": "jammy"}
 """Release of Jetson Linux -> the Ubuntu of its images."""
+_CUDA = regex(r"(?:docker\.io/)?nvidia/cuda:.*|nvcr\.io/nvidia/cuda:.*")
+_OF_CUDA = regex(r"(?:CUDA|CUDNN|NV|NCCL|LD_|LIBRARY_)")
+"""Begins the names of the variables of NVIDIA's images."""
+_BARE = regex(rf"{_LIBRARY}(?:ubuntu|debian)(?:[:@].*)?")
 _UNLISTED = regex(
     rf"{_LIBRARY}(?:ros|ubuntu|debian|python|osrf/ros2?)(?::[^@]*)?"
     r"|(?:docker\.io/)?nvidia/cuda:.*|nvcr\.io/nvidia/cuda:.*"
@@ -54,6 +58,15 @@ def has_no_package_lists(image: str) -> bool:
 def has_no_healthcheck(image: str) -> bool:
     """Whether an image is published without HEALTHCHECK."""
     return _UNCHECKED.fullmatch(image) is not None
+
+
+def may_set(image: str, name: str) -> bool:
+    """Whether an image may be published with a variable of this name; True where the image is not known."""
+    if ros_distro(image):
+        return name in ("ROS_DISTRO", "LANG", "LC_ALL")
+    if _CUDA.fullmatch(image):
+        return _OF_CUDA.match(name) is not None
+    return _BARE.fullmatch(image) is None
 
 
 def runs_as_root(image: str) -> bool:

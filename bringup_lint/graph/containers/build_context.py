@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 _ELSEWHERE = regex(r"[$<\\]|://|^git@|\*\*|\[")
 _MAKERS = regex(r"(?:^|/)(?:[Mm]akefile|[Jj]ustfile|\.gitignore|[^/]+\.(?:sh|bash|py|mk|md|rst|ya?ml|bat|ps1|repos))$")
 _MOST_MAKERS = 500
+_OF_WORKSPACE = ("src", "install", "build")
+"""Folders of a workspace, which packages do not have at their top but for ``src``."""
 _PRUNED = regex(r"(?:^|/)(?:vendor|node_modules)/")
 """Folders that a package manager fills with a part of what their packages have."""
 
@@ -49,8 +51,20 @@ def lacking_sources(files: Files, compose: Compose) -> Iterator[Lacking]:
         builders = known.get(file.source.absolute, [])
         for word in _sources(file):
             lacking = _judged(files, file, word, builders)
-            if lacking is not None and (lacking.ignoring is not None or not makers.name(word)):
+            if lacking is None or (lacking.ignoring is None and _is_of_workspace(files, file, lacking)):
+                continue
+            if lacking.ignoring is not None or not makers.name(word):
                 yield lacking
+
+
+def _is_of_workspace(files: Files, file: Dockerfile, lacking: Lacking) -> bool:
+    """Whether the context may be a workspace around the repository: no service says it, the Dockerfile is in a package,
+    and the path is a folder of workspaces."""
+    if lacking.service is not None or lacking.source.startswith("../"):
+        return False
+    first = _at("", lacking.source).partition("/")[0]
+    above = _folders(files, _folder(file.source.name))
+    return first in _OF_WORKSPACE and any(files.tree.is_file(os.path.join(each, "package.xml")) for each in above)
 
 
 def _sources(file: Dockerfile) -> Iterator[Located]:
