@@ -45,7 +45,9 @@ from bringup_lint.api.shell import unwrapped
 
 OPTIONS = ("-o", "--output")
 FIXED = regex(r"(?!/tmp/|/run/|/dev/)[~\w./-]*[\w-]")
-DELETES = r"\b(?:rm|mv|rmtree|unlink|rename|move)\b"
+MOVES = regex(r"\b(?:cd|pushd)[ \t]+[^\n;&|]{0,200}[$`]")
+"""A relative folder is in another one each time."""
+DELETES = r"(?:\b(?:rm|mv|rmtree|unlink|rename|move)|-delete)\b"
 
 
 @rule("warning", confidence="medium", symptoms=["Output folder '*' already exists."])
@@ -74,17 +76,24 @@ def _folder(words: Sequence[Located]) -> Located | None:
     if tuple(words[:3]) != ("ros2", "bag", "record"):
         return None
     named = next((word for before, word in pairwise(words) if before in OPTIONS), None)
-    return named if named is not None and FIXED.fullmatch(named) else None
+    if named is None or not FIXED.fullmatch(named):
+        return None
+    is_relative = not named.startswith(("/", "~"))
+    return None if is_relative and MOVES.search(named.span.source.text) else named
 
 
 def _stays(runner: Runner, folder: str) -> bool:
     """Whether the folder is still there at the next start."""
     if runner.service is None:
         return True
+    if runner.service.get("tmpfs") is not None:
+        return False
     below = [str(volume.target) for volume in runner.service.volumes]
     return bool(runner.restarts) or any(posixpath.join(folder, "").startswith(f"{each.rstrip('/')}/") for each in below)
 
 
 def _is_cleared(robot: Robot, folder: str) -> bool:
     name = re.escape(posixpath.basename(folder))
-    return robot.mentions(re.compile(rf"{DELETES}[^\n]{{0,200}}{name}|{name}[^\n]{{0,200}}{DELETES}"))
+    above = re.escape(posixpath.dirname(folder)) if folder.count("/") > 1 else name
+    deletes = rf"{DELETES}[^\n]{{0,200}}(?:{name}|{above}/?[*\"']*(?:\s|$))"
+    return robot.mentions(re.compile(rf"{deletes}|(?:{name}|{above}\b)[^\n]{{0,200}}{DELETES}"))

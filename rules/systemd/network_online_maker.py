@@ -3,7 +3,8 @@
 ## What it finds
 A service that wants `network-online.target` and is ordered after it, and whose command, or a script of the tree that it
 starts, connects to a wifi or opens an access point: `nmcli device wifi connect`, `nmcli device wifi hotspot`,
-`nmcli connection up`, `hostapd`, `create_ap`, `wpa_supplicant` or `dhclient`.
+`nmcli connection up`, `hostapd`, `create_ap`, `wpa_supplicant` or `dhclient`. VPNs are not reported: they
+need a network.
 
 ## Why it matters on a robot
 In the workshop the target is reached in seconds. Where no known network is in reach, as in the field, the wait services
@@ -35,7 +36,9 @@ When the service brings up a second network on top of the first, such as a bridg
 - nm-online(1), systemd-networkd-wait-online.service(8): the time-outs
 """
 
+import re
 from collections.abc import Iterator
+from collections.abc import Sequence
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
@@ -50,9 +53,10 @@ from bringup_lint.api.shell import unwrapped
 
 ONLINE = "network-online.target"
 MAKERS = ("hostapd", "create_ap", "wpa_supplicant", "dhclient")
-CONNECTS = regex(
-    r"nmcli( -\S+)* (d|dev|device) (w|wifi) (c|connect|h|hotspot)\b.*|nmcli( -\S+)* (c|con|connection) up\b.*"
-)
+CONNECTS = regex(r"( -\S+)* (d|dev|device) (w|wifi) (c|connect|h|hotspot)\b.*|( -\S+)* (c|con|connection) up\b.*")
+"""Arguments of nmcli."""
+ON_TOP = regex(r"vpn|wireguard|\bwg|\btun\d|\btap\d", re.I)
+"""A connection that needs another one."""
 
 
 @rule("warning", symptoms=["A start job is running for Wait for Network to be Configured"])
@@ -79,5 +83,13 @@ def _makers(runner: Runner) -> Iterator[Located]:
     for line in runner.main:
         for step in line.steps:
             words = unwrapped(step.command.words)
-            if words and (program_name(words[0]) in MAKERS or CONNECTS.fullmatch(" ".join(words))):
+            if words and _makes(words):
                 yield words[0]
+
+
+def _makes(words: Sequence[Located]) -> bool:
+    program = program_name(words[0])
+    if program == "nmcli":
+        arguments = "".join(f" {each}" for each in words[1:])
+        return bool(CONNECTS.fullmatch(arguments)) and not ON_TOP.search(arguments)
+    return program in MAKERS

@@ -2,7 +2,7 @@
 
 ## What it finds
 A unit of the user manager (`/etc/systemd/user`, `~/.config/systemd/user`) that names a target of the system
-manager, such as `multi-user.target` or `network-online.target`:
+manager, such as `multi-user.target` or `network-online.target`, and that is not beside it:
 
 - error: in WantedBy=, RequiredBy=, Requires= or BindsTo=;
 - warning: in After= or Wants=.
@@ -34,6 +34,7 @@ When a user unit of the same name exists on the robot, outside of this tree.
 - systemd.special(7), "Units managed by the user service manager"
 """
 
+import posixpath
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -56,13 +57,16 @@ def user_unit_system_target(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.judged:
         if unit.manager != "user":
             continue
+        folders = {posixpath.dirname(file.source.name) for file in unit.files}
+        beside = {name for name in SYSTEM_ONLY for each in folders if robot.tree.exists(posixpath.join(each, name))}
+        names = SYSTEM_ONLY - beside
         for key, section in (
             ("WantedBy", "Install"),
             ("RequiredBy", "Install"),
             ("Requires", "Unit"),
             ("BindsTo", "Unit"),
         ):
-            for _, word in unit.naming(key, *SYSTEM_ONLY, section=section):
+            for _, word in unit.naming(key, *names, section=section):
                 installs = section == "Install"
                 started = installs and robot.units.is_started_by_script(unit)
                 yield finding(
@@ -75,7 +79,7 @@ def user_unit_system_target(robot: Robot) -> Iterator[Finding]:
                     severity="warning" if started else None,
                 )
         for key in ("After", "Wants"):
-            for line, word in unit.naming(key, *SYSTEM_ONLY):
+            for line, word in unit.naming(key, *names):
                 yield finding(
                     word,
                     f"The user manager has no {word}: this {key}= has no effect",
