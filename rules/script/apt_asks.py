@@ -48,6 +48,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.docker import Dockerfile
 from bringup_lint.api.docker import Stage
 from bringup_lint.api.docker import commands_of
 from bringup_lint.api.shell import STRICT
@@ -66,19 +67,32 @@ PIPED = regex(r"\|[ \t]*(?:sudo[ \t]+(?:-\w+[ \t]+)*)?(?:\w+=\S*[ \t]+)*$")
 STOPS = regex(STRICT, re.M)
 COPIES = ("cp", "install", "ln", "tee")
 OF_ROBOT = regex(r"/(?:etc|opt|lib|usr)/")
+SETTINGS = regex(r"(?:^|/)(?:apt\.conf|\d\d[\w-]+(?:\.conf)?|[^/]*apt[^/]*)$")
+MOST = 4096
+"""Characters of a file of settings that are read."""
 ALONE = frozenset("bash-completion gosu less locales make nano python3 sudo time tree unzip zip".split())
 """Packages that need only what every image of Debian and Ubuntu has."""
-BY_HAND = regex(r"(?m)^[ \t]*(?:sudo[ \t]+)?(?:vi|vim|nano|emacs|read)[ \t]")
+BY_HAND = regex(
+    r"(?m)^[ \t]*(?:sudo[ \t]+)?(?:vi|vim|nano|emacs|read|select)[ \t]|\b(?:whiptail|dialog|zenity|expect)[ \t]"
+)
 """What only a person in front of a terminal goes on from."""
 
 
 @rule("warning", confidence="medium", symptoms=["Do you want to continue? [Y/n] Abort.", "[Y/n] Abort."])
 def apt_asks(robot: Robot) -> Iterator[Finding]:
     for file in robot.dockerfiles:
-        if "apt" in file.source.text and not CONFIGURED.search(file.source.text):
+        if "apt" in file.source.text and not CONFIGURED.search(file.source.text) and not _takes_answers(robot, file):
             for stage in file.stages:
                 yield from _of_image(stage)
     yield from _of_scripts(robot)
+
+
+def _takes_answers(robot: Robot, file: Dockerfile) -> bool:
+    """Whether an image copies settings of apt, and a file of the tree answers for it."""
+    copies = (str(each.value) for stage in file.stages for each in stage.all("COPY", "ADD"))
+    if not any("apt.conf" in text for text in copies):
+        return False
+    return any(CONFIGURED.search(robot.tree.head(path, MOST)) for path in robot.tree.paths if SETTINGS.search(path))
 
 
 def _of_image(stage: Stage) -> Iterator[Finding]:
@@ -111,7 +125,8 @@ def _of_scripts(robot: Robot) -> Iterator[Finding]:
             continue
         words = run.words
         known = installed.setdefault(source, set())
-        calls.setdefault(source, []).append((words, _asks(words, known)))
+        answers = any(each.operator.startswith("<") for each in run.command.redirects)
+        calls.setdefault(source, []).append((words, not answers and _asks(words, known)))
         known.update(map(str, words))
     for source, each in calls.items():
         asking = sorted((words for words, asks in each if asks), key=lambda words: not _installs(words))
@@ -172,7 +187,9 @@ def _asks(words: Sequence[Located], installed: set[str]) -> bool:
     """Whether a call of apt may ask for a confirmation."""
     if not words or words[0].rpartition("/")[2] not in PROGRAMS or PIPED.search(_before(words[0])):
         return False
-    if any("$" in word and "ROS_DISTRO" not in word and word.startswith(("$", "-")) for word in words):
+    if "--reinstall" in words or any(
+        "$" in word and "ROS_DISTRO" not in word and word.startswith(("$", "-")) for word in words
+    ):
         return False
     command, packages = _parts(words)
     if command not in ASKING or _is_answered(words):

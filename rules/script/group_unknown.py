@@ -3,7 +3,8 @@
 ## What it finds
 `usermod -aG GROUP` and `gpasswd -a USER GROUP` in a script, with a group that neither Debian and Ubuntu nor a file of
 the tree create. Silent where the tree creates groups whose names it takes from variables, for
-groups with the name of a package that the script installs, and where the failure is expected (`||`).
+groups with the name of a package that the script installs, where the failure is expected (`||`), and where the script
+looks whether the group is there (`getent group`).
 
 ## Why it matters on a robot
 usermod ends with "group 'realtime' does not exist" and adds the user to none of the listed groups, `dialout` included.
@@ -42,6 +43,7 @@ from bringup_lint.api.shell import Run
 LISTED = regex(r"-[a-zA-Z]{0,3}G|--groups")
 NAME = regex(r"[a-z_][a-z0-9_-]{1,31}")
 INSTALLS = regex(r"\b(?:apt|apt-get|dnf|pacman|snap|dpkg|install)\b")
+ASKS = regex(r"\bgetent[ \t]+group\b|/etc/group\b")
 
 
 @rule(
@@ -60,7 +62,7 @@ def group_unknown(robot: Robot) -> Iterator[Finding]:
         return
     for source, names in found.items():
         for name, (first, *others) in names.items():
-            if not _comes_with_package(source, name):
+            if not _comes_with_package(source, name) and not _is_asked_for(source, name):
                 yield finding(
                     first,
                     f"Nothing creates the group '{name}': the command fails and adds the user to no group at all",
@@ -81,3 +83,8 @@ def _groups(run: Run) -> Located | None:
 def _comes_with_package(source: Source, name: str) -> bool:
     """Whether the script installs a package with the name of the group, which may create it."""
     return any(name in line and INSTALLS.search(line) for line in source.text.replace("\\\n", " ").splitlines())
+
+
+def _is_asked_for(source: Source, name: str) -> bool:
+    """Whether the script looks for the group before it uses it."""
+    return any(name in line and ASKS.search(line) for line in source.text.splitlines())

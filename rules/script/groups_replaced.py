@@ -47,6 +47,8 @@ from bringup_lint.api.yaml import Sequence
 
 GROUPS = regex(r"-[a-zA-Z]*G|--groups")
 APPENDS = regex(r"-[a-zA-Z]{0,9}a[a-zA-Z]{0,9}|--append")
+APPENDED = regex(r"\bmodule_defaults:(?:[^\n]*\n){1,20}?[^\n]*\bappend:[ \t]*[\"']?(?i:true|yes|on)\b")
+"""A play lets all its tasks add groups."""
 MOST_SETTINGS = 64 * 1024
 """Characters of an ``ansible.cfg`` that are read."""
 CREATES = ("useradd", "adduser")
@@ -96,7 +98,7 @@ def _is_created(robot: Robot, source: Source, run: Run) -> bool:
 def _of_tasks(robot: Robot) -> Iterator[Finding]:
     logins = _logins(robot)
     for source in robot.of_kind("ansible"):
-        if not source.judged or "groups" not in source.text:
+        if not source.judged or "groups" not in source.text or APPENDED.search(source.text):
             continue
         for task in tasks(source):
             for module, settings in task.modules:

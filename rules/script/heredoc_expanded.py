@@ -74,7 +74,7 @@ def _is_own(source: Source, written: Written, name: str) -> bool:
     if name in OF_LOGIN or SOURCES.search(around) or re.search(rf"\b{name}=[^\n]*\{{\{{ {name} \}}\}}", text):
         return False
     sets = re.compile(rf"^[ \t]*(?:export |local |readonly )?{name}=", re.M)
-    known = re.compile(rf"\b{name}\+?=|\b(?:for|read|getopts|declare|mapfile)\b[^\n]*\b{name}\b")
+    known = re.compile(rf"\b{name}(?:\+?=|:?[=?])|\b(?:for|read|getopts|declare|mapfile|printf -v)\b[^\n]*\b{name}\b")
     return sets.search(text) is not None and known.search(around) is None
 
 

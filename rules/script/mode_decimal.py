@@ -2,7 +2,7 @@
 
 ## What it finds
 `mode: 644` in a task of Ansible that writes a file or makes a folder: a number without quotes and without a leading
-zero.
+zero. A decimal number that is a usual mode, such as 420 for 0644, is not reported.
 
 ## Why it matters on a robot
 YAML reads 644 as six hundred and forty-four, which is 1204 in octal: the owner may only write, the group may read
@@ -45,6 +45,8 @@ MODULES = frozenset(
 )
 MODE = regex(r"[1-7]?[0-7]{3}")
 LARGEST = 0o7777
+MEANT = (0o400, 0o600, 0o640, 0o644, 0o660, 0o664, 0o777)
+"""Usual modes whose decimal numbers have octal digits only, such as 420."""
 MOST = 20
 
 
@@ -79,4 +81,6 @@ def _modes(source: Source) -> Iterator[Scalar]:
 
 
 def _is_decimal(mode: Scalar) -> bool:
-    return not mode.style and not mode.tag and not mode.value.startswith("0") and bool(MODE.fullmatch(mode.value))
+    if mode.style or mode.tag or mode.value.startswith("0") or not MODE.fullmatch(mode.value):
+        return False
+    return int(mode.value) not in MEANT

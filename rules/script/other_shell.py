@@ -7,7 +7,7 @@
 - `[[ ]]` and an array, `NAME=(a b)`, in a script that begins with `#!/bin/sh`.
 
 Lines under a condition are not reported, nor scripts that something of the tree reads with `source`, or starts with
-the name of another shell.
+the name of another shell, that start themselves again in bash, or that are for BusyBox (OpenWrt, Alpine).
 
 ## Why it matters on a robot
 `/bin/sh` is dash on Ubuntu and Debian: it answers "source: not found" and goes on without the environment of ROS.
@@ -68,6 +68,14 @@ OF_CONDITIONS = (
 )
 ARRAY = regex(r"(?m)^[ \t]*(\w+)\+?=\(")
 MOST = 20
+RESTARTS = regex(r"\bexec[ \t]+(?:/usr)?(?:/bin/)?(?:env[ \t]+)?(?:bash|zsh)\b[^\n]{0,40}\$(?:0|\{0\}|BASH_SOURCE)")
+"""The script goes on in another shell."""
+OF_BUSYBOX = regex(r"^#!/bin/sh[ \t]+/etc/rc\.common|(?m:^[ \t]*(?:uci|opkg|apk)[ \t])")
+"""The script is for OpenWrt or Alpine, whose shell is that of BusyBox."""
+ALPINE = regex(r"(?:docker\.io/)?(?:library/)?(?:(?:arm64v8|amd64|arm32v7)/)?(?:alpine|busybox)(?:[:@]|$)|[^@]*-alpine")
+PAGE = regex(r"\.(?:md|rst|py|json)$", re.I)
+"""Files that are no configuration, but may say how the script is started."""
+MOST_OF_PAGE = 100_000
 BOTH = regex(r"\b(?:ZSH_VERSION|ZSH_NAME|BASH_VERSION|BASH_SOURCE)\b")
 
 
@@ -139,7 +147,7 @@ def _wrong(source: Source, run: Run) -> tuple[str, str] | None:
     shebang = SHELL.match(source.text)
     if shebang is None or len(run.words) < 2:
         return None
-    own = shebang[1]
+    own = run.shell or shebang[1]
     if run.name == "[[":
         return OF_CONDITIONS if own in ("sh", "dash") else None
     named = SETUP.search(run.text(run.words[1]))
@@ -155,7 +163,20 @@ def _wrong(source: Source, run: Run) -> tuple[str, str] | None:
 
 def _is_read_otherwise(robot: Robot, source: Source) -> bool:
     """Whether the script is for several shells, or something names another shell for it."""
+    if BOTH.search(source.said) or RESTARTS.search(source.said) or OF_BUSYBOX.search(source.said):
+        return True
     name = re.escape(source.basename)
-    caller = re.compile(rf"(?:\b(?:source|bash|zsh)|(?:^|[\s;&(])\.)\s+(?:-\w+\s+)*['\"]?[^\s'\"]*{name}", re.M)
+    caller = re.compile(
+        rf"(?:\b(?:source|bash|zsh)|(?:^|[\s;&(])\.)(?:\s+|['\"]\s*,\s*)(?:-\w+\s+)*['\"]?[^\s'\"]*{name}", re.M
+    )
     others = (each for each in robot.sources if each is not source)
-    return bool(BOTH.search(source.said)) or any(caller.search(each.text) for each in others)
+    if any(caller.search(each.text) for each in others) or _is_in_busybox(robot, source):
+        return True
+    pages = (robot.tree.head(path, MOST_OF_PAGE) for path in robot.tree.paths if PAGE.search(path))
+    return any(caller.search(page) for page in pages)
+
+
+def _is_in_busybox(robot: Robot, source: Source) -> bool:
+    """Whether an image without dash takes the script: the shell of Alpine understands these words."""
+    files = (file for file in robot.dockerfiles if source.basename in file.source.text)
+    return any(ALPINE.match(stage.origin) for file in files for stage in file.stages)

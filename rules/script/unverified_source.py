@@ -45,9 +45,14 @@ from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 
+OWN_NETWORK = (
+    r"(?:localhost|127\.|10\.|192\.168\.|172\.(?:1[6-9]|2\d|3[01])\."
+    r"|[\w-]+(?:\.[\w-]+)*\.(?:local|lan|internal|home)\b|[\w-]+[:/\s])"
+)
+"""Private addresses (RFC 1918), and names that only the own network knows."""
 UNSIGNED = regex(
     r"\bdeb \[[^\]\n]{0,200}\b(?P<trusted>trusted=yes)\b[^\]\n]{0,200}\]"
-    r"(?! *(?:file:|copy:|cdrom:|https?://(?:localhost|127\.)))"
+    rf"(?! *(?:file:|copy:|cdrom:|\.?/|[\"']?\$|https?://{OWN_NETWORK}))"
     r"|(?P<option>(?:APT::Get::AllowUnauthenticated|Acquire::AllowInsecureRepositories)(?==(?:true|1|yes)\b))"
     r"|\bapt(?:-get)?\b[^\n|;&]{0,200}?(?P<asked>--allow-unauthenticated|--force-yes)\b"
 )
@@ -56,6 +61,8 @@ UNCHECKED = regex(
 )
 ADDRESS = regex(r"https://(?P<host>[a-zA-Z][\w-]*(?:\.[\w-]+)+)(?P<path>/\S*)?")
 LOCAL = regex(r"\.(?:local|lan|internal|home)$")
+LOOKED_FOR = regex(r"\bgrep\b[^|;&]*$|\bsed\b[^|;&]*['\"]\\?/[^|;&]*$")
+PRINTED = regex(r"\b(?:echo|printf|grep|sed)\b[^|;&]*$")
 CHECKED = regex(r"\b(?:sha(?:1|256|512)sum|md5sum|gpg --verify|cosign)\b")
 
 
@@ -102,6 +109,9 @@ def _word(source: Source, match: re.Match[str]) -> Located:
 
 
 def _is_said(source: Source, match: re.Match[str]) -> bool:
-    """Whether a match is no comment."""
+    """Whether a match is neither a comment nor an option in a text that is printed."""
     line = source.text[: match.start()].rpartition("\n")[2]
-    return not line.lstrip().startswith("#") and " # " not in line
+    if line.lstrip().startswith("#") or " # " in line:
+        return False
+    looks = LOOKED_FOR if match.lastgroup == "trusted" else PRINTED
+    return not looks.search(line)

@@ -49,7 +49,9 @@ VERBS = ("start", "stop", "restart", "reload", "status")
 UNIT_VERBS = (*VERBS, "enable", "disable", "mask", "unmask")
 GROUPS = frozenset("audio bluetooth dialout docker gpio i2c input netdev plugdev render spi tty video".split())
 ADDS = regex(r"-[a-zA-Z]{0,3}[aG][a-zA-Z]{0,3}|--append|--groups")
-NAME = regex(r"\$?\{?[\w@.-]+\}?")
+NAME = regex(r"\$?\{?[\w@][\w@.-]*\}?")
+UNIT = regex(r"[\w@][\w@.-]*")
+"""Not a variable, which may hold the verb."""
 
 
 @rule("warning", symptoms=["ssh: Could not resolve hostname service", "unrecognized service", "Unknown command verb"])
@@ -88,7 +90,7 @@ def _meant(words: Sequence[Located]) -> str:
         return f"service ssh {second}"
     if program == "service" and first in VERBS and NAME.fullmatch(second) and second not in VERBS:
         return f"service {second} {first}"
-    if program == "systemctl" and first not in UNIT_VERBS and second in UNIT_VERBS and NAME.fullmatch(first):
+    if program == "systemctl" and first not in UNIT_VERBS and second in UNIT_VERBS and UNIT.fullmatch(first):
         return f"systemctl {second} {first}"
     if program == "adduser" and first in GROUPS and second not in GROUPS and NAME.fullmatch(second):
         return f"adduser {second} {first}"

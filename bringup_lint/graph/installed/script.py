@@ -55,6 +55,8 @@ class Run(NamedTuple):
     """What it reads from its standard input, where that is known."""
     by_root: bool = False
     """``sudo`` or the like is before it."""
+    shell: str = ""
+    """The shell whose ``-c`` has it; empty: that of the script."""
 
     @property
     def name(self) -> str:
@@ -183,7 +185,9 @@ class _Reader:
     def shell(self, words: tuple[Located, ...], certain: bool, depth: int) -> Iterator[Run | Written]:
         read = shell_input(words[1:])
         if read is not None and read.text is not None:
-            yield from self.all(blocks(read.text), certain, depth + 1)
+            shell = program_name(words[0])
+            for did in self.all(blocks(read.text), certain, depth + 1):
+                yield did._replace(shell=did.shell or shell) if isinstance(did, Run) else did
 
     def tee(self, words: tuple[Located, ...], given: Text | None, certain: bool) -> Iterator[Written]:
         appends = any(re.fullmatch(r"-[a-z]*a[a-z]*|--append", word) for word in words[1:])

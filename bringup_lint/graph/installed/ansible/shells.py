@@ -19,7 +19,10 @@ from bringup_lint.source import Source
 if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
 
-_OTHER_SHELL = regex(r"\bansible_shell_executable\b|\bansible_shell_type\b|\bwin_\w+:")
+_OTHER_SHELL = regex(r"\bansible_shell_executable\b|\bansible_shell_type\b|\bwin_\w+:|\b(?:dnf5?|yum|pacman|rpm_key):")
+"""A variable with the shell, or a task for a distribution whose /bin/sh is bash."""
+_DEFAULTS = regex(r"\bmodule_defaults:(?:[^\n]*\n){1,20}?[^\n]*\bexecutable:")
+"""A play gives all its tasks a shell."""
 _CONFIGURED = regex(r"(?m)^[ \t]*executable[ \t]*=[ \t]*\S*(?:bash|zsh)")
 
 
@@ -29,7 +32,7 @@ def sh_commands(files: Files) -> Iterator[Command]:
     if any(map(_chooses_shell, [*sources, *files.of_kind("ansible-vars")])) or _is_configured(files):
         return
     for source in sources:
-        if source.judged and "shell" in source.text:
+        if source.judged and "shell" in source.text and not _DEFAULTS.search(source.text):
             for task in tasks(source):
                 for script in _scripts(task):
                     yield from commands(script)
