@@ -35,6 +35,7 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
@@ -99,10 +100,19 @@ def _is_read(reference: Reference) -> bool:
 
 
 def _is_written_by_node(robot: Robot, reference: Reference) -> bool:
-    """Whether a source that knows the parameter, or the file, writes files."""
-    sources = robot.files.of_kind("python-node", "cpp-node")
-    names = [name for name in (reference.key, os.path.basename(reference.name)) if name]
-    return any(any(name in each.text for name in names) and _WRITES.search(each.text) for each in sources)
+    """Whether a source that declares the parameter, or names the file, writes files."""
+    sources = [each for each in robot.files.of_kind("python-node", "cpp-node") if _WRITES.search(each.text)]
+    name, key = (re.escape(each) for each in (os.path.basename(reference.name), reference.key))
+    known = re.compile(
+        rf"\b{name}\b" + (rf"|declare_parameter\b[^()]{{0,40}}\(\s{{0,40}}[\"']{key}[\"']" if key else "")
+    )
+    return any(known.search(each.text) and _is_started_here(robot, reference, each) for each in sources)
+
+
+def _is_started_here(robot: Robot, reference: Reference, source: Source) -> bool:
+    """Whether a launch file names the package of a source."""
+    owner = robot.launch.workspace.owner(source)
+    return owner is not None and owner.name in reference.span.source.text
 
 
 def _is_asked_for(reference: Reference) -> bool:

@@ -42,13 +42,19 @@ def unstamped(code: Code, names: Names, endpoints: list[Endpoint]) -> Iterator[U
             found = _sent(code, names, call)
             if found is None or (found.type == JOINTS and not reports_joints(endpoints)):
                 continue
-            if found.type == TRANSFORM or _receiver(call) in publishers:
+            if found.type == TRANSFORM or _receiver(call) in publishers or _is_transport(code, _receiver(call)):
                 yield found
 
 
 def _receiver(call: Call) -> str:
     """The name on which ``publish`` is called. One that is not made as a publisher may set the stamp itself."""
     return call.qualified.removeprefix("this->").removesuffix("publish").rstrip("->.")
+
+
+def _is_transport(code: Code, name: str) -> bool:
+    """Whether a variable is a publisher of pictures."""
+    declared = rf"\bimage_transport::\w{{0,40}}Publisher\s{{1,4}}{re.escape(name)}\b"
+    return bool(name) and re.search(declared, code.source.text) is not None
 
 
 def _sent(code: Code, names: Names, call: Call) -> Unstamped | None:

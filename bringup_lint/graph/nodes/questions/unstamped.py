@@ -112,7 +112,10 @@ def _is_sent(syntax: Syntax, call: ast.Call, kind: str) -> bool:
     """Whether a call surely sends: a method of the same name, or of another class, may set the stamp before."""
     if kind == TRANSFORM:
         return _is_moving(syntax, call)
-    return published(syntax, call, _node_class(syntax, call)) is not None
+    if published(syntax, call, _node_class(syntax, call)) is not None:
+        return True
+    kept = ast.unparse(call.func.value) if isinstance(call.func, ast.Attribute) else None
+    return any(each.role == "publisher" and each.attribute == kept for each in syntax.file.strays)
 
 
 def _node_class(syntax: Syntax, node: ast.AST) -> NodeClass | None:
