@@ -59,13 +59,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.observed.observed import Observed
     from bringup_lint.graph.params.map_images import LostImage
     from bringup_lint.graph.params.params import Params
-    from bringup_lint.graph.plugins.claims import Claim
-    from bringup_lint.graph.plugins.controllers import UntypedController
-    from bringup_lint.graph.plugins.joints import UnknownJoint
-    from bringup_lint.graph.plugins.refused import Refused
-    from bringup_lint.graph.plugins.unknown import UnknownPlugin
-    from bringup_lint.graph.plugins.untyped import UntypedPlugin
-    from bringup_lint.graph.plugins.xacro_arguments import UnknownArgument
+    from bringup_lint.graph.plugins.plugins import Plugins
     from bringup_lint.graph.provenance import Provenance
     from bringup_lint.graph.runners.runners import Runners
     from bringup_lint.graph.secrets.in_clear import Secret
@@ -359,35 +353,6 @@ class Robot:
 
         return Params(self.files, lambda: self.launch)
 
-    @cached_property
-    def unknown_plugins(self) -> list[UnknownPlugin]:
-        """Plugins that robot descriptions and parameter files name, and that no package exports."""
-        from bringup_lint.graph.plugins.unknown import Plugins
-
-        return Plugins(self.files, self.launch.workspace, lambda: self.params).unknown
-
-    @cached_property
-    def untyped_plugins(self) -> list[list[UntypedPlugin]]:
-        """Plugins that parameter files tell a server of Navigation2 to load, without their class; those of one file
-        together."""
-        from bringup_lint.graph.plugins.untyped import untyped_plugins
-
-        return list(untyped_plugins(self.params))
-
-    @cached_property
-    def unknown_joints(self) -> list[UnknownJoint]:
-        """Joints and interfaces that controllers are told to use, and that no description of the tree has."""
-        from bringup_lint.graph.plugins.joints import unknown_joints
-
-        return list(unknown_joints(self.files, self.params, self.launch.workspace.packages))
-
-    @cached_property
-    def refused_descriptions(self) -> list[list[Refused]]:
-        """What is wrong with robot descriptions, that of one file together."""
-        from bringup_lint.graph.plugins.refused import refused_descriptions
-
-        return list(refused_descriptions(self.files, self.launch.workspace.packages))
-
     @property
     def lost_map_images(self) -> Iterator[LostImage]:
         """Maps whose image does not exist, where their folder has one that no map names."""
@@ -395,26 +360,11 @@ class Robot:
 
         return lost_images(self.tree)
 
-    @property
-    def claims(self) -> Iterator[Claim]:
-        """Controllers that are activated together and claim the same interface of a joint."""
-        from bringup_lint.graph.plugins.claims import claims
-
-        return claims(self.launch, self.params)
-
-    @property
-    def unknown_xacro_arguments(self) -> Iterator[UnknownArgument]:
-        """Arguments that launch files give to xacro, and that the description does not declare."""
-        from bringup_lint.graph.plugins.xacro_arguments import unknown_arguments
-
-        return unknown_arguments(self.launch, self.tree)
-
     @cached_property
-    def untyped_controllers(self) -> list[UntypedController]:
-        """Controllers that launch files spawn, of types that their manager is not given."""
-        from bringup_lint.graph.plugins.controllers import untyped_controllers
+    def plugins(self) -> Plugins:
+        from bringup_lint.graph.plugins.plugins import Plugins
 
-        return list(untyped_controllers(self.launch, self.params))
+        return Plugins(self.files, self.launch, lambda: self.params)
 
     @cached_property
     def topics(self) -> Topics:

@@ -43,7 +43,7 @@ from bringup_lint.api.launch import literal_text
 @rule("error", confidence="medium", symptoms=["The 'type' param was not defined for"])
 def controller_untyped(robot: Robot) -> Iterator[Finding]:
     without: dict[object, list[UntypedController]] = {}
-    for each in robot.untyped_controllers:
+    for each in robot.plugins.untyped_controllers:
         if each.files:
             yield finding(
                 each.name,

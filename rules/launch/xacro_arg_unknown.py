@@ -38,7 +38,7 @@ from bringup_lint.api.spelling import nearest
 
 @rule("warning", silent="xacro takes arguments that nothing declares without a message")
 def xacro_arg_unknown(robot: Robot) -> Iterator[Finding]:
-    for name, description, known in robot.unknown_xacro_arguments:
+    for name, description, known in robot.plugins.unknown_arguments:
         near = nearest(name, known, 3)
         names = f"it declares {', '.join(known[:8])}" if known else "it declares none"
         yield finding(

@@ -40,7 +40,7 @@ from bringup_lint.api import rule
 
 @rule("error", symptoms=["Resource conflict for controller", "already claimed"])
 def controller_joint_claimed(robot: Robot) -> Iterator[Finding]:
-    for claim in robot.claims:
+    for claim in robot.plugins.claims:
         yield finding(
             claim.where,
             f"{claim.first} claims '{claim.joint}' as well: {claim.controller} is not activated",

@@ -54,7 +54,7 @@ from bringup_lint.api.params import UnknownJoint
     ],
 )
 def controller_joint_unknown(robot: Robot) -> Iterator[Finding]:
-    for each in robot.unknown_joints:
+    for each in robot.plugins.unknown_joints:
         yield finding(
             each.where,
             _message(each),

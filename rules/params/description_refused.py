@@ -59,7 +59,7 @@ from bringup_lint.api.params import Refused
     ],
 )
 def description_refused(robot: Robot) -> Iterator[Finding]:
-    for first, *others in robot.refused_descriptions:
+    for first, *others in robot.plugins.refused_descriptions:
         yield finding(
             first.where,
             f"{_what(first)}: {_consequence(first)}",

@@ -59,7 +59,7 @@ from bringup_lint.api.params import UnknownPlugin
 )
 def plugin_unknown(robot: Robot) -> Iterator[Finding]:
     found: dict[tuple[str, str], list[UnknownPlugin]] = {}
-    for each in robot.unknown_plugins:
+    for each in robot.plugins.unknown:
         is_description = each.name.span.source.kind == "urdf" or each.distribution is None
         found.setdefault(("", each.name) if is_description else (each.name.span.path, ""), []).append(each)
     for first, *others in found.values():

@@ -50,7 +50,7 @@ from bringup_lint.api import rule
     symptoms=["Can not get 'plugin' param value for", "'plugin' param not defined for"],
 )
 def plugin_untyped(robot: Robot) -> Iterator[Finding]:
-    for each, *others in robot.untyped_plugins:
+    for each, *others in robot.plugins.untyped:
         like = each.like.name.removesuffix(".plugin") if each.like is not None else None
         near = [note(each.like.span, "no list names this one")] if each.like is not None else []
         yield finding(

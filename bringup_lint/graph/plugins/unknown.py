@@ -48,7 +48,9 @@ class UnknownPlugin(NamedTuple):
     """A description of the robot, or a parameter file that a launch file loads or another file names."""
 
 
-class Plugins:
+class Named:
+    """The plugins that files name."""
+
     def __init__(self, files: Files, workspace: Workspace, params: Callable[[], Params]) -> None:
         self._files = files
         self._workspace = workspace

@@ -1,0 +1,72 @@
+"""What ros2_control and Navigation2 load, the joints that they are told to use, and the descriptions that have them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from bringup_lint.graph.plugins.claims import Claim
+from bringup_lint.graph.plugins.claims import claims
+from bringup_lint.graph.plugins.controllers import UntypedController
+from bringup_lint.graph.plugins.controllers import untyped_controllers
+from bringup_lint.graph.plugins.joints import UnknownJoint
+from bringup_lint.graph.plugins.joints import unknown_joints
+from bringup_lint.graph.plugins.refused import Refused
+from bringup_lint.graph.plugins.refused import refused_descriptions
+from bringup_lint.graph.plugins.unknown import Named
+from bringup_lint.graph.plugins.unknown import UnknownPlugin
+from bringup_lint.graph.plugins.untyped import UntypedPlugin
+from bringup_lint.graph.plugins.untyped import untyped_plugins
+from bringup_lint.graph.plugins.xacro_arguments import UnknownArgument
+from bringup_lint.graph.plugins.xacro_arguments import unknown_arguments
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.files import Files
+    from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.params.params import Params
+
+
+class Plugins:
+    """Controllers, hardware and servers with what they load, and the robot descriptions that go with them."""
+
+    def __init__(self, files: Files, launch: Launch, params: Callable[[], Params]) -> None:
+        self._files = files
+        self._launch = launch
+        self._params = params
+
+    @cached_property
+    def unknown(self) -> list[UnknownPlugin]:
+        """Plugins that robot descriptions and parameter files name, and that no package exports."""
+        return Named(self._files, self._launch.workspace, self._params).unknown
+
+    @cached_property
+    def untyped(self) -> list[list[UntypedPlugin]]:
+        """Plugins that parameter files tell a server of Navigation2 to load, without their class; those of one file
+        together."""
+        return list(untyped_plugins(self._params()))
+
+    @cached_property
+    def untyped_controllers(self) -> list[UntypedController]:
+        """Controllers that launch files spawn, of types that their manager is not given."""
+        return list(untyped_controllers(self._launch, self._params()))
+
+    @cached_property
+    def claims(self) -> list[Claim]:
+        """Controllers that are activated together and claim the same interface of a joint."""
+        return list(claims(self._launch, self._params()))
+
+    @cached_property
+    def unknown_joints(self) -> list[UnknownJoint]:
+        """Joints and interfaces that controllers are told to use, and that no description of the tree has."""
+        return list(unknown_joints(self._files, self._params(), self._launch.workspace.packages))
+
+    @cached_property
+    def refused_descriptions(self) -> list[list[Refused]]:
+        """What is wrong with robot descriptions, that of one file together."""
+        return list(refused_descriptions(self._files, self._launch.workspace.packages))
+
+    @cached_property
+    def unknown_arguments(self) -> list[UnknownArgument]:
+        """Arguments that launch files give to xacro, and that the description does not declare."""
+        return list(unknown_arguments(self._launch, self._files.tree))
