@@ -65,9 +65,9 @@ def navigation_problems(params: Params) -> Iterator[NavigationProblem]:
 
 def _costmap(params: Params, file: ParameterFile, block: Block) -> Iterator[NavigationProblem]:
     named = _named(block)
-    footprint = named.get("footprint")
-    if footprint is not None:
-        yield from _footprint(footprint)
+    shape = _shape(named)
+    if shape is not None and shape.name == "footprint":
+        yield from _footprint(shape)
     yield from _inflation(named)
     for layer in _layers(named):
         yield from _observations(params, named, layer)
@@ -77,9 +77,17 @@ def _named(block: Block) -> dict[str, Parameter]:
     return {str(each.name): each for each in block.parameters}
 
 
+def _shape(named: dict[str, Parameter]) -> Parameter | None:
+    """What gives a costmap the shape of the robot: its footprint, or the radius where there is none."""
+    footprint = named.get("footprint")
+    if footprint is None or footprint.value.data in ("", "[]"):
+        return named.get("robot_radius")
+    return footprint
+
+
 def _footprint(parameter: Parameter) -> Iterator[NavigationProblem]:
     text = parameter.value.data
-    if not isinstance(text, str) or text.strip() in ("", "[]") or "$" in text:
+    if not isinstance(text, str) or "$" in text:
         return
     points = _points(text)
     if points is None:
@@ -113,8 +121,8 @@ def _points(text: str) -> list[Point] | None:
 
 def _inflation(named: dict[str, Parameter]) -> Iterator[NavigationProblem]:
     """Inflation below the inscribed radius, about which the layer itself warns."""
-    shape = named.get("footprint") or named.get("robot_radius")
-    inscribed = _inscribed(named)
+    shape = _shape(named)
+    inscribed = _inscribed(shape) if shape is not None else None
     for name, each in named.items():
         radius = _number(each)
         if not name.endswith(".inflation_radius") or radius is None or inscribed is None or shape is None:
@@ -124,13 +132,12 @@ def _inflation(named: dict[str, Parameter]) -> Iterator[NavigationProblem]:
             yield NavigationProblem("inflation", each.span, name, f"{inscribed:.2f}", shape.span)
 
 
-def _inscribed(named: dict[str, Parameter]) -> float | None:
+def _inscribed(shape: Parameter) -> float | None:
     """The radius of the largest circle about the origin that is inside of the robot, in metres."""
-    footprint = named.get("footprint")
-    if footprint is not None and footprint.value.data not in ("", "[]"):
-        points = _points(str(footprint.value.data))
+    if shape.name == "footprint":
+        points = _points(str(shape.value.data))
         return min(_distance(one, other) for one, other in pairwise([*points, points[0]])) if points else None
-    radius = _number(named["robot_radius"]) if "robot_radius" in named else None
+    radius = _number(shape)
     return radius * cos(pi / _SIDES) if radius is not None else None
 
 
