@@ -9,6 +9,8 @@ from bringup_lint.graph.nodes.questions.callback_code import code_of
 from bringup_lint.graph.nodes.questions.callback_code import reached
 from bringup_lint.graph.nodes.questions.endless_loops import has_no_exit
 from bringup_lint.graph.nodes.questions.endless_loops import spins
+from bringup_lint.graph.nodes.questions.stored_values import is_message
+from bringup_lint.graph.nodes.questions.stored_values import stored
 from bringup_lint.graph.nodes.sources.ending import Ending
 from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.model.node_source import Callback
@@ -48,6 +50,8 @@ def awaited(ending: Ending, loop: ast.While, cls: NodeClass) -> Awaited | None:
         return answer
     calls = [each for each in walk(loop.test) if isinstance(each, ast.Call) and not _is_ok(ending, each)]
     if any(not _is_event(each) for each in calls):
+        return None
+    if not all(_is_of_node(ending, cls, each) for each in walk(loop.test) if isinstance(each, ast.Attribute)):
         return None
     attributes = {each.attr for each in walk(loop.test) if isinstance(each, ast.Attribute) and _is_self(each.value)}
     names = {each.id for each in walk(loop.test) if isinstance(each, ast.Name)} - {"self"}
@@ -92,6 +96,22 @@ def _constant_names(ending: Ending, loop: ast.While, cls: NodeClass) -> set[str]
     constants = {each.id for each in made if isinstance(each, ast.Name)} - changed
     bound = {each.id for each in walk(function) if isinstance(each, ast.Name) and not isinstance(each.ctx, ast.Load)}
     return ({each.arg for each in arguments} | constants | ending.file.imports.keys()) - bound
+
+
+def _is_of_node(ending: Ending, cls: NodeClass, node: ast.Attribute) -> bool:
+    """Whether what an attribute means changes in this file alone: an object of another class may change by itself."""
+    if not _is_self_attribute(node.value):
+        return True
+    values = stored(ending.syntax, cls, node.value)
+    if node.attr in _ASKS:
+        return bool(values) and all(_is_waited_for(ending, each) for each in values)
+    return bool(values) and all(is_message(ending.syntax, cls, each) for each in values)
+
+
+def _is_waited_for(ending: Ending, value: ast.expr | None) -> bool:
+    """Whether a value is an event or a future."""
+    name = ending.syntax.qualified(value) or ast.unparse(value.func) if isinstance(value, ast.Call) else ""
+    return name.rpartition(".")[2] in ("Event", "Future", *_ANSWERS)
 
 
 def _is_event(call: ast.Call) -> bool:
