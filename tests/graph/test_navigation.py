@@ -19,6 +19,10 @@ local_costmap:
       inflation:
         inflation_radius: 0.1
 """
+LAUNCH = """<launch>
+  <node pkg="nav2_controller" exec="controller_server"><param from="$(dirname)/nav2.yaml"/></node>
+</launch>
+"""
 
 
 @pytest.mark.parametrize(
@@ -27,7 +31,8 @@ local_costmap:
 )
 def test_the_radius_counts_where_the_footprint_is_empty(footprint: str, line: int, tmp_path: Path) -> None:
     (tmp_path / "nav2.yaml").write_text(COSTMAP.format(footprint=footprint))
+    (tmp_path / "nav.launch.xml").write_text(LAUNCH)
     select = ("--select", "params/nav2-contradiction")
-    findings = json.loads(lint(*select, "--output-format", "json", "nav2.yaml", cwd=tmp_path).stdout)
-    assert [each["location"]["start"]["line"] for each in findings] == [8]
-    assert [each["related"][0]["location"]["start"]["line"] for each in findings] == [line]
+    report = json.loads(lint(*select, "--output-format", "json", ".", cwd=tmp_path).stdout)
+    assert [each["location"]["start"]["line"] for each in report["findings"]] == [8]
+    assert [each["related"][0]["location"]["start"]["line"] for each in report["findings"]] == [line]
