@@ -6,13 +6,13 @@ import ast
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.graph.nodes.questions.callback_code import reached
 from bringup_lint.graph.nodes.questions.late_attributes import is_certain
 from bringup_lint.graph.nodes.questions.missing_attributes import family_of
 from bringup_lint.graph.nodes.questions.missing_attributes import heirs_of
 from bringup_lint.graph.nodes.questions.missing_attributes import own_uses
 from bringup_lint.graph.nodes.questions.missing_attributes import set_elsewhere
 from bringup_lint.graph.nodes.questions.missing_attributes import set_in_body
-from bringup_lint.graph.nodes.sources.sending import called
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.python import walk
@@ -23,8 +23,8 @@ if TYPE_CHECKING:
     from bringup_lint.model.node_source import NodeSource
 
 _EXITS = frozenset({"sys.exit", "os._exit", "exit", "quit"})
-_SHUTS_DOWN = ("rclpy.shutdown", "rclpy.try_shutdown")
-"""What ends the context: the constructor goes on, and no callback runs any more."""
+_SHUTS_DOWN = frozenset({"shutdown", "try_shutdown", "destroy_node"})
+"""What ends the context or the node: the constructor goes on, and no callback runs any more."""
 
 
 class HalfMade(NamedTuple):
@@ -71,21 +71,19 @@ def _in_try(
 
 def _leaves(syntax: Syntax, node: NodeClass, handler: ast.ExceptHandler) -> bool:
     """Whether a handler ends the constructor or the process, itself or in a method or function that it calls."""
-    for each in walk(handler):
-        if isinstance(each, (ast.Raise, ast.Return, ast.Break, ast.Continue, ast.While, ast.For)):
-            return True
-        if isinstance(each, ast.Call) and (_exits(syntax, each) or _calls_exit(syntax, node, each)):
-            return True
-    return False
+    if any(isinstance(each, (ast.Return, ast.Break, ast.Continue, ast.While, ast.For)) for each in walk(handler)):
+        return True
+    return any(isinstance(each, ast.Raise) or _exits(syntax, each) for each in reached(syntax, [*handler.body], node))
 
 
-def _exits(syntax: Syntax, call: ast.Call) -> bool:
-    return (syntax.qualified(call) or ast.unparse(call.func)) in _EXITS
+def _exits(syntax: Syntax, node: ast.AST) -> bool:
+    return isinstance(node, ast.Call) and (syntax.qualified(node) or ast.unparse(node.func)) in _EXITS
 
 
-def _calls_exit(syntax: Syntax, node: NodeClass, call: ast.Call) -> bool:
-    inside = (each for function, _ in called(syntax, call, node) for each in walk(function))
-    return any(isinstance(each, ast.Raise) or (isinstance(each, ast.Call) and _exits(syntax, each)) for each in inside)
+def _shuts_down(node: ast.AST) -> bool:
+    function = node.func if isinstance(node, ast.Call) else None
+    name = function.attr if isinstance(function, ast.Attribute) else getattr(function, "id", None)
+    return name in _SHUTS_DOWN
 
 
 def _made(statement: ast.Try) -> Iterator[ast.Attribute]:
@@ -109,10 +107,8 @@ def _uses(
     syntax: Syntax, node: NodeClass, statement: ast.Try, handler: ast.ExceptHandler, name: str
 ) -> Iterator[ast.Attribute]:
     """The uses that run each time that their method does, in the constructor after the ``try`` or in a callback."""
-    inside = syntax.file.span_of(statement)
-    started = {each.name for each in node.callbacks if not inside.start <= each.span.start < inside.end}
-    if any(isinstance(each, ast.Call) and syntax.qualified(each) in _SHUTS_DOWN for each in walk(handler)):
-        started = set()
+    ends = any(_shuts_down(each) for each in reached(syntax, [*handler.body], node))
+    started = set() if ends else set(_started(syntax, node, statement))
     for place in sorted(own_uses(syntax, node), key=lambda each: (each.lineno, each.col_offset)):
         function = syntax.function(place)
         if place.attr != name or function is None or function.name not in {"__init__", *started}:
@@ -120,3 +116,14 @@ def _uses(
         is_after = function.name != "__init__" or place.lineno > (statement.end_lineno or 0)
         if is_after and is_certain(syntax, function, place):
             yield place
+
+
+def _started(syntax: Syntax, node: NodeClass, statement: ast.Try) -> Iterator[str]:
+    """The callbacks that the constructor starts in any case: under no condition, and before it may return."""
+    for each in node.methods["__init__"].node.body:
+        if each.lineno > statement.lineno and any(isinstance(part, ast.Return) for part in walk(each)):
+            return
+        if isinstance(each, (ast.Expr, ast.Assign, ast.AnnAssign)):
+            place = syntax.file.span_of(each)
+            made = (callback for callback in node.callbacks if place.start <= callback.span.start < place.end)
+            yield from (callback.name for callback in made if callback.name is not None)
