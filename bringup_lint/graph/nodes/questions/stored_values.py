@@ -12,9 +12,11 @@ from bringup_lint.model.python import walk
 
 def stored(syntax: Syntax, cls: NodeClass, attribute: ast.expr) -> list[ast.expr | None]:
     """The values but ``None`` that a class gives to an attribute such as ``self.x``; None for one that is unknown."""
+    if cls.node is None:
+        return []
     name = ast.unparse(attribute)
     found: list[ast.expr | None] = []
-    for each in walk(cls.node) if cls.node is not None else ():
+    for each in walk(cls.node):
         if isinstance(each, ast.Attribute) and isinstance(each.ctx, ast.Store) and ast.unparse(each) == name:
             outer = next(syntax.above(each))[0]
             found.append(outer.value if isinstance(outer, (ast.Assign, ast.AnnAssign)) else None)
