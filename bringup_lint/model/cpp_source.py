@@ -95,6 +95,17 @@ class MakingLoop(NamedTuple):
     """The call of the constructor that leads there; None when the loop is in the constructor itself."""
 
 
+class FewHandles(NamedTuple):
+    """An executor of rclc that is made for fewer handles than are added to it."""
+
+    place: Span
+    """Where the number is written."""
+    room: int
+    added: int
+    refused: Span
+    """The first call that adds one too many."""
+
+
 class TimeMember(NamedTuple):
     """A member that holds the system time 0 until something sets it."""
 
@@ -158,6 +169,7 @@ class CppNode:
     unstamped: list[Unstamped] = field(default_factory=list)
     dropped: list[Dropped] = field(default_factory=list)
     early_pointers: list[EarlyPointer] = field(default_factory=list)
+    few_handles: list[FewHandles] = field(default_factory=list)
     making_loops: list[MakingLoop] = field(default_factory=list)
     time_members: list[TimeMember] = field(default_factory=list)
     time_uses: list[TimeUse] = field(default_factory=list)

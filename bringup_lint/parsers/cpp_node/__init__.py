@@ -15,6 +15,7 @@ from bringup_lint.parsers.cpp_node.dropped import dropped
 from bringup_lint.parsers.cpp_node.early_pointers import early_pointers
 from bringup_lint.parsers.cpp_node.endpoints import endpoint
 from bringup_lint.parsers.cpp_node.endpoints import timer
+from bringup_lint.parsers.cpp_node.handles import few_handles
 from bringup_lint.parsers.cpp_node.kept import kept
 from bringup_lint.parsers.cpp_node.kept import sent
 from bringup_lint.parsers.cpp_node.lookups import lookups
@@ -43,7 +44,7 @@ CALLBACKS = 200
 """Callbacks of one file that are looked into."""
 _OF_NODES = regex(
     r"\bcreate_(?:publisher|subscription|service|client|server|wall_timer|timer)\b|_parameters?\w{0,64}\s*[<(]"
-    r"|\bNode\b|\bLifecycleNode\b|/dev/|RCLCPP_COMPONENTS_REGISTER_NODE|\bstd::thread\b"
+    r"|\bNode\b|\bLifecycleNode\b|/dev/|RCLCPP_COMPONENTS_REGISTER_NODE|\bstd::thread\b|\brclc_executor_init\b"
 )
 _ROLES = {"subscription", "timer"}
 """The callbacks of a node that may go on with what it got before."""
@@ -86,6 +87,7 @@ def parse(source: Source) -> CppNode:
     node.early_pointers = list(dict.fromkeys(early_pointers(code)))
     node.time_members = list(time_members(code))
     node.time_uses = list(time_uses(code, node.callbacks[:CALLBACKS]))
+    node.few_handles = list(few_handles(code))
     node.making_loops = list(dict.fromkeys(making_loops(code)))
     node.deaf_loops = list(dict.fromkeys(deaf_loops(code)))
     return node
