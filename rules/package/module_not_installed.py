@@ -4,7 +4,8 @@
 Console scripts and modules of an ament_python package that need a folder of modules beside them, which `packages` of
 setup.py does not install: it lists the outer package only, or `find_packages` passes over a folder without an
 `__init__.py`. Imports inside `try`, `if` and functions are not judged. It is an info when something of the tree
-builds with `--symlink-install`, which leads to the source and hides the mistake.
+builds with `--symlink-install`, which leads to the source and hides the mistake, and a warning when no console script
+names the module that imports it.
 
 ## Why it matters on a robot
 The node works where the workspace is built with `--symlink-install`, and ends with "No module named" on a robot that
@@ -31,10 +32,12 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.launch import Package
 
 SYMLINKS = regex(r"--symlink-install\b")
 
@@ -46,11 +49,18 @@ def module_not_installed(robot: Robot) -> Iterator[Finding]:
             continue
         for module, folder, listed in robot.dependencies.left_out_modules(package):
             path = folder.replace(".", "/")
+            severity = None if _is_started(module.span.source, package) else "warning"
             found = listed.names is None
             yield finding(
                 module,
                 f"setup.py does not install {folder}: on the robot this ends with \"No module named '{folder}'\"",
                 advice=f"add {path}/__init__.py" if found else f"add '{folder}' to packages, or use find_packages()",
                 related=[note(listed.where, "takes folders with an __init__.py" if found else "what is installed")],
-                severity="info" if robot.files.mentions(SYMLINKS) else None,
+                severity="info" if robot.files.mentions(SYMLINKS) else severity,
             )
+
+
+def _is_started(module: Source, package: Package) -> bool:
+    """Whether a console script is, or names, the module that imports the folder."""
+    name = f"{module.basename.removesuffix('.py')}:"
+    return any(build.source is module or name in build.source.text for build in package.builds)
