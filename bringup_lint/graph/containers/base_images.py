@@ -8,6 +8,18 @@ from bringup_lint.pattern import regex
 _LIBRARY = r"(?:docker\.io/)?(?:library/)?(?:(?:arm64v8|amd64|arm32v7)/)?"
 _ROS = regex(rf"{_LIBRARY}(?:osrf/)?ros:(?P<distro>[a-z]+)(?:-[\w.-]+)?")
 _UBUNTU = regex(rf"{_LIBRARY}ubuntu:(?P<release>[\w.]+)(?:-[\w.]+)?")
+_RELEASES = [distros.every()[name] for name in distros.distros_since("humble") if name != "rolling"]
+_SINCE_HUMBLE = "|".join(each.name for each in _RELEASES)
+_OF_RELEASES = "|".join(dict.fromkeys(each.codename for each in _RELEASES))
+_VARIANT = regex(
+    rf"(?:docker\.io/)?(?:(?:library|arm64v8|amd64|arm32v7)/)?"
+    rf"(?:ros:(?P<distro>{_SINCE_HUMBLE})(?:-ros-core|-ros-base|-perception)?"
+    rf"|osrf/ros:(?P<desktop>{_SINCE_HUMBLE})-desktop(?:-full)?)(?:-(?:{_OF_RELEASES}))?"
+)
+_PLAIN = regex(
+    r"(?:docker\.io/|(?:library|arm64v8|arm32v7|amd64|osrf)/)*"
+    r"(?:ros|ubuntu|debian|python|scratch|ros2|alpine|busybox|node|nginx)(?:[:@]|$)|(?:nvidia/cuda|balenalib/\S*ubuntu\S*)\b"
+)
 _ON_UBUNTU = regex(r"[.:-]ubuntu-?(?P<year>\d\d)\.?04(?!\d)")
 _JETSON = regex(r"nvcr\.io/nvidia/l4t-[\w-]+:r(?P<major>\d\d)[\w.-]*")
 _CODENAMES = {"18.04": "bionic", "20.04": "focal", "22.04": "jammy", "24.04": "noble"}
@@ -32,6 +44,17 @@ def ros_distro(image: str) -> str:
     """The distribution of an image of ROS; empty for other images and for tags without one (``latest``)."""
     match = _ROS.fullmatch(image)
     return match["distro"] if match is not None and match["distro"] in distros.every() else ""
+
+
+def variant_of(image: str) -> str:
+    """The distribution, Humble or later, of an official image of one of its variants; empty for other images."""
+    match = _VARIANT.fullmatch(image)
+    return (match["distro"] or match["desktop"]) if match is not None else ""
+
+
+def is_plain(image: str) -> bool:
+    """Whether an image holds nothing of a robot but what its tag says."""
+    return _PLAIN.match(image) is not None
 
 
 def ubuntu_codename(image: str) -> str:

@@ -10,6 +10,7 @@ from functools import cached_property
 from bringup_lint.discover.tree import Tree
 from bringup_lint.facts.ros import distros
 from bringup_lint.facts.ros.needed import Needed
+from bringup_lint.graph.containers.base_images import is_plain
 from bringup_lint.model.dockerfile import Dockerfile
 from bringup_lint.pattern import regex
 
@@ -42,11 +43,6 @@ _REPOSITORY = regex(r"(?:github|gitlab)\.com[/:][\w.-]{1,60}/([\w.-]{1,80})")
 ROSDEP = regex(r"\brosdep\s+install\b(?:\\\r?\n|[^\n`&;])*")
 """A command, with the lines that it goes on in."""
 _PARAMETERS = "ros__parameters"
-_PLAIN = regex(
-    r"^(?:docker\.io/|(?:library|arm64v8|arm32v7|amd64|osrf)/)*"
-    r"(?:ros|ubuntu|debian|python|scratch|ros2|alpine|busybox|node|nginx)(?::|@|$)|^(?:nvidia/cuda|balenalib/\S*ubuntu\S*)\b"
-)
-"""Images that hold nothing of a robot but what their tag says."""
 _VARIANT = regex(rf"(?:{'|'.join(distros.every())}|[}}>])[-_](desktop[-_]full|desktop|perception|simulation)(?![a-z])")
 _VARIANTS = frozenset(("desktop", "desktop_full", "perception", "simulation"))
 
@@ -147,7 +143,7 @@ class Provided:
         """Whether an image is built on one that others made, which may hold anything, and rosdep adds nothing to it."""
         files = (file for file in self._dockerfiles if not ROSDEP.search(file.source.text))
         origins = {stage.origin.lower() for file in files for stage in file.stages}
-        return not all(map(_PLAIN.search, origins))
+        return not all(map(is_plain, origins))
 
 
 def _words(text: str) -> Iterator[str]:

@@ -8,8 +8,8 @@ from collections.abc import Iterable
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from bringup_lint.facts.ros import distros
 from bringup_lint.graph.commands.environment import Variable
+from bringup_lint.graph.containers.base_images import variant_of
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
@@ -30,14 +30,6 @@ PACKAGES = {
 }
 """Middlewares that no official image brings, with the end of their package's name."""
 
-_RELEASES = [distros.every()[name] for name in distros.distros_since("humble") if name != "rolling"]
-_DISTROS = "|".join(each.name for each in _RELEASES)
-_CODENAMES = "|".join(dict.fromkeys(each.codename for each in _RELEASES))
-_OFFICIAL = regex(
-    r"(?:docker\.io/)?(?:(?:library|arm64v8|amd64|arm32v7)/)?"
-    rf"(?:ros:(?P<distro>{_DISTROS})(?:-ros-core|-ros-base|-perception)?"
-    rf"|osrf/ros:(?P<desktop>{_DISTROS})-desktop(?:-full)?)(?:-(?:{_CODENAMES}))?"
-)
 _OPAQUE = regex(
     r"rosdep|\$\(|`|xargs|ansible|\b(?:curl|wget|git|vcs|colcon|cmake|make|pip3?|conda|mamba|dpkg|tar|cp|source)\b|\.sh\b"
     r"|\.deb\b|<<|install[^\n;&]*\$(?!\{?ROS_DISTRO)"
@@ -126,7 +118,6 @@ def _of_stage(stage: Stage, variable: Variable) -> Iterator[MissingMiddleware]:
 
 
 def _lacks(place: Located, image: str, variable: Variable) -> Iterator[MissingMiddleware]:
-    official = _OFFICIAL.fullmatch(image)
-    if official and variable.text in PACKAGES:
-        distro = official["distro"] or official["desktop"]
+    distro = variant_of(image)
+    if distro and variable.text in PACKAGES:
         yield MissingMiddleware(variable, place, f"ros-{distro}-{PACKAGES[variable.text]}")
