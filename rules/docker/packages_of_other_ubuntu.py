@@ -33,6 +33,7 @@ When a repository of one's own has the packages.
 """
 
 from collections.abc import Iterator
+from collections.abc import Sequence
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
@@ -49,6 +50,7 @@ from bringup_lint.api.ros import codename_of
 from bringup_lint.api.shell import unwrapped
 
 PACKAGE = regex(r"ros-(?P<distro>[a-z]+)-[a-z][\w*.=-]*")
+TESTS = ("[", "[[", "test")
 OTHER_SOURCES = regex(
     r"isaac|ppa:|\bconda\b|robostack|\bextrepo\b|\bsed\b[^\n]*sources\.list|\bdebs?/"
     r"|(?<![\w.])deb (?:\[[^\]\n]{0,200}\] ?)?(?:file|copy|ftp|https?)"
@@ -106,15 +108,22 @@ def _foreign(stage: Stage, codename: str) -> Located | None:
     copied = (str(each.value) for one in stage.chain for each in one.all("COPY", "ADD"))
     if any(map(OTHER_SOURCES.search, texts)) or any(map(SOURCES.search, copied)):
         return None
-    for command in commands_of(stage):
-        words = unwrapped(command.words)
-        if command.depth or command.ends == "||" or "install" not in words[:4] or not words[0].startswith("apt"):
-            continue
-        for word in words:
-            distro = _distro(word)
-            if distro and distro != "rolling" and codename_of(distro) != codename:
-                return word
+    for words in _unconditional(stage):
+        if words and "install" in words[:4] and words[0].startswith("apt"):
+            for word in words:
+                distro = _distro(word)
+                if distro and distro != "rolling" and codename_of(distro) != codename:
+                    return word
     return None
+
+
+def _unconditional(stage: Stage) -> Iterator[Sequence[Located]]:
+    """The commands of the steps that run whatever the image is, and that may not fail."""
+    guarded = False
+    for command in commands_of(stage):
+        if not command.depth and not guarded and command.ends != "||":
+            yield unwrapped(command.words)
+        guarded = command.ends == "&&" and (guarded or command.name in TESTS)
 
 
 def _distro(word: Located) -> str:

@@ -45,6 +45,9 @@ from bringup_lint.api.shell import unwrapped
 
 OPTIONS = ("-o", "--output")
 FIXED = regex(r"(?!/tmp/|/run/|/dev/)[~\w./-]*[\w-]")
+PROGRAM = regex(r"\.(?:sh|bash|py)$")
+MOST = 100_000
+"""Characters of a program that are looked at."""
 MOVES = regex(r"\b(?:cd|pushd)[ \t]+[^\n;&|]{0,200}[$`]")
 """A relative folder is in another one each time."""
 DELETES = r"(?:\b(?:rm|mv|rmtree|unlink|rename|move)|-delete)\b"
@@ -92,8 +95,14 @@ def _stays(runner: Runner, folder: str) -> bool:
     return bool(runner.restarts) or any(posixpath.join(folder, "").startswith(f"{each.rstrip('/')}/") for each in below)
 
 
-def _is_cleared(robot: Robot, folder: str) -> bool:
+def _is_cleared(robot: Robot, folder: Located) -> bool:
+    """Whether something deletes or moves the folder, or a program that names it may."""
     name = re.escape(posixpath.basename(folder))
     above = re.escape(posixpath.dirname(folder)) if folder.count("/") > 1 else name
     deletes = rf"{DELETES}[^\n]{{0,200}}(?:{name}|{above}/?[*\"']*(?:\s|$))"
-    return robot.mentions(re.compile(rf"{deletes}|(?:{name}|{above}\b)[^\n]{{0,200}}{DELETES}"))
+    if robot.mentions(re.compile(rf"{deletes}|(?:{name}|{above}\b)[^\n]{{0,200}}{DELETES}")):
+        return True
+    programs = (robot.tree.head(path, MOST) for path in robot.tree.paths if PROGRAM.search(path))
+    texts = (text for text in programs if str(folder) in text or f"{posixpath.dirname(folder)}/*" in text)
+    own = folder.span.source.text
+    return any(text != own and re.search(DELETES, text) for text in texts)

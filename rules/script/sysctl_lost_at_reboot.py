@@ -56,6 +56,8 @@ SAVED = regex(r"iptables-save|netfilter-persistent|iptables-persistent|iptables-
 UNLOADED = ("v4l2loopback", "i2c-dev", "i2c_dev", "slcan", "snd-aloop", "snd_aloop")
 """Modules that no device and no socket loads by itself."""
 LOADED = regex(r"/etc/modules|modules-load\.d")
+STARTS = regex(r"(?m)^[ \t]*(?:exec[ \t]+)?(?:ros2[ \t]+(?:launch|run)[ \t]|\"?\$@)")
+"""The script sets the parameter at each start of the robot's software."""
 CHANGES = regex(r"\b(?:sysctl|iptables|modprobe)\b|/proc/sys/")
 INSTALLERS = ("apt", "apt-get", "pip", "pip3", "dpkg")
 
@@ -82,7 +84,7 @@ def sysctl_lost_at_reboot(robot: Robot) -> Iterator[Finding]:
             if lost:
                 by_script[source] = lost
     for source, (first, *others) in by_script.items():
-        if robot.scripts.starts_by_itself(source):
+        if robot.scripts.starts_by_itself(source) or STARTS.search(source.said):
             continue
         yield finding(
             first.where,

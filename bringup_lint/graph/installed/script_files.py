@@ -24,9 +24,13 @@ _TAKES = {"pip": ("-r", "--requirement"), "pip3": ("-r", "--requirement"), "dock
 _TAKES["docker-compose"] = _TAKES["docker"]
 """Options with a file that the command reads."""
 _VALUED = ("-o", "-g", "-m", "-S", "-t")
-_GENERATED = regex(
-    r"(?:^|/)(?:install|devel|build|log|\.?v?env|node_modules|target|dist|out|output|tmp|certs?|keys?|keystore)/|\.env$|\.(?:hex|bin|elf|uf2|so|o|a|ko|dtbo?|deb|whl|jar|img|zip|tgz|onnx|engine|tflite|pth?|weights|bag|db3|mcap)$|\.tar(?:\.\w+)?$"
+GENERATED = regex(
+    r"(?:^|/)(?:install|devel|build|log|\.?v?env|node_modules|target|dist|out|output|tmp|certs?|keys?|keystore)/"
+    r"|\.(?:hex|bin|elf|uf2|so|o|a|ko|dtbo?|deb|whl|jar|img|zip|tgz|onnx|engine|tflite|pth?|weights|bag|db3|mcap)$"
+    r"|\.tar(?:\.\w+)?$"
 )
+"""Folders and files that a build makes, or that a repository does not hold."""
+_SETTINGS = regex(r"\.env$")
 _ASSIGNED = regex(
     r"^[ \t]*(?:readonly[ \t]+|export[ \t]+|local[ \t]+|declare[ \t]+-\w+[ \t]+)?(?P<name>\w+)="
     r"(?P<value>[\"']?\$[({\w][^\n]{0,200})$",
@@ -195,7 +199,8 @@ def _is_missing(scripts: Scripts, source: Source, base: str, named: NamedFile) -
     tree = scripts.files.tree
     path = posixpath.normpath(posixpath.join(base, named.path))
     folder, _, name = path.rpartition("/")
-    if tree.exists(path) or _GENERATED.search(path) or tree.is_ignored(path.replace("*", "any")):
+    is_made = GENERATED.search(path) is not None or _SETTINGS.search(path) is not None
+    if is_made or tree.exists(path) or tree.is_ignored(path.replace("*", "any")):
         return False
     if any(os.path.abspath(path).startswith(each) for each in tree.submodules):
         return False

@@ -10,6 +10,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.graph.installed.script_files import GENERATED
 from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.model.yaml_node import Node
 from bringup_lint.model.yaml_node import Scalar
@@ -72,7 +73,7 @@ class TaskFiles:
         return Counter(os.path.basename(word.rstrip("/")) for word in words)
 
     def _is_missing(self, source: Source, path: str, folders: tuple[str, ...]) -> bool:
-        if "{{" in path or "*" in path or _ELSEWHERE.match(path):
+        if "{{" in path or "*" in path or _ELSEWHERE.match(path) or GENERATED.search(path):
             return False
         here = os.path.dirname(os.path.abspath(source.name))
         role = _ROLE.match(os.path.abspath(source.name))
