@@ -5,7 +5,7 @@ Cyclone DDS names an interface that the robot's netplan marks `optional: true`, 
 it. No unit that reads the file waits for the interface itself: through its device unit, with wait-online, or
 in a script. `presence_required="false"` is not reported if other interfaces are listed too.
 It is a warning when netplan says nothing of a Wi-Fi interface, and a system unit that reads the file at boot is ordered
-after nothing of the network.
+after nothing of the network. A unit that is always started again, without a limit that stops it, gets there by itself.
 
 ## Why it matters on a robot
 The interface does not exist yet when the nodes start: `does not match an available interface`, and no node
@@ -48,6 +48,7 @@ from bringup_lint.api.dds import Configuration
 from bringup_lint.api.dds import Setting
 from bringup_lint.api.dds import interface_of_device
 from bringup_lint.api.dds import named_interfaces
+from bringup_lint.api.systemd import RestartPolicy
 from bringup_lint.api.systemd import Unit
 
 LATE = regex(r"network|\.device$|^dhcp|wpa_|hostapd|\.service$|graphical")
@@ -89,6 +90,8 @@ def _at_once(robot: Robot, configuration: Configuration, setting: Setting) -> It
         line = reader.process.line
         if unit is None or line is None or not _starts_at_boot(unit) or _waits(unit, line.texts):
             continue
+        if _starts_again(robot.units.restart(unit)):
+            continue
         yield finding(
             setting.value,
             f"{unit.name} starts before {setting.effective} is associated: 'does not match an available interface', "
@@ -99,6 +102,11 @@ def _at_once(robot: Robot, configuration: Configuration, setting: Setting) -> It
             severity="warning",
         )
         return
+
+
+def _starts_again(policy: RestartPolicy) -> bool:
+    """Whether a unit is started until the interface is there, when each start takes a second."""
+    return policy.restart == "always" and policy.known and (not policy.limited or policy.loop(1.0) > policy.interval)
 
 
 def _starts_at_boot(unit: Unit) -> bool:

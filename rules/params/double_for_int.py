@@ -63,7 +63,8 @@ def double_for_int(robot: Robot) -> Iterator[Finding]:
         related = [note(declared.place, "declared as an integer here")]
         yield _finding(parameter, items, "the node", related)
     for parameter, node, items in of_wrong_public_type(robot.params, robot.launch, "double", "integer"):
-        yield _finding(parameter, items, node.package, [])
+        if not robot.dependencies.is_forked(node.package):
+            yield _finding(parameter, items, node.package, [])
 
 
 def _finding(parameter: Parameter, items: list[Item], who: str, related: list[Related]) -> Finding:

@@ -64,7 +64,8 @@ def int_for_double(robot: Robot) -> Iterator[Finding]:
         related = [note(declared.place, "declared as a double here")]
         yield _finding(parameter, items, "the node", related)
     for parameter, node, items in of_wrong_public_type(robot.params, robot.launch, "integer", "double"):
-        yield _finding(parameter, items, node.package, [])
+        if not robot.dependencies.is_forked(node.package):
+            yield _finding(parameter, items, node.package, [])
 
 
 def _finding(parameter: Parameter, items: list[Item], who: str, related: list[Related]) -> Finding:

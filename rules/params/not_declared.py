@@ -7,7 +7,8 @@ take undeclared parameters, or that build on classes which are not in the worksp
 of which a source is missing, and parameters that a launch file gives to several programs under one node name. All
 parameters are known of `joy_node`, `joy_linux_node`, `robot_state_publisher`, slam_toolbox, robot_localization,
 twist_mux, teleop_twist_joy, usb_cam, sllidar_ros2, pointcloud_to_laserscan and the servers of Navigation2 (outside of
-the sections of plugins); a block with the usual name of such a node is judged as its own.
+the sections of plugins); a block with the usual name of such a node is judged as its own. Packages whose repository the
+tree fetches from others than its first owners may be changed, and are left alone.
 
 ## Why it matters on a robot
 A node takes what it is given only for parameters that it declares; the rest is dropped without a word. A watchdog, a
@@ -56,6 +57,9 @@ from bringup_lint.api.topics import LaunchedNode
 def not_declared(robot: Robot) -> Iterator[Finding]:
     said = set()
     for found in undeclared(robot.topics):
+        package = literal_text(found.node.started.package) or ""
+        if package not in robot.launch.workspace.packages and robot.dependencies.is_forked(package):
+            continue
         first, *others = found.given
         said |= {each.place.span for each in found.given}
         yield finding(
@@ -70,7 +74,8 @@ def not_declared(robot: Robot) -> Iterator[Finding]:
             confidence="medium",
         )
     for each in unknown_to_public(robot.params, robot.launch):
-        if not said & {parameter.key.span for parameter in each.parameters}:
+        is_said = bool(said & {parameter.key.span for parameter in each.parameters})
+        if not is_said and not robot.dependencies.is_forked(each.node.package):
             yield _of_public(each)
 
 

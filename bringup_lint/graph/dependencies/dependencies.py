@@ -128,6 +128,10 @@ class Dependencies:
         """Whether a list of repositories or a command names a package as one of others."""
         return self._provided.has_repository(name)
 
+    def is_forked(self, package: str) -> bool:
+        """Whether the tree fetches a public package from others than those who release it: it may be changed."""
+        return self._provided.has_fork(package)
+
     def left_out(self, need: Need) -> Located | None:
         """The command that builds a package without another one of the workspace that its launch files start."""
         name = str(need.name)

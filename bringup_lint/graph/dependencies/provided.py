@@ -6,6 +6,7 @@ import os
 import re
 from collections.abc import Iterator
 from functools import cached_property
+from itertools import pairwise
 
 from bringup_lint.discover.tree import Tree
 from bringup_lint.facts.ros import distros
@@ -40,6 +41,13 @@ _PATTERN = regex(r"\bros-(?:[a-z]+|\$[\w({}:)-]{1,40}|\{\{[^{}\n]{1,40}\}\}|<[^<
 _SHORT = 3
 """Characters of a pattern that many packages begin with."""
 _REPOSITORY = regex(r"(?:github|gitlab)\.com[/:][\w.-]{1,60}/([\w.-]{1,80})")
+_ADDRESS = regex(r"(?:https?://|git@|ssh://git@)[\w.-]{1,80}[/:]([\w./-]{1,160})")
+_OWNERS = frozenset(
+    "ros-navigation ros-planning stevemacenski cra-ros-pkg ros-teleop ros-drivers ros-perception slamtec ros2".split()
+)
+"""Who has the public repositories themselves."""
+_SHARED = (("nav2_", "navigation2"), ("dwb_", "navigation2"), ("opennav_", "navigation2"), ("joy", "joystick_drivers"))
+"""How packages begin that come with others in one repository."""
 ROSDEP = regex(r"\brosdep\s+install\b(?:\\\r?\n|[^\n`&;])*")
 """A command, with the lines that it goes on in."""
 _PARAMETERS = "ros__parameters"
@@ -75,6 +83,18 @@ class Provided:
     def has_repository(self, name: str) -> bool:
         """Whether a list of repositories or a command names a repository like a package."""
         return name.lower() in self._packaged
+
+    def has_fork(self, package: str) -> bool:
+        """Whether anything fetches the repository of a public package from others than those who release it."""
+        name = next((repository for begin, repository in _SHARED if package.startswith(begin)), package)
+        return name in self._forks
+
+    @cached_property
+    def _forks(self) -> frozenset[str]:
+        """The names of repositories that do not come from their first owners."""
+        paths = (path.split("/") for text in self._installing for path in _ADDRESS.findall(text))
+        owned = ((owner, name) for parts in paths for owner, name in pairwise(parts) if owner not in _OWNERS)
+        return frozenset(name.removesuffix(".git").replace("-", "_") for _, name in owned)
 
     @cached_property
     def mentions_rosdep(self) -> bool:
