@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import re
 import stat
+from bisect import bisect_left
 from collections.abc import Collection
 from collections.abc import Iterable
 from collections.abc import Iterator
@@ -40,6 +41,7 @@ _MOST_TEXT = 32 << 20
 _SUBMODULE = regex(r"^[^\S\n]*path[^\S\n]*=[^\S\n]*(\S+)", re.M)
 _ANY_ENCODING = frozenset({"cpp-node"})
 """Kinds that compilers read in whatever encoding their comments have."""
+_AFTER_SLASH = chr(ord("/") + 1)
 _PROGRAMS = frozenset({"", "shell-script"})
 """What commands name: a compiled program is as good as a script."""
 
@@ -73,6 +75,8 @@ class Tree:
     _paths: dict[str, list[str]] = field(default_factory=dict)
     _in_order: list[str] = field(default_factory=list)
     _by_folder: dict[str, list[str]] = field(default_factory=dict)
+    _absolute: list[tuple[str, str]] = field(default_factory=list)
+    """The walked files in the order of their absolute paths, which come first."""
     _on_demand: dict[str, Source | None] = field(default_factory=dict)
     _by_reference: dict[str, Source | None] = field(default_factory=dict)
     _held: dict[str, bool] = field(default_factory=dict)
@@ -96,6 +100,7 @@ class Tree:
         self._paths.setdefault(os.path.basename(path), []).append(path)
         self._in_order.clear()
         self._by_folder.clear()
+        self._absolute.clear()
 
     def without(self, names: Collection[str]) -> Tree:
         """The same tree, whose sources of these names are empty and of no kind; they are still there. What one file
@@ -268,6 +273,14 @@ class Tree:
             for path in self.paths:
                 self._by_folder.setdefault(os.path.dirname(path), []).append(path)
         return self._by_folder.get(folder, [])
+
+    def walked_below(self, folder: str) -> list[str]:
+        """The walked files in a folder, an absolute path, and in all folders below it."""
+        if not self._absolute:
+            self._absolute += sorted((os.path.abspath(path), path) for path in self.paths)
+        first = bisect_left(self._absolute, (f"{folder}/",))
+        last = bisect_left(self._absolute, (f"{folder}{_AFTER_SLASH}",))
+        return [path for _, path in self._absolute[first:last]]
 
     def real_path(self, path: str) -> str:
         """The absolute path without links; links that lead nowhere, or out of the tree, stay as they are."""

@@ -69,12 +69,12 @@ class Interfaces:
     def defined(self) -> dict[tuple[str, str], str]:
         found = {}
         start = len(self.package.folder) + 1
-        for path in self._tree.paths:
+        for path in self._tree.walked_below(self.package.folder):
             if not path.endswith((".msg", ".srv", ".action", ".idl")):
                 continue
             full = os.path.abspath(path)
             match = _FILE.search(full)
-            if match is not None and full.startswith(f"{self.package.folder}/"):
+            if match is not None:
                 below = full[start:].split("/")
                 kind = (
                     match["kind"] if match["kind"] != "idl" else next((each for each in below if each in KINDS), "msg")
@@ -118,12 +118,13 @@ def missing_interfaces(files: Files, workspace: Workspace) -> Iterator[MissingIn
     known: dict[str, Interfaces] = {}
     sources = (each for each in files.of_kind("python-node") if each.judged)
     for source in sources:
-        for package, kind, name in _imported(source):
+        imported = list(_imported(source))
+        for package, kind, name in imported:
             owner = workspace.packages.get(package)
             if owner is None or owner.manifest.is_ros1:
                 continue
             interfaces = known.setdefault(package, Interfaces(files.tree, owner))
-            if not _is_required(workspace, source, package) and not _is_used(interfaces, source):
+            if not _is_required(workspace, source, package) and not _is_used(interfaces, imported):
                 continue
             if interfaces.is_closed and interfaces.lacks(kind, str(name).partition("_")[0]):
                 names = tuple(sorted(each for of, each in interfaces.defined if of == kind))
@@ -136,9 +137,9 @@ def _is_required(workspace: Workspace, source: Source, package: str) -> bool:
     return importer is not None and (importer.name == package or package in workspace.required(importer))
 
 
-def _is_used(interfaces: Interfaces, source: Source) -> bool:
-    """Whether a source also imports what the package has, so that it means this one."""
-    found = ((kind, str(name)) for package, kind, name in _imported(source) if package == interfaces.package.name)
+def _is_used(interfaces: Interfaces, imported: list[tuple[str, str, Located]]) -> bool:
+    """Whether a source that imports all this also imports what the package has, so that it means this one."""
+    found = ((kind, str(name)) for package, kind, name in imported if package == interfaces.package.name)
     return any(each in interfaces.defined for each in found)
 
 

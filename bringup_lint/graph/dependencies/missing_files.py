@@ -44,8 +44,7 @@ def _absent(files: Files, package: Package) -> Iterator[Install]:
 
 def _holds_sources(tree: Tree, folder: str) -> bool:
     """Whether a package has more than the description of its build, which a script may copy to its sources."""
-    below = (os.path.abspath(path) for path in tree.paths)
-    return any(path.startswith(f"{folder}/") and os.path.basename(path) not in _DESCRIPTIONS for path in below)
+    return any(os.path.basename(path) not in _DESCRIPTIONS for path in tree.walked_below(folder))
 
 
 def _is_absent(tree: Tree, build: Source, written: str, path: str) -> bool:

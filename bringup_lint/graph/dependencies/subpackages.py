@@ -45,11 +45,10 @@ def left_out(tree: Tree, package: Package) -> Iterator[LeftOut]:
 def _needed(tree: Tree, package: Package, listed: Packages) -> Iterator[Located]:
     for script, target in package.entry_points.items():
         yield Located(target.partition(":")[0].strip(), package.executables[script].span)
-    for path in tree.paths:
-        absolute = os.path.abspath(path)
-        if not path.endswith(".py") or not absolute.startswith(package.folder + os.sep):
+    for path in tree.walked_below(package.folder):
+        if not path.endswith(".py"):
             continue
-        own = os.path.relpath(os.path.dirname(absolute), package.folder).replace(os.sep, ".")
+        own = os.path.relpath(os.path.dirname(os.path.abspath(path)), package.folder).replace(os.sep, ".")
         if own != "." and _is_installed(tree, package, listed, own):
             source = tree.read(path)
             yield from _imported(source, own) if source is not None else ()

@@ -52,9 +52,8 @@ def unexported(files: Files, package: Package) -> Iterator[Unexported]:
     if end is None or not package.complete or _EXPORTS.search(text):
         return
     targets = {target for build in builds for target in build.targets}
-    for path in files.tree.paths:
-        name, absolute = os.path.basename(path), os.path.abspath(path)
-        if not path.endswith(".xml") or not absolute.startswith(package.folder + os.sep) or name in text:
+    for path in files.tree.walked_below(package.folder):
+        if not path.endswith(".xml") or os.path.basename(path) in text:
             continue
         source = files.tree.read(path)
         found = _first_class(source, targets) if source is not None else None
@@ -63,13 +62,12 @@ def unexported(files: Files, package: Package) -> Iterator[Unexported]:
         place = found.get("name") or found.get("type")
         if place is not None:
             span = builds[0].source.span(*end.span(1))
-            yield Unexported(place, str(found.get("base_class_type")), source, _below(absolute, package), span)
+            yield Unexported(place, str(found.get("base_class_type")), source, _below(path, package), span)
 
 
 def _makes_plugins(files: Files, package: Package) -> bool:
     """Whether the sources of a package name classes for pluginlib."""
-    own = (path for path in files.tree.paths if os.path.abspath(path).startswith(package.folder + os.sep))
-    code = (path for path in own if path.endswith(_CODE))
+    code = (path for path in files.tree.walked_below(package.folder) if path.endswith(_CODE))
     return any("PLUGINLIB_EXPORT_CLASS" in files.tree.head(path, _MOST) for path in code)
 
 
