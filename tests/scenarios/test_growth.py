@@ -113,8 +113,57 @@ def images(folder: Path, count: int) -> None:
     (folder / "compose.yaml").write_text("services:\n" + "".join(services))
 
 
+def packages(folder: Path, count: int) -> None:
+    """Packages with plugins, definitions of messages, nodes in C++ and files of no kind."""
+    for n in range(count):
+        top = folder / f"src/p{n}"
+        for below in ("src", "msg", "notes"):
+            (top / below).mkdir(parents=True)
+        (top / "package.xml").write_text(MANIFEST.format(name=f"p{n}", build="ament_cmake"))
+        (top / "CMakeLists.txt").write_text(f"project(p{n})\nadd_library(l{n} src/d{n}_0.cpp)\nament_package()\n")
+        (top / "plugins.xml").write_text(
+            f'<library path="l{n}"><class name="c{n}" type="C" base_class_type="B"/></library>\n'
+        )
+        (top / "msg/Count.msg").write_text("int32 count\n")
+        for k in range(5):
+            (top / f"src/d{n}_{k}.cpp").write_text(NODE.replace("Driver", f"Driver{n}_{k}"))
+            (top / f"notes/{k}.txt").write_text("\n")
+
+
+def modules(folder: Path, count: int) -> None:
+    """Packages with modules, which setuptools installs."""
+    for n in range(count):
+        top = folder / f"src/m{n}"
+        (top / f"m{n}").mkdir(parents=True)
+        (top / "package.xml").write_text(MANIFEST.format(name=f"m{n}", build="ament_python"))
+        scripts = f'entry_points={{"console_scripts": ["run = m{n}.f0:main"]}}'
+        (top / "setup.py").write_text(
+            f'from setuptools import setup\nsetup(name="m{n}", packages=["m{n}"], {scripts})\n'
+        )
+        (top / f"m{n}/__init__.py").touch()
+        for k in range(10):
+            (top / f"m{n}/f{k}.py").write_text("import os\n\n\ndef main():\n    print(os.getpid())\n")
+
+
+MANIFEST = """\
+<package format="3">
+  <name>{name}</name><version>0.0.1</version><description>A package.</description>
+  <maintainer email="a@b.c">a</maintainer><license>MIT</license>
+  <export><build_type>{build}</build_type></export>
+</package>
+"""
+NODE = """\
+#include <rclcpp/rclcpp.hpp>
+class Driver : public rclcpp::Node
+{
+public:
+  Driver() : Node("driver") {}
+};
+"""
+
+
 @pytest.mark.slow
-@pytest.mark.parametrize(("shape", "count"), [(rules, 100), (chain, 30), (images, 30)])
+@pytest.mark.parametrize(("shape", "count"), [(rules, 100), (chain, 30), (images, 30), (packages, 10), (modules, 10)])
 def test_every_layer_grows_as_one_kind_of_file_does(
     shape: Callable[[Path, int], None], count: int, tmp_path: Path
 ) -> None:

@@ -39,6 +39,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.runners.launching import Launching
     from bringup_lint.graph.runners.runner import Runner
     from bringup_lint.graph.runners.runners import Runners
+    from bringup_lint.graph.workspace import Package
     from bringup_lint.model.cpp_source import CppNode
     from bringup_lint.model.launch import Action
 
@@ -101,6 +102,20 @@ class Nodes:
         sources = (each for each in self.files.of_kind("cpp-node") if each.judged and not each.template)
         programs = [each for each in sources if self.purpose(each) not in _UNJUDGED]
         return self.files.parsed(parse_cpp, programs)
+
+    def named_alike(self, source: Source) -> list[Source]:
+        """The C++ sources of the package of one that have its name up to the first dot, as its header has."""
+        return self._by_stem.get(self._stem(source), [])
+
+    @cached_property
+    def _by_stem(self) -> dict[tuple[Package | None, str], list[Source]]:
+        found: dict[tuple[Package | None, str], list[Source]] = {}
+        for source in self.files.of_kind("cpp-node"):
+            found.setdefault(self._stem(source), []).append(source)
+        return found
+
+    def _stem(self, source: Source) -> tuple[Package | None, str]:
+        return self.launch.workspace.owner(source), source.basename.partition(".")[0]
 
     def ends_thread(self, source: Source, name: str) -> bool:
         """Whether the package of a C++ source joins or detaches a thread."""

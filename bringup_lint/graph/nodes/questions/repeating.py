@@ -221,10 +221,17 @@ def held(nodes: Nodes) -> Iterator[Held]:
                     Held(file.source, each, bus, _writer(file, each)) for each in node.endpoints if is_held(each)
                 )
     for source in nodes.cpp:
-        text = with_header(nodes, source.source)
-        bus = _bus(text, _CPP_BUS)
-        if bus is not None and not source.sent and not _looks_at_time(text):
-            yield from (Held(source.source, each, bus) for each in source.endpoints if is_held(each))
+        yield from _held_in_cpp(nodes, source)
+
+
+def _held_in_cpp(nodes: Nodes, source: CppNode) -> Iterator[Held]:
+    commands = [each for each in source.endpoints if is_held(each)]
+    if not commands or source.sent:
+        return
+    text = with_header(nodes, source.source)
+    bus = _bus(text, _CPP_BUS)
+    if bus is not None and not _looks_at_time(text):
+        yield from (Held(source.source, each, bus) for each in commands)
 
 
 def driven_bus(nodes: Nodes, file: NodeSource) -> str | None:
