@@ -2,8 +2,9 @@
 
 ## What it finds
 In Python, `while True` and `while rclpy.ok()` in the `__init__` of a node class, or in a method that it calls, without
-a way out. In C++, `while (rclcpp::ok())` in the same places. Silent where the class spins itself, for a loop under a
-condition, and for C++ loops that not even a shutdown ends: `node/loop-ignores-shutdown` reports those.
+a way out. In C++, `while (rclcpp::ok())` in the same places. Silent where the class spins itself, and for a loop under
+a condition. Python loops before which callbacks were made are reported by `node/blocking-in-callback`, and C++ loops
+that not even a shutdown ends by `node/loop-ignores-shutdown`.
 
 ## Why it matters on a robot
 The object is never handed to `spin()`. No subscription, timer or service of the node runs, `ros2 param` and every

@@ -6,6 +6,7 @@ import ast
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.graph.nodes.questions.stopped_callbacks import never_run
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.cpp_source import MakingLoop
 from bringup_lint.model.node_source import NodeClass
@@ -23,10 +24,11 @@ _LEAVES = (ast.Break, ast.Return, ast.Raise, ast.Yield, ast.YieldFrom, ast.Await
 
 
 def making_loops(nodes: Nodes) -> Iterator[list[MakingLoop]]:
-    """Those of one source together."""
+    """Those of one source together, without the loops by which callbacks of the node never run."""
+    told = {each.loop.loop for each in never_run(nodes)}
     for file in nodes.programs:
         syntax = nodes.syntax(file)
-        found = [each for cls in file.classes if cls.is_node for each in _of_class(syntax, cls)]
+        found = [each for cls in file.classes if cls.is_node for each in _of_class(syntax, cls, told)]
         if found:
             yield found
     for source in nodes.cpp:
@@ -34,17 +36,17 @@ def making_loops(nodes: Nodes) -> Iterator[list[MakingLoop]]:
             yield source.making_loops
 
 
-def _of_class(syntax: Syntax, cls: NodeClass) -> Iterator[MakingLoop]:
+def _of_class(syntax: Syntax, cls: NodeClass, told: set[ast.While]) -> Iterator[MakingLoop]:
     made = cls.methods.get("__init__")
     if made is None or cls.name is None or _SPINS.search(cls.span.text):
         return
-    for loop in _loops(syntax, made.node):
+    for loop in _loops(syntax, made.node, told):
         yield MakingLoop(_head(syntax, loop), str(cls.name), None)
     for call in _own_calls(made.node):
         method = cls.methods.get(call.func.attr) if isinstance(call.func, ast.Attribute) else None
         if method is None or isinstance(method.node, ast.AsyncFunctionDef) or method.decorators:
             continue
-        for loop in _loops(syntax, method.node):
+        for loop in _loops(syntax, method.node, told):
             yield MakingLoop(_head(syntax, loop), str(cls.name), syntax.file.span_of(call))
 
 
@@ -58,9 +60,9 @@ def _own_calls(function: ast.AST) -> Iterator[ast.Call]:
             yield call
 
 
-def _loops(syntax: Syntax, function: ast.AST) -> Iterator[ast.While]:
+def _loops(syntax: Syntax, function: ast.AST, told: set[ast.While]) -> Iterator[ast.While]:
     for each in _statements(function):
-        if not isinstance(each, ast.While) or not _is_endless(syntax, each.test):
+        if not isinstance(each, ast.While) or each in told or not _is_endless(syntax, each.test):
             continue
         if not any(isinstance(inner, _LEAVES) for inner in walk(each)):
             yield each
