@@ -1,7 +1,8 @@
 """Every interface is optional although units wait for the network.
 
 ## What it finds
-`optional: true` on every interface of the plan, while a unit is ordered after `network-online.target`.
+`optional: true` on every interface of the plan, while a unit is ordered after `network-online.target`: a warning when
+the unit takes part in DDS, else an info, because a server on all interfaces needs no address.
 Nothing is reported if a drop-in configures the wait-online service, or if NetworkManager renders an
 interface, because it ignores `optional`.
 
@@ -49,10 +50,12 @@ def optional_all(robot: Robot) -> Iterator[Finding]:
     flags = [i.optional for i in interfaces]
     optional = [flag for flag in flags if flag is not None and flag.value]
     if interfaces and len(optional) == len(interfaces):
-        name, word = waiting[0]
+        of_dds = {unit.name for unit in (*robot.units.dds, *robot.units.presumed_ros)}
+        name, word = next((each for each in waiting if each[0] in of_dds), waiting[0])
         yield finding(
             optional[0].where,
             f"Every interface is optional: {name} starts before any of them has an address",
             advice="remove optional: true from the interface that DDS needs",
             related=[note(word, f"{name} waits for the network here")],
+            severity=None if name in of_dds else "info",
         )
