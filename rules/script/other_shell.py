@@ -73,7 +73,7 @@ RESTARTS = regex(r"\bexec[ \t]+(?:/usr)?(?:/bin/)?(?:env[ \t]+)?(?:bash|zsh)\b[^
 OF_BUSYBOX = regex(r"^#!/bin/sh[ \t]+/etc/rc\.common|(?m:^[ \t]*(?:uci|opkg|apk)[ \t])")
 """The script is for OpenWrt or Alpine, whose shell is that of BusyBox."""
 ALPINE = regex(r"(?:docker\.io/)?(?:library/)?(?:(?:arm64v8|amd64|arm32v7)/)?(?:alpine|busybox)(?:[:@]|$)|[^@]*-alpine")
-PAGE = regex(r"\.(?:md|rst|py|json)$", re.I)
+PAGE = regex(r"\.(?:md|rst|py|json|mk)$|(?:^|/)(?:makefile|justfile)$", re.I)
 """Files that are no configuration, but may say how the script is started."""
 MOST_OF_PAGE = 100_000
 BOTH = regex(r"\b(?:ZSH_VERSION|ZSH_NAME|BASH_VERSION|BASH_SOURCE)\b")

@@ -55,8 +55,8 @@ ONLINE = "network-online.target"
 MAKERS = ("hostapd", "create_ap", "wpa_supplicant", "dhclient")
 CONNECTS = regex(r"( -\S+)* (d|dev|device) (w|wifi) (c|connect|h|hotspot)\b.*|( -\S+)* (c|con|connection) up\b.*")
 """Arguments of nmcli."""
-ON_TOP = regex(r"vpn|wireguard|\bwg|\btun\d|\btap\d", re.I)
-"""A connection that needs another one."""
+ON_TOP = regex(r"vpn|wireguard|tailscale|zerotier|%[iI]|\bwg|\btun\d|\btap\d", re.I)
+"""A connection that needs another one, or that only the instance of the unit names."""
 
 
 @rule("warning", symptoms=["A start job is running for Wait for Network to be Configured"])
