@@ -13,6 +13,7 @@ from bringup_lint.model.python import syntax_of
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.cmake_commands import Command
 from bringup_lint.parsers.cmake_commands import commands
+from bringup_lint.parsers.python_syntax import Positions
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
@@ -150,19 +151,19 @@ def _imported(source: Source) -> Iterator[tuple[str, str, Located]]:
     tree = syntax_of(source.text)
     if tree is None:
         return
+    positions = Positions(source, 0)
     for statement in tree.body:
         if isinstance(statement, ast.ImportFrom) and not statement.level:
             package, _, kind = (statement.module or "").partition(".")
             if kind in KINDS:
                 yield from (
-                    (package, kind, _name(source, alias)) for alias in statement.names if alias.name[0].isupper()
+                    (package, kind, _name(positions, alias)) for alias in statement.names if alias.name[0].isupper()
                 )
 
 
-def _name(source: Source, alias: ast.alias) -> Located:
-    line = source.line_text(alias.lineno)
-    start = source.line_starts[alias.lineno - 1] + len(line.encode()[: alias.col_offset].decode("utf-8", "ignore"))
-    return Located(alias.name, source.span(start, start + len(alias.name)))
+def _name(positions: Positions, alias: ast.alias) -> Located:
+    start = positions.offset(alias.lineno, alias.col_offset)
+    return Located(alias.name, positions.source.span(start, start + len(alias.name)))
 
 
 def ungenerated(files: Files, workspace: Workspace) -> Iterator[Ungenerated]:

@@ -52,16 +52,7 @@ class Unused:
 
     def _is_beside(self, source: Source, name: str) -> bool:
         """Whether a file is no part of a Python package, and imported by its name alone."""
-        return name in self._imported_alone and source.absolute not in self._in_packages
-
-    @cached_property
-    def _in_packages(self) -> frozenset[str]:
-        """The paths of the sources in folders with ``__init__.py``."""
-        return frozenset(
-            source.absolute
-            for source in self._files.of_kind("python-node")
-            if os.path.dirname(source.absolute) in self._folders
-        )
+        return name in self._imported_alone and os.path.dirname(source.absolute) not in self._folders
 
     @cached_property
     def _folders(self) -> frozenset[str]:

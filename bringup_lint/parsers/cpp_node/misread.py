@@ -34,7 +34,7 @@ def misread(code: Code) -> Iterator[Misread]:
         return
     types = _declared(code)
     for call in code.calls:
-        name = _asked(code, call) if call.name in _READS or call.name in ("get_value", "get_parameter_value") else None
+        name = _asked(code, call) if call.name in _READS or call.name == "get_value" else None
         read = _READS.get(call.name) or _type(code, _template(call))
         kinds = types.get(str(name), {}) if name is not None else {}
         if read is not None and len(kinds) == 1 and not _is_guarded(code, call.node):

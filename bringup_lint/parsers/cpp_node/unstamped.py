@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.model.cpp_source import COMMENT
 from bringup_lint.model.cpp_source import Unstamped
 from bringup_lint.model.node_source import JOINTS
 from bringup_lint.model.node_source import TIMED
@@ -24,7 +25,6 @@ _SENDS = ("publish", "sendTransform")
 _MADE = regex(r"(?:std::make_(?:shared|unique)<(?P<held>[\w:]{1,99})>|(?P<plain>[\w:]{1,99}))(?:\(\)|\{\})\Z")
 _PICTURE = regex(r"(?:cv_bridge::)?CvImage\((?:std_msgs::msg::)?Header(?:\(\)|\{\}),.{1,200}\.toImageMsg\(\)\Z")
 _CAMERA = regex(r"VideoCapture|isOpened\(\)")
-_COMMENT = regex(r"//[^\n]*|/\*(?:[^*]|\*(?!/))*(?:\*/|\Z)")
 _SENT = regex(r"(?:publish|sendTransform)\s{0,4}\(\s{0,40}(?:std::move\s{0,4}\(\s{0,4})?\*?\s{0,4}\Z")
 _FIELD = regex(r"\s{0,40}(?:\.|->)\s{0,4}(?:(?!header\b|set__header\b)\w|header\s{0,4}\.\s{0,4}frame_id\b)")
 _NAME = regex(r"[A-Za-z_]\w*\Z")
@@ -111,7 +111,7 @@ def _only_fields(code: Code, function: Node, declaration: Node, name: str) -> bo
     """Whether a function sets only fields but the stamp, and publishes the message."""
     text = code.span(function).text
     at = code.span(declaration).end - code.span(function).start
-    rest = _COMMENT.sub("", text[at:])
+    rest = COMMENT.sub("", text[at:])
     for use in re.finditer(rf"\b{name}\b", rest):
         before = rest[max(0, use.start() - _BEFORE) : use.start()]
         if not _FIELD.match(rest, use.end()) and not _SENT.search(before):

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.nodes.questions.with_header import with_header
+from bringup_lint.model.cpp_source import COMMENT
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
@@ -27,7 +28,6 @@ _PLAIN = regex(r"\brclcpp::Publisher\s{0,4}<")
 _CODE = (".cpp", ".cc", ".cxx", ".hpp", ".h")
 _MOST = 200_000
 """Characters of a source that are looked at."""
-_COMMENT = regex(r"//[^\n]*|/\*(?:[^*]|\*(?!/))*(?:\*/|\Z)")
 
 
 class InactivePublisher(NamedTuple):
@@ -53,7 +53,7 @@ def inactive_publishers(nodes: Nodes) -> Iterator[InactivePublisher]:
 
 def _sent(nodes: Nodes, source: CppNode) -> Iterator[Endpoint]:
     """The lifecycle publishers of a file on which it publishes, when nothing activates any."""
-    text = _COMMENT.sub("", with_header(nodes, source.source))
+    text = COMMENT.sub("", with_header(nodes, source.source))
     if _ACTIVATES.search(text) or _PLAIN.search(text) or "LifecyclePublisher" not in text:
         return
     activating = [other for other in _beside(nodes, source.source) if _ACTIVATES.search(other)]
@@ -71,4 +71,4 @@ def _beside(nodes: Nodes, source: Source) -> Iterator[str]:
     folder = owner.folder if owner is not None else os.path.dirname(os.path.abspath(source.name))
     for path in nodes.files.tree.walked_below(folder):
         if path.endswith(_CODE):
-            yield _COMMENT.sub("", nodes.files.tree.head(path, _MOST))
+            yield COMMENT.sub("", nodes.files.tree.head(path, _MOST))

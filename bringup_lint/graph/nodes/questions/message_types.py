@@ -77,7 +77,7 @@ class MessageTypes:
 
     def _attribute(self, node: ast.Attribute, depth: int) -> str | None:
         """``self.x``, when all that its class assigns is of one type."""
-        outer = next((each for each, _ in self.syntax.above(node) if isinstance(each, ast.ClassDef)), None)
+        outer = self.syntax.definition(node)
         if outer is None or node.attr in self._foreign:
             return None
         bound = self._set_in(outer).get(node.attr, ())

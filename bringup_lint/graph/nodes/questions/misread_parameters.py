@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.node_source import Misread
-from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import Parameter
 from bringup_lint.model.node_source import type_of_default
 
@@ -39,7 +38,7 @@ def _in_file(syntax: Syntax) -> Iterator[Misread]:
         if not isinstance(node, ast.Attribute) or node.attr not in _FIELDS or syntax.is_dead(node):
             continue
         name = _asked(node.value)
-        cls = _class_of(syntax, node) if name is not None else None
+        cls = syntax.class_of(node) if name is not None else None
         declared = cls.all_parameters.get(str(name)) if cls is not None else None
         kind = type_of_default(declared.default) if declared is not None and declared.known else None
         if declared is None or kind is None or kind == _FIELDS[node.attr]:
@@ -73,8 +72,3 @@ def _asked(value: ast.expr) -> str | None:
         return None
     name = call.args[0]
     return name.value if isinstance(name, ast.Constant) and isinstance(name.value, str) else None
-
-
-def _class_of(syntax: Syntax, node: ast.AST) -> NodeClass | None:
-    outer = next((outer for outer, _ in syntax.above(node) if isinstance(outer, ast.ClassDef)), None)
-    return next((each for each in syntax.file.classes if each.node is outer), None) if outer is not None else None

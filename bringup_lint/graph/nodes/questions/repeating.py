@@ -7,11 +7,13 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.facts.ros.pin_libraries import PIN_LIBRARIES
 from bringup_lint.graph.nodes.questions.kept_commands import held_over
 from bringup_lint.graph.nodes.questions.kept_commands import loops
 from bringup_lint.graph.nodes.questions.motion import is_motor_command
 from bringup_lint.graph.nodes.questions.motion import moves
 from bringup_lint.graph.nodes.questions.with_header import with_header
+from bringup_lint.model.cpp_source import COMMENT
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.python import walk
@@ -39,7 +41,8 @@ _DRIVES = regex(r"(?i)motor|wheel|vtarget|throttle|thrust|pwm")
 _WRITES = regex(r"stop|halt|brake|set_|write|send|drive|motor|thr[ou]|pwm|speed|output|move|apply", re.I)
 """What a call is named that may end a motion."""
 _REPORTS = regex(r"(?i)odom|state|status|feedback|metric|debug|diagnos|monitor")
-_COMMENT = regex(r"//[^\n]*|#[^\n]*|/\*(?:[^*]|\*(?!/))*(?:\*/|\Z)")
+_COMMENT = regex(rf"#[^\n]*|{COMMENT.pattern}")
+"""Of Python and C++, and what the preprocessor reads."""
 _OTHER_TIMEOUTS = regex(
     r"\b(?:read_|write_|write|socket_)?timeout(?:_sec)?\s*=\s*[^,)\n]+"
     r"|SerialTimeout\w*|serial::Timeout|setTimeout|settimeout|TimeoutE\w+"
@@ -49,8 +52,7 @@ _OTHER_TIMEOUTS = regex(
 
 
 _PYTHON_BUS = regex(
-    r"^[ \t]*(?:import|from)[ \t]+(?P<bus>smbus2?|RPi\.GPIO|gpiozero|pigpio|lgpio|Jetson\.GPIO"
-    r"|(?i:adafruit_\w+|pca9685\w*)|board|pysabertooth|roboclaw\w*|qwiic_\w+|odrive|rpi_hardware_pwm|gpiod|wiringpi)\b",
+    rf"^[ \t]*(?:import|from)[ \t]+(?P<bus>{'|'.join(PIN_LIBRARIES)})\b",
     re.M,
 )
 _CPP_BUS = regex(

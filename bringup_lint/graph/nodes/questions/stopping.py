@@ -180,7 +180,7 @@ def _registered(ending: Ending) -> Iterator[StopAfterShutdown]:
         on_shutdown = is_on_shutdown(call)
         if not on_shutdown and (ending.syntax.qualified(call) != "atexit.register" or not default_signals(ending)):
             continue
-        cls = class_around(ending, call)
+        cls = ending.syntax.class_of(call)
         for sending in sendings(ending.syntax, statements_of(ending, call.args[0], cls), cls):
             yield StopAfterShutdown(sending, "on-shutdown" if on_shutdown else "at-exit", call, None)
 
@@ -193,14 +193,6 @@ def is_on_shutdown(call: ast.Call) -> bool:
 def _is_context(node: ast.expr) -> bool:
     node = node.func if isinstance(node, ast.Call) else node
     return isinstance(node, (ast.Name, ast.Attribute)) and "context" in _last(node).lower()
-
-
-def class_around(ending: Ending, node: ast.AST) -> NodeClass | None:
-    """The class of nodes in which a piece of syntax is."""
-    for outer, _ in ending.syntax.above(node):
-        if isinstance(outer, ast.ClassDef):
-            return next((each for each in ending.file.classes if each.node is outer), None)
-    return None
 
 
 def statements_of(ending: Ending, node: ast.expr, cls: NodeClass | None) -> list[ast.AST]:
@@ -250,6 +242,6 @@ def _surely_after(ending: Ending, call: ast.Call) -> bool:
     inits = ending.inits
     if function is None or any(isinstance(outer, (ast.If, ast.While)) for outer, _ in ending.syntax.within(call)):
         return False
-    if class_around(ending, call) is not None and function.name == "__init__":
+    if ending.syntax.class_of(call) is not None and function.name == "__init__":
         return True
     return all(ending.syntax.function(init) is function and init.lineno < call.lineno for init in inits)

@@ -6,6 +6,7 @@ import ast
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.facts.ros.pin_libraries import PIN_LIBRARIES
 from bringup_lint.graph.nodes.questions.motion import is_velocity
 from bringup_lint.graph.nodes.questions.motion import moves
 from bringup_lint.graph.nodes.questions.stopping import default_signals
@@ -25,10 +26,7 @@ if TYPE_CHECKING:
 
 DEPTH = 3
 """Methods and functions that are looked into from the statement after the spin."""
-_HARDWARE = regex(
-    r"(?:RPi|Jetson|lgpio|pigpio|gpiozero|gpiod|smbus2?|serial|can|spidev|board|busio|pysabertooth|odrive|dynamixel_sdk"
-    r"|rpi_hardware_pwm|(?i:adafruit_\w+|roboclaw\w*|qwiic_\w+|pca9685\w*))\b"
-)
+_HARDWARE = regex(rf"(?:{'|'.join(PIN_LIBRARIES)}|serial|can|spidev|dynamixel_sdk)\b")
 """Modules that reach motors and pins."""
 _STOPS = regex(
     r"(?i)(?:stop|halt|brake|disarm|zero)(?:_?(?:all|motors?|robot|wheels?|moving|motion|drive|thrusters?))?"

@@ -15,7 +15,6 @@ from bringup_lint.model.cpp_source import Unstamped
 from bringup_lint.model.node_source import JOINTS
 from bringup_lint.model.node_source import TIMED
 from bringup_lint.model.node_source import TRANSFORM
-from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import reports_joints
 from bringup_lint.model.python import walk
 from bringup_lint.pattern import regex
@@ -62,7 +61,7 @@ def _made(syntax: Syntax, value: ast.expr) -> ast.Call | None:
     """The call that makes a message, when nothing but fields is set between there and its publication."""
     if isinstance(value, ast.Call):
         return value if value.keywords or value.args else None
-    scope = syntax.function(value) if isinstance(value, ast.Name) else _class_of(syntax, value)
+    scope = syntax.function(value) if isinstance(value, ast.Name) else syntax.definition(value)
     name = ast.unparse(value)
     if scope is None or not isinstance(value, (ast.Name, ast.Attribute)):
         return None
@@ -75,10 +74,6 @@ def _made(syntax: Syntax, value: ast.expr) -> ast.Call | None:
     outer = next(syntax.above(makings[0]))[0]
     made = outer.value if isinstance(outer, (ast.Assign, ast.AnnAssign)) else None
     return made if isinstance(made, ast.Call) else None
-
-
-def _class_of(syntax: Syntax, node: ast.AST) -> ast.ClassDef | None:
-    return next((outer for outer, _ in syntax.above(node) if isinstance(outer, ast.ClassDef)), None)
 
 
 def _is_plain_use(syntax: Syntax, use: ast.AST) -> bool:
@@ -112,20 +107,15 @@ def _is_sent(syntax: Syntax, call: ast.Call, kind: str) -> bool:
     """Whether a call surely sends: a method of the same name, or of another class, may set the stamp before."""
     if kind == TRANSFORM:
         return _is_moving(syntax, call)
-    if published(syntax, call, _node_class(syntax, call)) is not None:
+    if published(syntax, call, syntax.class_of(call)) is not None:
         return True
     kept = ast.unparse(call.func.value) if isinstance(call.func, ast.Attribute) else None
     return any(each.role == "publisher" and each.attribute == kept for each in syntax.file.strays)
 
 
-def _node_class(syntax: Syntax, node: ast.AST) -> NodeClass | None:
-    outer = _class_of(syntax, node)
-    return next((each for each in syntax.file.classes if outer is not None and each.node is outer), None)
-
-
 def _is_used_outside(nodes: Nodes, syntax: Syntax, call: ast.Call, name: str) -> bool:
     """Whether what has the node, builds on its class or is built on uses an attribute: it may set the stamp."""
-    own = _node_class(syntax, call)
+    own = syntax.class_of(call)
     if own is None or own.node is None:
         return True
     heirs = heirs_of(nodes)

@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from collections.abc import Iterator
 from functools import cached_property
 
+from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
 from bringup_lint.model.python import children
 from bringup_lint.model.python import fields_of
@@ -66,6 +67,15 @@ class Syntax:
             if isinstance(outer, (ast.FunctionDef, ast.AsyncFunctionDef)):
                 return outer
         return None
+
+    def class_of(self, node: ast.AST) -> NodeClass | None:
+        """The class of the file whose definition is the innermost that a node is in."""
+        outer = self.definition(node)
+        return next((each for each in self.file.classes if each.node is outer), None) if outer is not None else None
+
+    def definition(self, node: ast.AST) -> ast.ClassDef | None:
+        """The innermost definition of a class that a node is in."""
+        return next((outer for outer, _ in self.above(node) if isinstance(outer, ast.ClassDef)), None)
 
     def is_dead(self, node: ast.AST) -> bool:
         """Whether a statement that always leaves the block is before a node."""
