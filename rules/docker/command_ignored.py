@@ -118,7 +118,8 @@ def _of_service(runner: Runner) -> tuple[Located | Span, Located | Span] | None:
 
 def _of_image(runner: Runner) -> tuple[Located, Located] | None:
     """ENTRYPOINT and CMD of the same stage; an ENTRYPOINT takes the CMD of the image below away."""
-    if runner.stage is None or runner.service is not None:
+    service = runner.service
+    if runner.stage is None or (service is not None and (service.command or service.entrypoint)):
         return None
     for stage in runner.stage.chain:
         entrypoint, command = list(stage.all("ENTRYPOINT")), list(stage.all("CMD"))
