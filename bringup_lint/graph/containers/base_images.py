@@ -33,7 +33,11 @@ _UNLISTED = regex(
     rf"{_LIBRARY}(?:ros|ubuntu|debian|python|osrf/ros2?)(?::[^@]*)?"
     r"|(?:docker\.io/)?nvidia/cuda:.*|nvcr\.io/nvidia/cuda:.*"
 )
-_UNCHECKED = regex(rf"{_LIBRARY}(?:ros|ubuntu|debian|osrf/ros2?)(?:[:@].*)?")
+_UNCHECKED = regex(
+    rf"{_LIBRARY}(?:ros|ubuntu|debian|osrf/ros2?|alpine|busybox|eclipse-mosquitto|httpd|influxdb|memcached|mongo|mysql"
+    r"|nginx|node|postgres|python|rabbitmq|redis|telegraf)(?:[:@].*)?"
+)
+"""Official images are published without a check (github.com/docker-library/faq, "healthcheck")."""
 _OF_ROOT = regex(
     rf"{_LIBRARY}(?:ros|ubuntu|debian|python|osrf/ros2?)(?:[:@]|$)"
     r"|(?:docker\.io/)?(?:nvidia/cuda|dustynv/ros)(?:[:@]|$)|nvcr\.io/nvidia/(?:cuda|l4t-(?:base|cuda|jetpack))(?:[:@]|$)"
