@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch.expansion import Expansion
     from bringup_lint.graph.launch.launch import Launch
     from bringup_lint.graph.params.params import Params
+    from bringup_lint.model.params import Parameter
     from bringup_lint.model.params import ParameterFile
 
 _PASSIVE = ("--inactive", "--stopped", "--load-only")
@@ -34,12 +35,25 @@ class Claim(NamedTuple):
     spawned: Located
 
 
+class Taken(NamedTuple):
+    """What a controller claims."""
+
+    name: str
+    joints: frozenset[str]
+    interfaces: frozenset[str]
+    where: Span
+    """The list of joints."""
+
+
 def claims(launch: Launch, params: Params) -> Iterator[Claim]:
     """Each parameter once, where one launch file activates both controllers in any case."""
     said: set[Span] = set()
+    files = [taken for taken in map(_taken, params.judged) if len(taken) > 1]
+    if not files:
+        return
     for expansion in launch.entries:
         active = _active(expansion)
-        for found in (claim for file in params.judged for claim in _of_file(file, active)):
+        for found in (claim for taken in files for claim in _among(taken, active)):
             if found.where not in said:
                 said.add(found.where)
                 yield found
@@ -55,19 +69,31 @@ def _active(expansion: Expansion) -> dict[str, Located]:
     return found
 
 
-def _of_file(file: ParameterFile, active: dict[str, Located]) -> Iterator[Claim]:
-    if len(active) < 2:
-        return
+def _taken(file: ParameterFile) -> list[Taken]:
+    """What the controllers of a file claim, in the order of the file."""
     types = {each.name.removesuffix(".type"): str(each.value.data) for each in file.parameters}
-    own: dict[str, dict[str, tuple[set[str], Span]]] = {}
+    own: dict[str, dict[str, Parameter]] = {}
     for each in file.parameters:
         name = str(each.block.key).rpartition("/")[2]
-        if name in active and types.get(name, "").startswith(_TYPES) and each.name in ("joints", "command_interfaces"):
-            own.setdefault(name, {})[each.name] = ({item.text for item in items(each)}, each.span)
-    known = [(name, given) for name, given in own.items() if len(given) == 2]
-    for at, (name, given) in enumerate(known):
-        for first, before in known[:at]:
-            joints = sorted(given["joints"][0] & before["joints"][0])
-            if joints and given["command_interfaces"][0] & before["command_interfaces"][0]:
-                yield Claim(joints[0], given["joints"][1], name, first, before["joints"][1], active[name])
+        if each.name in ("joints", "command_interfaces") and types.get(name, "").startswith(_TYPES):
+            own.setdefault(name, {})[each.name] = each
+    whole = ((name, given) for name, given in own.items() if len(given) == 2)
+    return [
+        Taken(name, _texts(given["joints"]), _texts(given["command_interfaces"]), given["joints"].span)
+        for name, given in whole
+    ]
+
+
+def _texts(parameter: Parameter) -> frozenset[str]:
+    return frozenset(item.text for item in items(parameter))
+
+
+def _among(taken: list[Taken], active: dict[str, Located]) -> Iterator[Claim]:
+    """The claims of the active controllers of one file that another one of them has made before."""
+    known = [each for each in taken if each.name in active]
+    for at, each in enumerate(known):
+        for first in known[:at]:
+            joints = sorted(each.joints & first.joints)
+            if joints and each.interfaces & first.interfaces:
+                yield Claim(joints[0], each.where, each.name, first.name, first.where, active[each.name])
                 break
