@@ -79,8 +79,9 @@ class TaskFiles:
         role = _ROLE.match(os.path.abspath(source.name))
         if role is None and not self._is_project and not self._has_folder(here, folders, path):
             return False
-        tops = [here, os.path.dirname(here), *([role["role"]] if role is not None else [])]
         tree = self.files.tree
+        above = os.path.dirname(here)
+        tops = [here, *([above] if tree.holds(above) else []), *([role["role"]] if role is not None else [])]
         if any(tree.exists(each) or tree.is_ignored(each) for each in _paths(tops, folders, path)):
             return False
         outer = _paths([f"{top}/../.." for top in tops], folders, path)
