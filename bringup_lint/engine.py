@@ -160,9 +160,12 @@ def run(
         rules, muted = {**rules, **muted}, {}
     checked = check(rules.values(), robot, registry.purposes, between)
     failures = [*checked.failures, *unread(robot)]
-    findings = [*(_in_test_data(found, robot, registry) for found in checked.findings), *failures]
-    findings += [too_slow(source, "Not judged: to parse it", budget.FILE) for source in robot.unfinished]
     steps = Steps()
+    judged = steps.each(
+        checked.findings, "asking what reads its file", lambda found: _in_test_data(found, robot, registry)
+    )
+    findings = [*judged, *failures]
+    findings += [too_slow(source, "Not judged: to parse it", budget.FILE) for source in robot.unfinished]
     if ignores:
         findings = _suppressed(findings, robot, rules, selection, config, steps)
     if muted:
