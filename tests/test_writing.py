@@ -365,7 +365,8 @@ def test_a_full_disk_leaves_everything_as_it_was(tree: Path) -> None:
 
 def test_an_interrupt_while_the_program_is_loaded_is_130(tree: Path) -> None:
     code = (
-        "from bringup_lint import __main__ as it; it.main = lambda: signal.raise_signal(2); import signal; it.program()"
+        "import signal; signal.signal(signal.SIGINT, signal.default_int_handler); "  # a shell's background ignores it
+        "from bringup_lint import __main__ as it; it.main = lambda: signal.raise_signal(2); it.program()"
     )
     environment = {**os.environ, "PYTHONPATH": str(PROJECT)}
     run = subprocess.run([sys.executable, "-c", code], cwd=tree, capture_output=True, env=environment, check=False)
