@@ -141,7 +141,9 @@ def _unset(code: Code, run: dict[int, Callback], name: str, use: Node, stores: l
         return None
     if others and not (callback.role == "timer" and _comes_later(code, run, others) and not _leaves(code, body, use)):
         return None
-    method = next(each for each in (body, *code.above(body)) if each.type == "function_definition")
+    method = next((each for each in (body, *code.above(body)) if each.type == "function_definition"), None)
+    if method is None:
+        return None
     owner = class_of(code, method, (code.defined_name(method) or "").rpartition("::")[0])
     span = code.span(use)
     set_later = code.span(others[0]) if others else None
