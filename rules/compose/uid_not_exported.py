@@ -45,7 +45,8 @@ def uid_not_exported(robot: Robot) -> Iterator[Finding]:
         if service.user is None or bare is None:
             continue
         name = bare[1]
-        sets = re.compile(rf"(?:^|[\s;'\"(]){name}\s*[:?]?=|\bexport\s+(?:\w+\s+)*{name}\b|\b{name}:\s", re.M)
+        written = re.escape(name)
+        sets = re.compile(rf"(?:^|[\s;'\"(]){written}\s*[:?]?=|\bexport\s+(?:\w+\s+)*{written}\b|\b{written}:\s", re.M)
         if _named_beside(robot, service.source.name, name) or robot.mentions(sets):
             continue
         yield finding(
@@ -60,4 +61,4 @@ def _named_beside(robot: Robot, name: str, variable: str) -> bool:
     folder = name.rpartition("/")[0]
     beside = [path for path in robot.tree.paths if path.rpartition("/")[0].endswith(folder)]
     texts = (robot.tree.read(path, judged=False) for path in beside if re.search(r"env|[Mm]ake|just|\.md$", path))
-    return any(source is not None and re.search(rf"\b{variable}\b", source.text) for source in texts)
+    return any(source is not None and re.search(rf"\b{re.escape(variable)}\b", source.text) for source in texts)

@@ -99,8 +99,9 @@ def _declared(stage: Stage) -> Iterator[str]:
 
 def _uses(stage: Stage, name: str) -> Iterator[Located]:
     """Where instructions of a stage read a variable that has no value and no default."""
-    read = re.compile(rf"(?<![\\$])\$(?:{name}\b|\{{{name}\}})")
-    assigned = re.compile(ASSIGNED.format(name=name))
+    written = re.escape(name)
+    read = re.compile(rf"(?<![\\$])\$(?:{written}\b|\{{{written}\}})")
+    assigned = re.compile(ASSIGNED.format(name=written))
     for instruction in stage.all(*READING):
         value = instruction.value
         if instruction.name == "RUN" and (instruction.heredocs or assigned.search(value) or SOURCES.search(value)):

@@ -57,7 +57,7 @@ def from_undeclared_arg(robot: Robot) -> Iterator[Finding]:
         before = file.source.text[: file.stages[0].start.keyword.span.start]
         for stage in file.stages:
             names = [braced or plain for braced, plain in VARIABLE.findall(stage.image)]
-            lacking = [name for name in names if not PLATFORM.fullmatch(name) and not re.search(rf"\b{name}\b", before)]
+            lacking = [name for name in names if not PLATFORM.fullmatch(name) and not _is_named(name, before)]
             rest = VARIABLE.sub("", stage.image)
             if names and lacking == names and "$" not in rest and (not rest or rest.endswith((":", "/", "@"))):
                 yield finding(
@@ -65,3 +65,7 @@ def from_undeclared_arg(robot: Robot) -> Iterator[Finding]:
                     f"{lacking[0]} is not declared before the first FROM: it is empty and the build stops",
                     advice=f"write ARG {lacking[0]} above the first FROM",
                 )
+
+
+def _is_named(name: str, text: str) -> bool:
+    return re.search(rf"\b{re.escape(name)}\b", text) is not None

@@ -69,5 +69,5 @@ def _is_blind(units: Units, unit: Unit, name: str) -> bool:
     if any(file.path in (PATH, None) for file in units.environment_files(unit)):
         return False
     return units.environment(unit).defines(name) is False and not any(
-        re.search(rf"\b{name}=", text) for process in units.processes(unit) for text in process.texts
+        re.search(rf"\b{re.escape(name)}=", text) for process in units.processes(unit) for text in process.texts
     )

@@ -80,6 +80,7 @@ def _meant(name: str) -> str | None:
 
 def _is_read(robot: Robot, name: str) -> bool:
     """Whether something of the tree asks for a variable of this name."""
-    in_code = rf"(?:get(?:env)?\(|environ\[|Variable\(|\bname=)\s*[\"']{name}[\"']"
-    asks = re.compile(rf"\$\{{?{name}\b|\(env {name}\b|{in_code}")
+    written = re.escape(name)
+    in_code = rf"(?:get(?:env)?\(|environ\[|Variable\(|\bname=)\s*[\"']{written}[\"']"
+    asks = re.compile(rf"\$\{{?{written}\b|\(env {written}\b|{in_code}")
     return robot.files.mentions(asks)

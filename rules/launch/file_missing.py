@@ -121,7 +121,7 @@ def _is_asked_for(reference: Reference) -> bool:
     found = _ASKED.search(text[max(0, reference.span.start - _BEFORE) : reference.span.start])
     if found is None or found["name"] is None:
         return found is not None
-    name = found["name"]
+    name = re.escape(found["name"])
     return re.search(rf"{_ASKS}{name}\b|\b{name}\s{{0,4}}\.\s{{0,4}}(?:exists|is_file)\(", text) is not None
 
 

@@ -98,7 +98,10 @@ def _starts_ros(run: Run, source: Source) -> bool:
     if run.name == "ros2":
         return run.arguments[:1] in (["launch"], ["run"])
     array = ARRAY.fullmatch(run.words[0]) if run.words else None
-    return array is not None and re.search(rf"\b{array[1]}=\(\s*ros2\s+(?:launch|run)\b", source.text) is not None
+    return (
+        array is not None
+        and re.search(rf"\b{re.escape(array[1])}=\(\s*ros2\s+(?:launch|run)\b", source.text) is not None
+    )
 
 
 def _goes_on(after: list[Run]) -> bool:

@@ -69,12 +69,13 @@ def _is_own(source: Source, written: Written, name: str) -> bool:
     text = str(written.text)
     start, end = _extent(written)
     around = source.text[:start] + source.text[end:]
+    word = re.escape(name)
     if name in OF_SYSTEMD:
-        return "[Service]" in text and not re.search(rf"\b{name}=", around)
-    if name in OF_LOGIN or SOURCES.search(around) or re.search(rf"\b{name}=[^\n]*\{{\{{ {name} \}}\}}", text):
+        return "[Service]" in text and not re.search(rf"\b{word}=", around)
+    if name in OF_LOGIN or SOURCES.search(around) or re.search(rf"\b{word}=[^\n]*\{{\{{ {word} \}}\}}", text):
         return False
-    sets = re.compile(rf"^[ \t]*(?:export |local |readonly )?{name}=", re.M)
-    known = re.compile(rf"\b{name}(?:\+?=|:?[=?])|\b(?:for|read|getopts|declare|mapfile|printf -v)\b[^\n]*\b{name}\b")
+    sets = re.compile(rf"^[ \t]*(?:export |local |readonly )?{word}=", re.M)
+    known = re.compile(rf"\b{word}(?:\+?=|:?[=?])|\b(?:for|read|getopts|declare|mapfile|printf -v)\b[^\n]*\b{word}\b")
     return sets.search(text) is not None and known.search(around) is None
 
 
@@ -87,5 +88,6 @@ def _extent(written: Written) -> tuple[int, int]:
 def _place(source: Source, written: Written, name: str) -> Located | None:
     """Where the here-document names a variable."""
     start, end = _extent(written)
-    found = re.compile(rf"(?<!\\)\$(?:{name}\b|\{{{name}\}})").search(source.text, start, end)
+    word = re.escape(name)
+    found = re.compile(rf"(?<!\\)\$(?:{word}\b|\{{{word}\}})").search(source.text, start, end)
     return source.located(*found.span()) if found is not None else None

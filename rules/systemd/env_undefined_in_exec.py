@@ -67,7 +67,7 @@ def env_undefined_in_exec(robot: Robot) -> Iterator[Finding]:
                     name = match[1] or match[2]
                     if name is None or name in seen or environment.get(name) or OF_SYSTEMD.match(name):
                         continue
-                    if re.search(rf"\b{name}=|\b(?:for|read|select)\b[^;|&]*\b{name}\b", process.line):
+                    if _is_set(process.line, name):
                         continue
                     seen.add(name)
                     yield finding(
@@ -76,6 +76,12 @@ def env_undefined_in_exec(robot: Robot) -> Iterator[Finding]:
                         advice=f"define {name} with Environment= or in an environment file, "
                         f"or write $${{{name}}} if the shell should expand it",
                     )
+
+
+def _is_set(line: str, name: str) -> bool:
+    """Whether the shell text of a command gives the variable a value."""
+    written = re.escape(name)
+    return re.search(rf"\b{written}=|\b(?:for|read|select)\b[^;|&]*\b{written}\b", line) is not None
 
 
 def _becomes(word: Located, match: re.Match[str]) -> str:

@@ -54,7 +54,9 @@ def envfile_optional(robot: Robot) -> Iterator[Finding]:
                 if chain and all(v.value.span.source is file.source for v in chain)
             }
             for process in units.processes(unit):
-                used = next((name for name in only if re.search(rf"(?<!\$)\$\{{{name}\}}", process.line)), None)
+                used = next(
+                    (name for name in only if re.search(rf"(?<!\$)\$\{{{re.escape(name)}\}}", process.line)), None
+                )
                 if used:
                     dash = file.value.span.source.span(file.value.span.start - 1, file.value.span.start)
                     yield finding(

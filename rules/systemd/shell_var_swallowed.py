@@ -83,7 +83,7 @@ def _swallowed(robot: Robot, line: Line, text: Located) -> Iterator[Finding]:
         name = found[1]
         start = found.end() - len(name) - 3
         plain = _NAME.fullmatch(name) is not None
-        if plain and (not re.search(_SET.format(name), text) or _provided(robot, line, name)):
+        if plain and (not re.search(_SET.format(re.escape(name)), text) or _provided(robot, line, name)):
             continue
         use = text.part(start, found.end())
         what = f"and {name} is set only in this shell text" if plain else "which only a shell understands"
@@ -102,6 +102,6 @@ def _provided(robot: Robot, line: Line, name: str) -> bool:
             return True
         if assignment.key == "EnvironmentFile":
             source = robot.tree.find(assignment.value.lstrip("-"))
-            if source is None or re.search(rf"\b{name}\b", source.text):
+            if source is None or re.search(rf"\b{re.escape(name)}\b", source.text):
                 return True
     return name in ("HOME", "USER", "LOGNAME", "SHELL", "PATH", "LANG", "TERM", "MAINPID")

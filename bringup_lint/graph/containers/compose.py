@@ -127,7 +127,7 @@ class Compose:
 
 def _assigned(source: Source, name: str) -> Iterator[Located]:
     """The values that an env file gives to a variable."""
-    for match in re.finditer(rf"^[ \t]*(?:export[ \t]+)?{name}=(.*?)[ \t\r]*$", source.text, re.M):
+    for match in re.finditer(rf"^[ \t]*(?:export[ \t]+)?{re.escape(name)}=(.*?)[ \t\r]*$", source.text, re.M):
         yield source.located(match.start(1), match.end(1))
 
 

@@ -178,8 +178,10 @@ def _of_package(files: Files, package: Package, interfaces: Interfaces) -> Itera
     if not interfaces.generators:
         own = tuple(sorted(name for (kind, name), path in interfaces.defined.items() if _is_place(package, kind, path)))
         is_meant = "rosidl" in package.manifest.source.text or any(_speaks(each) for each in interfaces.commands)
-        if own and is_meant and not any("idl" in each.name or each.name == "include" for each in interfaces.commands):
-            yield Ungenerated("none", package, _place(interfaces), own)
+        place = _place(interfaces)
+        is_made = any("idl" in each.name or each.name == "include" for each in interfaces.commands)
+        if own and is_meant and place is not None and not is_made:
+            yield Ungenerated("none", package, place, own)
         return
     command = interfaces.generators[0]
     if command.conditional or len(interfaces.generators) > 1 or not command.arguments:
@@ -233,7 +235,9 @@ def _header(name: str) -> str:
 
 def _in_cpp(package: str, kind: str, name: str) -> re.Pattern[str]:
     """The header of an interface, or its class."""
-    return re.compile(rf"\b{package}/{kind}/{_header(name)}\.h|\b{package}::{kind}::{name}\b")
+    header = re.escape(f"{package}/{kind}/{_header(name)}.h")
+    type_name = re.escape(f"{package}::{kind}::{name}")
+    return re.compile(rf"\b{header}|\b{type_name}\b")
 
 
 def _is_place(package: Package, kind: str, path: str) -> bool:
@@ -241,10 +245,10 @@ def _is_place(package: Package, kind: str, path: str) -> bool:
     return os.path.dirname(path) == os.path.join(package.folder, kind)
 
 
-def _place(interfaces: Interfaces) -> Span:
+def _place(interfaces: Interfaces) -> Span | None:
     """Where the CMakeLists.txt speaks of interfaces, else its first argument."""
     given = [each for each in interfaces.commands if each.arguments]
-    return next((each for each in given if _speaks(each)), given[0]).arguments[0].span
+    return next((each for each in given if _speaks(each)), given[0]).arguments[0].span if given else None
 
 
 def _speaks(command: Command) -> bool:

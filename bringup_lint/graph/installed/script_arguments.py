@@ -127,7 +127,7 @@ def _is_optional(script: Source, command: Command, word: Located) -> bool:
     if command.words and word is command.words[-1] and _is_bare(word):
         return True
     assigned = _ASSIGNED.fullmatch(word)
-    return assigned is not None and re.search(_TESTED.format(name=assigned["name"]), script.text) is not None
+    return assigned is not None and re.search(_TESTED.format(name=re.escape(assigned["name"])), script.text) is not None
 
 
 def _is_bare(word: Located) -> bool:

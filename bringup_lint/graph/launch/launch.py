@@ -536,6 +536,7 @@ def _parser(kind: str) -> Callable[[Source], LaunchFile]:
 
 def _uses(text: str, variable: str, name: str) -> int:
     """How often a variable is named, without the place that makes it the default of the argument ``name``."""
-    own_default = rf"""(['"]){re.escape(name)}\1\s*,\s*default_value\s*=\s*{variable}(?!\w)"""
-    named = len(re.findall(rf"(?<![\w.'\"]){variable}(?![\w'\"])", text))
+    written = re.escape(variable)
+    own_default = rf"""(['"]){re.escape(name)}\1\s*,\s*default_value\s*=\s*{written}(?!\w)"""
+    named = len(re.findall(rf"(?<![\w.'\"]){written}(?![\w'\"])", text))
     return named - len(re.findall(own_default, text))

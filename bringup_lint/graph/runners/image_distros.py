@@ -102,7 +102,7 @@ def _lacks(stage: Stage, other: str) -> bool:
     own = ros_distro(stage.origin)
     if not own or other == own:
         return False
-    brings = re.compile(_BRINGS.format(name=other))
+    brings = re.compile(_BRINGS.format(name=re.escape(other)))
     return not any(brings.search(text) for text in _texts(stage))
 
 

@@ -46,7 +46,7 @@ class Partners:
         if len(set(words)) != 1 or not _MEMBER.match(words[0]) or self._leaves(body):
             return None
         text = self._code.text(body)
-        if "spin" in text or re.search(rf"\b{words[0]}\b", text) or re.search(r"\bthis\s*[,)]", text):
+        if "spin" in text or re.search(rf"\b{re.escape(words[0])}\b", text) or re.search(r"\bthis\s*[,)]", text):
             return None
         return f"while {' '.join(condition.split())}" if self._is_set_by_others(words[0], callback) else None
 
@@ -61,7 +61,7 @@ class Partners:
 
     def _is_set_by_others(self, name: str, callback: Callback) -> bool:
         """Whether callbacks alone change a member, and not only this one."""
-        places = [found.start() for found in re.finditer(rf"\b{name}{_CHANGES}", self._code.source.text)]
+        places = [found.start() for found in re.finditer(rf"\b{re.escape(name)}{_CHANGES}", self._code.source.text)]
         others = False
         for place in places:
             holder = self._holder(place)

@@ -69,7 +69,7 @@ def _ends_unused(code: Code, call: Call, variable: str) -> bool:
         return False
     text = _STRING.sub('""', code.text(body))
     rest = text.replace(_STRING.sub('""', code.text(call.node)), "", 1)
-    return len(re.findall(rf"\b{variable}\b", text)) == 1 and not _LASTS.search(rest)
+    return len(re.findall(rf"\b{re.escape(variable)}\b", text)) == 1 and not _LASTS.search(rest)
 
 
 def _is_left_out(code: Code, node: Node) -> bool:

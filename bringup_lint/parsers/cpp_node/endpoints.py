@@ -147,7 +147,7 @@ def _variable(code: Code, name: str, span: Span) -> Qos | None:
     written = [
         node
         for node in code.written.get("assignment", ())
-        if re.match(rf"{name}\b", code.text(node.child_by_field_name("left")))
+        if re.match(rf"{re.escape(name)}\b", code.text(node.child_by_field_name("left")))
     ]
     if len(made) + len(fields) != 1 or changed or written:
         return None

@@ -104,7 +104,7 @@ class _Assignments:
         names = _WORD.findall(header.rpartition(")")[0])
         if not names:
             return frozenset()
-        message = re.compile(rf"\b{names[-1]}\b")
+        message = re.compile(rf"\b{re.escape(names[-1])}\b")
         own = [each for each in self._within(body) if each.node.end_byte <= body.end_byte]
         inside = {each.target for each in own if message.search(self._right(each.node))}
         counts = Counter(each.target for each in own if each.elsewhere)

@@ -118,11 +118,12 @@ def _is_constant(code: Code, name: str) -> bool:
 
 def _is_of_helper(code: Code, node: Node, name: str) -> bool:
     """Whether a name is a parameter of the function around it, which is not gone through in a loop."""
+    written = re.escape(name)
     for outer in code.above(node):
-        if outer.type in _LOOPS and re.search(rf"\b{name}\b", code.text(outer).partition("{")[0]):
+        if outer.type in _LOOPS and re.search(rf"\b{written}\b", code.text(outer).partition("{")[0]):
             return False
         if outer.type in ("lambda_expression", "function_definition"):
             header = code.text(outer).partition("{")[0]
-            if re.search(rf"\b(?:string|string_view|char)\b[\s&*]*{name}\b|\bauto\b[\s&*]*{name}\b", header):
+            if re.search(rf"\b(?:string|string_view|char)\b[\s&*]*{written}\b|\bauto\b[\s&*]*{written}\b", header):
                 return True
     return False

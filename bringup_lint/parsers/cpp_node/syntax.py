@@ -159,7 +159,7 @@ class Code:
 
     def uses(self, name: str) -> Iterator[Node]:
         """Where code names a variable or member."""
-        for found in re.finditer(rb"\b%s\b" % name.encode(), self._data):
+        for found in re.finditer(rb"\b%s\b" % re.escape(name.encode()), self._data):
             node = self.tree.root_node.descendant_for_byte_range(*found.span())
             if node is not None and node.type in ("identifier", "field_identifier"):
                 yield node

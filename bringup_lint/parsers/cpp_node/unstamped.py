@@ -112,7 +112,7 @@ def _only_fields(code: Code, function: Node, declaration: Node, name: str) -> bo
     text = code.span(function).text
     at = code.span(declaration).end - code.span(function).start
     rest = COMMENT.sub("", text[at:])
-    for use in re.finditer(rf"\b{name}\b", rest):
+    for use in re.finditer(rf"\b{re.escape(name)}\b", rest):
         before = rest[max(0, use.start() - _BEFORE) : use.start()]
         if not _FIELD.match(rest, use.end()) and not _SENT.search(before):
             return False

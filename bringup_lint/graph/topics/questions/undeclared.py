@@ -83,7 +83,8 @@ def is_called_nowhere(topics: Topics, place: Span) -> bool:
     if not around or not place.source.name.endswith(".py"):
         return False
     name = around[-1]["name"]
-    word = regex(rf":{name}\b|(?<![\w\"'])(?<!def ){name}\b(?![\w\"'])")
+    written = re.escape(name)
+    word = regex(rf":{written}\b|(?<![\w\"'])(?<!def ){written}\b(?![\w\"'])")
     module = place.source.basename.removesuffix(".py")
     sources = (each for each in topics.files.sources if each.name.endswith(".py") and name in each.text)
     callers = (each for each in sources if each is place.source or module in each.text)
