@@ -10,8 +10,6 @@ from bringup_lint.on_demand import on_demand
 
 if TYPE_CHECKING:
     from bringup_lint.graph.params.declared import Declared
-    from bringup_lint.graph.params.matching import unreached
-    from bringup_lint.graph.params.matching import unused
     from bringup_lint.graph.params.navigation import NavigationProblem
     from bringup_lint.graph.params.navigation import navigation_problems
     from bringup_lint.graph.params.public import Unknown
@@ -26,6 +24,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.plugins.refused import Refused
     from bringup_lint.graph.plugins.unknown import UnknownPlugin
     from bringup_lint.graph.plugins.untyped import UntypedPlugin
+    from bringup_lint.graph.topics.questions.parameter_blocks import unreached
+    from bringup_lint.graph.topics.questions.parameter_blocks import unused
     from bringup_lint.graph.topics.questions.undeclared import Undeclared
     from bringup_lint.graph.topics.questions.undeclared import undeclared
     from bringup_lint.model.params import Block

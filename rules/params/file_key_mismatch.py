@@ -2,8 +2,9 @@
 
 ## What it finds
 A node with a known name and namespace loads a file in which no block and no wildcard matches its full name, but one
-is close: the same name in another namespace, or a misspelling. Silent for components, containers and names that are
-not known.
+is meant for it: it has the same name in another namespace, or a misspelling of it, is called as the package or the
+executable, or holds what only the program of this node declares. The name is that of the launch file, else the one
+that the source gives. Silent for components, containers and names that are not known.
 
 ## Why it matters on a robot
 All parameters keep the defaults of the code, without any message. It shows when the robot drives. Only a node that
@@ -49,7 +50,7 @@ from bringup_lint.api.params import unreached
     ],
 )
 def file_key_mismatch(robot: Robot) -> Iterator[Finding]:
-    for found in unreached(robot.params):
+    for found in unreached(robot.topics):
         tail = found.name.rpartition("/")[2]
         better = found.name if found.misspelt else f"/**/{tail}"
         single = len(found.block.keys) == 1

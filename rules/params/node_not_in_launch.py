@@ -46,7 +46,7 @@ from bringup_lint.api.params import unused
 
 @rule("warning", fix="unsafe", symptoms=["ParameterUninitializedException: The parameter '*' is not initialized"])
 def node_not_in_launch(robot: Robot) -> Iterator[Finding]:
-    for found in unused(robot.params):
+    for found in unused(robot.topics):
         name = found.name.removeprefix("/")
         single = len(found.block.keys) == 1
         yield finding(

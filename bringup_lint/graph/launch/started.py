@@ -16,6 +16,7 @@ from bringup_lint.model.launch import Node
 from bringup_lint.model.launch import Process
 from bringup_lint.model.launch_values import Choice
 from bringup_lint.model.launch_values import Condition
+from bringup_lint.model.launch_values import Env
 from bringup_lint.model.launch_values import Literal
 from bringup_lint.model.launch_values import Operation
 from bringup_lint.model.launch_values import Value
@@ -37,6 +38,8 @@ class Started:
     """None when the node keeps the name that its code gives it."""
     namespace: str | None = None
     """Absolute; None when it is not known."""
+    usual_namespace: str | None = None
+    """The one that it has when environment variables are not set; None when that is not known either."""
     parameters: tuple[Value, ...] = ()
     """In order, later ones win; those set for all nodes come first."""
     remappings: tuple[tuple[Value, Value], ...] = ()
@@ -106,7 +109,11 @@ def started(
         _environment(result, action, scope, resolver)
     if isinstance(action, (Node, ComposableNode)):
         result.package = resolver.optional(action.package)
-        result.namespace = namespace(scope.namespaces, resolver.optional(action.namespace))
+        own = resolver.optional(action.namespace)
+        result.namespace = namespace(scope.namespaces, own)
+        result.usual_namespace = result.namespace or namespace(
+            tuple(map(_usual, scope.namespaces)), own and _usual(own)
+        )
         result.parameters = (*scope.parameters, *present(resolver.values(action.parameters)))
         result.remappings = (*scope.remaps, *resolver.pairs(action.remappings))
     if isinstance(action, Node):
@@ -159,6 +166,13 @@ def namespace(pushed: tuple[Value, ...], own: Value | None) -> str | None:
         if result != "/":
             result = result.rstrip("/")
     return result if result.startswith("/") else f"/{result}"
+
+
+def _usual(value: Value) -> Value:
+    """What a value is when the environment does not hold the variable that it is made of."""
+    if isinstance(value, Env) and value.default is not None and text_of(value.default):
+        return value.default
+    return value
 
 
 def exclusive(first: Started, second: Started) -> bool:

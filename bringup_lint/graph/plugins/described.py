@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
+from bringup_lint.graph.plugins.xacro_values import HOLE
+from bringup_lint.graph.plugins.xacro_values import XacroValues
 from bringup_lint.parsers.xml import parse
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
@@ -69,31 +71,35 @@ def described(tree: Tree, packages: Container[str]) -> Described:
     found = Described()
     paths = [path for path in tree.paths if path.endswith(_FORMATS) or ".urdf." in path.rpartition("/")[2]]
     found.is_open = len(paths) > _FILES
+    roots: list[Element] = []
+    values = XacroValues()
     for path in paths[:_FILES]:
         source = tree.read(path)
         root = parse(source).root if source is not None and not source.template else None
         if root is None:
             found.is_open = True
             continue
-        for element in root.walk():
-            if element.name.startswith("xacro:"):
-                _add_values(found, element)
-                found.is_open = found.is_open or not _is_closed(tree, packages, element)
-            else:
-                _add(found, element)
+        roots.append(root)
+        values.take(root)
+    for element in (each for root in roots for each in root.walk()):
+        if element.name.startswith("xacro:"):
+            _add_values(found, element)
+            found.is_open = found.is_open or not _is_closed(tree, packages, element)
+        else:
+            _add(found, element, values)
     return found
 
 
-def _add(found: Described, element: Element) -> None:
+def _add(found: Described, element: Element, values: XacroValues) -> None:
     name = element.get("name")
     if name is None:
         return
     if element.local == "link":
-        _add_link(found, name)
+        _add_names(found, found.links, found.link_patterns, values.names(name, element))
         return
     is_controlled = _is_controlled(element)
     if element.local == "joint" and not is_controlled:
-        _add_name(found, name, 1)
+        _add_names(found, found.joints, found.patterns, values.names(name, element))
     elif element.local in _HOLDERS and is_controlled and "$" not in name:
         found.offered.add(str(name))
         if element.local == "joint":
@@ -103,11 +109,14 @@ def _add(found: Described, element: Element) -> None:
         found.is_open_interface = found.is_open_interface or "$" in name
 
 
-def _add_link(found: Described, name: Located) -> None:
-    if "$" in name:
-        found.link_patterns.add(_SUBSTITUTION.sub("\0", name))
-    else:
-        found.links.add(str(name))
+def _add_names(found: Described, plain: set[str], patterns: set[str], names: set[str]) -> None:
+    for name in names:
+        if "$" in name:
+            found.is_open = True
+        elif HOLE not in name:
+            plain.add(name)
+        elif name.strip(HOLE):
+            patterns.add(name)
 
 
 def _add_values(found: Described, element: Element) -> None:
