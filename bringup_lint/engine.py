@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable
+from collections.abc import Container
 from collections.abc import Iterable
 from collections.abc import Iterator
 from collections.abc import Mapping
@@ -71,9 +72,9 @@ class Selection:
         selected = [name for name in dict.fromkeys(config.select) if name != "all"]
         listed = (name for names in config.per_file_ignores.values() for name in names)
         self._refuse_unknown([*selected, *config.ignore, *config.severity, *listed])
-        self.select = [self.known(name) for name in selected]
-        self.ignore = [self.known(name) for name in dict.fromkeys(config.ignore)]
-        self.left_out = [self.known(name) for name in config.left_out]
+        self.select = frozenset(self.known(name) for name in selected)
+        self.ignore = frozenset(self.known(name) for name in config.ignore)
+        self.left_out = frozenset(self.known(name) for name in config.left_out)
         self.levels = {self.known(name): level for name, level in config.severity.items()}
 
     def _refuse_unknown(self, named: Iterable[str]) -> None:
@@ -111,16 +112,14 @@ class Selection:
         return None if level in ("", OFF) else Severity[level.upper()]
 
     def runs(self, rule_id: str) -> bool:
-        if self.level(rule_id) == OFF or any(names(name, rule_id) for name in self.ignore):
-            return False
-        return self._is_selected(rule_id)
+        return self.level(rule_id) != OFF and not named(rule_id, self.ignore) and self._is_selected(rule_id)
 
     def _is_selected(self, rule_id: str) -> bool:
-        return not self.select or any(names(name, rule_id) for name in self.select)
+        return not self.select or named(rule_id, self.select)
 
     def mutes(self, rule_id: str) -> bool:
         """Whether nothing but a configuration that was found in the tree keeps a rule from running."""
-        if self.config.found is None or self.runs(rule_id) or any(names(name, rule_id) for name in self.left_out):
+        if self.config.found is None or self.runs(rule_id) or named(rule_id, self.left_out):
             return False
         return self._is_selected(rule_id)
 
@@ -131,7 +130,7 @@ class Selection:
 
     def covers(self, name: str) -> bool:
         """Whether all that a name of a rule or family means is selected."""
-        return not self.select or any(names(selected, self.known(name)) for selected in self.select)
+        return self._is_selected(self.known(name))
 
 
 SUPPRESSING, COMMENTS = "suppressing", "reading the comments"
@@ -140,6 +139,11 @@ SUPPRESSING, COMMENTS = "suppressing", "reading the comments"
 def names(name: str, rule_id: str) -> bool:
     """Whether a name of a rule or family means the rule."""
     return name == rule_id or rule_id.startswith(name + "/")
+
+
+def named(rule_id: str, among: Container[str]) -> bool:
+    """Whether one of some names of rules and families means the rule."""
+    return rule_id in among or rule_id.partition("/")[0] in among
 
 
 def run(
