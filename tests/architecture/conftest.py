@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 import pytest
 
+from tests.architecture.imports import nodes
 from tests.architecture.imports import syntax
 
 
@@ -14,3 +15,4 @@ def syntax_is_forgotten() -> Iterator[None]:
     """A million nodes, that every collection of garbage would look through."""
     yield
     syntax.cache_clear()
+    nodes.cache_clear()

@@ -29,6 +29,12 @@ def syntax(path: Path) -> ast.Module:
 
 
 @cache
+def nodes(path: Path) -> tuple[ast.AST, ...]:
+    """All nodes of the syntax of a file, which several tests look at."""
+    return tuple(ast.walk(syntax(path)))
+
+
+@cache
 def import_graph() -> dict[str, frozenset[str]]:
     """Module -> the modules of the package that it imports."""
     modules = {name_of(path): path for path in paths()}
@@ -36,7 +42,7 @@ def import_graph() -> dict[str, frozenset[str]]:
 
 
 def _imports(path: Path, modules: Collection[str]) -> Iterator[str]:
-    for node in ast.walk(syntax(path)):
+    for node in nodes(path):
         if isinstance(node, ast.Import):
             names = [(alias.name, alias.name) for alias in node.names]
         elif isinstance(node, ast.ImportFrom) and node.module:
@@ -82,7 +88,7 @@ def circles(graph: dict[str, frozenset[str]]) -> list[frozenset[str]]:
 
 def uses_of_robot(path: Path) -> Iterator[str]:
     """Where a module takes, keeps or is typed with a robot."""
-    for node in ast.walk(syntax(path)):
+    for node in nodes(path):
         if isinstance(node, ast.arg) and node.arg == "robot":
             yield f"{path}:{node.lineno}: a parameter called robot"
         if isinstance(node, ast.Attribute) and node.attr == "robot":

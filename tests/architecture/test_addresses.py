@@ -6,15 +6,15 @@ import ast
 from pathlib import Path
 
 from tests.architecture.imports import PACKAGE
+from tests.architecture.imports import nodes
 from tests.architecture.imports import paths
-from tests.architecture.imports import syntax
 from tests.conftest import PROJECT
 
 READER = PACKAGE / "addresses.py"
 
 
 def imported(path: Path) -> set[str]:
-    return {each.name for node in ast.walk(syntax(path)) if isinstance(node, ast.Import) for each in node.names}
+    return {each.name for node in nodes(path) if isinstance(node, ast.Import) for each in node.names}
 
 
 def test_only_one_module_reads_addresses() -> None:

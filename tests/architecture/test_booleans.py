@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from bringup_lint.facts import table
-from tests.architecture.imports import syntax
+from tests.architecture.imports import nodes
 from tests.conftest import PROJECT
 
 FILES = sorted([*PROJECT.glob("rules/*/*.py"), *PROJECT.glob("bringup_lint/graph/**/*.py")])
@@ -15,7 +15,7 @@ BOOLEANS = frozenset(row["key"] for row in table("systemd/directives") if row["t
 
 
 def booleans_as_text(path: Path) -> Iterator[str]:
-    for node in ast.walk(syntax(path)):
+    for node in nodes(path):
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr in ("get", "has"):
             for argument in node.args[:1]:
                 if isinstance(argument, ast.Constant) and argument.value in BOOLEANS:

@@ -8,8 +8,8 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from tests.architecture.imports import PACKAGE
+from tests.architecture.imports import nodes
 from tests.architecture.imports import paths
-from tests.architecture.imports import syntax
 from tests.conftest import PROJECT
 
 ALLOWED = {
@@ -36,14 +36,15 @@ OF_OS_PATH = frozenset(
 )
 
 
-def accesses(tree: ast.AST) -> Iterator[str]:
-    for node in ast.walk(tree):
+def accesses(path: Path) -> Iterator[str]:
+    """What a module imports and calls that touches the disk."""
+    for node in nodes(path):
         if isinstance(node, ast.Import):
             yield from (alias.name for alias in node.names if alias.name in MODULES)
         elif isinstance(node, ast.ImportFrom):
             if node.module in MODULES or (node.module in ("os", "os.path") and node.names):
                 yield str(node.module)
-        elif isinstance(node, ast.Attribute):
+        elif isinstance(node, ast.Attribute) and (node.attr in OF_OS or node.attr in OF_OS_PATH):
             name = ast.unparse(node)
             if (name.startswith("os.") and name[3:] in OF_OS) or (
                 name.startswith("os.path.") and name[8:] in OF_OS_PATH
@@ -60,7 +61,7 @@ def is_allowed(path: Path) -> bool:
 
 def touching(files: Iterable[Path]) -> dict[Path, list[str]]:
     """The files that touch the disk, with how they do."""
-    found = {path: list(accesses(syntax(path))) for path in files}
+    found = {path: list(accesses(path)) for path in files}
     return {path: names for path, names in found.items() if names}
 
 
@@ -81,4 +82,4 @@ def _files_of(place: Path) -> list[Path]:
 
 
 def _touches(path: Path) -> bool:
-    return any(accesses(syntax(path)))
+    return any(accesses(path))

@@ -6,8 +6,8 @@ import ast
 from collections.abc import Iterator
 from pathlib import Path
 
+from tests.architecture.imports import nodes
 from tests.architecture.imports import paths
-from tests.architecture.imports import syntax
 from tests.conftest import PROJECT
 
 
@@ -17,7 +17,7 @@ def is_empty(node: ast.expr) -> bool:
 
 def loops_with_a_condition(path: Path) -> Iterator[str]:
     """Every ``for x in xs if condition else ()``."""
-    for node in ast.walk(syntax(path)):
+    for node in nodes(path):
         over = node.iter if isinstance(node, (ast.For, ast.AsyncFor, ast.comprehension)) else None
         if isinstance(over, ast.IfExp) and (is_empty(over.orelse) or is_empty(over.body)):
             yield f"{path.relative_to(PROJECT)}:{over.lineno}"

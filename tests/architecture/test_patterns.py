@@ -26,7 +26,7 @@ import bringup_lint
 from bringup_lint.pattern import Uncompiled
 from bringup_lint.registry import Registry
 from bringup_lint.registry import load
-from tests.architecture.imports import syntax
+from tests.architecture.imports import nodes
 
 with warnings.catch_warnings():
     warnings.simplefilter("ignore", DeprecationWarning)
@@ -109,7 +109,7 @@ def compiled(value: object) -> re.Pattern[str] | None:
 def methods(path: str) -> dict[str, set[str]]:
     """Name -> the methods of patterns that a file calls on it."""
     found: dict[str, set[str]] = {}
-    for node in ast.walk(syntax(Path(path))):
+    for node in nodes(Path(path)):
         if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name) and node.attr in METHODS:
             found.setdefault(node.value.id, set()).add(node.attr)
     return found

@@ -24,8 +24,8 @@ from bringup_lint.cli import answering
 from bringup_lint.discover import disk
 from bringup_lint.discover import record
 from tests.architecture.imports import PACKAGE
+from tests.architecture.imports import nodes
 from tests.architecture.imports import paths
-from tests.architecture.imports import syntax
 from tests.architecture.test_disk import accesses
 from tests.cache.running import Program
 from tests.cache.running import entry
@@ -103,18 +103,20 @@ def test_a_folder_that_became_a_link_is_not_entered(program: Program, monkeypatc
 
 
 def test_discovery_asks_the_disk_in_one_place() -> None:
-    direct = (path for path in paths() if path.is_relative_to(PACKAGE / "discover") and any(accesses(syntax(path))))
+    direct = (path for path in paths() if path.is_relative_to(PACKAGE / "discover") and any(accesses(path)))
     found = {str(path.relative_to(PACKAGE)) for path in direct if _asks(path)}
     assert found == DIRECT.keys()
 
 
 def _asks(path: Path) -> bool:
-    return bool({name for name in accesses(syntax(path)) if name.startswith("os.")} or path.parent.name == "kinds")
+    return bool({name for name in accesses(path) if name.startswith("os.")} or path.parent.name == "kinds")
 
 
 def variables(path: Path) -> Iterator[str]:
     """The environment variables that a module reads by name."""
-    for node in ast.walk(syntax(path)):
+    if "environ" not in path.read_text("utf-8"):
+        return
+    for node in nodes(path):
         if isinstance(node, ast.Call) and ast.unparse(node.func) == "os.environ.get":
             yield ast.literal_eval(node.args[0]) if isinstance(node.args[0], ast.Constant) else path.name
 

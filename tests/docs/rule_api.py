@@ -62,7 +62,7 @@ def _member(owner: str, name: str, entry: Entry) -> Iterator[str]:
     """A member of the robot, and where it is a layer, what the layer offers."""
     yield f"\n### `{owner}.{entry.signature}`\n"
     yield entry.doc
-    if example := example_of(rf"\b{owner}\.{name}\b"):
+    if example := example_of(name, rf"\b{owner}\.{name}\b"):
         yield f"\n{example}"
     layer = _layer(entry.signature)
     if layer is not None:
@@ -78,9 +78,8 @@ def _module(path: Path) -> Iterator[str]:
     for name, (origin, original) in sorted(_exports(path).items()):
         entry = _entry_of(original, origin)
         line = f"- `{entry.signature}`" + (f": {entry.doc}" if entry.doc else "")
-        example = example_of(
-            rf"\b(?:{path.stem}\.)?{name}\b[(.]", f"api.{path.stem} import {name}$|api import {path.stem}$"
-        )
+        used = rf"\b(?:{path.stem}\.)?{name}\b[(.]"
+        example = example_of(name, used, f"api.{path.stem} import {name}$|api import {path.stem}$")
         yield line + (f"\n  {example}" if example else "")
 
 
@@ -208,14 +207,15 @@ def _rules() -> list[tuple[str, str]]:
     return found
 
 
-def example_of(pattern: str, imports: str = "") -> str:
-    """The shortest line of a rule that uses something, with the rule's id."""
+def example_of(name: str, pattern: str, imports: str = "") -> str:
+    """The shortest line of a rule that uses a name as the pattern says, with the rule's id."""
     lines = [
         (len(line.strip()), line.strip(), rule)
         for rule, code in _rules()
-        if not imports or re.search(imports, code, re.M)
+        if name in code and (not imports or re.search(imports, code, re.M))
         for line in code.splitlines()
-        if re.search(pattern, line) and not re.match(r"\s*(?:from|import|def|@)\b", line) and len(line.strip()) > 24
+        if name in line and len(line.strip()) > 24
+        if re.search(pattern, line) and not re.match(r"\s*(?:from|import|def|@)\b", line)
     ]
     if not lines:
         return ""

@@ -33,8 +33,9 @@ def section(rule: Rule, heading: str) -> str:
 def imported(rule: Rule) -> set[str]:
     """The modules of the package that the file of a rule imports."""
     tree = ast.parse(rule.path.read_text("utf-8"))
-    modules = {node.module or "" for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)}
-    modules |= {alias.name for node in ast.walk(tree) if isinstance(node, ast.Import) for alias in node.names}
+    nodes = [*ast.walk(tree)]
+    modules = {node.module or "" for node in nodes if isinstance(node, ast.ImportFrom)}
+    modules |= {alias.name for node in nodes if isinstance(node, ast.Import) for alias in node.names}
     return {module for module in modules if module.startswith("bringup_lint")}
 
 
@@ -94,7 +95,10 @@ def test_what_a_rule_file_says_of_itself_is_what_it_is_when_it_is_loaded() -> No
 
 
 def calls_fix(rule: Rule) -> bool:
-    tree = ast.parse(rule.path.read_text("utf-8"))
+    text = rule.path.read_text("utf-8")
+    if "fix(" not in text:
+        return False
+    tree = ast.parse(text)
     calls = (node.func for node in ast.walk(tree) if isinstance(node, ast.Call))
     return any(isinstance(name, ast.Name) and name.id == "fix" for name in calls)
 
