@@ -5,6 +5,7 @@ from __future__ import annotations
 import gc
 import os
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +15,7 @@ from hypothesis import settings
 PROJECT = Path(__file__).parent.parent
 TOGETHER = ("tests/architecture/", "tests/packaging/", "tests/docs/test_rule_api.py", "tests/docs/test_site.py")
 """Tests that share what takes long to make: one process runs all of a place."""
+MOST_AT_ONCE = 8
 
 pytest_plugins = ["tests.browser"]
 
@@ -36,14 +38,28 @@ def pytest_configure(config: pytest.Config) -> None:
         config.option.markexpr = ""
 
 
+def grouped(tests: Sequence[str]) -> dict[str, str]:
+    """Test -> the group that a process gets at once: all of a place that belongs together, else a few tests, because
+    each group costs a message, and all groups are counted again after each test."""
+    most = min(MOST_AT_ONCE, len(tests) // 100 + 1)
+    numbers = ((f"{number // most}", test) for number, test in enumerate(tests))
+    return {test: next((place for place in TOGETHER if test.startswith(place)), number) for number, test in numbers}
+
+
 @pytest.hookimpl(optionalhook=True)
 def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> object:
     """In place of ``--dist loadgroup``, whose groups pytest 9.2 no longer shows to xdist 3.8."""
     from xdist.scheduler import LoadScopeScheduling
 
     class Scheduling(LoadScopeScheduling):
+        groups: dict[str, str] = {}
+
+        def add_node_collection(self, node: Any, collection: Sequence[str]) -> None:
+            super().add_node_collection(node, collection)
+            self.groups = self.groups or grouped(collection)
+
         def _split_scope(self, nodeid: str) -> str:
-            return next((place for place in TOGETHER if nodeid.startswith(place)), nodeid)
+            return self.groups[nodeid]
 
     return Scheduling(config, log)
 
