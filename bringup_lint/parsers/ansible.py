@@ -10,6 +10,7 @@ from bringup_lint.dataclass import replace
 from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.model.yaml_node import Scalar
 from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.parsers.ansible_tasks import modules
 from bringup_lint.parsers.yaml_nodes import parse
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
@@ -50,12 +51,12 @@ def puts(source: Source) -> Iterator[Put]:
 
 def puts_of(task: Mapping, variables: dict[str, str]) -> Iterator[Put]:
     """The files that one task puts on the machine."""
-    for key, value in task.entries:
-        if isinstance(value, Mapping) and key.value.rpartition(".")[2] in _MODULES:
+    for module in modules(task):
+        if isinstance(module.settings, Mapping) and module.name in _MODULES:
             items = _items(task)
             certain = task.get("when") is None and (task.get("loop") is None or items != [{}])
             for item in items:
-                yield from _put(_filled(value, item), certain, variables)
+                yield from _put(_filled(module.settings, item), certain, variables)
 
 
 def _items(task: Mapping) -> list[dict[str, Scalar]]:

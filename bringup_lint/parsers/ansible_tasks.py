@@ -20,6 +20,18 @@ _FORGIVING = ("ignore_errors", "failed_when", "rescue")
 _DEEPEST = 20
 
 
+class Module(NamedTuple):
+    """A key of a task that may name its module, with the settings."""
+
+    key: Located
+    settings: Node
+
+    @property
+    def name(self) -> str:
+        """Without its collection: ``copy`` of ``ansible.builtin.copy``."""
+        return self.key.rpartition(".")[2]
+
+
 class Task(NamedTuple):
     """One task, and whether it runs as root."""
 
@@ -35,14 +47,13 @@ class Task(NamedTuple):
         return _become(self.keys)
 
     @property
-    def modules(self) -> Iterator[tuple[Located, Node]]:
-        """The keys that may name its module, with their settings."""
-        return ((key.value, value) for key, value in self.keys.entries if key.value != "name")
+    def modules(self) -> Iterator[Module]:
+        return modules(self.keys)
 
     @property
     def includes(self) -> bool:
         """Whether it takes in other tasks."""
-        return any(key.value.rpartition(".")[2] in _INCLUDES for key, _ in self.keys.entries)
+        return any(module.name in _INCLUDES for module in self.modules)
 
 
 class _Around(NamedTuple):
@@ -50,6 +61,10 @@ class _Around(NamedTuple):
 
     become: bool | None = None
     may_fail: bool = False
+
+
+def modules(task: Mapping) -> Iterator[Module]:
+    return (Module(key.value, settings) for key, settings in task.entries if key.value != "name")
 
 
 def tasks(source: Source) -> Iterator[Task]:

@@ -139,15 +139,15 @@ def _named(robot: Robot, name: str) -> Iterator[Source]:
 
 def _module_of_root(task: Task) -> Located | None:
     """The module of a task that only root may do."""
-    for key, settings in task.modules:
-        name = key.rpartition(".")[2]
+    for module in task.modules:
+        name, settings = module.name, module.settings
         if not isinstance(settings, Mapping) or (settings.get("name") is None and name in ("user", "group")):
             continue
         if name in ALWAYS or (name in SERVICES and _scope(settings) in ("", "system")):
-            return key
+            return module.key
         path = settings.scalar("dest") or settings.scalar("path")
         if name in FILES and path is not None and OF_ROOT.match(path.value):
-            return key
+            return module.key
     return None
 
 

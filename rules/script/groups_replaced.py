@@ -101,9 +101,9 @@ def _of_tasks(robot: Robot) -> Iterator[Finding]:
         if not source.judged or "groups" not in source.text or APPENDED.search(source.text):
             continue
         for task in tasks(source):
-            for module, settings in task.modules:
-                if module.rpartition(".")[2] == "user" and isinstance(settings, Mapping):
-                    yield from _of_module(settings, logins)
+            for module in task.modules:
+                if module.name == "user" and isinstance(module.settings, Mapping):
+                    yield from _of_module(module.settings, logins)
 
 
 def _logins(robot: Robot) -> frozenset[str]:

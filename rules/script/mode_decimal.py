@@ -74,9 +74,9 @@ def _message(mode: Scalar) -> str:
 
 def _modes(source: Source) -> Iterator[Scalar]:
     for task in tasks(source):
-        for module, settings in task.modules:
-            mode = settings.scalar("mode") if isinstance(settings, Mapping) else None
-            if mode is not None and module.rpartition(".")[2] in MODULES and _is_decimal(mode):
+        for module in task.modules:
+            mode = module.settings.scalar("mode") if isinstance(module.settings, Mapping) else None
+            if mode is not None and module.name in MODULES and _is_decimal(mode):
                 yield mode
 
 

@@ -143,9 +143,9 @@ def named_roles(source: Source) -> Iterator[Located]:
             if role is not None:
                 yield role
     for task in tasks(source):
-        for module, settings in task.modules:
-            name = settings.scalar("name") if isinstance(settings, Mapping) else None
-            if module.rpartition(".")[2] in _INCLUDES and name is not None:
+        for module in task.modules:
+            name = module.settings.scalar("name") if isinstance(module.settings, Mapping) else None
+            if module.name in _INCLUDES and name is not None:
                 yield name.value
 
 

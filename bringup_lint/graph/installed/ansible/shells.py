@@ -51,9 +51,9 @@ def _scripts(task: Task) -> Iterator[Located]:
     arguments = task.keys.mapping("args")
     if task.may_fail or (arguments is not None and arguments.get("executable") is not None):
         return
-    for module, settings in task.modules:
-        if module.rpartition(".")[2] == "shell":
-            text = _text(settings)
+    for module in task.modules:
+        if module.name == "shell":
+            text = _text(module.settings)
             if text is not None and "executable=" not in text:
                 yield text
 

@@ -118,11 +118,11 @@ def _may_fail(task: Task) -> bool:
 
 
 def _of_task(task: Task) -> Iterator[_Named]:
-    for module, settings in task.modules:
-        folders = _FOLDERS.get(module.rpartition(".")[2])
-        word = _file(settings)
+    for module in task.modules:
+        folders = _FOLDERS.get(module.name)
+        word = _file(module.settings)
         if folders is not None and word is not None:
-            dest = settings.scalar("dest") if isinstance(settings, Mapping) else None
+            dest = module.settings.scalar("dest") if isinstance(module.settings, Mapping) else None
             yield _Named(word, folders, dest.value if dest is not None else None)
 
 
