@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.runners.image_distros import OtherDistro
     from bringup_lint.graph.runners.image_distros import foreign_workspaces
     from bringup_lint.graph.runners.image_distros import other_distros
+    from bringup_lint.graph.runners.recordings import recordings
     from bringup_lint.graph.runners.runner import Runner
     from bringup_lint.model.dockerfile import Dockerfile
     from bringup_lint.model.dockerfile import Stage
@@ -65,6 +66,7 @@ __all__ = [
     "last_user",
     "may_set",
     "other_distros",
+    "recordings",
     "ros_distro",
     "runs_as_root",
     "stays_in_shell",

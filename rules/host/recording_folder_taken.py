@@ -41,7 +41,7 @@ from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.docker import Runner
-from bringup_lint.api.shell import unwrapped
+from bringup_lint.api.docker import recordings
 
 OPTIONS = ("-o", "--output")
 FIXED = regex(r"(?!/tmp/|/run/|/dev/)[~\w./-]*[\w-]")
@@ -56,28 +56,22 @@ DELETES = r"(?:\b(?:rm|mv|rmtree|unlink|rename|move)|-delete)\b"
 @rule("warning", confidence="medium", symptoms=["Output folder '*' already exists."])
 def recording_folder_taken(robot: Robot) -> Iterator[Finding]:
     seen = set()
-    for runner in robot.runners.all:
-        if runner.kind.name in ("SCRIPT", "IMAGE") or (runner.unit is None and runner.purpose.value != "robot"):
+    for runner, words in recordings(robot.runners.all):
+        folder = _folder(words)
+        if folder is None or folder.span in seen or not _stays(runner, folder):
             continue
-        for command in runner.commands:
-            words = unwrapped(command.words)
-            folder = _folder(words)
-            if folder is None or folder.span in seen or not _stays(runner, folder):
-                continue
-            seen.add(folder.span)
-            if not _is_cleared(robot, folder):
-                yield finding(
-                    folder,
-                    f"{runner.name} records to {folder} at every start: the second time, it exists, and ros2 bag ends",
-                    advice=f"put the time into the name: {folder}-$(date +%Y%m%d-%H%M%S)",
-                    related=[note(runner.where, f"{runner.name} starts it")],
-                )
+        seen.add(folder.span)
+        if not _is_cleared(robot, folder):
+            yield finding(
+                folder,
+                f"{runner.name} records to {folder} at every start: the second time, it exists, and ros2 bag ends",
+                advice=f"put the time into the name: {folder}-$(date +%Y%m%d-%H%M%S)",
+                related=[note(runner.where, f"{runner.name} starts it")],
+            )
 
 
 def _folder(words: Sequence[Located]) -> Located | None:
     """The folder that a recording is told to make, when it is always the same."""
-    if tuple(words[:3]) != ("ros2", "bag", "record"):
-        return None
     named = next((word for before, word in pairwise(words) if before in OPTIONS), None)
     if named is None or not FIXED.fullmatch(named):
         return None

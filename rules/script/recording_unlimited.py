@@ -34,7 +34,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
-from bringup_lint.api.shell import unwrapped
+from bringup_lint.api.docker import recordings
 
 DELETES = regex(
     r"\b(?:rm|find|tmpreaper|rmtree|unlink)\b[^\n]{0,200}\b\w*bags?(?:\b|_)|bags?\b[^\n]{0,100}-(?:delete|mtime)\b"
@@ -45,22 +45,16 @@ ALL = ("-a", "--all", "--all-topics")
 @rule("warning", symptoms=["No space left on device"])
 def recording_unlimited(robot: Robot) -> Iterator[Finding]:
     seen = set()
-    for runner in robot.runners.all:
-        if runner.kind.name in ("SCRIPT", "IMAGE") or runner.restarts is False:
+    for runner, words in recordings(robot.runners.all):
+        if runner.restarts is False or not set(ALL) & set(words) or words[2].span in seen:
             continue
-        if runner.unit is None and runner.purpose.value != "robot":
-            continue
-        for command in runner.commands:
-            words = unwrapped(command.words)
-            if words[:3] != ("ros2", "bag", "record") or not set(ALL) & set(words) or words[2].span in seen:
-                continue
-            seen.add(words[2].span)
-            if not robot.mentions(DELETES):
-                yield finding(
-                    words[2],
-                    f"{runner.name} records all topics at every start, and nothing deletes the recordings: "
-                    "the disk fills up",
-                    advice="name the topics, and delete old recordings before the start",
-                    related=[note(runner.where, f"{runner.name} starts it")],
-                    confidence="medium",
-                )
+        seen.add(words[2].span)
+        if not robot.mentions(DELETES):
+            yield finding(
+                words[2],
+                f"{runner.name} records all topics at every start, and nothing deletes the recordings: "
+                "the disk fills up",
+                advice="name the topics, and delete old recordings before the start",
+                related=[note(runner.where, f"{runner.name} starts it")],
+                confidence="medium",
+            )
