@@ -10,6 +10,7 @@ from bringup_lint.api import fix
 from bringup_lint.on_demand import on_demand
 
 if TYPE_CHECKING:
+    from bringup_lint.facts.ros.launch_calls import parameters_of
     from bringup_lint.finding import Finding
     from bringup_lint.graph.dependencies.needs import Need
     from bringup_lint.graph.launch.delays import delayed
@@ -37,6 +38,9 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch.started import Started
     from bringup_lint.graph.launch.started import exclusive
     from bringup_lint.graph.launch.started import literal_text
+    from bringup_lint.graph.params.simulated_literally import Literally
+    from bringup_lint.graph.params.simulated_literally import simulated_literally
+    from bringup_lint.graph.params.simulated_literally import simulates_nothing
     from bringup_lint.graph.params.simulation_arguments import simulated_by_default
     from bringup_lint.graph.plugins.controllers import UntypedController
     from bringup_lint.graph.runners.launching import Launching
@@ -60,6 +64,7 @@ if TYPE_CHECKING:
     from bringup_lint.model.launch import Opaque
     from bringup_lint.model.launch import Other
     from bringup_lint.model.launch import Process
+    from bringup_lint.model.launch import RefusedCall
     from bringup_lint.model.launch import SetEnv
     from bringup_lint.model.launch import SetParameter
     from bringup_lint.model.launch import Timer
@@ -113,6 +118,7 @@ __all__ = [
     "Launching",
     "ListValue",
     "Literal",
+    "Literally",
     "LoadComponents",
     "Log",
     "MissingEntry",
@@ -128,6 +134,7 @@ __all__ = [
     "PathJoin",
     "Process",
     "Reference",
+    "RefusedCall",
     "SetEnv",
     "SetParameter",
     "Started",
@@ -150,12 +157,15 @@ __all__ = [
     "names_beside",
     "not_passed",
     "outside",
+    "parameters_of",
     "refused",
     "refused_transforms",
     "respawns",
     "same",
     "setting",
     "simulated_by_default",
+    "simulated_literally",
+    "simulates_nothing",
     "text_of",
     "transitions_elsewhere",
     "truth",

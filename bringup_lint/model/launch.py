@@ -75,6 +75,22 @@ class OldKeyword(NamedTuple):
     """Whether the call has that keyword, too."""
 
 
+class RefusedCall(NamedTuple):
+    """A call of a class of launch or launch_ros that ends with an exception, in every distribution."""
+
+    code: str
+    """``keyword`` (not known), ``missing``, ``positional`` (given without a name), or what the value should be:
+    ``text``, ``words``, ``pairs``, ``seconds``, ``truth``, ``actions``, ``action``, ``registered``, ``function``,
+    ``condition``."""
+    owner: str
+    """The class that is called."""
+    word: str
+    """The keyword, or those that are missing, with commas."""
+    where: Span
+    given: str = ""
+    """The number, truth value or None where a text is needed, as Python writes it."""
+
+
 @dataclass(eq=False, slots=True, kw_only=True)
 class Process(Action):
     """A process. ``options`` holds the further keywords by their Python names: ``respawn``, ``output``, ``prefix``."""
@@ -309,6 +325,8 @@ class LaunchFile:
     refused: list[Problem] = field(default_factory=list)
     """What launch_ros does not take: ``not-a-list``, ``action``, ``key``, ``nested-list``, ``list-of-maps`` and
     ``nothing`` in ``parameters=``, ``remapping``."""
+    calls_refused: list[RefusedCall] = field(default_factory=list)
+    """What the constructors of launch and launch_ros do not take."""
     objects: list[ObjectAsValue] = field(default_factory=list)
     bare_excepts: list[Span] = field(default_factory=list)
     waits: list[Wait] = field(default_factory=list)

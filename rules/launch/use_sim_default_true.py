@@ -3,8 +3,13 @@
 ## What it finds
 Arguments such as `use_sim_time`, `use_sim` or `simulation` with the default true, in launch files that are not for
 a simulator. An error where a unit, container or script of the tree launches the file without the argument, a warning
-where another launch file includes it without the argument, or a script names such a command. Info where nothing of the
-tree starts it. Silent where every command that launches it passes the argument, and every include.
+where another launch file includes it without the argument, or a script names such a command, and where nothing of the
+tree is about a simulation. Info where nothing of the tree starts it. Silent where every command that launches it passes
+the argument, and every include.
+
+Also `use_sim_time: True` that no argument can change, in parameters of nodes, `SetParameter` and arguments of includes,
+in a tree where nothing is about a simulation or a recording. It is an error for the nodes of Nav2 and others that wait
+for ROS time, and a warning for others.
 
 ## Why it matters on a robot
 Started without arguments, as a unit does it, the nodes wait for a clock that nobody publishes. Nothing moves, and
@@ -35,7 +40,19 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.launch import Literally
 from bringup_lint.api.launch import simulated_by_default
+from bringup_lint.api.launch import simulated_literally
+from bringup_lint.api.launch import simulates_nothing
+
+FALSE = {
+    "True": "False",
+    "true": "false",
+    "'true'": "'false'",
+    '"true"': '"false"',
+    "'True'": "'False'",
+    '"True"': '"False"',
+}
 
 
 @rule("error", fix="unsafe", symptoms=["No clock received, using time argument instead!"])
@@ -51,5 +68,26 @@ def use_sim_default_true(robot: Robot) -> Iterator[Finding]:
             chain=robot.provenance.chain_to(where, f"{name} is true unless a caller passes false"),
             fix=fix("make the default false", (where, false), safe=False),
             related=[note(omitted, f"started here without {name}")] if omitted else [],
-            severity=None if started else "warning" if omitted else "info",
+            severity=None if started else "warning" if omitted or simulates_nothing(robot.files) else "info",
+        )
+    yield from _in_any_case(robot)
+
+
+def _in_any_case(robot: Robot) -> Iterator[Finding]:
+    """What no argument can change; one finding for each launch file."""
+    groups: dict[str, list[Literally]] = {}
+    for each in simulated_literally(robot.launch, robot.files):
+        groups.setdefault(each.where.source.name, []).append(each)
+    for places in groups.values():
+        first, *others = sorted(places, key=lambda each: not each.is_waiting)
+        yield finding(
+            first.where,
+            f"{first.label} gets a simulated clock in any case, and nothing of this tree simulates: "
+            + ("it never sees time pass, and does nothing" if first.is_waiting else "its time stays at zero"),
+            advice="write false, or leave it out",
+            related=[note(each.where, f"{each.label} gets it here") for each in others],
+            fix=fix("write false", *((each.where, FALSE[each.where.text]) for each in places), safe=False)
+            if all(each.where.text in FALSE for each in places)
+            else None,
+            severity=None if first.is_waiting else "warning",
         )

@@ -26,6 +26,8 @@ _EXPORTS = regex(
     re.M,
 )
 """What may export a file under any name."""
+_INSTALLS = regex(r"(?i:\binstall)\s*\([^()]*\)")
+"""Commands that only copy what they name."""
 _END = regex(r"^[ \t]*(ament_(?:auto_)?package)[ \t]*\(", re.M)
 _LIBRARY = regex(r"^(?:.*/)?(?:lib)?([^/]+?)(?:\.so)?$")
 _CODE = (".cpp", ".cc", ".cxx", ".hpp", ".h")
@@ -52,8 +54,9 @@ def unexported(files: Files, package: Package) -> Iterator[Unexported]:
     if end is None or not package.complete or _EXPORTS.search(text):
         return
     targets = {target for build in builds for target in build.targets}
+    named = _INSTALLS.sub("", text)
     for path in files.tree.walked_below(package.folder):
-        if not path.endswith(".xml") or os.path.basename(path) in text:
+        if not path.endswith(".xml") or os.path.basename(path) in named:
             continue
         source = files.tree.read(path)
         found = _first_class(source, targets) if source is not None else None

@@ -44,6 +44,7 @@ from bringup_lint.model.launch import Action
 from bringup_lint.model.launch import Include
 from bringup_lint.model.launch import LaunchFile
 from bringup_lint.model.launch import OldKeyword
+from bringup_lint.model.launch import RefusedCall
 from bringup_lint.model.launch import walk_actions
 from bringup_lint.model.launch_values import Condition
 from bringup_lint.model.launch_values import ParameterFile
@@ -82,6 +83,11 @@ ACTIONS_OF_RUN = 100
 """How often an action is expanded in one run, on average over all launch files."""
 MINIMUM_OF_RUN = 50_000
 """Actions that are expanded in one run in any case."""
+_GENERAL = frozenset(("node", "server", "robot", "ros", "ros2", "lifecycle", "nav2"))
+"""Words that say nothing of what a node does."""
+_CODE = (".py", ".cpp", ".cc", ".cxx", ".hpp", ".h")
+_MOST_CODE = 200_000
+"""Characters of a source that are looked at."""
 
 
 Kind = TypeVar("Kind", bound=Action)
@@ -333,6 +339,22 @@ class Launch:
                 return True
         return False
 
+    def may_be_called(self, node: Started, name: str) -> bool:
+        """Whether a node that the launch files do not name may get a name from its code."""
+        package, program = text_of(node.package), text_of(node.executable or node.plugin)
+        if node.name is not None or package is None or program is None:
+            return True
+        own = self.workspace.packages.get(package)
+        if own is not None:
+            return name in self._code_of(own.folder)
+        words = [word for word in name.split("_") if len(word) > 2 and word not in _GENERAL]
+        return not words or any(word in f"{package} {program}".lower() for word in words)
+
+    def _code_of(self, folder: str) -> str:
+        """The sources of the nodes below a folder."""
+        paths = (path for path in self._tree_files.tree.walked_below(folder) if path.endswith(_CODE))
+        return "\n".join(self._tree_files.tree.head(path, _MOST_CODE) for path in paths)
+
     @cached_property
     def all_names(self) -> frozenset[str]:
         """The bare names of all nodes that any launch file of the tree starts."""
@@ -490,6 +512,13 @@ class Launch:
     def names_of(self, module: str) -> frozenset[str] | None:
         """The public names of a module of launch or launch_ros; None when the module is not one of theirs."""
         return launch_api.names(module, self._tree_files.target.ros)
+
+    def refused_calls(self, file: LaunchFile) -> list[RefusedCall]:
+        """The calls in a Python file that end with an exception; none when the file may catch it."""
+        if _LOOKS_AT_DISTRIBUTION.search(file.source.text):
+            return []
+        is_foxy = self._tree_files.target.ros == "foxy"
+        return [each for each in file.calls_refused if not (is_foxy and each.code == "missing")]
 
     def removed_keywords(self, file: LaunchFile) -> Iterator[OldKeyword]:
         """The keywords in a Python file that its distribution no longer has; none when the file looks itself which

@@ -64,12 +64,14 @@ def _of(
 ) -> Iterator[Unstarted]:
     bare = {name.rpartition("/")[2]: node for name, node in started.items() if name is not None}
     nav2 = lifecycle_names() if expansion.open else ()
-    unsure = None in started or expansion.open
+    nameless = [node for node in expansion.nodes if node.is_node and full_name(node, launch.role(node)) is None]
     for manager in found:
         for managed in _listed(params, manager):
             missing = Unstarted(manager, managed, bare)
             if managed.fqn in started or missing.name in nav2:
                 continue
+            elsewhere = bool(nameless) and missing.name in launch.all_names
+            unsure = expansion.open or elsewhere or any(launch.may_be_called(node, missing.name) for node in nameless)
             if unsure and (missing.name in launch.all_names or not (missing.namesake or nearest(missing.name, bare))):
                 continue
             yield missing

@@ -12,12 +12,14 @@ from bringup_lint.model.launch_values import Operation
 from bringup_lint.model.launch_values import Unknown
 from bringup_lint.parsers.launch_python import budget
 from bringup_lint.parsers.launch_python import freeze
+from bringup_lint.parsers.launch_python.arguments import Arguments
 from bringup_lint.parsers.launch_python.attributes import attribute
 from bringup_lint.parsers.launch_python.comprehensions import comprehension
 from bringup_lint.parsers.launch_python.containers import append
 from bringup_lint.parsers.launch_python.containers import extend
 from bringup_lint.parsers.launch_python.containers import merge
 from bringup_lint.parsers.launch_python.containers import put
+from bringup_lint.parsers.launch_python.misfits import note_misfit
 from bringup_lint.parsers.launch_python.objects import Frame
 from bringup_lint.parsers.launch_python.objects import Function
 from bringup_lint.parsers.launch_python.objects import Guards
@@ -119,7 +121,9 @@ def _call(state: State, node: ast.Call) -> Any:
             keywords.update((str(key), item) for key, (_, item) in value.entries.items())
         else:
             more = True
-    return state.call(function, positional, keywords, more, state.positions.span(node))
+    arguments = Arguments(positional, keywords, more, state.positions.span(node))
+    note_misfit(state, function, node, arguments)
+    return state.call(function, positional, keywords, more, arguments.span)
 
 
 def _sequence(state: State, node: ast.List | ast.Tuple | ast.Set) -> Sequence:

@@ -1,0 +1,175 @@
+"""A call of a class of launch ends with an exception.
+
+## What it finds
+Python launch files that give the classes of launch and launch_ros what they do not take:
+
+- keywords that they do not have (`namspace=`, `params=`), missing ones (`executable=`), arguments without a name where
+  a name is needed;
+- numbers and truth values where launch takes texts (`default_value=True`, `arguments=['--rate', 50]`);
+- a text as `arguments=`, `launch_arguments=` without `.items()`, a whole number as the `period` of a timer, a text as
+  `respawn=`;
+- one action where a list is needed, a list or an event handler where an action is needed, a `condition=` that is none.
+
+Silent where the file catches TypeError.
+
+## Why it matters on a robot
+The exception ends launch: most of these while the file is loaded, before a single node has started.
+
+## Bad
+```python
+DeclareLaunchArgument('use_lidar', default_value=True)
+```
+
+## Good
+```python
+DeclareLaunchArgument('use_lidar', default_value='true')
+```
+
+## When to ignore it
+When the class is one of your own that only has the name and module of launch's.
+
+## References
+- ros2/launch, `launch.utilities.normalize_to_list_of_substitutions`
+- ros2/launch and ros2/launch_ros, the constructors of the actions
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Fix
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import fix
+from bringup_lint.api import note
+from bringup_lint.api import regex
+from bringup_lint.api import rule
+from bringup_lint.api.launch import RefusedCall
+from bringup_lint.api.launch import parameters_of
+from bringup_lint.api.spelling import nearest
+
+NUMBER = regex(r"^-?[0-9.]+$")
+WHOLE = regex(r"^-?[0-9]+$")
+MEANT = {
+    "arguments": "launch_arguments",
+    "args": "arguments",
+    "cfg": "parameters",
+    "command": "cmd",
+    "default": "default_value",
+    "exec": "executable",
+    "launch_args": "launch_arguments",
+    "node_name": "name",
+    "ns": "namespace",
+    "params": "parameters",
+    "pkg": "package",
+    "plugin": "executable",
+    "remap": "remappings",
+    "type": "executable",
+}
+"""Unknown arguments that other classes, XML or ROS 1 have."""
+MESSAGES = {
+    "keyword": "{owner} has no argument '{word}': launch ends with a TypeError",
+    "missing": "{owner} needs {word}=: launch ends with a TypeError",
+    "positional": "{owner} takes this argument by its name only: launch ends with a TypeError",
+    "text": "{word} of {owner} takes texts and substitutions, not {given}: launch ends with a TypeError",
+    "words": "{word} of {owner} is a text and not a list: the program gets each letter as an argument of its own",
+    "pairs": "launch_arguments is a dictionary and not its pairs: launch ends with a ValueError at this include",
+    "seconds": "The period of a timer is a whole number, which {owner} refuses: launch ends with a TypeError",
+    "truth": "{word} of {owner} is neither True nor False nor a substitution: launch ends with a TypeError",
+    "actions": "{word} of {owner} is an action and not a list of them: launch ends with a TypeError",
+    "action": "A list is not an action: launch ends with \"AttributeError: 'list' object has no attribute 'visit'\"",
+    "registered": "Nothing registers this event handler: launch ends with \"AttributeError: ... no attribute 'visit'\"",
+    "function": "function= is not a function but what a call of it returns: launch ends with a TypeError",
+    "condition": "condition= is not a condition: launch ends with \"AttributeError: ... no attribute 'evaluate'\"",
+}
+ADVICE = {
+    "positional": "write the name of the argument",
+    "words": "write a list of the arguments",
+    "pairs": "write .items() after it",
+    "seconds": "write it with a decimal point",
+    "truth": "write True or False, without quotes",
+    "action": "unpack the list with *",
+    "registered": "put it into RegisterEventHandler(...)",
+    "actions": "put it into a list",
+    "function": "name the function without calling it",
+    "condition": "write IfCondition(...)",
+}
+
+
+@rule(
+    "error",
+    fix="safe",
+    symptoms=[
+        "got an unexpected keyword argument",
+        "object is not iterable",
+        "object has no attribute 'visit'",
+        "too many values to unpack (expected 2)",
+        "missing 1 required keyword-only argument",
+    ],
+)
+def call_refused(robot: Robot) -> Iterator[Finding]:
+    for file in robot.launch.judged:
+        groups: dict[tuple[str, str, str], list[RefusedCall]] = {}
+        for each in robot.launch.refused_calls(file):
+            groups.setdefault((each.code, each.owner, each.word), []).append(each)
+        for first, *others in groups.values():
+            yield finding(
+                first.where,
+                message(first),
+                advice=advice(first),
+                related=[note(each.where, "the same here") for each in others],
+                fix=repair([first, *others]),
+            )
+
+
+def message(call: RefusedCall) -> str:
+    return MESSAGES[call.code].format(
+        owner=call.owner,
+        word=call.word.replace(",", "= and "),
+        given=call.given,
+    )
+
+
+def advice(call: RefusedCall) -> str:
+    if call.code == "keyword":
+        return f"write {meant(call)}=" if meant(call) else "remove it, or use the argument that the class has for it"
+    if call.code == "missing":
+        return f"pass {call.word.replace(',', '= and ')}="
+    if call.code == "text":
+        return f"write {quoted(call.given)}" if quoted(call.given) else "give a text"
+    return ADVICE[call.code]
+
+
+def meant(call: RefusedCall) -> str | None:
+    """The argument that an unknown one stands for."""
+    known = parameters_of(call.owner)
+    if MEANT.get(call.word) in known:
+        return MEANT[call.word]
+    near = nearest(call.word, known)
+    return near[0] if near else None
+
+
+def quoted(text: str) -> str | None:
+    """A literal number or truth value as the text that launch takes."""
+    if text in ("True", "False"):
+        return f"'{text.lower()}'"
+    return f"'{text}'" if NUMBER.match(text) else None
+
+
+def repair(calls: list[RefusedCall]) -> Fix | None:
+    edits = [(call.where, replaced(call)) for call in calls]
+    known = [(where, text) for where, text in edits if text is not None]
+    return fix(advice(calls[0]), *known) if len(known) == len(edits) else None
+
+
+def replaced(call: RefusedCall) -> str | None:
+    """What a place is replaced by, where nothing else can be meant."""
+    text = call.where.text
+    if call.code == "text":
+        return quoted(text)
+    if call.code == "seconds" and WHOLE.match(text):
+        return f"{text}.0"
+    if call.code == "pairs" and text.startswith("{"):
+        return f"{text}.items()"
+    return None
