@@ -32,26 +32,59 @@ def browser() -> Iterator:
         browser.close()
 
 
-@pytest.fixture
-def opened(browser, tmp_path: Path) -> Iterator:
-    """A function that opens a page; at the end, nothing was complained of and nothing was asked of the network."""
-    complaints: list[str] = []
-    contexts = []
+class Tabs:
+    """Tabs of a browser, each used by one test after the other: a new one takes longer than most tests."""
 
-    def open_(text: str, viewport=WIDE, **options):
-        file = tmp_path / "page.html"
-        file.write_text(text, "utf-8")
-        contexts.append(browser.new_context(viewport=viewport, **options))
-        tab = contexts[-1].new_page()
-        tab.set_default_timeout(10_000)
-        tab.on("console", lambda message: complaints.append(message.text))
-        tab.on("pageerror", lambda error: complaints.append(str(error)))
-        tab.on("request", lambda request: complaints.append(request.url) if request.url != file.as_uri() else None)
-        tab.on("dialog", lambda dialog: complaints.append(dialog.message))
-        tab.goto(file.as_uri())
+    def __init__(self, browser) -> None:
+        self.browser = browser
+        self.free: dict[str, list] = {}
+        """Options of their contexts -> the tabs that no test uses."""
+        self.complaints: list[str] = []
+        """What was complained of or asked of the network since the test began."""
+        self.file = ""
+
+    def open(self, file: Path, viewport: dict[str, int], options: dict[str, object]):
+        self.file = file.as_uri()
+        free = self.free.setdefault(repr(options), [])
+        tab = free.pop() if free else self._new(options)
+        tab.set_viewport_size(viewport)
+        tab.mouse.move(0, 0)
+        tab.goto(self.file)
         return tab
 
+    def _new(self, options: dict[str, object]):
+        tab = self.browser.new_context(**options).new_page()
+        tab.set_default_timeout(10_000)
+        tab.on("console", lambda message: self.complaints.append(message.text))
+        tab.on("pageerror", lambda error: self.complaints.append(str(error)))
+        tab.on("request", self._asked)
+        tab.on("dialog", lambda dialog: self.complaints.append(dialog.message))
+        return tab
+
+    def _asked(self, request) -> None:
+        if request.url != self.file:
+            self.complaints.append(request.url)
+
+
+@pytest.fixture(scope="module")
+def tabs(browser) -> Tabs:
+    return Tabs(browser)
+
+
+@pytest.fixture
+def opened(tabs: Tabs, tmp_path: Path) -> Iterator:
+    """A function that opens a page; at the end, nothing was complained of and nothing was asked of the network."""
+    tabs.complaints.clear()
+    used = []
+
+    def open_(text: str, viewport: dict[str, int] = WIDE, **options: object):
+        file = tmp_path / "page.html"
+        file.write_text(text, "utf-8")
+        used.append((repr(options), tabs.open(file, viewport, options)))
+        return used[-1][1]
+
     yield open_
-    for context in contexts:
-        context.close()
-    assert [complaint for complaint in complaints if complaint != "data:,"] == []
+    for options, tab in used:
+        tab.emulate_media(media="null")
+        tabs.free[options].append(tab)
+    assert [complaint for complaint in tabs.complaints if complaint != "data:,"] == []
