@@ -12,6 +12,7 @@ import shutil
 import subprocess
 import tempfile
 from collections import Counter
+from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 
@@ -25,7 +26,7 @@ DAEMONS: dict[str, tuple[str, ...]] = {
     "system.conf": (*_AS_USER, f"{_LIB}/systemd", "--test", "--system", "--no-pager"),
 }
 """File -> the program that reads it; as a user, `systemd --test` takes it from `user.conf`, which has the same keys."""
-_NAMESPACES = ("unshare", "--mount", "--pid", "--fork", "--net", "--uts", "--ipc", "sh", "-e", "-c")
+_NAMESPACES = ("unshare", "--kill-child", "--mount", "--pid", "--fork", "--net", "--uts", "--ipc", "sh", "-e", "-c")
 _PREPARED = """
 mount --make-rprivate /
 mount -t tmpfs tmpfs /run
@@ -38,6 +39,8 @@ mount --bind /run/conf /etc/systemd
 shift 2
 exec timeout -s KILL 20 "$@"
 """
+_RUNS = "systemd-journald running as PID"
+"""What a daemon that would stay says once it has read its file."""
 _SAID = re.compile(r"^/etc/systemd/[^:]*:\d+: (.*)")
 
 
@@ -54,11 +57,25 @@ def can_start_daemons() -> bool:
 
 def complaints(path: Path, name: str) -> Counter[str]:
     """What the daemon of a configuration file says of its lines, without their numbers."""
-    environment = {"PATH": os.environ["PATH"], "SYSTEMD_LOG_TARGET": "console", "SYSTEMD_LOG_COLOR": "0"}
-    command = [*_NAMESPACES, _PREPARED, "sh", str(path), name, *DAEMONS[name]]
-    run = subprocess.run(command, capture_output=True, text=True, errors="replace", check=False, env=environment)
-    found = (_SAID.match(line) for line in (run.stdout + run.stderr).splitlines())
+    found = (_SAID.match(line) for line in _said([*_NAMESPACES, _PREPARED, "sh", str(path), name, *DAEMONS[name]]))
     return Counter(re.sub(r"\d+", "0", said[1]) for said in found if said)
+
+
+def _said(command: list[str]) -> Iterator[str]:
+    """The lines of a daemon until it has read its file."""
+    environment = {"PATH": os.environ["PATH"], "SYSTEMD_LOG_TARGET": "console", "SYSTEMD_LOG_COLOR": "0"}
+    with subprocess.Popen(
+        command,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        errors="replace",
+        env={**environment, "SYSTEMD_LOG_LEVEL": "debug"},
+    ) as process:
+        for line in process.stdout or ():
+            yield line
+            if line.startswith(_RUNS):
+                process.kill()
 
 
 def of_environment(path: Path) -> Counter[str]:

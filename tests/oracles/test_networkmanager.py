@@ -8,6 +8,7 @@ from __future__ import annotations
 import os
 import shutil
 import subprocess
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -62,6 +63,7 @@ def real(path: str, value: str) -> str:
     return "refused" if run.returncode else " ".join(lines)
 
 
+@cache
 def answers() -> dict[tuple[str, str], str]:
     if shutil.which("nmcli"):
         empty = {section: real(f"{section}/nothing-of-this-name", "1") for section in TYPES}

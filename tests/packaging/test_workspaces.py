@@ -78,10 +78,20 @@ def test_the_key_of_rosdep_is_the_one_that_the_packages_need() -> None:
 
 
 @pytest.mark.slow
-def test_the_command_of_the_package() -> None:
-    """Its own tests, which need neither ament nor colcon."""
+def test_the_command_of_the_package(tmp_path: Path) -> None:
+    """Its own tests, which need neither ament nor colcon, in a folder that no other run has to clear."""
     path = os.pathsep.join([str(PROJECT), str(FOLDER / "ament_bringup_lint")])
-    command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "test"]
+    command = [
+        sys.executable,
+        "-m",
+        "pytest",
+        "-q",
+        "-p",
+        "no:cacheprovider",
+        "--basetemp",
+        str(tmp_path / "own"),
+        "test",
+    ]
     environment = {**os.environ, "PYTHONPATH": path, "PYTHONDONTWRITEBYTECODE": "1", "PYTEST_ADDOPTS": ""}
     run = subprocess.run(
         command, cwd=FOLDER / "ament_bringup_lint", env=environment, capture_output=True, text=True, check=False
