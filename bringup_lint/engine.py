@@ -32,6 +32,7 @@ from bringup_lint.isolation import too_slow
 from bringup_lint.isolation import unread
 from bringup_lint.registry import Registry
 from bringup_lint.registry import Rule
+from bringup_lint.robot import OF_SYNTAX
 from bringup_lint.robot import Robot
 from bringup_lint.source import Source
 from bringup_lint.spelling import meant
@@ -162,7 +163,7 @@ def run(
     muted = {rule_id: registry[rule_id] for rule_id in asked if selection.mutes(rule_id)}
     if not ignores:
         rules, muted = {**rules, **muted}, {}
-    checked = check(rules.values(), robot, registry.purposes, between)
+    checked = check(_in_order(rules.values(), robot), robot, registry.purposes, between)
     failures = [*checked.failures, *unread(robot)]
     steps = Steps()
     judged = steps.each(
@@ -191,6 +192,18 @@ def run(
             quiet.add((found.rule, found.source.name))
     said = dict.fromkeys(failure.message for failure in (*failures, *steps.failures))
     return Outcome(tuple(shown), rules, tuple(said), hidden, unsaid, frozenset(quiet))
+
+
+def _in_order(rules: Iterable[Rule], robot: Robot) -> Iterator[Rule]:
+    """The rules that may ask for the syntax of nodes, then the others, for which it need not be kept."""
+    others: list[Rule] = []
+    for rule in rules:
+        if rule.asks is None or rule.asks & OF_SYNTAX:
+            yield rule
+        else:
+            others.append(rule)
+    robot.let_go_of_syntax()
+    yield from others
 
 
 def _muted(findings: Iterable[Finding], selection: Selection, config: Config) -> Iterator[Finding]:

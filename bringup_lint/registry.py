@@ -60,6 +60,8 @@ class Rule:
     title: str
     text: str | None = None
     """The documentation, where it is read already."""
+    asks: frozenset[str] | None = None
+    """What of the robot the file names; None where only the loaded file knows."""
 
     @cached_property
     def doc(self) -> str:
@@ -241,7 +243,7 @@ def _unloaded(path: Path, rule_id: str, found: Described, needs: Any, doc: str |
     def check(robot: Any) -> Iterator[Any]:
         return loaded().check(robot) if needs is None or is_met(needs, robot) else iter(())
 
-    return Rule(rule_id, path, rule(found.severity, **found.options)(check), found.title, doc)
+    return Rule(rule_id, path, rule(found.severity, **found.options)(check), found.title, doc, frozenset(found.asks))
 
 
 def _docstring(path: Path) -> str:

@@ -22,6 +22,7 @@ from collections.abc import Collection
 from collections.abc import Iterable
 from collections.abc import Iterator
 from collections.abc import Mapping
+from contextlib import suppress
 from datetime import date
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -38,6 +39,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.containers.compose import Compose
     from bringup_lint.graph.dds.dds import Dds
     from bringup_lint.graph.dependencies.dependencies import Dependencies
+    from bringup_lint.graph.edges.topics import Joins
     from bringup_lint.graph.environment.env_files import UsedEnvFile
     from bringup_lint.graph.environment.ros import RosEnvironment
     from bringup_lint.graph.graph import Graph
@@ -89,6 +91,13 @@ if TYPE_CHECKING:
 
 Model = TypeVar("Model")
 
+OF_SYNTAX = frozenset(
+    "nodes topics sros2 graph devices closed_devices open_services expected observed compared".split()
+)
+"""What is answered from the syntax of nodes."""
+_HOLDING_SYNTAX = ("nodes", "topics", "expected", "observed")
+"""The layers that keep it."""
+
 
 class Robot:
     """The files of one run and everything derived from them, each layer on first use."""
@@ -123,6 +132,19 @@ class Robot:
         )
         robot.launch_commands = self.launch_commands
         return robot
+
+    def let_go_of_syntax(self) -> None:
+        """Forget the syntax of nodes, a sixth of the memory for a big repository, and the layers that know it, but for
+        what a report may still ask of them. Whoever asks for more has them made again."""
+        if "topics" in self.__dict__ and "entries" in self.topics.__dict__:
+            with suppress(Exception):  # who asks for them later meets it again
+                _ = self._topic_joins
+        for name in _HOLDING_SYNTAX:
+            self.__dict__.pop(name, None)
+        if self.of_kind("python-node"):
+            from bringup_lint.parsers.python_node import let_go
+
+            let_go(self.sources)
 
     @property
     def tree(self) -> Tree:
@@ -539,7 +561,7 @@ class Robot:
                 compose=lambda: self.compose,
                 launch=lambda: self.launch,
                 params=lambda: self.params,
-                topics=lambda: self.topics,
+                topic_joins=lambda: self._topic_joins,
                 netplan=lambda: self.netplan,
                 networkmanager=lambda: self.networkmanager,
                 dds=lambda: self.dds,
@@ -548,6 +570,12 @@ class Robot:
                 devices=lambda: self.devices,
             )
         )
+
+    @cached_property
+    def _topic_joins(self) -> Joins:
+        from bringup_lint.graph.edges.topics import joins_of
+
+        return joins_of(self.launch, self.topics)
 
     @cached_property
     def runners(self) -> Runners:

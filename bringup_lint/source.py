@@ -79,6 +79,11 @@ class Source:
             made[key] = make()
         return cast("Made", made[key])
 
+    def forget(self, key: object) -> object:
+        """What was made for all that ask in this run, which is made again for whoever asks later; None where there is
+        nothing, or the source outlives the run."""
+        return self._made.pop(key, None) if self._made else None
+
     @property
     def said(self) -> str:
         """The text as rules search it: blanks are written over the comments that silence them, and offsets stay."""

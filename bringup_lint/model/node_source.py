@@ -300,6 +300,9 @@ class NodeSource:
     """``constant(expression, function)``: the literal value of an expression that is in a function, or None."""
     named: Callable[..., str | None] = field(default=_unread)
     """``named(expression, function)``: the dotted name of what was imported, or called to make the value, or None."""
+    let_go: Callable[[], None] = field(default=_unread)
+    """Takes the syntax apart when nobody asks for it any more: its parts know each other, so that they would wait for
+    a search for garbage."""
 
     def class_named(self, name: str) -> NodeClass | None:
         return next((each for each in self.classes if each.name == name), None)

@@ -5,7 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.pattern import regex
 
+_ASKED = regex(r"\brobot\.(\w+)")
 END_OF_DOC = '\n"""\n'
 
 
@@ -16,6 +18,8 @@ class Described(NamedTuple):
     options: dict[str, Any]
     """The other arguments of the decorator."""
     title: str
+    asks: tuple[str, ...] = ()
+    """What of the robot the file names: ``nodes`` for ``robot.nodes``, in the order of the alphabet."""
 
 
 def described(text: str) -> Described:
@@ -31,7 +35,8 @@ def described(text: str) -> Described:
         raise ValueError("a decorator of an unusual form")
     severity = ast.literal_eval(expression.args[0])
     options = {str(option.arg): ast.literal_eval(option.value) for option in expression.keywords}
-    return Described(severity, options, documentation(text).strip().partition("\n")[0].rstrip("."))
+    asks = tuple(sorted(set(_ASKED.findall(text, text.index(END_OF_DOC)))))
+    return Described(severity, options, documentation(text).strip().partition("\n")[0].rstrip("."), asks)
 
 
 def documentation(text: str) -> str:

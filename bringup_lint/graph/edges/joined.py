@@ -15,6 +15,7 @@ from bringup_lint.graph.places import Places
 if TYPE_CHECKING:
     from bringup_lint.graph.containers.compose import Compose
     from bringup_lint.graph.dds.dds import Dds
+    from bringup_lint.graph.edges.topics import Joins
     from bringup_lint.graph.environment.ros import RosEnvironment
     from bringup_lint.graph.files import Files
     from bringup_lint.graph.host.devices import Devices
@@ -24,7 +25,6 @@ if TYPE_CHECKING:
     from bringup_lint.graph.runners.runners import Runners
     from bringup_lint.graph.sros2.sros2 import Sros2
     from bringup_lint.graph.systemd.units import Units
-    from bringup_lint.graph.topics.topics import Topics
     from bringup_lint.graph.udev.udev import Udev
     from bringup_lint.model.netplan import Netplan
 
@@ -42,7 +42,7 @@ class Layers:
     compose: Callable[[], Compose]
     launch: Callable[[], Launch]
     params: Callable[[], Params]
-    topics: Callable[[], Topics]
+    topic_joins: Callable[[], Joins]
     netplan: Callable[[], Netplan]
     networkmanager: Callable[[], NetworkManager]
     dds: Callable[[], Dds]
@@ -131,11 +131,9 @@ def _add_launch(graph: Graph, layers: Layers) -> None:
 
 
 def _add_topics(graph: Graph, layers: Layers) -> None:
-    from bringup_lint.graph.edges.topics import program_places
-    from bringup_lint.graph.edges.topics import topic_edges
-
-    graph.add(topic_edges(layers.topics()))
-    graph.define(program_places(layers.launch(), layers.topics()))
+    joins = layers.topic_joins()
+    graph.add(joins.edges)
+    graph.define(joins.places)
 
 
 def _add_files(graph: Graph, layers: Layers) -> None:

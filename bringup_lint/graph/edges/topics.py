@@ -9,13 +9,27 @@ from bringup_lint.graph.edges.launch import ros_node
 from bringup_lint.graph.file_nodes import file_place
 from bringup_lint.graph.graph import Edge
 from bringup_lint.graph.graph import Node
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:
     from bringup_lint.graph.launch.launch import Launch
     from bringup_lint.graph.topics.topics import Topics
 
+
+class Joins(NamedTuple):
+    """All that topics add, without the syntax of nodes from which they know it."""
+
+    edges: list[Edge]
+    places: list[tuple[Node, Span]]
+
+
 KINDS = {"publisher": "publishes", "subscription": "subscribes"}
+
+
+def joins_of(launch: Launch, topics: Topics) -> Joins:
+    """What topics add to the nodes that launch files start."""
+    return Joins(list(topic_edges(topics)), list(program_places(launch, topics)))
 
 
 def topic_edges(topics: Topics) -> Iterator[Edge]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+from collections.abc import Iterable
 from typing import Any
 
 from bringup_lint.model.node_source import NodeClass
@@ -57,6 +58,14 @@ def parse(source: Source) -> NodeSource:
     return file
 
 
+def let_go(sources: Iterable[Source]) -> None:
+    """Forget what was read of sources for this run alone."""
+    for source in sources:
+        file = source.forget(parse)
+        if isinstance(file, NodeSource):
+            file.let_go()
+
+
 def _read(file: NodeSource, tree: ast.Module) -> None:
     positions = Positions(file.source, byte_order_mark(file.source))
     module = read_module(tree)
@@ -69,7 +78,7 @@ def _read(file: NodeSource, tree: ast.Module) -> None:
     if not module.complete:
         file.problems.append(Problem("too-large", file.source.whole))
     reading = Reading(file, module, values)
-    file.constant, file.named = reading.constant, reading.named
+    file.constant, file.named, file.let_go = reading.constant, reading.named, reading.let_go
     reading.run()
 
 
@@ -110,6 +119,12 @@ class Reading:
             self.add(call)
         for scope in self.module.all_classes:
             self.name(scope)
+
+    def let_go(self) -> None:
+        self.file.tree, self.file.nodes = None, []
+        self.file.constant = self.file.named = self.file.let_go = lambda *_: None
+        for scope in self.module.scopes.values():
+            scope.cls = scope.parent = None
 
     def constant(self, node: ast.expr, within: ast.AST | None = None) -> Any:
         """The literal value of an expression that is in a function; None when it is not known."""
