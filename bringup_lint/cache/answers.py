@@ -1,5 +1,8 @@
 """The answer to a command line: found again, or kept.
 
+An entry is a list of texts between NULs, which no path and no report holds. To load a reader of JSON, with its
+patterns, would take longer than to look at all files of a robot.
+
 An entry holds what the run said, which is masked as every report is, and everything that it looked at. It is data that
 is read strictly, and sealed with a key that only this folder has: what is damaged, or comes from elsewhere, is no
 answer.
@@ -7,7 +10,7 @@ answer.
 
 from __future__ import annotations
 
-import json
+import os
 from collections.abc import Iterable
 from collections.abc import Iterator
 
@@ -23,8 +26,14 @@ TYPE_CHECKING = False  # an answer is given before typing is loaded
 if TYPE_CHECKING:
     from typing import Any
 
-_FORMAT = b"bringup-lint answer 1\n"
+_FORMAT = b"bringup-lint answer 2\n"
 _SEAL = 32
+_END = "\0"
+_ENCODING = ("utf-8", "surrogateescape")
+"""Names of files may hold bytes that are no text."""
+_PARTS = 4
+"""Of a look."""
+_TEXTS = ("name", "program", "text", "said")
 
 
 class Answer:
@@ -44,7 +53,7 @@ class Question:
     def __init__(self, words: Iterable[str], *, by_content: bool = False):
         """``words`` are everything that decides over the answer and does not lie on the disk."""
         self.by_content = by_content
-        asked = json.dumps([by_content, *words]).encode()
+        asked = os.fsencode(_END.join([str(by_content), *words]))
         self._name = blake2b(asked, digest_size=16).hexdigest()
         self._program = ""
 
@@ -99,11 +108,12 @@ def _is_text(answer: Answer) -> bool:
         (answer.text + answer.said).encode("utf-8")
     except UnicodeEncodeError:
         return False
-    return True
+    return _END not in answer.text + answer.said
 
 
 def _sealed(entry: dict[str, Any], key: bytes) -> bytes:
-    body = json.dumps(entry).encode()
+    looks = (part for look in entry["seen"] for part in look)
+    body = _END.join([*(entry[name] for name in _TEXTS), str(entry["code"]), *looks]).encode(*_ENCODING)
     return _FORMAT + blake2b(body, key=key, digest_size=_SEAL).digest() + body
 
 
@@ -113,26 +123,16 @@ def _unsealed(data: bytes, key: bytes) -> dict[str, Any] | None:
     body = data[start:]
     if not data.startswith(_FORMAT) or blake2b(body, key=key, digest_size=_SEAL).digest() != data[len(_FORMAT) : start]:
         return None
+    return _entry(body)
+
+
+def _entry(body: bytes) -> dict[str, Any] | None:
+    """What a body says; None where it lacks a part."""
     try:
-        entry = json.loads(body)
-    except (ValueError, RecursionError):
+        name, program, text, said, code, *looks = body.decode(*_ENCODING).split(_END)
+    except ValueError:
         return None
-    return entry if _is_entry(entry) else None
-
-
-_TEXTS = ("name", "program", "text", "said")
-
-
-def _is_entry(entry: object) -> bool:
-    return (
-        isinstance(entry, dict)
-        and entry.keys() == {*_TEXTS, "code", "seen"}
-        and all(isinstance(entry[name], str) for name in _TEXTS)
-        and entry["code"] in (0, 1)
-        and isinstance(entry["seen"], list)
-        and all(map(_is_look, entry["seen"]))
-    )
-
-
-def _is_look(look: object) -> bool:
-    return isinstance(look, list) and [type(part) for part in look] == [str] * 4
+    if code not in ("0", "1") or len(looks) % _PARTS:
+        return None
+    seen = [looks[at : at + _PARTS] for at in range(0, len(looks), _PARTS)]
+    return {"name": name, "program": program, "text": text, "said": said, "code": int(code), "seen": seen}

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import sys
 from pathlib import Path
 from typing import Any
@@ -67,4 +66,6 @@ class Program:
 
 def entry(path: Path) -> dict[str, Any]:
     """What a file of the cache holds."""
-    return dict(json.loads(path.read_bytes()[len(answers._FORMAT) + answers._SEAL :]))
+    found = answers._entry(path.read_bytes()[len(answers._FORMAT) + answers._SEAL :])
+    assert found is not None
+    return found

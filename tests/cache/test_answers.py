@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 
+from bringup_lint.cache import answers
 from bringup_lint.cache import program as program_module
 from bringup_lint.cli import answering
 from bringup_lint.discover import record
@@ -56,7 +57,7 @@ def test_a_known_answer_loads_no_rule_and_no_library(robot: Program) -> None:
     first, second = ({line.rpartition("|")[2].strip() for line in run.stderr.splitlines()} for run in runs)
     heavy = {"bringup_lint.engine", "bringup_lint.config", "bringup_lint.report"}
     assert heavy & first == heavy
-    assert {*heavy, "click", "hashlib"} & second == set()
+    assert {*heavy, "click", "hashlib", "json"} & second == set()
 
 
 def edit(path: Path) -> None:
@@ -253,3 +254,23 @@ def test_no_secret_is_kept(robot: Program) -> None:
 def test_what_was_looked_at_is_absolute(robot: Program) -> None:
     robot.run()
     assert all(look[1].startswith("/") for look in entry(robot.entries[0])["seen"])
+
+
+def test_a_name_that_no_encoding_has_is_looked_at_again(robot: Program) -> None:
+    path = os.fsencode(robot.tree / "etc") + b"/\xff.conf"
+    os.makedirs(os.path.dirname(path), exist_ok=True)
+    with open(path, "wb") as file:
+        file.write(b"a\n")
+    first, second = robot.run(), robot.run()
+    assert second.is_answered and second.shown == first.shown
+    os.rename(path, path + b"x")
+    assert not robot.run().is_answered
+
+
+def test_an_answer_with_a_nul_is_not_kept() -> None:
+    assert not answers._is_text(answers.Answer("a\0b", "", 0))
+
+
+@pytest.mark.parametrize("body", [b"", b"a\0b", b"name\0program\0text\0said\0002", b"n\0p\0t\0s\0001\0n\0/etc"])
+def test_what_lacks_a_part_is_no_entry(body: bytes) -> None:
+    assert answers._entry(body) is None
