@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 from bringup_lint.on_demand import on_demand
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.commands.command_line import CommandLine
+    from bringup_lint.graph.containers.base_images import has_dash
     from bringup_lint.graph.containers.base_images import may_set
     from bringup_lint.graph.containers.base_images import ros_distro
     from bringup_lint.graph.containers.base_images import runs_as_root
@@ -14,8 +16,10 @@ if TYPE_CHECKING:
     from bringup_lint.graph.containers.build_context import lacking_sources
     from bringup_lint.graph.containers.devcontainers import Broken
     from bringup_lint.graph.containers.devcontainers import broken_references
+    from bringup_lint.graph.containers.folder_owners import builds_of_others
     from bringup_lint.graph.containers.image_use import is_deployed
     from bringup_lint.graph.containers.images import can_be_pulled
+    from bringup_lint.graph.containers.ros_in_image import distro_of
     from bringup_lint.graph.host.container_folders import CONTAINER_KINDS
     from bringup_lint.graph.host.container_folders import container_folders
     from bringup_lint.graph.host.container_folders import is_in_container
@@ -25,6 +29,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.runners.image_distros import OtherDistro
     from bringup_lint.graph.runners.image_distros import foreign_workspaces
     from bringup_lint.graph.runners.image_distros import other_distros
+    from bringup_lint.graph.runners.missing_programs import MissingProgram
+    from bringup_lint.graph.runners.missing_programs import missing_programs
     from bringup_lint.graph.runners.recordings import recordings
     from bringup_lint.graph.runners.runner import Runner
     from bringup_lint.model.dockerfile import Dockerfile
@@ -44,20 +50,25 @@ else:
 __all__ = [
     "CONTAINER_KINDS",
     "Broken",
+    "CommandLine",
     "Dockerfile",
+    "MissingProgram",
     "OtherDistro",
     "Runner",
     "Stage",
     "assignments",
     "blocks_of_run",
     "broken_references",
+    "builds_of_others",
     "can_be_pulled",
     "commands_of",
     "commands_of_run",
     "container_folders",
+    "distro_of",
     "expanded",
     "first_unlisted",
     "foreign_workspaces",
+    "has_dash",
     "image_name",
     "image_user",
     "is_deployed",
@@ -65,6 +76,7 @@ __all__ = [
     "lacking_sources",
     "last_user",
     "may_set",
+    "missing_programs",
     "other_distros",
     "recordings",
     "ros_distro",

@@ -82,6 +82,11 @@ def has_no_package_lists(image: str) -> bool:
     return _UNLISTED.fullmatch(image) is not None
 
 
+def has_dash(image: str) -> bool:
+    """Whether ``/bin/sh`` of an image is dash, as on Debian and Ubuntu, of which these images are made."""
+    return _UNLISTED.fullmatch(image) is not None and "alpine" not in image and "ubi" not in image
+
+
 def has_no_healthcheck(image: str) -> bool:
     """Whether an image is published without HEALTHCHECK."""
     return _UNCHECKED.fullmatch(image) is not None
