@@ -10,8 +10,11 @@ if TYPE_CHECKING:
     from bringup_lint.graph.containers.compose_names import MissingFile
     from bringup_lint.graph.containers.compose_names import missing_files
     from bringup_lint.graph.containers.compose_names import undefined_names
+    from bringup_lint.graph.containers.device_groups import closed_devices
     from bringup_lint.graph.containers.health import unchecked_health
     from bringup_lint.graph.containers.image_use import is_workplace
+    from bringup_lint.graph.runners.hidden_workspaces import HiddenWorkspace
+    from bringup_lint.graph.runners.hidden_workspaces import hidden_workspaces
     from bringup_lint.model.compose import Beside
     from bringup_lint.model.compose import Device
     from bringup_lint.model.compose import Service
@@ -24,9 +27,12 @@ else:
 __all__ = [
     "Beside",
     "Device",
+    "HiddenWorkspace",
     "MissingFile",
     "Service",
     "Volume",
+    "closed_devices",
+    "hidden_workspaces",
     "homes_of",
     "is_workplace",
     "missing_files",

@@ -2,9 +2,10 @@
 
 ## What it finds
 `apt-get`, `apt`, `dpkg -i`, `useradd` and the like, and files that the shell writes below `/etc`, `/usr` or `/opt`,
-in a `RUN` after a `USER` that is not root. A build argument counts as its default. Commands that run through sudo
-are not reported. Where `|| true` hides the failure, the finding is a warning. After `RUN chown`, `chmod` or `setfacl`
-of a folder, writes to it are not judged.
+in a `RUN` after a `USER` that is not root, and `colcon build` in a folder that WORKDIR, `mkdir` or a COPY without
+`--chown` made for root before. A build argument counts as its default. Commands that run through sudo are not reported.
+Where `|| true` hides the failure, the finding is a warning. After `RUN chown`, `chmod` or `setfacl` of a folder, writes
+to it are not judged.
 
 ## Why it matters on a robot
 The build stops with "Permission denied", so the robot keeps the old image. With `|| true` the image is built without
@@ -39,6 +40,7 @@ from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.docker import Stage
+from bringup_lint.api.docker import builds_of_others
 from bringup_lint.api.docker import commands_of
 from bringup_lint.api.docker import commands_of_run
 from bringup_lint.api.docker import expanded
@@ -61,6 +63,7 @@ def build_without_root(robot: Robot) -> Iterator[Finding]:
 def _judged(stage: Stage) -> Iterator[Finding]:
     user = _without_root(last_user(stage.base)) if stage.base else None
     opened = any(command.name in OPENS for base in list(stage.chain)[1:] for command in commands_of(base))
+    unowned = {each.instruction: each for each in builds_of_others(stage)}
     for instruction in stage.all("USER", "RUN", "SHELL"):
         if instruction.name == "SHELL":
             return
@@ -72,6 +75,15 @@ def _judged(stage: Stage) -> Iterator[Finding]:
         bad = next((each for command in commands if (each := _needs_root(command, opened))), None)
         if user is not None and bad is not None:
             yield _finding(bad, user, hidden=_hidden(commands))
+        elif user is not None and not opened and (build := unowned.get(instruction)):
+            yield finding(
+                build.command,
+                f"colcon runs as {user} in {build.folder}, which belongs to root: it cannot make 'build' there, and the"
+                " build stops",
+                advice="write COPY --chown, or build before USER",
+                related=[note(build.made, "root makes the folder"), note(user, "the user of the steps after it")],
+                confidence="medium",
+            )
 
 
 def _finding(bad: Located, user: Located, *, hidden: bool) -> Finding:

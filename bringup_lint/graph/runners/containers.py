@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import posixpath
 import re
 from collections.abc import Callable
@@ -159,6 +160,37 @@ def copied(files: Files, stage: Stage, path: str) -> Source | None:
             if found is not None:
                 return found
     return None
+
+
+def may_hold(files: Files, stage: Stage, path: str) -> bool:
+    """Whether an instruction may put a file at a path of the image that ``copied`` does not find: from another image,
+    an archive, a folder or a name that is not known, or a file that the tree lacks."""
+    for folder, instruction in _steps(stage):
+        if instruction.name not in ("COPY", "ADD"):
+            continue
+        words = [str(word) for word in words_of(instruction)] if instruction.exec_form else instruction.value.split()
+        *sources, written = words or [""]
+        if "$" in written or (folder is None and not written.startswith("/")):
+            return True
+        target = posixpath.normpath(posixpath.join(folder or "/", written)).rstrip("/")
+        if path != target and not path.startswith(f"{target}/"):
+            continue
+        if any(flag.startswith("--from") for flag in instruction.flags) or any(map(_is_unknown, sources)):
+            return True
+        if not all(_in_folders(files, instruction.keyword.span.source, name) for name in sources):
+            return True
+    return False
+
+
+def _is_unknown(source: str) -> bool:
+    return bool(re.search(r"[$*?\[<]|://|\.(?:tar|tgz|zip|gz|xz|deb)\b", source))
+
+
+def _in_folders(files: Files, dockerfile: Source, name: str) -> bool:
+    """Whether the tree surely holds a file or folder that an instruction copies."""
+    beside = os.path.dirname(os.path.abspath(dockerfile.name))
+    above = (os.path.normpath(os.path.join(beside, "../" * up, name.lstrip("/"))) for up in range(_FOLDERS_ABOVE))
+    return any(files.tree.exists(path) for path in above)
 
 
 def _copied_by(instruction: Instruction, path: str, folder: str | None) -> Iterator[str]:

@@ -1,0 +1,85 @@
+"""Workspaces that an image has built and that a bind mount of its service hides."""
+
+from __future__ import annotations
+
+import os
+import posixpath
+from collections.abc import Iterable
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.parsers.dockerfile import commands_of_run
+from bringup_lint.parsers.dockerfile_variables import expanded
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.files import Files
+    from bringup_lint.graph.runners.runner import Runner
+    from bringup_lint.model.compose import Service
+    from bringup_lint.model.compose import Volume
+    from bringup_lint.model.dockerfile import Stage
+    from bringup_lint.source import Located
+
+
+class HiddenWorkspace(NamedTuple):
+    service: Service
+    volume: Volume
+    folder: str
+    build: Located
+    sourced: Located
+
+
+def hidden_workspaces(files: Files, runners: Iterable[Runner]) -> Iterator[HiddenWorkspace]:
+    for runner in runners:
+        if runner.service is None or runner.stage is None or any("colcon" in each.words for each in runner.commands):
+            continue
+        for folder, build in _built(runner.stage):
+            sourced = _sourced(runner, folder)
+            volume = _over(files, runner.service, folder)
+            if sourced is not None and volume is not None:
+                yield HiddenWorkspace(runner.service, volume, folder, build, sourced)
+
+
+def _built(stage: Stage) -> Iterator[tuple[str, Located]]:
+    """The folders in which the steps of an image build workspaces."""
+    folder = "/"
+    for one in reversed(list(stage.chain)):
+        for each in one.all("WORKDIR", "RUN"):
+            if each.name == "WORKDIR":
+                folder = _at(folder, str(expanded(one, each)).strip("\"'"))
+                continue
+            here = folder
+            for command in commands_of_run(each):
+                if command.name == "cd" and len(command.words) > 1:
+                    here = _at(here, str(command.words[1]))
+                if command.name == "colcon" and "build" in command.words and "--install-base" not in command.words:
+                    yield here, command.words[0]
+
+
+def _at(folder: str, path: str) -> str:
+    return posixpath.normpath(posixpath.join(folder, path))
+
+
+def _sourced(runner: Runner, folder: str) -> Located | None:
+    """Where a command of the service reads the set-up file of a workspace, without a condition."""
+    for command in runner.commands:
+        if command.name in ("source", ".") and len(command.words) > 1 and not command.depth:
+            if command.words[1].startswith(f"{folder}/install/"):
+                return command.words[1]
+    return None
+
+
+def _over(files: Files, service: Service, folder: str) -> Volume | None:
+    """The bind mount of a folder of the tree over a workspace, or over what is installed in it."""
+    for volume in service.volumes:
+        target, source = str(volume.target or "").rstrip("/"), str(volume.source or "")
+        covers = target in (folder, f"{folder}/install") or (target and folder.startswith(f"{target}/"))
+        if not covers or not source.startswith("."):
+            continue
+        below = folder[len(target) :].lstrip("/") if folder.startswith(target) else "."
+        beside = os.path.dirname(os.path.abspath(service.source.name))
+        host = os.path.normpath(os.path.join(beside, source, below))
+        kept = any(str(each.target or "").startswith(f"{folder}/install") for each in service.volumes)
+        if not kept and files.tree.exists(host) and not files.tree.exists(os.path.join(host, "install")):
+            return volume
+    return None

@@ -1,0 +1,109 @@
+"""Scripts that containers start and that nothing brings into their images."""
+
+from __future__ import annotations
+
+import os
+import posixpath
+import re
+from collections.abc import Iterable
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.graph.commands.shells import SHELLS
+from bringup_lint.graph.commands.wrappers import program_name
+from bringup_lint.graph.commands.wrappers import unwrapped
+from bringup_lint.graph.containers.base_images import is_plain
+from bringup_lint.graph.runners.containers import in_image
+from bringup_lint.graph.runners.containers import may_hold
+from bringup_lint.graph.runners.containers import words_of
+from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.pattern import regex
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.files import Files
+    from bringup_lint.graph.runners.runner import Runner
+    from bringup_lint.model.dockerfile import Stage
+    from bringup_lint.source import Located
+
+_SCRIPT = regex(r"[\w./-]+\.(?:sh|bash|py)")
+_MADE = regex(r"^/(?:usr|bin|sbin|lib|proc|dev|opt/ros)/|/(?:install|build|devel|venv|\.venv|site-packages)/")
+"""Folders that packages and builds fill."""
+_ENTRYPOINT = "/ros_entrypoint.sh"
+_FETCHES = regex(r"\b(?:clone|vcs|unzip|tar|rsync|svn|cp|mv|ln)\b|\b(?:curl|wget)\b[^\n;&]*\.(?:sh|py|zip|tgz)\b")
+"""May put files into folders that the step does not name."""
+_CHANGES_MODE = regex(r"\bchmod\b[^\n;&|]*")
+
+
+class MissingProgram(NamedTuple):
+    word: Located
+    """As the entrypoint or command names it."""
+    path: str
+    """In the image."""
+    stage: Stage
+    runner: Runner
+    found: str
+    """The file of the tree with this name; empty without one, or with several."""
+
+
+def missing_programs(files: Files, runners: Iterable[Runner]) -> Iterator[MissingProgram]:
+    for runner in runners:
+        stage = runner.stage
+        if stage is None or not runner.source.judged or not is_plain(stage.origin):
+            continue
+        for word in _programs(runner, stage):
+            path = _path(runner, stage, word)
+            if path is not None and not _is_brought(files, runner, stage, path):
+                found = [os.path.relpath(each) for each in files.tree.named(posixpath.basename(path))]
+                yield MissingProgram(word, path, stage, runner, found[0] if len(found) == 1 else "")
+
+
+def _programs(runner: Runner, stage: Stage) -> Iterator[Located]:
+    """The scripts that are started first: the first word, and the one after a shell or the entrypoint of ROS."""
+    service = runner.service
+    entrypoint = tuple(service.entrypoint if service is not None else ()) or tuple(words_of(stage.last("ENTRYPOINT")))
+    own = service is not None and bool(service.entrypoint)
+    command = tuple(service.command if service is not None else ())
+    if not command and not own:
+        command = tuple(words_of(stage.last("CMD")))
+    words = unwrapped((*entrypoint, *command))
+    while words:
+        first, *rest = words
+        if _SCRIPT.fullmatch(first) and "/" in first and first != _ENTRYPOINT:
+            yield first
+            return
+        if first != _ENTRYPOINT and program_name(first) not in (*SHELLS, "python3", "python"):
+            return
+        words = unwrapped(tuple(rest))
+
+
+def _path(runner: Runner, stage: Stage, word: Located) -> str | None:
+    folder = runner.service.scalar("working_dir") if runner.service is not None else None
+    path = in_image(stage, str(word), folder)
+    return None if path is None or _MADE.search(path) else path
+
+
+def _is_brought(files: Files, runner: Runner, stage: Stage, path: str) -> bool:
+    """Whether a file may be there, as far as the tree says."""
+    if runner.reads(path) is not None or may_hold(files, stage, path) or _is_mounted(files, runner, path):
+        return True
+    name = posixpath.basename(path)
+    for one in stage.chain:
+        for step in one.all("RUN", "ONBUILD"):
+            text = _CHANGES_MODE.sub("", "\n".join([str(step.value), *map(str, step.heredocs), *step.flags]))
+            if name in text or (posixpath.dirname(path) != "/" and _FETCHES.search(text)):
+                return True
+    return False
+
+
+def _is_mounted(files: Files, runner: Runner, path: str) -> bool:
+    """Whether a volume may hold it, or somebody mounts something there by hand."""
+    service = runner.service
+    if service is not None:
+        if service.get("configs") is not None or service.get("develop") is not None:
+            return True
+        return any(path.startswith(str(each.target).rstrip("/")) for each in service.volumes)
+    folders = [path]
+    while (above := posixpath.dirname(folders[-1])) != "/":
+        folders.append(above)
+    given = re.compile(rf":(?:{'|'.join(map(re.escape, folders))})(?![\w/.-])|target=(?:{'|'.join(folders)})\b")
+    return any(given.search(source.text) for source in files.sources)

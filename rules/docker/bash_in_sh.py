@@ -1,0 +1,108 @@
+"""A build step uses what only bash understands, and sh reads it.
+
+## What it finds
+A `RUN` in shell form with `source`, `pushd`, `[[ ]]`, `set -o pipefail` or braces such as `{a,b}` in the words of
+`mkdir`, `rm`, `cp`, `mv`, `touch`, `chmod` or `chown`, in an image of Ubuntu, Debian, ROS or CUDA, where `/bin/sh` is
+dash.
+
+Silent after `SHELL`, after a step that makes `/bin/sh` bash, in branches, and in texts that another shell gets.
+Braces of `rm` are information: nothing is removed, and the image is only larger.
+
+## Why it matters on a robot
+dash has no `source`: the step ends with "source: not found". After a `;` the build goes on without the environment of
+ROS. It does not expand braces either: `mkdir -p {maps,logs}` makes one folder called `{maps,logs}`, and the node that
+writes to `logs` fails on the robot.
+
+## Bad
+```dockerfile
+RUN source /opt/ros/jazzy/setup.bash && colcon build
+```
+
+## Good
+```dockerfile
+RUN . /opt/ros/jazzy/setup.sh && colcon build
+```
+
+## When to ignore it
+When the base image of that name has bash as `/bin/sh`.
+
+## References
+- https://docs.docker.com/reference/dockerfile/#shell
+- dash(1)
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Located
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import regex
+from bringup_lint.api import rule
+from bringup_lint.api.docker import Stage
+from bringup_lint.api.docker import commands_of_run
+from bringup_lint.api.docker import has_dash
+from bringup_lint.api.shell import Command
+
+SH_IS_BASH = regex(
+    r"\bln\b[^\n;&]*\bbash[ \t]+[^\n;&]*/bin/sh\b|/bin/sh\b[^\n;&]*\bbash\b|dpkg-reconfigure[^\n;&]*\bdash\b"
+)
+BRACES = regex(r"[^\s\"'$]*(?<!\$)\{[^\s{}\"']*(?:,|\.\.)[^\s{}\"']*\}[^\s\"']*")
+FILES = ("mkdir", "rm", "cp", "mv", "touch", "chmod", "chown")
+
+
+@rule(
+    "error", symptoms=["/bin/sh: 1: source: not found", "set: Illegal option -o pipefail", "/bin/sh: *: [[: not found"]
+)
+def bash_in_sh(robot: Robot) -> Iterator[Finding]:
+    for file in robot.dockerfiles:
+        for stage in file.stages:
+            if not has_dash(stage.origin) or _has_shell(stage):
+                continue
+            found = list(_foreign(stage))
+            if found:
+                (word, message, severity), *others = sorted(found, key=lambda each: each[2] is not None)
+                related = [note(other, "here too") for other, _, _ in others[:9]]
+                yield finding(word, message, advice=ADVICE, related=related, severity=severity)
+
+
+ADVICE = 'write SHELL ["/bin/bash", "-c"] before the step, or what sh understands'
+
+
+def _has_shell(stage: Stage) -> bool:
+    """Whether something makes bash the shell of the steps."""
+    for one in stage.chain:
+        if any(one.all("SHELL")) or any(SH_IS_BASH.search(each.value) for each in one.all("RUN")):
+            return True
+    return False
+
+
+def _foreign(stage: Stage) -> Iterator[tuple[Located, str, str | None]]:
+    for instruction in stage.all("RUN"):
+        if instruction.exec_form is not None or (instruction.heredocs and instruction.value.startswith("<<")):
+            continue
+        for command in commands_of_run(instruction):
+            found = _wrong(command) if not command.depth else None
+            if found is not None:
+                yield found
+
+
+def _wrong(command: Command) -> tuple[Located, str, str | None] | None:
+    words = command.words
+    if not words:
+        return None
+    name = str(words[0])
+    if name in ("source", "pushd"):
+        ends = "the step fails" if command.ends in ("&&", "") else "the next command runs without it"
+        return words[0], f"sh has no '{name}': {ends}", None
+    if name == "[[":
+        return words[0], "sh has no '[[': the condition is never true", None
+    if name == "set" and "pipefail" in words[1:]:
+        return words[0], "dash has no pipefail: the step ends here", None
+    braced = next((word for word in words[1:] if BRACES.fullmatch(word)), None) if name in FILES else None
+    if braced is None:
+        return None
+    if name == "rm":
+        return braced, f"sh does not expand braces: rm finds no '{braced}', and the files stay in the image", "info"
+    return braced, f"sh does not expand braces: {name} takes '{braced}' for one name", None
