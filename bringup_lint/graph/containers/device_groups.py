@@ -82,4 +82,4 @@ def _is_member(service: Service, stage: Stage | None, user: str, group: str, num
     if stage is None or not is_plain(stage.origin):
         return True
     steps = "\n".join(str(each.value) for one in stage.chain for each in one.all("RUN", "COPY"))
-    return bool(re.search(rf"\b{group}\b|\$\{{?GROUP|\.sh\b", steps))
+    return bool(re.search(rf"\b{re.escape(group)}\b|\$\{{?GROUP|\.sh\b", steps))

@@ -105,5 +105,5 @@ def _is_mounted(files: Files, runner: Runner, path: str) -> bool:
     folders = [path]
     while (above := posixpath.dirname(folders[-1])) != "/":
         folders.append(above)
-    given = re.compile(rf":(?:{'|'.join(map(re.escape, folders))})(?![\w/.-])|target=(?:{'|'.join(folders)})\b")
+    given = re.compile(rf"(?::|target=)(?:{'|'.join(map(re.escape, folders))})(?![\w/.-])")
     return any(given.search(source.text) for source in files.sources)
