@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.systemd.directories import paths
     from bringup_lint.graph.systemd.docker_clients import DockerStart
     from bringup_lint.graph.systemd.docker_clients import docker_starts
+    from bringup_lint.graph.systemd.ending import set_up
     from bringup_lint.graph.systemd.hidden_home import HiddenHome
     from bringup_lint.graph.systemd.hidden_home import hidden_home
     from bringup_lint.graph.systemd.identity import HomeOrigin
@@ -138,6 +139,7 @@ __all__ = [
     "open_access",
     "paths",
     "reads_display_of_root",
+    "set_up",
     "sets_priority",
     "sufficient_limit",
     "too_early",

@@ -64,6 +64,8 @@ class Files:
     failures: list[tuple[Source, Exception]] = field(default_factory=list)
     unfinished: list[Source] = field(default_factory=list)
     """Sources on which a parser failed inside."""
+    installed: set[str] = field(default_factory=set)
+    """The paths on the robot of all that scripts and plays of the tree copy or write there, of whatever kind."""
 
     @property
     def sources(self) -> list[Source]:

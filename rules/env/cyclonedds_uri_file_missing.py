@@ -30,6 +30,7 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
+from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
@@ -37,6 +38,7 @@ from bringup_lint.api import rule
 
 @rule("error", symptoms=["can't open configuration file", "rmw_create_node: failed to create domain"])
 def cyclonedds_uri_file_missing(robot: Robot) -> Iterator[Finding]:
+    said: set[Span] = set()
     for process in robot.ros.processes:
         uri = process.environment.get("CYCLONEDDS_URI") if process.unit else None
         if uri is None or uri.text is None or "<" in uri.text:
@@ -47,7 +49,8 @@ def cyclonedds_uri_file_missing(robot: Robot) -> Iterator[Finding]:
         for part in uri.text.split(","):
             path = part.strip().removeprefix("file://")
             sibling = robot.filesystem.shipped_sibling(path) if path.startswith("/") else None
-            if path.startswith("/") and (sibling or robot.tree.has(path) is False):
+            if path.startswith("/") and (sibling or robot.tree.has(path) is False) and uri.value.span not in said:
+                said.add(uri.value.span)
                 yield finding(
                     uri.value,
                     f"{path} does not exist: Cyclone DDS fails, and {process.name} starts no node",

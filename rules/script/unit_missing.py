@@ -2,7 +2,8 @@
 
 ## What it finds
 `systemctl enable`, `reenable`, `start` and `restart` of a unit that looks like one of the robot's own (the same first
-word as another unit of the tree, or nearly the name of one) and that neither a file of the tree nor a script provides.
+word as another unit of the tree, nearly the name or the end of one, or that of a template without an instance) and that
+neither a file of the tree nor a script provides.
 
 Not reported: units of Debian and Ubuntu, names that a variable gives, and commands whose failure is expected (`||`,
 `2>/dev/null`, `if systemctl ...`).
@@ -42,6 +43,7 @@ from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.shell import Run
+from bringup_lint.api.systemd import Unit
 
 VERBS = ("enable", "reenable", "start", "restart")
 VALUED = ("-H", "--host", "-M", "--machine", "-t", "--type", "-p", "--property", "--root", "-n", "--lines")
@@ -75,14 +77,20 @@ def unit_missing(robot: Robot) -> Iterator[Finding]:
         yield finding(
             first.word,
             f"systemctl {first.verb} fails: nothing in this tree installs {first.name}",
-            advice=f"did you mean {like[0].name}?"
-            if len(like) == 1
-            else "correct the name, or install the unit before",
+            advice=_advice(like),
             related=[
                 *(note(other.word, f"systemctl {other.verb} fails, too") for other in others[:MOST]),
                 *(note(unit.where, "a unit that the tree has") for unit in like[:2]),
             ],
         )
+
+
+def _advice(like: list[Unit]) -> str:
+    if len(like) != 1:
+        return "correct the name, or install the unit before"
+    if like[0].is_template:
+        return f"{like[0].name} is a template: give the instance, for example {like[0].name.replace('@', '@1')}"
+    return f"did you mean {like[0].name}?"
 
 
 def _named(run: Run) -> Iterator[Named]:

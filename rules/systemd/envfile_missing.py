@@ -1,8 +1,9 @@
 """EnvironmentFile= names a file that does not exist.
 
 ## What it finds
-`EnvironmentFile=` with a file that does not exist in a complete root file system. Paths with a leading `-` or
-wildcards are exempt, and so are files below `/run` and `/tmp`, which are created at run time.
+`EnvironmentFile=` with a file that does not exist in a complete root file system; in a repository, a file that nothing
+of it ships or makes, in a folder for which it ships a file of nearly the same name (a warning). Paths with a leading
+`-` or wildcards are exempt, and so are files below `/run` and `/tmp`, which are created at run time.
 
 ## Why it matters on a robot
 The service does not start: "Failed to load environment files: No such file or directory", result `resources`.
@@ -51,9 +52,21 @@ RUNTIME = ("/run/", "/var/run/", "/tmp/", "/var/tmp/", "/proc/", "/dev/", "/sys/
 def envfile_missing(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         for file in robot.units.environment_files(unit):
-            if file.missing and not file.optional and not (file.path or "").startswith(RUNTIME):
+            if file.path is None or file.optional or file.path.startswith(RUNTIME):
+                continue
+            sibling = robot.filesystem.shipped_sibling(file.path)
+            if file.missing:
                 yield finding(
                     file.value,
                     f"{file.path} does not exist: {unit.name} fails to start",
                     advice="ship the file, or prefix the path with '-' if the service can do without it",
+                )
+            elif sibling:
+                yield finding(
+                    file.value,
+                    f"The tree has {sibling} but not {file.path}: {unit.name} fails to start unless something else "
+                    "installs it",
+                    advice=f"ship the file, or name {sibling}",
+                    severity="warning",
+                    confidence="medium",
                 )

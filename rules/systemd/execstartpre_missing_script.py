@@ -8,6 +8,8 @@ A program in Exec*= that belongs to the robot (below /usr/local, /opt, /etc, /ho
 - error: it is not executable there;
 - error: it is a script without a `#!` line, also in a repository;
 - error: a script or user data of the tree writes it, and nothing makes it executable, also in a repository;
+- warning, with medium confidence: its mode in the repository lets nobody execute it, where other scripts have the mode
+  and nothing of the tree changes it;
 - warning, with medium confidence: a repository ships other files for the same folder, or its units start other
   files from the same folder of the checkout, but it does not have this one, and no step creates it.
 
@@ -54,6 +56,10 @@ from bringup_lint.api.systemd import unstartable
 TEXTS = {
     Defect.MISSING: ("is not in this root file system", "ship it with mode 0755"),
     Defect.NOT_EXECUTABLE: ("is not executable (mode {mode:04o})", "run chmod 0755 {program}"),
+    Defect.PLAIN: (
+        "is not executable in this repository, and nothing gives it the mode",
+        "run git update-index --chmod=+x {name}, or chmod 0755 {program} after it is copied",
+    ),
     Defect.WRITTEN: ("is written without execute permission", "run chmod 0755 {program} after it is written"),
     Defect.NO_INTERPRETER: (
         "is a script without a #! line",
@@ -86,7 +92,9 @@ def execstartpre_missing_script(robot: Robot) -> Iterator[Finding]:
                 yield finding(
                     program,
                     f"{program} {problem.format(mode=mode)}: {process.key}= of {unit.name} fails with 203/EXEC",
-                    advice=advice.format(program=program),
+                    advice=advice.format(program=program, name=source.name if source else ""),
+                    severity="warning" if defect is Defect.PLAIN else None,
+                    confidence="medium" if defect is Defect.PLAIN else None,
                     related=[note(source, "the script")] if source else (),
                 )
             sibling = robot.filesystem.shipped_sibling(program)

@@ -24,6 +24,7 @@ from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.spelling import nearest
+from bringup_lint.spelling import numbered
 
 if TYPE_CHECKING:
     from bringup_lint.graph.containers.compose import Compose
@@ -37,6 +38,10 @@ if TYPE_CHECKING:
 _BY_DISCOVERY = regex(r"/dev/(?:ttyUSB\d+|ttyACM\d+|video\d)")
 _LOOP = regex(r"^\s*for\s+\w+\s+in\s")
 _CAMERA = "/dev/video"
+_SEPARATORS = regex(r"[/_.-]")
+_PERHAPS = ("default", "argument", "script")
+_LEAST = 6
+"""Characters of a name that is long enough to be a misspelt one."""
 _OF_THE_ROBOT = ("systemd-unit", "compose", "params", "udev-rules")
 _OF_KERNEL = frozenset(
     [
@@ -172,9 +177,11 @@ class Devices:
 
     @property
     def undefined(self) -> Iterator[tuple[DeviceUse, Link | None]]:
-        """Uses of a link that no rule makes in a folder where rules make links, with the nearest one."""
-        if not self.uses:
+        """Uses of a link that no rule makes in a folder where rules make links, with the nearest one; of those in /dev
+        itself only where a rule makes nearly the same name."""
+        if not self.uses or not self.files.of_kind("udev-rules"):
             return
+        yield from self._nearly_made
         for use in self.uses:
             if use.path.count("/") < 3 or _always_there(use.path):
                 continue
@@ -185,6 +192,20 @@ class Devices:
             if use.path.rpartition("/")[0] in folders and not escaped and not self.udev().links_to(use.path):
                 near = nearest(use.path, names)
                 yield use, names[near[0]] if len(near) == 1 else None
+
+    @property
+    def _nearly_made(self) -> Iterator[tuple[DeviceUse, Link]]:
+        """Uses of a name in /dev that only differs from that of a link in its separators or in a letter or two."""
+        for use in self.uses:
+            name = use.path.removeprefix("/dev/")
+            if "/" in name or use.certainty in _PERHAPS or len(name) < _LEAST or subsystem_of_name(name) is not None:
+                continue
+            if self.udev().links_to(use.path):
+                continue
+            own = [link for link in self.udev().links if link.is_fixed and self._is_near(link, use)]
+            like = [link for link in own if _is_nearly(name, link.path.removeprefix("/dev/"))]
+            if len({link.path for link in like}) == 1:
+                yield use, like[0]
 
     def _is_near(self, link: Link, use: DeviceUse) -> bool:
         """Whether the rule that makes a link is for the robot on which it is used."""
@@ -222,6 +243,13 @@ class Devices:
             parts = use.path.split("/")
             if len(parts) > 3 and parts[2] not in _OF_KERNEL:
                 yield use
+
+
+def _is_nearly(name: str, other: str) -> bool:
+    """Whether one name below /dev may be the other, misspelt. Those that differ in a number are two names."""
+    if numbered(name, other):
+        return False
+    return _SEPARATORS.sub("", name) == _SEPARATORS.sub("", other) or bool(nearest(name, [other]))
 
 
 def _always_there(path: str) -> bool:

@@ -65,6 +65,7 @@ def join_installed(files: Files, scripts: Scripts) -> None:
         except Exception as error:
             files.failures.append((script, error))
             continue
+        files.installed.update(place for _, place in copies)
         for source in made:
             if source.robot_path not in known:
                 files.join(source)

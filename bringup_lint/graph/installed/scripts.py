@@ -17,7 +17,10 @@ from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 
 KINDS = ("shell-script",)
-_SILENT = frozenset("echo printf journalctl service log".split())
+_SILENT = frozenset(
+    "echo printf journalctl service log id getent useradd adduser usermod groupadd addgroup chown chpasswd hostnamectl "
+    "hostname".split()
+)
 _QUERIES = frozenset(("link", "cat", "is-enabled", "list-unit-files"))
 _PART = regex(r"\{\{ [^{}]* \}\}|\$\{\w+\}|\$\w+")
 SIZE = 200_000

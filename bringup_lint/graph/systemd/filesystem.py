@@ -22,6 +22,7 @@ from bringup_lint.graph.systemd.provision import mentions
 from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.graph.systemd.units import Units
 from bringup_lint.model.fstab import Fstab
+from bringup_lint.pattern import regex
 
 _MAKERS = ("mkdir", "install")
 _MADE_BY_TMPFILES = frozenset("fFwdDvqQpLcbC")
@@ -29,6 +30,13 @@ _STATE = ("/var/log/", "/var/lib/", "/var/cache/", "/var/spool/", "/run/", "/var
 """Where nothing is unless somebody makes it."""
 _SURE_TAIL = 2
 """So many names at the end of a path say which file of the tree it is: its own and that of its folder."""
+_OF_ONE_ROBOT = regex(
+    r"(?i)(?:^|[-_.])(?:calib\w*|cred\w*|custom|host\w*|id|instance|keys?|local|machine|maps?|override\w*|pass\w*|private"
+    r"|robot_?(?:id|name)|secrets?|serial|site|tokens?|user|wifi|wlan)(?=[-_.]|$)"
+)
+"""Words in the names of files that are made for each robot, and lie in no repository."""
+_SURE_STEM = 4
+"""So many characters that two names begin with say that one may be meant by the other."""
 _VOLATILE = ("/run/", "/var/run/", "/tmp/", "/dev/", "/proc/", "/sys/")
 
 
@@ -68,12 +76,14 @@ class Filesystem:
 
     def shipped_sibling(self, path: str) -> str | None:
         """A file of one's own that the repository has for the same folder of the robot, when it ships and makes
-        nothing at ``path``. Names that share their first word, and scripts, are one's own; the rest may come from
-        elsewhere."""
+        nothing at ``path``. Names that share their first word or a longer beginning, and scripts, are one's own;
+        the rest may come from elsewhere."""
         tree = self.files.tree
         if tree.root is not None or tree.find(path) is not None or path.startswith(_VOLATILE):
             return None
         folder, _, name = path.rpartition("/")
+        if _OF_ONE_ROBOT.search(name):
+            return None
         there = chain(self._shipped_in.get(folder, []), self._checked_out_in(folder))
         sibling = next((found for found in there if _related(name, _basename(found))), None)
         if sibling is None or any(True for _ in tree.named(name)) or makes(tree, name) or mentions(tree, path):
@@ -82,12 +92,11 @@ class Filesystem:
 
     @cached_property
     def _shipped_in(self) -> dict[str, list[str]]:
-        """The paths on the robot of the files of the tree, by folder."""
+        """The paths on the robot of the files that the tree has or that its scripts install, by folder."""
         found: dict[str, list[str]] = {}
-        for path in self.files.tree.paths:
-            shipped = self.files.tree.robot_path(path)
-            if shipped:
-                found.setdefault(shipped.rpartition("/")[0], []).append(shipped)
+        overlaid = filter(None, map(self.files.tree.robot_path, self.files.tree.paths))
+        for shipped in chain(overlaid, sorted(self.files.installed)):
+            found.setdefault(shipped.rpartition("/")[0], []).append(shipped)
         return found
 
     def _checked_out_in(self, folder: str) -> Iterator[str]:
@@ -174,4 +183,9 @@ def _basename(path: str) -> str:
 
 def _related(name: str, other: str) -> bool:
     words = re.split(r"[-_.]", name)
-    return name.endswith((".sh", ".bash")) or (len(words) > 1 and words[0] == re.split(r"[-_.]", other)[0])
+    if name.endswith((".sh", ".bash")) or (len(words) > 1 and words[0] == re.split(r"[-_.]", other)[0]):
+        return True
+    (stem, extension), (its_stem, its_extension) = os.path.splitext(name), os.path.splitext(other)
+    return extension == its_extension != "" and (
+        min(len(stem), len(its_stem)) >= _SURE_STEM and (stem.startswith(its_stem) or its_stem.startswith(stem))
+    )

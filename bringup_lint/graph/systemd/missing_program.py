@@ -17,6 +17,7 @@ _OWN = regex(r"/(?:usr/local|opt|etc|home|root|srv|var|data)/.+")
 """Where programs lie that no package of the distribution brings."""
 _MODE = regex(r"^[ \t-]*(?:permissions|mode)[\"']?[ \t]*:", re.M)
 _CHANGES = regex(r"\b(?:chmod|setfacl|install|cp|mv|rsync)\b[^\n]*")
+_GIVES_MODE = regex(r"\b(?:chmod|setfacl|install[ \t]|rsync[^\n]*--chmod)[^\n]*")
 _SEVERAL = regex(r"[*$]|\{\}|[ \t]-\w{0,5}R")
 _SCRIPT = regex(r"\.(?:sh|bash|py|pl)$")
 
@@ -24,6 +25,7 @@ _SCRIPT = regex(r"\.(?:sh|bash|py|pl)$")
 class Defect(Enum):
     MISSING = "it is not in the root file system"
     NOT_EXECUTABLE = "its mode lets nobody execute it"
+    PLAIN = "its mode in the repository lets nobody execute it, and nothing changes it"
     NO_INTERPRETER = "it is a script without a #! line"
     WRITTEN = "what writes it gives it no execute permission"
 
@@ -52,10 +54,29 @@ def unstartable(process: Process, filesystem: Filesystem) -> Iterator[Unstartabl
         return
     if source.mode is not None and not source.mode & 0o111:
         yield Unstartable(Defect.NOT_EXECUTABLE, source)
+    if tree.root is None and source.origin is None and _lacks_mode(filesystem.files, source):
+        yield Unstartable(Defect.PLAIN, source)
     if source.origin is not None and source.origin.certain and not _is_made_executable(filesystem.files, source):
         yield Unstartable(Defect.WRITTEN, source)
     if source.text and not source.template and not source.text.startswith("#!") and _SCRIPT.search(program):
         yield Unstartable(Defect.NO_INTERPRETER, source)
+
+
+def _lacks_mode(files: Files, source: Source) -> bool:
+    """Whether a script of the repository is not executable in the checkout, and nothing says that it becomes so."""
+    tree = files.tree
+    if not source.text.startswith("#!") or not tree.keeps_modes or tree.is_executable(source.name):
+        return False
+    guides = filter(None, map(tree.read, tree.named("README.md")))
+    return not any(_may_execute(source, each.text) for each in (*files.sources, *guides))
+
+
+def _may_execute(source: Source, text: str) -> bool:
+    """Whether a text gives a file the mode of a program, or perhaps does."""
+    if source.basename in text and _MODE.search(text):
+        return True
+    lines = _GIVES_MODE.findall(text)
+    return any(source.basename in line or _SEVERAL.search(line) for line in lines)
 
 
 def _is_made_executable(files: Files, source: Source) -> bool:

@@ -40,6 +40,8 @@ _USUAL_TARGETS = frozenset(
     }
 )
 _DIGITS = regex(r"\d+")
+_SURE_STEM = 6
+"""Characters of a name that is no end of another one by chance."""
 
 
 @dataclass(eq=False)
@@ -152,13 +154,26 @@ class NamedUnits:
             return False
         family = _family(name)
         related = len(family) > 2 and "-" in name and family in self._families(manager)
-        return related or self._nearly(name, manager) is not None
+        return related or self._nearly(name, manager) is not None or bool(self._template_or_longer(name, manager))
+
+    def _template_or_longer(self, name: str, manager: str) -> list[Unit]:
+        """The units of the tree that are templates of this name, or of whose names it is the end."""
+        stem, _, kind = name.rpartition(".")
+        own = (unit for unit in self.all if (unit.manager, unit.type) == (manager, kind) and unit.fragment)
+        if "@" in stem:
+            return []
+        return [
+            unit
+            for unit in own
+            if unit.stem == f"{stem}@" or (len(stem) >= _SURE_STEM and unit.stem.endswith(stem) and "-" in stem)
+        ]
 
     def like(self, name: str, manager: str) -> list[Unit]:
         """The units of the tree that a missing name may mean: nearly the same, else of its first word."""
         nearly = self._nearly(name, manager)
         own = [unit for unit in self.all if unit.manager == manager and unit.fragment is not None]
-        return [unit for unit in own if unit.name == nearly] or [
+        own_name = [unit for unit in own if unit.name == nearly] or self._template_or_longer(name, manager)
+        return own_name or [
             unit for unit in own if _family(unit.name) == _family(name) and unit.type == name.rpartition(".")[2]
         ]
 
