@@ -34,6 +34,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.docker import Runner
 from bringup_lint.api.docker import recordings
 
 DELETES = regex(
@@ -46,7 +47,9 @@ ALL = ("-a", "--all", "--all-topics")
 def recording_unlimited(robot: Robot) -> Iterator[Finding]:
     seen = set()
     for runner, words in recordings(robot.runners.all):
-        if runner.restarts is False or not set(ALL) & set(words) or words[2].span in seen:
+        if runner.restarts is False and not _starts_at_boot(robot, runner):
+            continue
+        if not set(ALL) & set(words) or words[2].span in seen:
             continue
         seen.add(words[2].span)
         if not robot.mentions(DELETES):
@@ -58,3 +61,8 @@ def recording_unlimited(robot: Robot) -> Iterator[Finding]:
                 related=[note(runner.where, f"{runner.name} starts it")],
                 confidence="medium",
             )
+
+
+def _starts_at_boot(robot: Robot, runner: Runner) -> bool:
+    """Whether a unit records once after each start of the computer."""
+    return runner.unit is not None and any(robot.units.wanted_by(runner.unit))

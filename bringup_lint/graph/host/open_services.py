@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
     from bringup_lint.graph.launch.launch import Launch
     from bringup_lint.graph.runners.runner import Runner
+    from bringup_lint.graph.runners.runner import Start
     from bringup_lint.graph.runners.runners import Runners
     from bringup_lint.source import Located
     from bringup_lint.source import Source
@@ -62,11 +63,21 @@ def open_services(files: Files, runners: Runners, launch: Callable[[], Launch]) 
             for command in runner.commands:
                 yield from _command(command.words)
             for start in runner.starts:
-                if str(start.ros.package) in BRIDGES and not any(str(name) for name, _ in start.arguments):
+                if str(start.ros.package) in BRIDGES and not _is_limited(start):
                     yield OpenService("bridge", str(start.ros.package), start.ros.where.span)
     for source in files.of_kind("mosquitto"):
         if source.judged and files.purpose(source) is Purpose.ROBOT:
             yield from _broker(source)
+
+
+def _is_limited(start: Start) -> bool:
+    """Whether an argument of ``ros2 launch`` may limit who reaches a bridge, or what for."""
+    from bringup_lint.graph.host.launched_bridges import LIMITS
+
+    limits = LIMITS[str(start.ros.package)]
+    return any(
+        name in limits or (name == "address" and value and not is_wildcard(value)) for name, value in start.arguments
+    )
 
 
 def _image(runner: Runner) -> Iterator[OpenService]:

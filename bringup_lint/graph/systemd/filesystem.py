@@ -48,8 +48,14 @@ class Filesystem:
 
     def is_created(self, path: str, unit: Unit) -> bool | None:
         """Whether something makes the path before the unit starts. False: nothing of the tree; None: unknown."""
+        if any(made == path or made.startswith(f"{path}/") for made in self._presumed(unit)):
+            return True
+        return self.is_made(path)
+
+    def is_made(self, path: str) -> bool | None:
+        """The same, whatever the unit itself may presume."""
         path = path.replace("/var/run/", "/run/", 1) if path.startswith("/var/run/") else path
-        if path in self._created or any(made == path or made.startswith(f"{path}/") for made in self._presumed(unit)):
+        if path in self._created:
             return True
         if self._is_below_mount(path):
             return None

@@ -15,6 +15,11 @@ _SCRIPT = regex(
     r"(?:\.(?:sh|bash|py|ya?ml|cmake|mk|bb|bbappend|install|postinst|preinst|j2|toml|nix)"
     r"|(?:^|/)(?:Makefile|Dockerfile\S*|Containerfile|CMakeLists\.txt|justfile|rules|postinst))$"
 )
+_LOOKS = (
+    r"[ \t]*(?:#|(?:(?:exec|sudo|nice)[ \t]+)*(?:find|rm|rmdir|du|df|ls|cat|tail|head|less|stat|test|\[)[ \t]"
+    r"|WorkingDirectory=|(?:rsync|scp)[ \t]|ssh[ \t][^\n]{0,200}[ \t'\"](?:rm|ls|du|find|tail|cat)[ \t])"
+)
+"""How lines begin that take for granted that a path is there."""
 _SIZE = 512 * 1024
 _COUNT = 3000
 """Bytes of a script and scripts of a tree that are looked at, at most."""
@@ -27,8 +32,9 @@ def makes(tree: Tree, name: str) -> bool:
 
 
 def mentions(tree: Tree, path: str) -> bool:
-    """Whether a script or recipe of the tree has to do with a path."""
-    written = re.compile(rf"{re.escape(path)}(?![\w.-])")
+    """Whether a script or recipe of the tree has to do with a path, other than to look at it or to clear it."""
+    there = rf"[^\n]*{re.escape(path)}(?![\w.-])"
+    written = re.compile(rf"^(?:(?!{_LOOKS}){there}|[ \t]*(?:rsync|scp)[ \t]{there}\S*[ \t]*$)", re.M)
     return any(path in text and written.search(text) for text in _scripts(tree))
 
 

@@ -1,0 +1,104 @@
+"""A script that root runs writes to the login file of root.
+
+## What it finds
+`~/.bashrc`, `~/.profile` and the like (also with `$HOME`) that a set-up script writes to, where the script runs as
+root: it asks for it (`$EUID`, `id -u`), or says that it is called with `sudo`, or installs packages and writes to /etc
+without `sudo`. Only where the robot has a user of its own, by the script or by `User=` of a unit.
+
+## Why it matters on a robot
+With sudo, `~` is /root. The shells of the robot's user know nothing of ROS, of the workspace and of the domain:
+commands that people type on the robot fail or see no topic, while the services run.
+
+## Bad
+```sh
+# usage: sudo ./provision.sh
+adduser --disabled-password rover
+echo "source /opt/ros/jazzy/setup.bash" >> ~/.bashrc
+```
+
+## Good
+```sh
+# usage: sudo ./provision.sh
+adduser --disabled-password rover
+echo "source /opt/ros/jazzy/setup.bash" >> /home/rover/.bashrc
+```
+
+## When to ignore it
+When people log in as root.
+
+## References
+- sudo(8), sudoers(5), "always_set_home" and "set_home"
+"""
+
+import re
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import Source
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import regex
+from bringup_lint.api import rule
+from bringup_lint.api.shell import Run
+from bringup_lint.api.shell import Written
+
+LOGIN = regex(r"(?:~|\{\{ HOME \}\})/\.(?:bashrc|bash_profile|bash_aliases|profile|zshrc)")
+ASKS = regex(
+    r"^#[^\n]{0,80}\bsudo[ \t]+(?:bash[ \t]+)?\S{0,60}\.sh\b|^#[^\n]{0,80}\b(?:as|by) root\b"
+    r"|(?:\bEUID\b|\bid[ \t]+-u\b)[^\n]{0,60}(?:-ne|!=|-gt)[ \t]*[\"']?0",
+    re.M,
+)
+OTHER_HOME = regex(r"\bSUDO_USER\b|^[ \t]*(?:export[ \t]+)?HOME=|\bsudo[ \t]+(?:-\w+[ \t]+)*-u\b|\bsu[ \t]+-", re.M)
+INSTALLERS = ("apt", "apt-get")
+ADDS = ("useradd", "adduser")
+
+
+@rule("warning", confidence="medium", symptoms=["ros2: command not found"])
+def root_home(robot: Robot) -> Iterator[Finding]:
+    for source in robot.of_kind("shell-script"):
+        if not source.judged or source.template or OTHER_HOME.search(source.text) or _is_of_image(robot, source):
+            continue
+        did = robot.scripts.done(source)
+        written = [each for each in did if isinstance(each, Written) and LOGIN.match(each.path)]
+        if not written or not _is_root(source, did) or not _has_user(robot, did):
+            continue
+        first, *others = written
+        yield finding(
+            first.where,
+            f"Root runs this script, so that {first.where} is the login file of root: the robot's user never reads it",
+            advice="write the home of the user, or a file in /etc/profile.d",
+            related=[note(other.where, "this, too") for other in others[:5]],
+        )
+
+
+def _is_root(source: Source, did: list[Run | Written]) -> bool:
+    """Whether the script runs as root: it says so, or does throughout what only root may do."""
+    if ASKS.search(source.text):
+        return True
+    if "sudo" in source.text:
+        return False
+    installs = any(isinstance(each, Run) and each.name in INSTALLERS and "install" in each.words for each in did)
+    writes = any(isinstance(each, Written) and each.path.startswith("/etc/") and not each.refused for each in did)
+    copies = any(
+        isinstance(each, Run) and each.name in ("cp", "install") and each.arguments[-1:] and _is_etc(each)
+        for each in did
+    )
+    return installs and (writes or copies)
+
+
+def _is_etc(run: Run) -> bool:
+    return run.arguments[-1].startswith("/etc/")
+
+
+def _has_user(robot: Robot, did: list[Run | Written]) -> bool:
+    """Whether somebody else than root works on the robot."""
+    if any(isinstance(each, Run) and each.name in ADDS and len(each.words) > 1 for each in did):
+        return True
+    users = (unit.identity.user for unit in robot.units.services if unit.fragment is not None)
+    return any(user is not None and user not in ("root", "0") for user in users)
+
+
+def _is_of_image(robot: Robot, source: Source) -> bool:
+    """Whether a Dockerfile may run the script, where root is the only user."""
+    return any(source.basename in each.text for each in robot.of_kind("dockerfile", "compose"))
