@@ -96,6 +96,6 @@ def _after_set(command: Command, strict: Span | None) -> Span | None:
 
 def _is_given(robot: Robot, name: str) -> bool:
     """Whether something of the tree sets the variable for others."""
-    given = re.compile(rf"\b{name}\b[\"']?[ \t]*[=:]")
+    given = re.compile(rf"\b{re.escape(name)}\b[\"']?[ \t]*[=:]")
     kinds = ("systemd-unit", "systemd-dropin", "env-file", "compose", "dockerfile")
     return any(given.search(each.text) for each in robot.of_kind(*kinds))
