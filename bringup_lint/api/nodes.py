@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.callback_fit import Unfit
     from bringup_lint.graph.nodes.questions.callback_fit import unfit_callbacks
     from bringup_lint.graph.nodes.questions.early_results import early_results
+    from bringup_lint.graph.nodes.questions.endless_threads import endless_threads
     from bringup_lint.graph.nodes.questions.half_made import half_made
     from bringup_lint.graph.nodes.questions.inactive_publishers import inactive_publishers
     from bringup_lint.graph.nodes.questions.late_attributes import late_attributes
@@ -27,6 +28,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.message_fields import is_checked
     from bringup_lint.graph.nodes.questions.message_fields import misfits
     from bringup_lint.graph.nodes.questions.message_fields import missing_fields
+    from bringup_lint.graph.nodes.questions.message_units import WrongUnit
+    from bringup_lint.graph.nodes.questions.message_units import wrong_units
     from bringup_lint.graph.nodes.questions.misread_parameters import misread_parameters
     from bringup_lint.graph.nodes.questions.missing_attributes import missing_attributes
     from bringup_lint.graph.nodes.questions.missing_attributes import taken_attributes
@@ -38,6 +41,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.python_releases import not_there
     from bringup_lint.graph.nodes.questions.python_releases import python_of
     from bringup_lint.graph.nodes.questions.rates import endless_rates
+    from bringup_lint.graph.nodes.questions.rejected_goals import stuck_flags
     from bringup_lint.graph.nodes.questions.repeating import guards_commands
     from bringup_lint.graph.nodes.questions.repeating import held
     from bringup_lint.graph.nodes.questions.repeating import repeated
@@ -47,6 +51,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.service_waits import waits
     from bringup_lint.graph.nodes.questions.shell_commands import shell_commands
     from bringup_lint.graph.nodes.questions.signatures import without_qos
+    from bringup_lint.graph.nodes.questions.stale_readings import stale_readings
     from bringup_lint.graph.nodes.questions.stopped_callbacks import never_run
     from bringup_lint.graph.nodes.questions.stopped_callbacks import stopped_callbacks
     from bringup_lint.graph.nodes.questions.stopped_callbacks import stopped_in_cpp
@@ -85,6 +90,7 @@ __all__ = [
     "Purpose",
     "Timer",
     "Unfit",
+    "WrongUnit",
     "asked_in_vain",
     "awaits_asyncio",
     "clock_mixes",
@@ -95,6 +101,7 @@ __all__ = [
     "early_results",
     "empty_defaults",
     "endless_rates",
+    "endless_threads",
     "fed_without_condition",
     "guards_commands",
     "half_made",
@@ -120,9 +127,11 @@ __all__ = [
     "relays",
     "repeated",
     "shell_commands",
+    "stale_readings",
     "stop_after_shutdown",
     "stopped_callbacks",
     "stopped_in_cpp",
+    "stuck_flags",
     "swap",
     "taken_attributes",
     "tried_shutdown",
@@ -142,6 +151,7 @@ __all__ = [
     "waits",
     "without_pin_mode",
     "without_qos",
+    "wrong_units",
 ]
 
 _NODE_NAME = regex(r"[A-Za-z_][A-Za-z0-9_]{0,254}\Z")

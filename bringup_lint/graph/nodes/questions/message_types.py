@@ -58,6 +58,20 @@ class MessageTypes:
         """The message that a call makes: ``Twist()``, ``SetBool.Request()``."""
         return message_type(self.file.qualified(call.func))
 
+    def bound(self, node: ast.Name) -> ast.expr | None:
+        """The one value that a function binds to a local name."""
+        function = self.syntax.function(node)
+        bound = self._bindings(function).get(node.id, ()) if function is not None else ()
+        return bound[0].value if len(bound) == 1 and not bound[0].element else None
+
+    def kept(self, node: ast.Attribute) -> ast.expr | None:
+        """The one value that a class assigns to an attribute of its own."""
+        outer = self.syntax.definition(node) if _is_self(node.value) else None
+        if outer is None or node.attr in self._foreign:
+            return None
+        bound = self._set_in(outer).get(node.attr, ())
+        return bound[0].value if len(bound) == 1 and not bound[0].element else None
+
     def _field(self, owner: str, name: str) -> str | None:
         kind = (self.interfaces.fields(owner) or {}).get(name, "")
         if "/" not in kind:

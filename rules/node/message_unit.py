@@ -1,0 +1,62 @@
+"""A value of a message has another unit than its definition gives.
+
+## What it finds
+- `BatteryState.percentage` and `RelativeHumidity.relative_humidity`, which are 0 to 1, with percentages: a limit of 5
+  or more for a value that comes in, and numbers, `... * 100` or the `capacity` of a power supply for one that goes out.
+  Limits are left alone where the tree itself publishes percentages, or sets the parameter that holds them to a share.
+- Degrees (`math.degrees()`) in angles and speeds that are rad and rad/s: those of `LaserScan`, `Imu`, `Twist`, and of
+  the `JointState` on `joint_states`.
+
+## Why it matters on a robot
+A full battery is 1.0, which is below every limit in percent: the robot lands, docks or shuts down at the first message.
+The other way round, 15 for an empty battery is above every limit. An angle in degrees is 57 times too large.
+
+## Bad
+```python
+def on_battery(self, msg):
+    if msg.percentage < 20.0:
+        self.dock()
+```
+
+## Good
+```python
+def on_battery(self, msg):
+    if msg.percentage < 0.2:
+        self.dock()
+```
+
+## When to ignore it
+When the driver on the other side is known to publish percentages; dividing by 100 in one place is better.
+
+## References
+- https://docs.ros.org/en/jazzy/p/sensor_msgs/msg/BatteryState.html
+- https://www.ros.org/reps/rep-0103.html
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import nodes
+from bringup_lint.api import rule
+
+
+@rule("warning", confidence="medium", silent="a number has no unit on the wire")
+def message_unit(robot: Robot) -> Iterator[Finding]:
+    for found in nodes.wrong_units(robot.nodes):
+        yield finding(
+            found.place,
+            _message(found),
+            advice="convert it to radians" if found.got == "degrees" else "use the range from 0 to 1",
+            severity=nodes.lowered(robot.nodes.purpose(found.place.source), "warning"),
+        )
+
+
+def _message(found: nodes.WrongUnit) -> str:
+    name = f"{found.field} of {found.type.rpartition('/')[2]}"
+    if found.got == "degrees":
+        return f"{name} is in rad, and is set to degrees: readers take it for 57 times as much"
+    if found.is_read:
+        return f"{name} is 0 to 1, and the limit is {found.got}: a full charge is below it, too"
+    return f"{name} is 0 to 1, and is set to {found.got or 'a percentage'}: readers take any charge for full"
