@@ -161,6 +161,10 @@ class CppNode:
     """Where the callback of a subscription is handed over -> the members that it alone fills, from its message."""
     sent: dict[int, frozenset[str]] = field(default_factory=dict)
     """Where the callback of a timer that publishes or writes something is handed over -> the words of what it runs."""
+    passed_on: dict[int, frozenset[str]] = field(default_factory=dict)
+    """The same for the callback of a subscription."""
+    called: dict[int, frozenset[str]] = field(default_factory=dict)
+    """Where a callback is handed over -> the functions that it calls, itself and through methods of the file."""
     executors: bool = False
     """It makes an executor of several threads, or callback groups."""
     devices: list[Located] = field(default_factory=list)

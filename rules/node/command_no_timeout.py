@@ -4,7 +4,9 @@
 A node that keeps the last velocity it was sent, and whose timer or thread sends it on again and again; and code that
 writes velocities to pins, to an I2C bus or to a motor driver, which keep what was written last. Messages of other
 types count by their names: `MotorSpeeds`, `ThrusterCommand`; numbers by that of their topic: `thruster/command`; and
-the axes of a joystick that a timer goes on with. In all cases when nothing in the source looks at a
+the axes of a joystick that a timer goes on with. The same for a callback that writes velocities to a serial port or a
+CAN bus, unless the firmware of the tree compares times or the controller is known to stop by itself (VESC, moteus,
+ros_arduino_bridge, ...). In all cases when nothing in the source looks at a
 time: no time-out, no stamp that is read, no difference of two times, and no count of the turns without a message.
 
 ## Why it matters on a robot
@@ -67,9 +69,11 @@ def command_no_timeout(robot: Robot) -> Iterator[Finding]:
                 ],
             )
     for held in nodes.held(robot.nodes):
+        keeps = "and nothing here stops the motors when no command comes" if held.is_board else "which keeps the last"
+        end = "they stop only if their controller does so by itself" if held.is_board else "the robot drives on"
         yield finding(
             held.subscription.span,
-            f"Velocities are written to {held.bus}, which keeps the last: without new commands the robot drives on",
+            f"Velocities are written to {held.bus}, {keeps}: without new commands {end}",
             advice=ADVICE,
             related=[note(held.writer, "writes them")] if held.writer is not None else [],
             severity=nodes.lowered(robot.nodes.purpose(held.source), "warning"),

@@ -1,13 +1,17 @@
-"""A node's thread is neither joined nor detached.
+"""A node's thread is not ended at shutdown.
 
 ## What it finds
 In C++ sources of nodes, a `std::thread` that is started, and that no source of its package joins, detaches or moves
-elsewhere.
+elsewhere. In Python, a thread of a node that is not a daemon and whose `while True` nothing leaves, asks nobody whether
+it goes on, and calls nothing that raises after the shutdown, such as `publish()`.
 
 ## Why it matters on a robot
 The destructor of a thread that is still joinable calls `std::terminate`: each shutdown ends with SIGABRT and a core
 dump, also after the thread's function has returned. What the node does after the thread in its destructor, such as
 switching the motors off, does not run. systemd counts a failure, and restarts the node with `Restart=on-failure`.
+
+Python waits for such a thread after `main()` has returned: Ctrl-C and `systemctl stop` seem to do nothing, until
+SIGKILL comes.
 
 ## Bad
 ```cpp
@@ -27,6 +31,7 @@ When the object that holds the thread is never destroyed.
 
 ## References
 - C++ standard, [thread.thread.destr]
+- https://docs.python.org/3/library/threading.html (`daemon`)
 """
 
 from collections.abc import Iterator
@@ -35,11 +40,24 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import nodes
+from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
 @rule("warning", symptoms=["terminate called without an active exception"])
 def thread_not_joined(robot: Robot) -> Iterator[Finding]:
+    yield from _in_cpp(robot)
+    for found in nodes.endless_threads(robot.nodes):
+        yield finding(
+            found.file.span_of(found.started),
+            f"The thread of {found.function}() never ends: after SIGINT or SIGTERM the process hangs until SIGKILL",
+            advice="make it a daemon (daemon=True), or let its loop ask rclpy.ok()",
+            related=[note(found.file.span_of(found.loop.test), "this loop has no end")],
+            severity=nodes.lowered(robot.nodes.purpose(found.file.source), "warning"),
+        )
+
+
+def _in_cpp(robot: Robot) -> Iterator[Finding]:
     for source in robot.nodes.cpp:
         for thread in source.threads:
             if robot.nodes.ends_thread(source.source, str(thread)):

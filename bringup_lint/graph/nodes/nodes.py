@@ -7,6 +7,7 @@ import re
 from collections.abc import Callable
 from collections.abc import Iterator
 from functools import cached_property
+from itertools import islice
 from typing import TYPE_CHECKING
 
 from bringup_lint.dataclass import dataclass
@@ -49,6 +50,10 @@ _GATES = regex(
     r"|tricycle_controller|twist_mux|velocity_smoother|collision_monitor|create3)\b"
 )
 """Parameters, controllers and filters that end a motion when no command comes."""
+FIRMWARE = 100
+"""Files of firmware that are looked at."""
+_FIRMWARE = (".ino", "/src/main.cpp", "/main.c")
+_MILLIS = regex(r"\bmillis\s{0,2}\(\)\s{0,4}-|\btime_?out|\bwatch_?dog|HAL_GetTick\s{0,2}\(\)\s{0,4}-", re.I)
 _SERVO = regex(r"(?m)^[ \t]*incoming_command_timeout[ \t]*:[ \t]*(?!0+(?:\.0*)?[ \t]*(?:#|$))[\d.]")
 _SERVO_TOPIC = regex(
     r"(?m)^[ \t]*(?:cartesian|joint)_command_in_topic[ \t]*:[ \t]*[\"']?(?:[^\s\"'#]*/)?(?P<name>[^\s\"'#/]+)"
@@ -328,6 +333,13 @@ class Nodes:
         texts = [source.text for source in (*self.files.of_kind("params"), *self._servo_settings())]
         timed = (text for text in texts if _SERVO.search(text))
         return {match["name"] for text in timed for match in _SERVO_TOPIC.finditer(text)}
+
+    @cached_property
+    def firmware_looks_at_time(self) -> bool:
+        """Whether firmware of the tree compares times, and so may stop motors for which no command comes."""
+        paths = (path for path in self.files.tree.paths if path.endswith(_FIRMWARE))
+        sources = (self.files.tree.read(path, "cpp-node", judged=False) for path in islice(paths, FIRMWARE))
+        return any(source is not None and _MILLIS.search(source.text) for source in sources)
 
     def _servo_settings(self) -> Iterator[Source]:
         """MoveIt's own setting files hold no ``ros__parameters``: its launch files hand them over as dictionaries."""

@@ -16,6 +16,7 @@ from bringup_lint.parsers.cpp_node.early_pointers import early_pointers
 from bringup_lint.parsers.cpp_node.endpoints import endpoint
 from bringup_lint.parsers.cpp_node.endpoints import timer
 from bringup_lint.parsers.cpp_node.handles import few_handles
+from bringup_lint.parsers.cpp_node.kept import called
 from bringup_lint.parsers.cpp_node.kept import kept
 from bringup_lint.parsers.cpp_node.kept import sent
 from bringup_lint.parsers.cpp_node.lookups import lookups
@@ -78,6 +79,10 @@ def parse(source: Source) -> CppNode:
     if {each.role for each in node.callbacks} >= _ROLES:
         node.kept = kept(code, node.callbacks[:CALLBACKS])
         node.sent = sent(code, node.callbacks[:CALLBACKS])
+    if any(each.role == "subscription" for each in node.callbacks):
+        node.passed_on = sent(code, node.callbacks[:CALLBACKS], "subscription")
+        node.called = called(code, node.callbacks[:CALLBACKS])
+        node.kept = node.kept or kept(code, node.callbacks[:CALLBACKS])
     node.lookups = list(lookups(code, node.callbacks[:CALLBACKS]))
     node.waits = list(waits(code, node.callbacks[:CALLBACKS]))
     node.activation = activation(code)

@@ -47,7 +47,7 @@ def _handed_on(code: Code, bodies: Bodies, body: Node) -> Iterator[Node]:
             yield inner[0]
 
 
-def sent(code: Code, callbacks: list[Callback]) -> dict[int, frozenset[str]]:
+def sent(code: Code, callbacks: list[Callback], role: str = "timer") -> dict[int, frozenset[str]]:
     """Where the callback of a timer that sends something is handed over -> the words of what it runs."""
     bodies = Bodies(code)
     words_of: dict[int, frozenset[str]] = {}
@@ -59,7 +59,7 @@ def sent(code: Code, callbacks: list[Callback]) -> dict[int, frozenset[str]]:
 
     found: dict[int, frozenset[str]] = {}
     for callback in callbacks:
-        body = bodies.of(callback) if callback.role == "timer" else None
+        body = bodies.of(callback) if callback.role == role else None
         if body is None:
             continue
         calls = [each for each in bodies.reached(body) if isinstance(each, Call)]
@@ -67,6 +67,17 @@ def sent(code: Code, callbacks: list[Callback]) -> dict[int, frozenset[str]]:
             inner = (bodies.functions.get(name, []) for name in dict.fromkeys(call.name for call in calls))
             nodes = (body, *(function for functions in inner for function in functions))
             found[callback.span.start] = frozenset().union(*map(words, nodes))
+    return found
+
+
+def called(code: Code, callbacks: list[Callback]) -> dict[int, frozenset[str]]:
+    """Where a callback is handed over -> the functions that it calls, itself and through methods of the file."""
+    bodies = Bodies(code)
+    found: dict[int, frozenset[str]] = {}
+    for callback in callbacks:
+        body = bodies.of(callback)
+        if body is not None:
+            found[callback.span.start] = frozenset(each.name for each in bodies.reached(body) if isinstance(each, Call))
     return found
 
 

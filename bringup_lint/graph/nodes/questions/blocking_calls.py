@@ -15,6 +15,7 @@ from bringup_lint.graph.nodes.sources.syntax import own
 from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.pattern import regex
 
 UNTIL_TIMEOUT = "until its timeout"
 """How long a call with a time-out lasts whose length is not known."""
@@ -34,6 +35,10 @@ _MEASURES = frozenset({"psutil.cpu_percent", "psutil.cpu_times_percent"})
 """Functions that wait as long as their first argument says."""
 _SPINS = {"rclpy.spin": 99, "rclpy.spin_until_future_complete": 3, "rclpy.spin_once": 99}
 """Functions that run the executor, and the position of their time-out."""
+UNTIL_BYTE = "until a byte arrives"
+UNTIL_PACKET = "until the other side sends something"
+_RECEIVES = frozenset({"recv", "recvfrom", "recv_into", "accept"})
+_SOCKET_TIMEOUTS = regex(r"settimeout|setblocking|setdefaulttimeout|select|MSG_DONTWAIT|SO_RCVTIMEO|create_connection")
 _SERIAL_READS = frozenset({"read", "readline", "readlines", "read_until"})
 
 
@@ -193,7 +198,9 @@ def _of_attribute(ending: Ending, call: ast.Call, cls: NodeClass) -> Blocked | N
     if name == "sleep" and not call.args and _is_rate(ending, owner.attr):
         return Blocked(f"{kept}.sleep()", "")
     if name in _SERIAL_READS and _waits_forever(ending, owner, call):
-        return Blocked(f"{kept}.{name}()", "until a byte arrives")
+        return Blocked(f"{kept}.{name}()", UNTIL_BYTE)
+    if name in _RECEIVES and _waits_for_packet(ending, owner, call):
+        return Blocked(f"{kept}.{name}()", UNTIL_PACKET)
     return None
 
 
@@ -216,4 +223,16 @@ def _waits_forever(ending: Ending, owner: ast.Attribute, call: ast.Call) -> bool
         return False
     made = ending.syntax.named.get("serial.Serial", [])
     text = ending.file.source.text
-    return len(made) == 1 and len(made[0].args) < 7 and not _has(made[0], "timeout") and ".timeout" not in text
+    return len(made) == 1 and len(made[0].args) < 6 and not _has_timeout(made[0]) and ".timeout" not in text
+
+
+def _has_timeout(call: ast.Call) -> bool:
+    """Whether a port is opened with a time-out; None is none."""
+    given = [each.value for each in call.keywords if each.arg in ("timeout", None)]
+    return any(not isinstance(each, ast.Constant) or each.value is not None for each in given)
+
+
+def _waits_for_packet(ending: Ending, owner: ast.Attribute, call: ast.Call) -> bool:
+    """Whether an attribute is a socket that nothing gives a time-out."""
+    is_socket = ending.file.named(owner, ending.syntax.function(call)) == "socket.socket"
+    return is_socket and not _SOCKET_TIMEOUTS.search(ending.file.source.text)

@@ -8,11 +8,15 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.facts.ros.pin_libraries import PIN_LIBRARIES
+from bringup_lint.facts.ros.self_stopping import SELF_STOPPING
+from bringup_lint.graph.nodes.questions.callback_code import reached
 from bringup_lint.graph.nodes.questions.kept_commands import held_over
 from bringup_lint.graph.nodes.questions.kept_commands import loops
 from bringup_lint.graph.nodes.questions.motion import is_motor_command
 from bringup_lint.graph.nodes.questions.motion import moves
 from bringup_lint.graph.nodes.questions.with_header import with_header
+from bringup_lint.graph.nodes.sources.syntax import Syntax
+from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.model.cpp_source import COMMENT
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import NodeClass
@@ -24,6 +28,7 @@ from bringup_lint.source import Span
 if TYPE_CHECKING:
     from bringup_lint.graph.nodes.nodes import Nodes
     from bringup_lint.model.cpp_source import CppNode
+    from bringup_lint.model.node_source import Callback
     from bringup_lint.model.node_source import NodeSource
     from bringup_lint.source import Source
 
@@ -63,6 +68,14 @@ _I2C = regex(r"/dev/i2c-\d+")
 """Pins, and buses whose chips keep what was written last."""
 
 
+_PYTHON_PORT = regex(r"^[ \t]*(?:import|from)[ \t]+(?P<module>serial|can)\b", re.M)
+_CPP_PORT = regex(
+    r"termios\.h|serial/serial\.h|\blibserial\b|\b[Ss]erial_?[Pp]ort\b|(?P<can>linux/can\.h|\b[Ss]ocket_?[Cc][Aa][Nn]\b)"
+)
+_PORTS = {"serial": "a serial port", "can": "a CAN bus"}
+_CPP_WRITES = regex(r"(?i)(?:write|send)\w{0,40}\Z")
+
+
 _GUARD = regex(
     r"(?:cmd|command|vel(?:ocity)?|twist|msg|message)_?\w{0,20}time_?out|time_?out_?(?:cmd|command|vel|twist)|watch_?dog"
     r"|last_?(?:cmd|command|vel(?:ocity)?|twist|msg|message)\w{0,20}(?:time|stamp)"
@@ -89,7 +102,7 @@ class Repeated(NamedTuple):
 def repeated(nodes: Nodes) -> Iterator[Repeated]:
     """The commands that are sent again and again, in sources that look at no time."""
     for file in nodes.programs:
-        if _ignores_time(nodes, file):
+        if ignores_time(nodes, file):
             for node in file.classes:
                 if node.is_node is True:
                     yield from _in_class(nodes, file, node)
@@ -102,17 +115,18 @@ def _is_command(endpoint: Endpoint) -> bool:
     return endpoint.role == "subscription" and kind in _TYPES and (moves(endpoint) or "vel" in str(endpoint.name or ""))
 
 
-def _ignores_time(nodes: Nodes, file: NodeSource) -> bool:
+def ignores_time(nodes: Nodes, file: NodeSource) -> bool:
     files = nodes.imported(file)
     return files is not None and not any(looks_at_time(each.source) for each in files)
 
 
 def looks_at_time(source: Source) -> bool:
     """Whether a file compares times, or speaks of a time-out that is not one of reading or writing."""
-    return source.once(looks_at_time, lambda: _looks_at_time(source.text))
+    return source.once(looks_at_time, lambda: looks_at_age(source.text))
 
 
-def _looks_at_time(text: str) -> bool:
+def looks_at_age(text: str) -> bool:
+    """As ``looks_at_time``, for a text."""
     return bool(_TIMED.search(_OTHER_TIMEOUTS.sub("", _COMMENT.sub("", text))))
 
 
@@ -152,10 +166,10 @@ def _sends(call: ast.Call, node: NodeClass) -> bool:
     if call.func.attr != "publish":
         return call.func.attr not in node.methods
     kept = ast.unparse(call.func.value)
-    return any(each.attribute == kept and _is_motion(each) for each in node.all_endpoints)
+    return any(each.attribute == kept and is_motion(each) for each in node.all_endpoints)
 
 
-def _is_motion(endpoint: Endpoint) -> bool:
+def is_motion(endpoint: Endpoint) -> bool:
     if endpoint.role != "publisher" or _REPORTS.search(str(endpoint.name or "")):
         return False
     kind = (endpoint.type or "").rpartition("/")[2]
@@ -166,7 +180,7 @@ def _in_cpp(nodes: Nodes, source: CppNode) -> Iterator[Repeated]:
     commands = [each for each in source.endpoints if is_held(each)]
     if not commands or not source.kept or not source.sent or not _moves_something(source):
         return
-    if _looks_at_time(with_header(nodes, source.source)):
+    if looks_at_age(with_header(nodes, source.source)):
         return
     for endpoint in commands:
         held = next((names for at, names in source.kept.items() if _is_within(at, endpoint.span)), frozenset())
@@ -185,7 +199,7 @@ def _is_within(at: int, span: Span) -> bool:
 def _moves_something(source: CppNode) -> bool:
     """Whether a file publishes what moves something, or publishes nothing and so writes to hardware."""
     publishers = [each for each in source.endpoints if each.role == "publisher"]
-    return not publishers or any(_is_motion(each) or _is_command_topic(each) for each in publishers)
+    return not publishers or any(is_motion(each) or _is_command_topic(each) for each in publishers)
 
 
 def _is_command_topic(endpoint: Endpoint) -> bool:
@@ -208,13 +222,18 @@ class Held(NamedTuple):
     """The bus or the library that writes to it: ``/dev/i2c-1``, ``the I2C bus``, ``smbus``."""
     writer: Span | None = None
     """The first statement of the callback that uses the message, where it is known."""
+    is_board: bool = False
+    """Something at the other end drives the motors, which may stop them by itself."""
 
 
 def held(nodes: Nodes) -> Iterator[Held]:
     """Nodes that take velocities to pins or to a bus without a controller of its own, and look at no time."""
     for file in nodes.programs:
         bus = driven_bus(nodes, file)
-        if bus is None or any(looks_at_time(each.source) for each in nodes.imported(file) or ()):
+        if any(looks_at_time(each.source) for each in nodes.imported(file) or ()):
+            continue
+        if bus is None:
+            yield from _sent_to_board(nodes, file)
             continue
         yield from (Held(file.source, each, bus, _writer(file, each)) for each in file.strays if is_held(each))
         for node in file.classes:
@@ -226,14 +245,60 @@ def held(nodes: Nodes) -> Iterator[Held]:
         yield from _held_in_cpp(nodes, source)
 
 
+def _sent_to_board(nodes: Nodes, file: NodeSource) -> Iterator[Held]:
+    """The velocities that only their own callback writes to a serial port or a CAN bus, where nothing in the tree says
+    that the board at its other end stops by itself."""
+    port = _PYTHON_PORT.search(_COMMENT.sub("", file.source.text))
+    if port is None or boards_stop(nodes, file.source.text):
+        return
+    for node in file.classes:
+        if node.is_node is True and not _ends_in_loop(nodes, file, node):
+            for each in node.endpoints:
+                method = node.methods.get(each.callback or "")
+                if is_held(each) and method is not None and _writes(nodes.syntax(file), node, method.node):
+                    yield Held(file.source, each, _PORTS[port["module"]], _writer(file, each), True)
+
+
+def _writes(syntax: Syntax, node: NodeClass, function: ast.AST) -> bool:
+    """Whether a callback writes to the port by itself: ``self.port.write(...)``."""
+    calls = (each for each in reached(syntax, body_of(function), node) if isinstance(each, ast.Call))
+    return any(isinstance(each.func, ast.Attribute) and each.func.attr in ("write", "send") for each in calls)
+
+
 def _held_in_cpp(nodes: Nodes, source: CppNode) -> Iterator[Held]:
     commands = [each for each in source.endpoints if is_held(each)]
-    if not commands or source.sent:
+    if not commands:
         return
     text = with_header(nodes, source.source)
-    bus = _bus(text, _CPP_BUS)
-    if bus is not None and not _looks_at_time(text):
+    bus = _bus(text, _CPP_BUS) if not source.sent else None
+    if bus is not None and not looks_at_age(text):
         yield from (Held(source.source, each, bus) for each in commands)
+    elif bus is None:
+        yield from _sent_to_board_in_cpp(nodes, source, commands, text)
+
+
+def _sent_to_board_in_cpp(nodes: Nodes, source: CppNode, commands: list[Endpoint], text: str) -> Iterator[Held]:
+    port = _CPP_PORT.search(_COMMENT.sub("", text)) or _CPP_PORT.search(text)
+    if port is None or looks_at_age(text) or boards_stop(nodes, text):
+        return
+    timers = [each for each in source.callbacks if each.role == "timer"]
+    if len(timers) != len(source.timers) or any(_may_stop(source, each) for each in timers):
+        return
+    for each in commands:
+        called = next((names for at, names in source.called.items() if _is_within(at, each.span)), frozenset())
+        if any(_CPP_WRITES.match(name) for name in called) and "publish" not in called:
+            yield Held(source.source, each, _PORTS["can" if port["can"] else "serial"], None, True)
+
+
+def _may_stop(source: CppNode, timer: Callback) -> bool:
+    """Whether a timer writes to the hardware, too."""
+    called = source.called.get(timer.span.start)
+    return called is None or any(_WRITES.search(name) for name in called if not name.startswith("set__"))
+
+
+def boards_stop(nodes: Nodes, text: str) -> bool:
+    """Whether a board is known to stop without commands, or firmware of the tree looks at a time."""
+    return bool(SELF_STOPPING.search(text)) or nodes.firmware_looks_at_time
 
 
 def driven_bus(nodes: Nodes, file: NodeSource) -> str | None:

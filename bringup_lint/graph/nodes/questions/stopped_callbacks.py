@@ -9,6 +9,8 @@ from bringup_lint.graph.nodes.questions.blocking import Blocking
 from bringup_lint.graph.nodes.questions.blocking import blocking
 from bringup_lint.graph.nodes.questions.blocking import deadlocks
 from bringup_lint.graph.nodes.questions.blocking_calls import FOREVER
+from bringup_lint.graph.nodes.questions.blocking_calls import UNTIL_BYTE
+from bringup_lint.graph.nodes.questions.blocking_calls import UNTIL_PACKET
 from bringup_lint.graph.nodes.questions.callback_code import only_stores
 from bringup_lint.graph.nodes.questions.endless_loops import Endless
 from bringup_lint.graph.nodes.questions.endless_loops import endless_constructors
@@ -96,7 +98,8 @@ def _stopped(nodes: Nodes, file: NodeSource, node: NodeClass, wait: Blocking, th
     if wait.how_long.startswith(_SOON):
         ending = nodes.ending(file)
         urgent = [each for each in urgent if each.role != "subscription" or not only_stores(ending, node, each)]
-    return found if urgent else None
+    is_deaf = wait.how_long in (UNTIL_BYTE, UNTIL_PACKET) and callback.role == "timer"
+    return found if urgent or is_deaf else None
 
 
 def _missed(node: NodeClass, wait: Blocking) -> float | None:

@@ -1,0 +1,158 @@
+"""Flags that stay set when an action server rejects a goal."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterable
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.graph.nodes.questions.callback_code import reached
+from bringup_lint.graph.nodes.sources.syntax import Syntax
+from bringup_lint.graph.nodes.sources.syntax import body_of
+from bringup_lint.graph.nodes.sources.syntax import own
+from bringup_lint.graph.nodes.sources.syntax import own_calls
+from bringup_lint.model.node_source import NodeClass
+from bringup_lint.model.python import walk
+from bringup_lint.named_tuple import NamedTuple
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.nodes.nodes import Nodes
+    from bringup_lint.model.node_source import NodeSource
+
+_STAYS = ("exit", "shutdown", "set_result", "set_exception", "set")
+"""Calls in the branch of a rejected goal that may tell somebody else."""
+
+
+class StuckFlag(NamedTuple):
+    file: NodeSource
+    name: str
+    """The attribute: ``busy``."""
+    branch: ast.If
+    """Where a rejected goal ends."""
+    set_at: ast.stmt
+    """Where the flag becomes true."""
+    asked: ast.expr
+    """The condition that keeps the node from sending another goal."""
+
+
+def stuck_flags(nodes: Nodes) -> Iterator[StuckFlag]:
+    """Flags that are set for a goal, reset only by what follows its acceptance, and asked before the next one."""
+    for file, node in nodes.with_callbacks:
+        if "send_goal_async" in file.source.text and ".accepted" in file.source.text:
+            yield from _in_class(nodes, file, node)
+
+
+def _in_class(nodes: Nodes, file: NodeSource, node: NodeClass) -> Iterator[StuckFlag]:
+    syntax = nodes.syntax(file)
+    for name in _told(syntax, node):
+        method = node.methods[name].node
+        branch = next((each for each in own(body_of(method)) if isinstance(each, ast.If) and _rejects(each)), None)
+        if branch is None or _goes_on(syntax, node, branch):
+            continue
+        after = {each for each in _handed_over(own(body_of(method))) if each in node.methods} - {name}
+        for flag in sorted(_flags(node)):
+            found = _stuck(syntax, node, flag, branch, after)
+            if found is not None:
+                yield StuckFlag(file, flag, branch, *found)
+
+
+def _told(syntax: Syntax, node: NodeClass) -> Iterator[str]:
+    """The methods that get the answer of a server to a goal: those handed over where one is sent."""
+    for name, method in node.methods.items():
+        code = list(own(body_of(method.node)))
+        sends = any(isinstance(each, ast.Attribute) and each.attr == "send_goal_async" for each in code)
+        if name in node.methods and sends:
+            yield from dict.fromkeys(each for each in _handed_over(code) if each in node.methods)
+
+
+def _handed_over(code: Iterable[ast.AST]) -> Iterator[str]:
+    """``x`` of ``add_done_callback(self.x)``."""
+    for call in code:
+        if isinstance(call, ast.Call) and isinstance(call.func, ast.Attribute):
+            if call.func.attr == "add_done_callback" and len(call.args) == 1:
+                yield from (each.attr for each in walk(call.args[0]) if isinstance(each, ast.Attribute))
+
+
+def _rejects(node: ast.If) -> bool:
+    """``if not handle.accepted:`` with a branch that leaves the function."""
+    test = node.test
+    is_not = isinstance(test, ast.UnaryOp) and isinstance(test.op, ast.Not) and _is_accepted(test.operand)
+    is_false = isinstance(test, ast.Compare) and _is_accepted(test.left) and ast.unparse(test).endswith("False")
+    return (is_not or is_false) and isinstance(node.body[-1], ast.Return)
+
+
+def _is_accepted(node: ast.expr) -> bool:
+    return isinstance(node, ast.Attribute) and node.attr == "accepted"
+
+
+def _goes_on(syntax: Syntax, node: NodeClass, branch: ast.If) -> bool:
+    """Whether a branch does more than to write to the log: it may set the node right in another way."""
+    for call in own_calls(branch.body):
+        name = getattr(call.func, "attr", getattr(call.func, "id", ""))
+        if name in node.methods or name in _STAYS or name == "send_goal_async" or name.startswith("create_"):
+            return True
+    return any(isinstance(each, ast.Raise) for each in own(branch.body))
+
+
+def _flags(node: NodeClass) -> set[str]:
+    """The attributes to which a class assigns only True and False."""
+    values: dict[str, set[object]] = {}
+    for method in node.methods.values():
+        for each in walk(method.node):
+            for name, value in _assigned(each):
+                values.setdefault(name, set()).add(value.value if isinstance(value, ast.Constant) else None)
+    return {name for name, given in values.items() if given == {True, False} and all(v is not None for v in given)}
+
+
+def _assigned(node: ast.AST) -> Iterator[tuple[str, ast.expr]]:
+    if isinstance(node, ast.Assign):
+        targets = node.targets
+    elif isinstance(node, ast.AnnAssign) and node.value is not None:
+        targets = [node.target]
+    else:
+        return
+    for target in targets:
+        if isinstance(target, ast.Attribute) and ast.unparse(target.value) == "self" and node.value is not None:
+            yield target.attr, node.value
+
+
+def _stuck(
+    syntax: Syntax, node: NodeClass, flag: str, branch: ast.If, after: set[str]
+) -> tuple[ast.stmt, ast.expr] | None:
+    """Where a flag is set and where it is asked; None unless only what follows the acceptance resets it."""
+    if any(name == flag for each in own(branch.body) for name, _ in _assigned(each)):
+        return None
+    later = {each for name in after for each in reached(syntax, body_of(node.methods[name].node), node)}
+    set_at: ast.stmt | None = None
+    resets = 0
+    for name, method in node.methods.items():
+        for each in walk(method.node):
+            values = [value for assigned, value in _assigned(each) if assigned == flag]
+            if not values or name == "__init__":
+                continue
+            if isinstance(values[0], ast.Constant) and values[0].value is True:
+                set_at = each if isinstance(each, ast.stmt) and _sends(syntax, node, method.node) else set_at
+            elif each not in later:
+                return None
+            else:
+                resets += 1
+    asked = next((each.test for each in _conditions(syntax, node) if _asks(each.test, flag)), None)
+    return (set_at, asked) if set_at is not None and resets and asked is not None else None
+
+
+def _sends(syntax: Syntax, node: NodeClass, function: ast.AST) -> bool:
+    """Whether a method leads to a goal that is sent."""
+    code = reached(syntax, body_of(function), node)
+    return any(isinstance(each, ast.Attribute) and each.attr == "send_goal_async" for each in code)
+
+
+def _conditions(syntax: Syntax, node: NodeClass) -> Iterator[ast.If]:
+    """The conditions of what leads to a goal."""
+    for method in node.methods.values():
+        if _sends(syntax, node, method.node):
+            yield from (each for each in walk(method.node) if isinstance(each, ast.If))
+
+
+def _asks(test: ast.expr, flag: str) -> bool:
+    return any(isinstance(each, ast.Attribute) and each.attr == flag for each in walk(test))
