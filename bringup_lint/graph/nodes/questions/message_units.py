@@ -64,9 +64,16 @@ def _in_python(nodes: Nodes, types: MessageTypes) -> Iterator[WrongUnit]:
         elif isinstance(node, ast.Assign) and len(node.targets) == 1 and isinstance(node.targets[0], ast.Attribute):
             yield from _assigned(types, node.targets[0], node.value)
         elif isinstance(node, ast.Call):
-            made = types.made(node)
-            for each in node.keywords if made is not None else ():
-                yield from _given(types, str(made), str(each.arg), each.value)
+            yield from _made(types, node)
+
+
+def _made(types: MessageTypes, call: ast.Call) -> Iterator[WrongUnit]:
+    """What is given to the constructor of a message."""
+    kind = types.made(call)
+    if kind is None:
+        return
+    for each in call.keywords:
+        yield from _given(types, kind, str(each.arg), each.value)
 
 
 def _compared(nodes: Nodes, types: MessageTypes, node: ast.Compare) -> Iterator[WrongUnit]:
@@ -158,8 +165,8 @@ def _percent(types: MessageTypes, value: ast.expr) -> str | None:
 
 
 def _unwrapped(types: MessageTypes, value: ast.expr) -> ast.expr:
-    """What is inside ``float(...)``, ``round(...)``, and the first that is no number in ``max(0.0, ...)``; the value
-    that alone is bound to a local name."""
+    """What is inside ``float(...)``, ``round(...)``, and the first argument but constants of ``max(0.0, ...)``; the
+    value that alone is bound to a local name."""
     for _ in range(6):
         if isinstance(value, ast.Name):
             bound = types.bound(value)

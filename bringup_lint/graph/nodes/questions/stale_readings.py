@@ -143,7 +143,9 @@ def _reads(code: list[ast.AST], name: str) -> Iterator[ast.Attribute]:
 def _before(file: NodeSource, node: NodeClass, name: str) -> str:
     """What the constructor sets an attribute to when that is no sign of a missing reading."""
     init = node.methods.get("__init__")
-    for each in body_of(init.node) if init is not None else []:
+    if init is None:
+        return ""
+    for each in body_of(init.node):
         targets = each.targets if isinstance(each, ast.Assign) else [getattr(each, "target", None)]
         if any(isinstance(target, ast.Attribute) and target.attr == name for target in targets):
             text = ast.unparse(each.value) if isinstance(each, (ast.Assign, ast.AnnAssign)) and each.value else ""
