@@ -57,6 +57,10 @@ def _add_children(node: ast.AST, add: Callable[[ast.AST], object]) -> None:
                     add(child)
 
 
+def is_self(node: ast.AST | None) -> bool:
+    return isinstance(node, ast.Name) and node.id == "self"
+
+
 def walk(node: ast.AST) -> Iterator[ast.AST]:
     """As ``ast.walk``, breadth first, without contexts and operators."""
     todo = deque([node])

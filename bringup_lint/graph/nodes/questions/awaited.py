@@ -17,6 +17,7 @@ from bringup_lint.model.node_source import Callback
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import Group
 from bringup_lint.model.node_source import NodeClass
+from bringup_lint.model.python import is_self
 from bringup_lint.model.python import walk
 from bringup_lint.named_tuple import NamedTuple
 
@@ -53,7 +54,7 @@ def awaited(ending: Ending, loop: ast.While, cls: NodeClass) -> Awaited | None:
         return None
     if not all(_is_of_node(ending, cls, each) for each in walk(loop.test) if isinstance(each, ast.Attribute)):
         return None
-    attributes = {each.attr for each in walk(loop.test) if isinstance(each, ast.Attribute) and _is_self(each.value)}
+    attributes = {each.attr for each in walk(loop.test) if isinstance(each, ast.Attribute) and is_self(each.value)}
     names = {each.id for each in walk(loop.test) if isinstance(each, ast.Name)} - {"self"}
     if not names <= _constant_names(ending, loop, cls) or not _is_untouched(ending, loop, cls, attributes, names):
         return None
@@ -123,12 +124,8 @@ def _is_ok(ending: Ending, call: ast.Call) -> bool:
     return ending.syntax.qualified(call) == "rclpy.ok"
 
 
-def _is_self(node: ast.AST) -> bool:
-    return isinstance(node, ast.Name) and node.id == "self"
-
-
 def _is_self_attribute(node: ast.AST) -> bool:
-    return isinstance(node, ast.Attribute) and _is_self(node.value)
+    return isinstance(node, ast.Attribute) and is_self(node.value)
 
 
 def _is_untouched(ending: Ending, loop: ast.While, cls: NodeClass, attributes: set[str], names: set[str]) -> bool:
@@ -136,10 +133,10 @@ def _is_untouched(ending: Ending, loop: ast.While, cls: NodeClass, attributes: s
     for node in reached(ending.syntax, list(loop.body), cls):
         if isinstance(node, ast.Name) and node.id in names and not _is_read(ending, node):
             return False
-        if isinstance(node, ast.Attribute) and node.attr in attributes and _is_self(node.value):
+        if isinstance(node, ast.Attribute) and node.attr in attributes and is_self(node.value):
             if not _is_read(ending, node):
                 return False
-        if _is_self(node) and not isinstance(next(ending.syntax.above(node))[0], ast.Attribute):
+        if is_self(node) and not isinstance(next(ending.syntax.above(node))[0], ast.Attribute):
             return False
         if isinstance(node, ast.Call) and _is_unknown_method(node, cls):
             return False
@@ -165,7 +162,7 @@ def _is_read(ending: Ending, node: ast.Name | ast.Attribute) -> bool:
 def _is_unknown_method(call: ast.Call, cls: NodeClass) -> bool:
     """Whether a call is one of a method of the class which is not in its source, so that it may do anything."""
     function = call.func
-    if not isinstance(function, ast.Attribute) or not _is_self(function.value):
+    if not isinstance(function, ast.Attribute) or not is_self(function.value):
         return False
     return function.attr not in cls.methods and function.attr not in ("get_logger", "get_clock", "get_name")
 

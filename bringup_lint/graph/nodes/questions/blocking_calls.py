@@ -14,6 +14,7 @@ from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.graph.nodes.sources.syntax import own
 from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import NodeClass
+from bringup_lint.model.python import is_self
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
@@ -181,7 +182,7 @@ def _has(call: ast.Call, keyword: str) -> bool:
 
 
 def _is_of(call: ast.Call, cls: NodeClass) -> bool:
-    return bool(call.args) and isinstance(call.args[0], ast.Name) and call.args[0].id == "self" and cls.name is not None
+    return bool(call.args) and is_self(call.args[0]) and cls.name is not None
 
 
 def _of_attribute(ending: Ending, call: ast.Call, cls: NodeClass) -> Blocked | None:

@@ -13,6 +13,7 @@ from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.graph.nodes.sources.syntax import own
 from bringup_lint.model.node_source import Callback
 from bringup_lint.model.node_source import NodeClass
+from bringup_lint.model.python import is_self
 
 DEPTH = 3
 
@@ -47,9 +48,7 @@ def reached(syntax: Syntax, body: list[ast.AST], cls: NodeClass) -> Iterator[ast
 def _is_plain(call: ast.Call) -> bool:
     """Whether a call is one of ``self`` or of a function, of which it is known what it runs."""
     function = call.func
-    return isinstance(function, ast.Name) or (
-        isinstance(function, ast.Attribute) and isinstance(function.value, ast.Name) and function.value.id == "self"
-    )
+    return isinstance(function, ast.Name) or (isinstance(function, ast.Attribute) and is_self(function.value))
 
 
 def only_stores(ending: Ending, cls: NodeClass, callback: Callback) -> bool:

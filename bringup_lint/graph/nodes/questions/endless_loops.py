@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from bringup_lint.graph.nodes.questions.callback_code import reached
 from bringup_lint.graph.nodes.sources.ending import Ending
+from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.graph.nodes.sources.syntax import own
 from bringup_lint.graph.nodes.sources.syntax import own_calls
@@ -16,7 +17,7 @@ from bringup_lint.named_tuple import NamedTuple
 
 def is_endless(ending: Ending, node: ast.While) -> bool:
     """Whether a ``while True`` or ``while rclpy.ok()`` never ends, and runs no executor."""
-    return is_forever(ending, node) and has_no_exit(node) and not spins(node)
+    return is_forever(ending.syntax, node) and has_no_exit(node) and not spins(node)
 
 
 def spins(node: ast.While) -> bool:
@@ -47,7 +48,8 @@ def endless_constructors(ending: Ending, cls: NodeClass) -> Iterator[Endless]:
             yield Endless(node, ast.unparse(node.test))
 
 
-def is_forever(ending: Ending, node: ast.While) -> bool:
+def is_forever(syntax: Syntax, node: ast.While) -> bool:
+    """``while True``, ``while 1`` and ``while rclpy.ok()``."""
     if isinstance(node.test, ast.Call):
-        return ending.syntax.qualified(node.test) == "rclpy.ok"
+        return syntax.qualified(node.test) == "rclpy.ok"
     return isinstance(node.test, ast.Constant) and bool(node.test.value)

@@ -17,6 +17,7 @@ from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.node_source import Callback
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import Timer
+from bringup_lint.model.python import is_self
 from bringup_lint.model.python import walk
 from bringup_lint.named_tuple import NamedTuple
 
@@ -90,7 +91,7 @@ def _stores(node: NodeClass) -> Iterator[ast.Attribute]:
 
 def _is_plain_store(syntax: Syntax, place: ast.Attribute) -> bool:
     outer = next((outer for outer, _ in syntax.above(place)), None)
-    return not isinstance(outer, ast.AugAssign) and isinstance(place.value, ast.Name) and place.value.id == "self"
+    return not isinstance(outer, ast.AugAssign) and is_self(place.value)
 
 
 def _outermost(syntax: Syntax, place: ast.AST) -> ast.FunctionDef | ast.AsyncFunctionDef | None:

@@ -6,10 +6,13 @@ import ast
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.graph.nodes.questions.endless_loops import has_no_exit
+from bringup_lint.graph.nodes.questions.endless_loops import is_forever
 from bringup_lint.graph.nodes.questions.stopped_callbacks import never_run
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.cpp_source import MakingLoop
 from bringup_lint.model.node_source import NodeClass
+from bringup_lint.model.python import is_self
 from bringup_lint.model.python import walk
 from bringup_lint.pattern import regex
 from bringup_lint.source import Span
@@ -20,7 +23,6 @@ if TYPE_CHECKING:
 _SPINS = regex(r"(?i)spin|executor|exit\(|shutdown\(|abort\(")
 """Words of a class that runs its callbacks itself, or ends the program."""
 _INTERRUPTS = frozenset({"KeyboardInterrupt", "ExternalShutdownException"})
-_LEAVES = (ast.Break, ast.Return, ast.Raise, ast.Yield, ast.YieldFrom, ast.Await)
 
 
 def making_loops(nodes: Nodes) -> Iterator[list[MakingLoop]]:
@@ -56,15 +58,13 @@ def _own_calls(function: ast.AST) -> Iterator[ast.Call]:
         call = each.value if isinstance(each, ast.Expr) else None
         if not isinstance(call, ast.Call) or not isinstance(call.func, ast.Attribute):
             continue
-        if isinstance(call.func.value, ast.Name) and call.func.value.id == "self":
+        if is_self(call.func.value):
             yield call
 
 
 def _loops(syntax: Syntax, function: ast.AST, told: set[ast.While]) -> Iterator[ast.While]:
     for each in _statements(function):
-        if not isinstance(each, ast.While) or each in told or not _is_endless(syntax, each.test):
-            continue
-        if not any(isinstance(inner, _LEAVES) for inner in walk(each)):
+        if isinstance(each, ast.While) and each not in told and is_forever(syntax, each) and has_no_exit(each):
             yield each
 
 
@@ -89,13 +89,6 @@ def _caught(kind: ast.expr | None) -> list[str]:
     """The last names of the exceptions that a handler takes; an empty one for all of them."""
     kinds = kind.elts if isinstance(kind, ast.Tuple) else [kind]
     return [ast.unparse(each).rpartition(".")[2] if each is not None else "" for each in kinds]
-
-
-def _is_endless(syntax: Syntax, test: ast.expr) -> bool:
-    """``True``, ``1`` and ``rclpy.ok()``."""
-    if isinstance(test, ast.Constant):
-        return bool(test.value)
-    return isinstance(test, ast.Call) and syntax.qualified(test) == "rclpy.ok"
 
 
 def _head(syntax: Syntax, loop: ast.While) -> Span:

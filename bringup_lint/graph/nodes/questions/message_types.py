@@ -9,6 +9,7 @@ from functools import cached_property
 from bringup_lint.graph.nodes.resolved.interfaces import Interfaces
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.node_source import NodeClass
+from bringup_lint.model.python import is_self
 from bringup_lint.model.python import walk
 from bringup_lint.named_tuple import NamedTuple
 
@@ -48,7 +49,7 @@ class MessageTypes:
             single = inner is not None and inner.endswith("[]") and not isinstance(node.slice, ast.Slice)
             return inner[:-2] if inner is not None and single else None
         if isinstance(node, ast.Attribute):
-            if _is_self(node.value):
+            if is_self(node.value):
                 return self._attribute(node, depth + 1)
             owner = self.of(node.value, depth + 1)
             return self._field(owner, node.attr) if owner is not None else None
@@ -143,7 +144,7 @@ class MessageTypes:
         stored = (
             each for each in self.file.nodes if isinstance(each, ast.Attribute) and isinstance(each.ctx, ast.Store)
         )
-        return frozenset(each.attr for each in stored if not _is_self(each.value))
+        return frozenset(each.attr for each in stored if not is_self(each.value))
 
     def _take_callbacks(self, cls: NodeClass) -> None:
         """The types of the arguments of callbacks."""
@@ -178,10 +179,6 @@ def _sections(service: str) -> list[str]:
 
 def _looks_at_type(function: ast.AST) -> bool:
     return any(isinstance(each, ast.Name) and each.id in ("isinstance", "hasattr", "type") for each in walk(function))
-
-
-def _is_self(node: ast.expr) -> bool:
-    return isinstance(node, ast.Name) and node.id == "self"
 
 
 def _is_none(value: ast.expr | None) -> bool:

@@ -11,6 +11,7 @@ from bringup_lint.facts import table
 from bringup_lint.graph.nodes.questions.undefined_names import is_idle
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.node_source import NodeClass
+from bringup_lint.model.python import is_self
 from bringup_lint.model.python import walk
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.python_node.classes import ROOTS
@@ -156,9 +157,8 @@ def set_elsewhere(nodes: Nodes) -> set[str]:
     found = set()
     for file in nodes.sources:
         for each in file.nodes:
-            if isinstance(each, ast.Attribute) and isinstance(each.ctx, ast.Store):
-                if not (isinstance(each.value, ast.Name) and each.value.id == "self"):
-                    found.add(each.attr)
+            if isinstance(each, ast.Attribute) and isinstance(each.ctx, ast.Store) and not is_self(each.value):
+                found.add(each.attr)
     return found
 
 

@@ -16,6 +16,7 @@ from bringup_lint.model.node_source import JOINTS
 from bringup_lint.model.node_source import TIMED
 from bringup_lint.model.node_source import TRANSFORM
 from bringup_lint.model.node_source import reports_joints
+from bringup_lint.model.python import is_self
 from bringup_lint.model.python import walk
 from bringup_lint.pattern import regex
 
@@ -123,15 +124,11 @@ def _is_used_outside(nodes: Nodes, syntax: Syntax, call: ast.Call, name: str) ->
     if any(name in _attributes(each.node) for each in family if each.node is not None):
         return True
     holders = (each for file in nodes.sources if f".{name}" in file.source.text for each in file.nodes)
-    return any(isinstance(each, ast.Attribute) and each.attr == name and not _is_self(each.value) for each in holders)
+    return any(isinstance(each, ast.Attribute) and each.attr == name and not is_self(each.value) for each in holders)
 
 
 def _attributes(node: ast.ClassDef) -> set[str]:
     return {each.attr for each in walk(node) if isinstance(each, ast.Attribute)}
-
-
-def _is_self(node: ast.expr) -> bool:
-    return isinstance(node, ast.Name) and node.id == "self"
 
 
 def _is_moving(syntax: Syntax, call: ast.Call) -> bool:

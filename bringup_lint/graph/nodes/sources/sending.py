@@ -12,6 +12,7 @@ from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
+from bringup_lint.model.python import is_self
 from bringup_lint.named_tuple import NamedTuple
 
 DEPTH = 5
@@ -89,7 +90,7 @@ def called(
 def _owners(syntax: Syntax, call: ast.Call, node: ast.expr, cls: NodeClass | None) -> list[NodeClass]:
     """The classes that an expression may be an instance of."""
     file: NodeSource = syntax.file
-    if isinstance(node, ast.Name) and node.id == "self" and cls is not None:
+    if is_self(node) and cls is not None:
         return [cls]
     if isinstance(node, ast.Call):
         return [cls.base] if cls is not None and cls.base is not None and _is_super(node) else []

@@ -6,6 +6,7 @@ import ast
 
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
+from bringup_lint.model.python import is_self
 
 HARMLESS = (
     "rclpy.",
@@ -28,7 +29,7 @@ def registers_itself(node: NodeClass, file: NodeSource) -> bool:
     if node.node is None:
         return True
     for call in ast.walk(node.node):
-        if isinstance(call, ast.Call) and any(_is_self(value) for value in _values(call)):
+        if isinstance(call, ast.Call) and any(is_self(value) for value in _values(call)):
             name = file.qualified(call.func) or ""
             if not name.startswith(HARMLESS):
                 return True
@@ -37,7 +38,3 @@ def registers_itself(node: NodeClass, file: NodeSource) -> bool:
 
 def _values(call: ast.Call) -> list[ast.expr]:
     return [*call.args, *(keyword.value for keyword in call.keywords)]
-
-
-def _is_self(value: ast.expr) -> bool:
-    return isinstance(value, ast.Name) and value.id == "self"
