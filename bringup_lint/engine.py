@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable
+from collections.abc import Collection
 from collections.abc import Container
 from collections.abc import Iterable
 from collections.abc import Iterator
 from collections.abc import Mapping
+from functools import cached_property
 
 from bringup_lint import budget
 from bringup_lint.apart import Steps
@@ -113,7 +115,18 @@ class Selection:
         return None if level in ("", OFF) else Severity[level.upper()]
 
     def runs(self, rule_id: str) -> bool:
-        return self.level(rule_id) != OFF and not named(rule_id, self.ignore) and self._is_selected(rule_id)
+        return rule_id in self.running
+
+    @cached_property
+    def running(self) -> frozenset[str]:
+        """The ids of the rules that run."""
+        ids = self._ids_of(self.select) if self.select else self.registry.family_of
+        return frozenset(each for each in ids if not named(each, self.ignore) and self.level(each) != OFF)
+
+    def _ids_of(self, meant: Collection[str]) -> Iterator[str]:
+        """The rules that names of rules and families mean."""
+        for family in self.registry.families:
+            yield from family.files if family.name in meant else [each for each in meant if each in family.files]
 
     def _is_selected(self, rule_id: str) -> bool:
         return not self.select or named(rule_id, self.select)
@@ -182,7 +195,6 @@ def run(
     unique = list(_unique(sorted(graded, key=_order)))
     lowest = Severity[config.min_severity.upper()]
     shown, hidden = [], Counter[Severity]()
-    unsaid = frozenset(rule_id for rule_id in registry.family_of if not selection.runs(rule_id))
     quiet: set[tuple[str, str]] = set()
     for found in (*steps.attempt("looking for copies", lambda: list(merged(unique)), unique), *steps.unplaced):
         if found.severity >= lowest or found.rule in selection.select:
@@ -190,6 +202,7 @@ def run(
         else:
             hidden[found.severity] += 1
             quiet.add((found.rule, found.source.name))
+    unsaid = frozenset(registry.family_of.keys() - selection.running)
     said = dict.fromkeys(failure.message for failure in (*failures, *steps.failures))
     return Outcome(tuple(shown), rules, tuple(said), hidden, unsaid, frozenset(quiet))
 
