@@ -31,6 +31,9 @@ from tests.cache.running import Program
 from tests.cache.running import entry
 from tests.conftest import PROJECT
 
+YOUNG = 12_000_000
+"""Nanoseconds, for tests that wait until a file is old; the times of a file are those of a tick, of 10 ms at most."""
+AGED = 0.013
 OF_OS = ("stat", "lstat", "scandir", "listdir", "open", "readlink", "access")
 DIRECT = {
     "discover/disk.py": "records what is asked",
@@ -211,16 +214,16 @@ EDITS = st.tuples(st.sampled_from([write, write, write_unseen, remove, link, clo
 def test_after_any_edit_the_answer_is_that_of_a_first_run(
     program: Program, by: str, before: list, edits: list, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(record, "YOUNG", 20_000_000)
+    monkeypatch.setattr(record, "YOUNG", YOUNG)
     shutil.rmtree(program.tree)
     program.tree.mkdir()
     os.chdir(program.tree)
     for edit, path, content in before:
         _apply(edit, path, content)
     for edit, path, content in [(remove, "nothing", ""), *edits]:
-        time.sleep(0.025)
+        time.sleep(AGED)
         _apply(edit, path, content)
-        time.sleep(0.025)
+        time.sleep(AGED)
         kept = program.run("--cache-by", by)
         assert kept.shown == program.run("--no-cache").shown
         again = program.run("--cache-by", by)
@@ -244,11 +247,14 @@ def test_names_that_no_encoding_has(program: Program) -> None:
     assert first.shown == second.shown
 
 
-def test_the_start_of_a_file_that_is_read_whole_is_no_look_of_its_own(program: Program) -> None:
+def test_the_start_of_a_file_that_is_read_whole_is_no_look_of_its_own(
+    program: Program, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(record, "YOUNG", YOUNG)
     path = program.tree / "driver.yaml"
     path.write_text("driver:\n  ros__parameters:\n    port: 1\n")
     os.utime(path, (1, 1))
-    time.sleep(record.YOUNG / 1e9)
+    time.sleep(AGED)
     program.run()
     looks = [look[0][0] for look in entry(program.entries[0])["seen"] if look[1] == str(path)]
     assert looks == [record.WHOLE]

@@ -117,10 +117,11 @@ def test_a_crash_of_the_middleware_is_told_in_one_line(stub: Path) -> None:
 
 def test_a_middleware_that_hangs_is_given_up(stub: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(live_run, "SLACK", 0.2)
+    monkeypatch.setattr(observe, "LONGER", 0.2)
     stub.write_text("import time\ntime.sleep(600)\n")
     run = lint("live", "--wait", "0.3", cwd=stub.parent / "tree")
     assert run.code == 2
-    assert run.stderr.splitlines()[1:] == ["bringup-lint: the middleware did not answer within 2.5 s"]
+    assert run.stderr.splitlines()[1:] == ["bringup-lint: the middleware did not answer within 0.7 s"]
 
 
 def test_a_middleware_that_hangs_does_not_outlive_its_limit(stub: Path) -> None:
