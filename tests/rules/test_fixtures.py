@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -27,9 +28,14 @@ def folder_of(rule_id: str) -> Path:
 
 def cases_of(rule_id: str, prefix: str) -> list[Path]:
     """The folders ``bad``, ``bad_dropin`` and so on."""
+    return [case for case in all_cases_of(rule_id) if case.name.partition("_")[0] == prefix]
+
+
+@cache
+def all_cases_of(rule_id: str) -> list[Path]:
     folder = folder_of(rule_id)
-    names = sorted(os.listdir(folder)) if folder.is_dir() else []
-    return [folder / name for name in names if name.partition("_")[0] == prefix and (folder / name).is_dir()]
+    entries = os.scandir(folder) if folder.is_dir() else ()
+    return [folder / name for name in sorted(entry.name for entry in entries if entry.is_dir())]
 
 
 def cases(prefix: str) -> list[tuple[str, Path]]:
