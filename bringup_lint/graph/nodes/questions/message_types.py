@@ -67,7 +67,7 @@ class MessageTypes:
 
     def kept(self, node: ast.Attribute) -> ast.expr | None:
         """The one value that a class assigns to an attribute of its own."""
-        outer = self.syntax.definition(node) if _is_self(node.value) else None
+        outer = self.syntax.definition(node) if is_self(node.value) else None
         if outer is None or node.attr in self._foreign:
             return None
         bound = self._set_in(outer).get(node.attr, ())
