@@ -12,6 +12,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.params.declared import Declared
     from bringup_lint.graph.params.navigation import NavigationProblem
     from bringup_lint.graph.params.navigation import navigation_problems
+    from bringup_lint.graph.params.operator import OperatorProblem
+    from bringup_lint.graph.params.operator import operator_problems
     from bringup_lint.graph.params.public import Unknown
     from bringup_lint.graph.params.public import of_wrong_public_type
     from bringup_lint.graph.params.public import unknown_to_public
@@ -41,6 +43,7 @@ __all__ = [
     "Declared",
     "Item",
     "NavigationProblem",
+    "OperatorProblem",
     "OverrideProblem",
     "Parameter",
     "ParameterFile",
@@ -53,6 +56,7 @@ __all__ = [
     "UntypedPlugin",
     "navigation_problems",
     "of_wrong_public_type",
+    "operator_problems",
     "qos_overrides",
     "simulated",
     "undeclared",

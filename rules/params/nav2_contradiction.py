@@ -4,14 +4,16 @@
 In parameter files that something names: a `footprint` of a costmap that is no polygon, or has the same corner twice in
 a row; an `inflation_radius` below the inscribed radius of the robot; `observation_sources` of an obstacle layer without
 a section of their own, where no other file knows the name; a source that marks farther away than it clears; limits of
-`velocity_smoother` with the wrong sign; `min_particles` of amcl above `max_particles`; and from Humble on the names
-that amcl's motion models had before.
+`velocity_smoother` with the wrong sign; `min_particles` of amcl above `max_particles`; from Humble on the names that
+amcl's motion models had before; a local costmap that rolls in the frame that amcl corrects; and from Jazzy on
+libraries in `plugin_lib_names` that bt_navigator loads by itself.
 
 ## Why it matters on a robot
 A footprint that is refused leaves the robot with its radius, and the costmap lets it drive into what the corners touch.
 With inflation below the inscribed radius, the planner goes along walls where the robot does not fit. An obstacle beyond
-the range of clearing stays in the costmap after it left. A limit of the wrong sign, or an old motion model, ends the
-server when it configures, and the lifecycle manager takes the whole navigation down.
+the range of clearing stays in the costmap after it left. In the frame of the map, every correction of amcl moves the
+robot against the obstacles that it has seen. A limit of the wrong sign, an old motion model, or a library that
+registers its nodes twice ends the server when it configures, and the lifecycle manager takes the whole navigation down.
 
 ## Bad
 ```yaml
@@ -32,7 +34,8 @@ When a launch file writes another value over the one in the file.
 
 ## References
 - navigation2, array_parser.cpp, footprint.cpp, inflation_layer.cpp, obstacle_layer.cpp, velocity_smoother.cpp,
-  amcl_node.cpp
+  amcl_node.cpp, bt_navigator.cpp
+- https://docs.nav2.org/migration/Iron.html (Iron to Jazzy: standard libraries are loaded by default)
 - https://docs.nav2.org/configuration/
 """
 
@@ -55,6 +58,7 @@ from bringup_lint.api.params import navigation_problems
         "Positive values set of deceleration",
         "Negative values set of acceleration",
         "You've set min_particles to be greater than max particles",
+        "ID [*] already registered",
     ],
 )
 def nav2_contradiction(robot: Robot) -> Iterator[Finding]:
@@ -64,7 +68,7 @@ def nav2_contradiction(robot: Robot) -> Iterator[Finding]:
             _message(each),
             advice=_advice(each),
             related=[note(each.other, "compared with this")] if each.other is not None else [],
-            severity="error" if each.kind in ("sign", "model", "footprint") else None,
+            severity="error" if each.kind in ("sign", "model", "footprint", "library") else None,
         )
 
 
@@ -84,6 +88,12 @@ def _message(each: NavigationProblem) -> str:
             return f"{each.name} has the wrong sign ({each.detail}): the velocity smoother refuses it, or never stops"
         case "particles":
             return f"min_particles is above max_particles ({each.detail}): amcl raises the maximum"
+        case "frame":
+            return (
+                f"The local costmap rolls in {each.detail}: each correction of amcl moves its obstacles off the robot"
+            )
+        case "library":
+            return f"bt_navigator loads {each.name}{each.detail} by itself: it ends when it registers their nodes again"
     return f"amcl has no motion model '{each.name}' since Humble: it ends when it configures"
 
 
@@ -107,4 +117,8 @@ def _advice(each: NavigationProblem) -> str:
             )
         case "particles":
             return "swap the numbers"
+        case "frame":
+            return "write odom"
+        case "library":
+            return "list libraries of your own only, or remove plugin_lib_names"
     return f"write {each.detail}"

@@ -9,6 +9,7 @@ from math import hypot
 from math import pi
 from typing import TYPE_CHECKING
 
+from bringup_lint.facts import table
 from bringup_lint.graph.params.values import items
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
@@ -45,7 +46,8 @@ _SINCE_HUMBLE = frozenset(("velocity_smoother", "behavior_server", "collision_mo
 
 class NavigationProblem(NamedTuple):
     kind: str
-    """``footprint``, ``corner``, ``inflation``, ``ranges``, ``source``, ``sign``, ``particles`` or ``model``."""
+    """``footprint``, ``corner``, ``inflation``, ``ranges``, ``source``, ``sign``, ``particles``, ``model``, ``frame``
+    or ``library``."""
     where: Span
     name: str
     """The parameter or observation source."""
@@ -58,7 +60,7 @@ def navigation_problems(params: Params) -> Iterator[NavigationProblem]:
     for file in params.judged:
         if file.accepted and not file.uncertain and params.is_used(file):
             for block in file.blocks:
-                check = _CHECKS.get(str(block.key).rpartition("/")[2])
+                check = _CHECKS.get(_name(block))
                 if check is not None:
                     yield from check(params, file, block)
 
@@ -69,8 +71,39 @@ def _costmap(params: Params, file: ParameterFile, block: Block) -> Iterator[Navi
     if shape is not None and shape.name == "footprint":
         yield from _footprint(shape)
     yield from _inflation(named)
+    yield from _jumping(file, block, named)
     for layer in _layers(named):
         yield from _observations(params, named, layer)
+
+
+def _jumping(file: ParameterFile, block: Block, named: dict[str, Parameter]) -> Iterator[NavigationProblem]:
+    """A window that moves with the robot in a frame that jumps against it whenever amcl corrects the pose."""
+    rolling, frame = named.get("rolling_window"), named.get("global_frame")
+    if frame is None or rolling is None or rolling.value.data is not True or _name(block) != "local_costmap":
+        return
+    localized = [_named(each).get("global_frame_id") for each in file.blocks if _name(each) == "amcl"]
+    if localized and frame.value.data == (localized[0].value.data if localized[0] is not None else "map"):
+        yield NavigationProblem("frame", frame.span, "global_frame", str(frame.value.data), rolling.span)
+
+
+def _navigator(params: Params, file: ParameterFile, block: Block) -> Iterator[NavigationProblem]:
+    """Libraries that bt_navigator loads itself, the first with the number of the others."""
+    libraries = _named(block).get("plugin_lib_names")
+    loaded = _loaded(params.distribution) if libraries is not None else frozenset()
+    twice = [item for item in items(libraries) if item.text in loaded] if libraries is not None else []
+    if twice:
+        more = f" ({len(twice)} of the list)" if len(twice) > 1 else ""
+        yield NavigationProblem("library", twice[0].span, twice[0].text, more)
+
+
+def _loaded(distribution: str | None) -> frozenset[str]:
+    """What the bt_navigator of a distribution loads itself."""
+    rows = (row for row in table("ros/bt_nodes") if distribution in row["distributions"].split())
+    return frozenset(row["library"] for row in rows)
+
+
+def _name(block: Block) -> str:
+    return str(block.key).rpartition("/")[2]
 
 
 def _named(block: Block) -> dict[str, Parameter]:
@@ -234,4 +267,5 @@ _CHECKS: dict[str, Callable[[Params, ParameterFile, Block], Iterator[NavigationP
     "global_costmap": _costmap,
     "velocity_smoother": _smoother,
     "amcl": _amcl,
+    "bt_navigator": _navigator,
 }

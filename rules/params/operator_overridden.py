@@ -1,0 +1,82 @@
+"""twist_mux does not let the operator, or the emergency stop, through.
+
+## What it finds
+In parameter files of twist_mux that something names: inputs of navigation with a higher priority than every input of
+a person (joystick, teleoperation, keyboard); locks for an emergency stop with a priority that is not above that of an
+input; a `timeout` of 0 for an input that is not the lowest; and inputs with priority 0.
+
+## Why it matters on a robot
+twist_mux forwards only the input with the highest priority that is not too old. With navigation on top, the joystick
+has no effect as long as navigation drives, and that is when it is needed. A lock holds back what has a lower
+priority than itself, and nothing else. An input that never gets too old holds back all others after its first message,
+also when its program is long gone. Priority 0 is never selected.
+
+## Bad
+```yaml
+twist_mux:
+  ros__parameters:
+    topics:
+      navigation: {topic: cmd_vel_nav, timeout: 0.5, priority: 100}
+      joystick: {topic: cmd_vel_joy, timeout: 0.5, priority: 10}
+```
+
+## Good
+```yaml
+twist_mux:
+  ros__parameters:
+    topics:
+      navigation: {topic: cmd_vel_nav, timeout: 0.5, priority: 10}
+      joystick: {topic: cmd_vel_joy, timeout: 0.5, priority: 100}
+```
+
+## When to ignore it
+When a switch of the hardware gives the robot to the operator.
+
+## References
+- twist_mux, twist_mux.cpp (`hasPriority`) and topic_handle.hpp (`isMasked`, `hasExpired`)
+- https://github.com/ros-teleop/twist_mux
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+from bringup_lint.api.params import OperatorProblem
+from bringup_lint.api.params import operator_problems
+
+
+@rule("warning", silent="twist_mux drops the message of an input that is masked without a word")
+def operator_overridden(robot: Robot) -> Iterator[Finding]:
+    for each in operator_problems(robot.params):
+        if each.kind != "deadman":
+            yield finding(
+                each.where,
+                _message(each),
+                advice=_advice(each),
+                related=[note(each.related, f"the priority of {each.other}")] if each.related is not None else [],
+            )
+
+
+def _message(each: OperatorProblem) -> str:
+    match each.kind:
+        case "order":
+            return f"{each.other} has priority over {each.name} ({each.detail}): the operator cannot take over"
+        case "lock":
+            return f"The lock {each.name} does not hold back {each.other} ({each.detail}): the robot drives on"
+        case "endless":
+            return f"{each.name} never gets too old: after its first message, {each.other} has no effect any more"
+    return f"{each.name} has priority 0: twist_mux never forwards it"
+
+
+def _advice(each: OperatorProblem) -> str:
+    match each.kind:
+        case "order":
+            return f"give {each.name} the higher priority"
+        case "lock":
+            return "give the lock a priority above all inputs, such as 255"
+        case "endless":
+            return "set a timeout of a few periods of the input, such as 0.5"
+    return "give it a priority from 1 to 255"
