@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.params.time import simulated
     from bringup_lint.graph.params.values import Item
     from bringup_lint.graph.plugins.joints import UnknownJoint
+    from bringup_lint.graph.plugins.moveit import MoveItProblem
     from bringup_lint.graph.plugins.refused import Refused
     from bringup_lint.graph.plugins.unknown import UnknownPlugin
     from bringup_lint.graph.plugins.untyped import UntypedPlugin
@@ -42,6 +43,7 @@ __all__ = [
     "Block",
     "Declared",
     "Item",
+    "MoveItProblem",
     "NavigationProblem",
     "OperatorProblem",
     "OverrideProblem",

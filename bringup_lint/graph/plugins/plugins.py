@@ -10,8 +10,12 @@ from bringup_lint.graph.plugins.claims import Claim
 from bringup_lint.graph.plugins.claims import claims
 from bringup_lint.graph.plugins.controllers import UntypedController
 from bringup_lint.graph.plugins.controllers import untyped_controllers
+from bringup_lint.graph.plugins.drive_commands import Unstamped
+from bringup_lint.graph.plugins.drive_commands import unstamped_commands
 from bringup_lint.graph.plugins.joints import UnknownJoint
 from bringup_lint.graph.plugins.joints import unknown_joints
+from bringup_lint.graph.plugins.moveit import MoveItProblem
+from bringup_lint.graph.plugins.moveit import moveit_problems
 from bringup_lint.graph.plugins.refused import Refused
 from bringup_lint.graph.plugins.refused import refused_descriptions
 from bringup_lint.graph.plugins.unknown import Named
@@ -70,3 +74,13 @@ class Plugins:
     def unknown_arguments(self) -> list[UnknownArgument]:
         """Arguments that launch files give to xacro, and that the description does not declare."""
         return list(unknown_arguments(self._launch, self._files.tree))
+
+    @cached_property
+    def unstamped_commands(self) -> list[Unstamped]:
+        """Commands without a time stamp for drive controllers that take only stamped ones."""
+        return list(unstamped_commands(self._launch, self._params()))
+
+    @cached_property
+    def moveit_problems(self) -> list[MoveItProblem]:
+        """Groups and controllers that MoveIt is configured for, and that the robot does not have."""
+        return list(moveit_problems(self._files.tree, self._launch.workspace, self._params()))

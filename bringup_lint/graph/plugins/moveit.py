@@ -1,0 +1,119 @@
+"""What MoveIt is configured with, compared with the groups of its SRDF and the controllers of the robot."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.graph.params.values import items
+from bringup_lint.model.yaml_node import Mapping
+from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.parsers.xml import parse as parse_xml
+from bringup_lint.parsers.yaml_nodes import parse as parse_yaml
+from bringup_lint.source import Located
+from bringup_lint.spelling import nearest
+
+if TYPE_CHECKING:
+    from bringup_lint.discover.tree import Tree
+    from bringup_lint.graph.params.params import Params
+    from bringup_lint.graph.workspace import Workspace
+    from bringup_lint.source import Source
+
+_KINEMATICS = "kinematics.yaml"
+_CONTROLLERS = "moveit_controllers.yaml"
+_MANAGER = "moveit_simple_controller_manager"
+_TRAJECTORY = "joint_trajectory_controller/"
+
+
+class MoveItProblem(NamedTuple):
+    kind: str
+    """``group`` or ``controller``."""
+    name: Located
+    known: tuple[Located, ...]
+    """The groups of the SRDF, or the controller that has the same joints."""
+    near: str | None
+
+
+def moveit_problems(tree: Tree, workspace: Workspace, params: Params) -> Iterator[MoveItProblem]:
+    groups: dict[str, tuple[Located, ...] | None] = {}
+    for path in tree.named(_KINEMATICS):
+        source = tree.read(path)
+        owner = workspace.owner(source) if source is not None else None
+        if source is not None and owner is not None and source.judged:
+            if owner.folder not in groups:
+                groups[owner.folder] = _groups(tree, owner.folder)
+            yield from _solvers(source, groups[owner.folder])
+    for path in tree.named(_CONTROLLERS):
+        source = tree.read(path)
+        if source is not None and source.judged:
+            yield from _controllers(source, params)
+
+
+def _groups(tree: Tree, folder: str) -> tuple[Located, ...] | None:
+    """The groups of all SRDF files of a package; None where xacro or a template makes some, or there are none."""
+    paths = [path for path in tree.paths if path.startswith(folder + os.sep) and ".srdf" in os.path.basename(path)]
+    found: list[Located] = []
+    for path in paths:
+        source = tree.read(path)
+        root = parse_xml(source).root if source is not None and not source.template else None
+        if root is None or "xacro:" in root.tag.source.text:
+            return None
+        found += (name for group in root.find_all("group") if (name := group.get("name")) is not None)
+    return tuple(found) if found and not any("$" in name for name in found) else None
+
+
+def _solvers(source: Source, groups: tuple[Located, ...] | None) -> Iterator[MoveItProblem]:
+    """Groups of a kinematics file that the SRDF does not have, where it gives none of its groups a solver."""
+    root = _root(source)
+    if root is None or groups is None:
+        return
+    names = {str(each) for each in groups}
+    solved = [key.value for key, value in root.entries if isinstance(value, Mapping) and value.get("kinematics_solver")]
+    if any(str(name) in names for name in solved):
+        return
+    for name in solved:
+        near = nearest(name, names)
+        yield MoveItProblem("group", name, groups, near[0] if len(near) == 1 else None)
+
+
+def _root(source: Source) -> Mapping | None:
+    documents = parse_yaml(source).documents
+    root = documents[0].root if len(documents) == 1 else None
+    return root if isinstance(root, Mapping) and not source.template else None
+
+
+def _controllers(source: Source, params: Params) -> Iterator[MoveItProblem]:
+    """Controllers to which MoveIt sends trajectories, and that no parameter file has, where one has the same joints
+    under another name."""
+    root = _root(source)
+    manager = root.mapping(_MANAGER) if root is not None else None
+    names = manager.sequence("controller_names") if manager is not None else None
+    if manager is None or names is None:
+        return
+    known = _by_joints(params)
+    every = {name for group in known.values() for name in group}
+    for item in names.scalars:
+        own = manager.mapping(item.value)
+        joints = own.sequence("joints") if own is not None else None
+        same = known.get(frozenset(str(each.value) for each in joints.scalars)) if joints is not None else None
+        tail = item.value.strip("/").rpartition("/")[2]
+        if same is None or len(same) != 1 or tail in every or params.named_elsewhere(tail, {source}):
+            continue
+        name = next(iter(same))
+        yield MoveItProblem("controller", item.value, (same[name],), name)
+
+
+def _by_joints(params: Params) -> dict[frozenset[str], dict[str, Located]]:
+    """Joints -> the trajectory controllers of parameter files that have these, with the place of their joints."""
+    types: dict[str, str] = {}
+    for _, each in params.parameters:
+        if each.name.endswith(".type"):
+            types[each.name.removesuffix(".type")] = str(each.value.data)
+    found: dict[frozenset[str], dict[str, Located]] = {}
+    for _, each in params.named("joints"):
+        name = str(each.block.key).rpartition("/")[2]
+        if types.get(name, "").startswith(_TRAJECTORY):
+            joints = frozenset(item.text for item in items(each))
+            found.setdefault(joints, {})[name] = Located(name, each.key.span)
+    return found
