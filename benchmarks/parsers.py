@@ -13,6 +13,7 @@ import sys
 import time
 from collections import defaultdict
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 PROJECT = Path(__file__).resolve().parent.parent
@@ -38,14 +39,14 @@ Parser = Callable[[Source], object]
 
 def seen() -> tuple[dict[str, set[Parser]], dict[str, list[Source]]]:
     """The parsers of each kind, and the sources of each kind, over all fixtures."""
-    parsers: dict[str, set[Parser]] = defaultdict(set)
+    parsers: dict[str, dict[object, Parser]] = defaultdict(dict)
     sources: dict[str, list[Source]] = defaultdict(list)
     plain = Files.parsed
 
     def noted(self: Files, parse: Parser, asked: list[Source]) -> list[object]:
         asked = list(asked)
         for source in asked:
-            parsers[source.kind].add(parse)
+            parsers[source.kind].setdefault(_identity(parse), parse)
         return plain(self, parse, asked)
 
     Files.parsed = noted  # type: ignore[assignment, method-assign]
@@ -57,7 +58,20 @@ def seen() -> tuple[dict[str, set[Parser]], dict[str, list[Source]]]:
             if source.kind and len(source.text) < LONGEST:
                 sources[source.kind].append(source)
     Files.parsed = plain  # type: ignore[method-assign]
-    return dict(parsers), dict(sources)
+    return {kind: set(known.values()) for kind, known in parsers.items()}, dict(sources)
+
+
+def _identity(parse: Parser) -> object:
+    """What makes a parser another one: each tree makes its own of the same code."""
+    if isinstance(parse, partial):
+        return parse.func, repr(parse.keywords)
+    return getattr(parse, "__code__", parse)
+
+
+def name_of(parse: Parser) -> str:
+    """A parser with arguments that it got before goes by the name of its function."""
+    function = parse.func if isinstance(parse, partial) else parse
+    return f"{function.__module__}.{function.__qualname__}"
 
 
 def failure(parse: Parser, source: Source) -> str:
@@ -85,7 +99,7 @@ def attempt(
         said = failure(parse, source)
         if said:
             failed += 1
-            print(f"seed {seed}: {parse.__module__}.{parse.__qualname__} on {model.name}: {said}", flush=True)
+            print(f"seed {seed}: {name_of(parse)} on {model.name}: {said}", flush=True)
     return len(parsers[kind]), failed
 
 

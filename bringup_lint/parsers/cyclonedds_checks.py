@@ -161,7 +161,8 @@ def _ports(domain: Domain) -> Iterator[Remark]:
     text = external.effective if external else str(domain.id or "any")
     if numbers is None or text is None:
         return
-    number = int(text) & 0xFFFFFFFF if re.fullmatch(r"[+-]?[0-9]{1,10}", text.strip()) else 0
+    stated = text.strip(" \t\r\n")
+    number = int(stated) & 0xFFFFFFFF if re.fullmatch(r"[+-]?[0-9]{1,10}", stated) else 0
     base = numbers["Base"] + numbers["DomainGain"] * number
     ports = [base + numbers["MulticastMetaOffset"], base + numbers["MulticastDataOffset"]]
     index = domain.get("Discovery/ParticipantIndex")

@@ -49,6 +49,6 @@ def certificates_end_together(fleet: Fleet) -> Iterator[FleetFinding]:
         if len(group) >= _FEWEST and 2 * len(group) >= len(holders):
             yield fleet_finding(
                 group,
-                f"Certificates of {len(group)} robots end on {day}: {names(group)}; none of them can connect after that day",
+                f"Certificates of {len(group)} robots end on {day}: {names(group)}; none connects after that day",
                 advice="renew them in turns, some weeks before the end, and spread the days",
             )

@@ -49,10 +49,10 @@ from bringup_lint.api import rule
 )
 def crlf_shebang(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("shell-script"):
-        end = source.text.find("\n")
-        if not source.judged or not source.text.startswith("#!") or source.text[end - 1 : end] != "\r":
+        first = source.text.partition("\n")[0]
+        if not source.judged or not first.startswith("#!") or not first.endswith("\r"):
             continue
-        line = source.located(0, end - 1)
+        line = source.located(0, len(first) - 1)
         yield finding(
             line,
             f"The kernel looks for {line[2:].split()[0]!r} with a carriage return at its end: the script does not start"
