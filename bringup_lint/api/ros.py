@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from bringup_lint.facts.ros.distros import codename_of
     from bringup_lint.facts.ros.distros import distro_end
     from bringup_lint.facts.ros.distros import distros_since
-    from bringup_lint.facts.ros.needed import not_rosdep
+    from bringup_lint.facts.ros.needed import instead_of
     from bringup_lint.facts.ros.variables import variables
     from bringup_lint.graph.dependencies.interfaces import Ungenerated
     from bringup_lint.graph.dependencies.interfaces import missing_interfaces
@@ -45,9 +45,9 @@ __all__ = [
     "distros_since",
     "domain_id",
     "highest_port",
+    "instead_of",
     "json5",
     "missing_interfaces",
-    "not_rosdep",
     "ros_arguments",
     "ungenerated",
     "variables",

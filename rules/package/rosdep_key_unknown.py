@@ -2,7 +2,8 @@
 
 ## What it finds
 Dependencies of packages of ROS 2 that are neither rosdep keys nor packages: `ament_python`, which is a build type only,
-names of pip such as `pyserial`, and packages of ROS 1. It is info when a script, an image or the documentation of the
+names of pip such as `pyserial`, keys of Python 2 such as `python-serial`, packages of ROS 1, and names that are one
+letter away from a common package (`geometry_msg`). It is info when a script, an image or the documentation of the
 tree runs `rosdep install` so that it goes on (`-r`), or names it in `--skip-keys`, and when the tree names rosdep in
 other words only.
 
@@ -41,7 +42,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api.ros import not_rosdep
+from bringup_lint.api.ros import instead_of
 
 
 @rule("warning", fix="safe", symptoms=["Cannot locate rosdep definition for"])
@@ -50,7 +51,7 @@ def rosdep_key_unknown(robot: Robot) -> Iterator[Finding]:
     for place in robot.dependencies.unresolved():
         places.setdefault(str(place), []).append(place)
     for name, found in places.items():
-        instead = not_rosdep()[name]
+        instead = instead_of(name)
         yield finding(
             found[0],
             f'rosdep install stops with "Cannot locate rosdep definition for [{name}]": no dependency is installed',

@@ -8,6 +8,7 @@ from functools import cache
 from bringup_lint.facts import rows
 from bringup_lint.facts import table
 from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.spelling import edits
 
 
 class Needed(NamedTuple):
@@ -55,6 +56,26 @@ def needed(use: str, name: str) -> Needed | None:
 def base() -> frozenset[str]:
     """The packages of ros-base."""
     return frozenset(row[0] for row in rows("ros/base")[1])
+
+
+_OTHERS = frozenset(("ament_cmake_test", "nav2_msgs", "rclc_lifecycle", "ros2nodl", "rosbot_localization", "spacenavd"))
+"""Released packages and keys that are a letter away from a package that the tables know."""
+_LONG = 8
+"""Letters from which on a name that is one letter away can mean nothing else."""
+
+
+@cache
+def instead_of(name: str) -> str | None:
+    """What to write instead of a name that rosdep cannot resolve, empty for nothing; None when it may be known."""
+    if name in not_rosdep():
+        return not_rosdep()[name]
+    known = {*base(), *(each for use, each in _by_name() if use == "package")}
+    if name in known or name in _OTHERS or len(name) < _LONG:
+        return None
+    if name.replace("-", "_") in known:
+        return name.replace("-", "_")
+    near = [each for each in known if len(each) >= _LONG and edits(name, each, 2) == 1]
+    return near[0] if len(near) == 1 else None
 
 
 @cache

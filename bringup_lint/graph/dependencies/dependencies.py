@@ -9,6 +9,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from bringup_lint.facts.ros.needed import base
+from bringup_lint.facts.ros.needed import instead_of
 from bringup_lint.facts.ros.needed import not_rosdep
 from bringup_lint.graph.dependencies.apart import Apart
 from bringup_lint.graph.dependencies.missing_files import missing_files
@@ -211,9 +212,14 @@ class Dependencies:
         """The dependencies of packages of ROS 2 that rosdep does not know, and that the tree does not have."""
         for package in self._launch.workspace.packages.values():
             if self.judged(package) and package.manifest.build_type.startswith("ament_"):
-                yield from (
-                    name for _, name in package.manifest.depends if name in not_rosdep() and name not in self._own
-                )
+                yield from (name for _, name in package.manifest.depends if self._is_unresolved(name))
+
+    def _is_unresolved(self, name: Located) -> bool:
+        if name in self._own or instead_of(name) is None:
+            return False
+        if "condition=" in name.span.source.line_text(name.span.line):
+            return False
+        return name in not_rosdep() or not self._provided.has_repository(name)
 
 
 def _source_space(folder: str) -> str:

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 _DESCRIPTIONS = frozenset(("package.xml", "CMakeLists.txt", "setup.py", "setup.cfg", "COLCON_IGNORE"))
 _NOT_PLAIN = regex(r"[*?\[\]${}~]|^/")
 _LARGE = regex(
-    r"(?:^|/)(?:mesh(?:es)?|models?|weights|images?|media|textures?|videos?|sounds?|maps?|bags?|data|resources?)/?$"
+    r"(?:^|/)(?:mesh(?:es)?|models?|weights|media|textures?|videos?|bags?|data)/?$"
     r"|\.(?:png|jpe?g|gif|svg|ico|stl|dae|obj|glb|onnx|pt|pth|engine|blob|bin|hex|elf|so|a|wav|mp3|mp4|pdf|zip|gz|db3|mcap|pgm|pcd)$",
     re.I,
 )
