@@ -26,6 +26,9 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch.lifecycle import outside
     from bringup_lint.graph.launch.lifecycle import setting
     from bringup_lint.graph.launch.lifecycle import transitions_elsewhere
+    from bringup_lint.graph.launch.public_includes import Unpassed
+    from bringup_lint.graph.launch.public_includes import unpassed
+    from bringup_lint.graph.launch.public_includes import untaken
     from bringup_lint.graph.launch.references import Reference
     from bringup_lint.graph.launch.refused_words import in_degrees
     from bringup_lint.graph.launch.refused_words import refused_transforms
@@ -141,6 +144,7 @@ __all__ = [
     "Timer",
     "TypedValue",
     "Unknown",
+    "Unpassed",
     "UntypedController",
     "Used",
     "Value",
@@ -172,9 +176,11 @@ __all__ = [
     "undelayed",
     "understood",
     "unknown_flags",
+    "unpassed",
     "unspaced_commands",
     "unsplit_commands",
     "unsplit_ros_arguments",
+    "untaken",
     "waiting_comment",
     "walk",
     "walk_actions",

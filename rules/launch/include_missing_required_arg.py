@@ -1,9 +1,10 @@
 """A required argument of a launch file is not passed.
 
 ## What it finds
-Includes of a file that declares an argument without a default, where the include does not pass it and nothing
-before has set it. An include under a condition is a warning. Units, and compose services that are built from this
-tree, are checked in the same way when they launch such a file.
+Includes of a file that declares an argument without a default, where the include does not pass it and nothing before
+has set it. Of files in packages that are not in the tree, those of common public packages are known. An include under
+a condition is a warning. Units, and compose services that are built from this tree, are checked in the same way when
+they launch such a file.
 
 ## Why it matters on a robot
 launch checks the arguments when it reaches the include, and aborts.
@@ -35,7 +36,9 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.launch import Launching
+from bringup_lint.api.launch import Unpassed
 from bringup_lint.api.launch import not_passed
+from bringup_lint.api.launch import unpassed
 
 
 @rule("error", symptoms=["Included launch description missing required argument"])
@@ -58,3 +61,19 @@ def include_missing_required_arg(robot: Robot) -> Iterator[Finding]:
             chain=robot.provenance.chain_to(by.action.file.span, f"nothing passes '{declared.name}'"),
             severity="warning" if by.conditions else None,
         )
+    for file in robot.launch.judged:
+        for each in unpassed(robot.launch, file):
+            where = each.instead.span if each.instead else each.include.action.file.span
+            yield finding(
+                where,
+                missing(each),
+                advice=f"pass '{each.name}'",
+                chain=robot.provenance.chain_to(where, f"nothing passes '{each.name}'"),
+                severity="warning" if each.include.conditions else None,
+            )
+
+
+def missing(each: Unpassed) -> str:
+    if each.instead:
+        return f"{each.target} takes no '{each.instead}', and its required '{each.name}' is not passed: launch aborts"
+    return f"The required argument '{each.name}' of {each.target} is not passed: launch aborts"

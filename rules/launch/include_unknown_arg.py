@@ -2,8 +2,9 @@
 
 ## What it finds
 Keys in `launch_arguments` (`<arg>` inside `<include>`) that the launched file and everything it includes neither
-declare nor read. `name:=value` in the `ros2 launch` commands of units, and of compose services that are built from
-this tree, is checked in the same way.
+declare nor read. Of files in packages that are not in the tree, those of Nav2, slam_toolbox, the drivers of Universal
+Robots, RPLIDAR and Velodyne, rosbridge, robot_localization, Gazebo, TurtleBot and others are known. `name:=value` in
+the `ros2 launch` commands of units, and of compose services that are built from this tree, is checked in the same way.
 
 ## Why it matters on a robot
 launch accepts any name. It ignores the value silently, and the included part runs with its default: with simulated
@@ -51,9 +52,23 @@ def include_unknown_arg(robot: Robot) -> Iterator[Finding]:
             inner = robot.launch.expansion(include.target).files
             own = [name for name in names if name and not robot.launch.read_elsewhere(name, file, inner)]
             yield from unknown(robot, own, include.target)
+        yield from _of_public(robot, file)
     for command in robot.runners.launches:
         if command.file is not None and command.runner.certain:
             yield from unknown(robot, [name for name, _ in command.arguments], command.file)
+
+
+def _of_public(robot: Robot, file: launch.LaunchFile) -> Iterator[Finding]:
+    """Arguments that launch files of public packages do not take."""
+    for each in launch.untaken(robot.launch, file):
+        if robot.dependencies.is_forked(each.package):
+            continue
+        yield finding(
+            each.name,
+            f"'{each.name}' is not an argument of {each.target} in any distribution: the value is silently ignored",
+            advice=f"pass '{each.near}'" if each.near else "remove it",
+            chain=robot.provenance.chain_to(each.name, f"'{each.name}' is passed"),
+        )
 
 
 def unknown(robot: Robot, names: list[Located], target: launch.LaunchFile) -> Iterator[Finding]:
