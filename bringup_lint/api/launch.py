@@ -36,6 +36,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch.refused_words import unspaced_commands
     from bringup_lint.graph.launch.refused_words import unsplit_commands
     from bringup_lint.graph.launch.refused_words import unsplit_ros_arguments
+    from bringup_lint.graph.launch.relative_paths import relative_paths
     from bringup_lint.graph.launch.resolve import text_of
     from bringup_lint.graph.launch.resolve import truth
     from bringup_lint.graph.launch.started import Started
@@ -164,6 +165,7 @@ __all__ = [
     "parameters_of",
     "refused",
     "refused_transforms",
+    "relative_paths",
     "respawns",
     "same",
     "setting",

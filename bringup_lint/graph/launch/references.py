@@ -76,7 +76,7 @@ def _of_node(node: Started, find: Find) -> Iterator[Reference]:
     for source in node.parameters:
         substitutes = isinstance(source, ParameterFile) and source.allow_substs is not None
         aborts = component or substitutes or isinstance(source, DerivedFile)
-        value = _base(source)
+        value = base_of(source)
         found = find(value)
         if found is not None:
             yield Reference("parameters", value, value.span, _name(value), found, optional, aborts)
@@ -86,7 +86,7 @@ def _of_node(node: Started, find: Find) -> Iterator[Reference]:
         yield from _paths(value, find, optional)
 
 
-def _base(source: Value) -> Value:
+def base_of(source: Value) -> Value:
     while isinstance(source, (ParameterFile, DerivedFile)):
         source = source.file if isinstance(source, ParameterFile) else source.base
     return source
