@@ -85,8 +85,8 @@ def _exists(files: Files, file: LaunchFile, path: str) -> bool:
 
 
 def _is_anchored(launch: Launch, files: Files, file: LaunchFile, path: str) -> bool:
-    """Whether the launch file is for its own folder and not installed, or the tree chooses a working directory, and has the file in a
-    folder above the package."""
+    """Whether the launch file is for its own folder and not installed; or whether the tree chooses a working
+    directory, and has the file in a folder above the package."""
     package = launch.workspace.owner(file.source)
     beside = os.path.join(os.path.dirname(file.source.absolute), path)
     if package is None or files.tree.is_file(os.path.normpath(beside)):
