@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.early_results import early_results
     from bringup_lint.graph.nodes.questions.endless_threads import endless_threads
     from bringup_lint.graph.nodes.questions.half_made import half_made
+    from bringup_lint.graph.nodes.questions.hardware_interfaces import blocking_reads
+    from bringup_lint.graph.nodes.questions.hardware_interfaces import zeroed_commands
     from bringup_lint.graph.nodes.questions.inactive_publishers import inactive_publishers
     from bringup_lint.graph.nodes.questions.late_attributes import late_attributes
     from bringup_lint.graph.nodes.questions.making_loops import making_loops
@@ -93,6 +95,7 @@ __all__ = [
     "WrongUnit",
     "asked_in_vain",
     "awaits_asyncio",
+    "blocking_reads",
     "clock_mixes",
     "consequence",
     "converted",
@@ -152,6 +155,7 @@ __all__ = [
     "without_pin_mode",
     "without_qos",
     "wrong_units",
+    "zeroed_commands",
 ]
 
 _NODE_NAME = regex(r"[A-Za-z_][A-Za-z0-9_]{0,254}\Z")

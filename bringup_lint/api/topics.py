@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.topics.questions.unmatched import probable_typos
     from bringup_lint.graph.topics.questions.unmatched import without_publisher
     from bringup_lint.graph.topics.resolved.endpoint_use import LaunchedNode
+    from bringup_lint.graph.topics.resolved.endpoint_use import Use
     from bringup_lint.graph.topics.resolved.names import refusal
     from bringup_lint.graph.topics.resolved.names import tail
     from bringup_lint.graph.topics.sources.publishing import published_at_start
@@ -28,6 +29,7 @@ else:
 
 __all__ = [
     "LaunchedNode",
+    "Use",
     "conflicts_of",
     "corrected",
     "is_gate",

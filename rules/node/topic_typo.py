@@ -5,6 +5,9 @@ In a launch file whose nodes and topics are all known: a subscription without a 
 same type uses nearly the same name, or the same name in another namespace. A publisher without a subscription is
 checked in the same way. Names that differ only in a number are different names.
 
+Where some nodes are not known: a subscription whose name nothing else in the tree mentions, while a source of the tree
+publishes the same type under nearly the same name, or a type of the tree's own that nothing else uses.
+
 ## Why it matters on a robot
 Nothing fails. The node waits for messages that go somewhere else, and `ros2 topic list` shows two names that look
 alike.
@@ -27,6 +30,7 @@ When both names are intended and the other side is on another computer or starte
 - ROS 2 documentation, "Topic and service name mapping"
 """
 
+import re
 from collections import Counter
 from collections.abc import Iterator
 
@@ -44,11 +48,19 @@ def is_outvoted(count: Counter[str], topic: str, near: str) -> bool:
     return count[near] > count[topic]
 
 
+def is_named_elsewhere(robot: Robot, use: topics.Use) -> bool:
+    """Whether another file of the tree mentions the last word of a topic, so that something else may serve it."""
+    name = re.compile(rf"\b{re.escape(use.topic.rpartition('/')[2])}\b")
+    return any(name.search(source.text) for source in robot.sources if source is not use.where.source)
+
+
 @rule("warning", fix="unsafe", symptoms=["does not appear to be published yet"])
 def topic_typo(robot: Robot) -> Iterator[Finding]:
     for running in robot.topics.runs:
         used = Counter(use.topic for use in running.uses)
-        for use, meant, near in topics.probable_typos(running):
+        for use, meant, near, known in topics.probable_typos(running):
+            if not known and is_named_elsewhere(robot, use):
+                continue
             nobody = "Nobody publishes" if use.role == "subscription" else "Nobody subscribes to"
             better = topics.corrected(use, near) if is_outvoted(used, use.topic, near) else None
             yield finding(

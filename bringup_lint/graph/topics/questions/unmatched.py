@@ -31,6 +31,12 @@ BY_HAND = regex(
 FIRMWARE = regex(r"^/(?:utlidar|lf|rt|fmu/out)/|^/(?:low|sportmode|wirelesscontroller|handstate)\w*$")
 """Topics that controllers of robots publish by themselves: Unitree's motion computer, PX4."""
 FIRMWARE_TYPES = ("unitree_go/", "unitree_hg/", "unitree_api/", "px4_msgs/")
+_COMMON_PACKAGES = frozenset(
+    "std_msgs geometry_msgs sensor_msgs nav_msgs diagnostic_msgs trajectory_msgs visualization_msgs tf2_msgs "
+    "control_msgs stereo_msgs shape_msgs actionlib_msgs action_msgs rosgraph_msgs builtin_interfaces "
+    "rcl_interfaces".split()
+)
+"""Packages whose types say nothing of what is meant."""
 COMPARED = 500
 """Unmatched topics of one robot for which another name is sought."""
 SHORTEST = 4
@@ -43,6 +49,8 @@ class ProbableTypo(NamedTuple):
     meant: Use
     """The other side, under the other name."""
     near: str
+    known: bool = True
+    """All topics of the running nodes are known; else nothing but the names speaks for it."""
 
 
 def unmatched_endpoints(running: Running) -> Iterator[Use]:
@@ -67,8 +75,10 @@ def _is_of_firmware(use: Use) -> bool:
 
 def probable_typos(running: Running) -> Iterator[ProbableTypo]:
     """Subscriptions that nobody serves beside a publisher of the same type under nearly the same name, and publishers
-    that nobody hears beside such a subscription. Only where all topics are known."""
+    that nobody hears beside such a subscription. Where not all topics are known, only the first, in sources of the
+    tree under names that nothing else gives."""
     if not running.complete:
+        yield from _typos_of_sources(running)
         return
     alone = list(unmatched_endpoints(running))
     topics = {use.topic for use in alone}
@@ -84,6 +94,36 @@ def probable_typos(running: Running) -> Iterator[ProbableTypo]:
         if _is_fixed(use) and found.topic in topics:
             use, found = found, use
         yield ProbableTypo(use, found, found.topic)
+
+
+def _typos_of_sources(running: Running) -> Iterator[ProbableTypo]:
+    """Subscriptions beside the one publisher in a source of the tree that has their type and nearly their name, or that
+    alone has their type and is heard by nobody."""
+    alone = [each for each in unmatched_endpoints(running) if _is_of_source(each)]
+    topics = {each.topic for each in alone}
+    senders = [each for each in running.uses if each.role == "publisher" and each.type and _is_of_source(each)]
+    for use in alone[:COMPARED]:
+        if use.role != "subscription" or use.conditional:
+            continue
+        others = [each for each in senders if each.type == use.type]
+        found = _meant(use, [each for each in others if nearly_equal(each.topic, use.topic)], topics)
+        if found is None:
+            found = _only(use, others, [each for each in running.uses if each.type == use.type], topics)
+        if found is not None:
+            yield ProbableTypo(use, found, found.topic, known=False)
+
+
+def _is_of_source(use: Use) -> bool:
+    """Whether a source of the tree alone gives a name."""
+    is_plain = use.remapping is None and use.given is None and isinstance(use.written, Located)
+    return is_plain and not use.of_table and not use.implied and not use.shown
+
+
+def _only(use: Use, senders: list[Use], same: list[Use], alone: set[str]) -> Use | None:
+    """The one publisher of a type of the tree's own that nobody hears, when nothing else uses the type."""
+    is_pair = len({each.topic for each in same}) == 2 and {each.topic for each in senders} <= alone
+    is_common = (use.type or "").partition("/")[0] in _COMMON_PACKAGES
+    return senders[0] if is_pair and len(senders) == 1 and not is_common else None
 
 
 def _is_fixed(use: Use) -> bool:

@@ -1,0 +1,119 @@
+"""Sources of ros2_control hardware that jump at activation, or stop the loop of the controller manager."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.graph.nodes.questions.with_header import with_header
+from bringup_lint.model.cpp_source import COMMENT
+from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.pattern import regex
+from bringup_lint.source import Source
+from bringup_lint.source import Span
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.nodes.nodes import Nodes
+
+_HARDWARE = regex(r"\b(?:System|Actuator)Interface\b")
+_METHOD = regex(
+    r"\b(?:\w{1,80}::)?(?P<name>on_activate|export_command_interfaces|read|write)\s{0,4}\([^;{}()]{0,300}\)"
+    r"(?:\s{0,4}(?:override|noexcept|const|final)){0,3}\s{0,40}(?P<body>\{)"
+)
+_BRACE = regex(r"[{}]")
+_POSITION = regex(r"(?:HW_IF_POSITION|\"position\")\s{0,4},\s{0,40}&\s{0,4}(?P<member>[A-Za-z_]\w{0,80})")
+_SLOWED = regex(r"(?i)profile_?vel|max_?vel|vel(?:ocity)?_?limit|\bramp|interpolat|is_?first|first_|isnan|initial")
+"""Words of what starts slowly, or waits for the first command."""
+_SIMULATED = regex(r"(?i)gazebo|mujoco|isaac|\bfake|\bmock|webots")
+_RECEIVES = regex(
+    r"(?<![\w.>])(?:::)?(?P<name>read|recv|recvfrom|recvmsg)\s{0,4}\(\s{0,4}\w{0,40}(?:sock|fd|can|port|serial|bus)"
+)
+_OPENS = regex(r"(?<![\w.>])(?:::)?socket\s{0,4}\(\s{0,4}(?:PF|AF)_")
+_WAITS_NOT = regex(
+    r"O_NONBLOCK|SOCK_NONBLOCK|SO_RCVTIMEO|MSG_DONTWAIT|FIONBIO|FIONREAD|O_NDELAY|\be?poll\s{0,2}\(|\be?p?select\s{0,2}\("
+    r"|epoll_wait|std::thread|\basync\b"
+)
+
+
+class ZeroedCommand(NamedTuple):
+    source: Source
+    place: Span
+    """The assignment in ``on_activate``."""
+    member: str
+    exported: Span
+    """Where it is exported as a position command."""
+
+
+class BlockingRead(NamedTuple):
+    source: Source
+    place: Span
+    call: str
+    opened: Span
+
+
+def zeroed_commands(nodes: Nodes) -> Iterator[ZeroedCommand]:
+    """Position commands that the activation sets to 0, wherever the joints are."""
+    for source, plain, bodies in _hardware(nodes):
+        exported = bodies.get("export_command_interfaces")
+        body = bodies.get("on_activate")
+        found = _POSITION.search(plain, *exported) if exported is not None else None
+        if found is None or body is None or _SLOWED.search(plain) or _SIMULATED.search(plain):
+            continue
+        place = _zeroed(plain, body, found["member"])
+        if place is not None:
+            span = Span(source, found.start("member"), found.end("member"))
+            yield ZeroedCommand(source, Span(source, *place), found["member"], span)
+
+
+def _zeroed(plain: str, body: tuple[int, int], member: str) -> tuple[int, int] | None:
+    """Where a body sets a member to 0, when it gives it no other value."""
+    name = re.escape(member)
+    zero = re.compile(
+        rf"\b{name}\s{{0,4}}\[[^\]]{{1,40}}\]\s{{0,4}}=\s{{0,4}}0(?:\.0*)?f?\s{{0,4}};"
+        rf"|\b{name}\s{{0,4}}\.\s{{0,4}}assign\s{{0,4}}\([^;]{{1,80}},\s{{0,4}}0(?:\.0*)?f?\s{{0,4}}\)"
+        rf"|\bfill\s{{0,4}}\(\s{{0,4}}{name}\s{{0,4}}\.\s{{0,4}}begin[^;]{{1,80}},\s{{0,4}}0(?:\.0*)?f?\s{{0,4}}\)"
+    )
+    found = list(zero.finditer(plain, *body))
+    named = len(re.compile(rf"\b{name}\b(?!\s{{0,4}}\.\s{{0,4}}(?:size|end)\b)").findall(plain, *body))
+    return found[0].span() if len(found) == 1 and named == 1 else None
+
+
+def blocking_reads(nodes: Nodes) -> Iterator[BlockingRead]:
+    """Reads of a socket in ``read()`` that wait until a packet arrives, as nothing in the sources says otherwise."""
+    for source, plain, bodies in _hardware(nodes):
+        body = bodies.get("read")
+        found = _RECEIVES.search(plain, *body) if body is not None else None
+        if found is None or _WAITS_NOT.search(with_header(nodes, source)):
+            continue
+        opened = _OPENS.search(plain)
+        if opened is not None:
+            place = Span(source, found.start("name"), found.end("name"))
+            yield BlockingRead(source, place, found["name"], Span(source, *opened.span()))
+
+
+def _hardware(nodes: Nodes) -> Iterator[tuple[Source, str, dict[str, tuple[int, int]]]]:
+    """The sources that define hardware: their text without comments, and where the bodies of their methods are."""
+    for each in nodes.cpp:
+        text = each.source.text
+        if "hardware_interface" in text and _HARDWARE.search(text):
+            plain = COMMENT.sub(lambda found: " " * len(found[0]), text)
+            yield each.source, plain, _bodies(plain)
+
+
+def _bodies(plain: str) -> dict[str, tuple[int, int]]:
+    """Method -> where its body starts and ends; none of those that are defined several times."""
+    found: dict[str, list[tuple[int, int]]] = {}
+    for match in _METHOD.finditer(plain):
+        found.setdefault(match["name"], []).append((match.start("body"), _end(plain, match.start("body"))))
+    return {name: places[0] for name, places in found.items() if len(places) == 1}
+
+
+def _end(plain: str, start: int) -> int:
+    """Where the block that starts at a brace ends."""
+    level = 0
+    for brace in _BRACE.finditer(plain, start):
+        level += 1 if brace[0] == "{" else -1
+        if level == 0:
+            return brace.end()
+    return len(plain)
