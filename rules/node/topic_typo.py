@@ -58,8 +58,10 @@ def is_named_elsewhere(robot: Robot, use: topics.Use) -> bool:
 def topic_typo(robot: Robot) -> Iterator[Finding]:
     for running in robot.topics.runs:
         used = Counter(use.topic for use in running.uses)
-        for use, meant, near, known in topics.probable_typos(running):
-            if not known and is_named_elsewhere(robot, use):
+        for use, meant, near, evidence in topics.probable_typos(running):
+            if evidence != "topics" and is_named_elsewhere(robot, use):
+                continue
+            if evidence == "type" and (use.type or "").partition("/")[0] not in robot.launch.workspace.packages:
                 continue
             nobody = "Nobody publishes" if use.role == "subscription" else "Nobody subscribes to"
             better = topics.corrected(use, near) if is_outvoted(used, use.topic, near) else None

@@ -31,12 +31,6 @@ BY_HAND = regex(
 FIRMWARE = regex(r"^/(?:utlidar|lf|rt|fmu/out)/|^/(?:low|sportmode|wirelesscontroller|handstate)\w*$")
 """Topics that controllers of robots publish by themselves: Unitree's motion computer, PX4."""
 FIRMWARE_TYPES = ("unitree_go/", "unitree_hg/", "unitree_api/", "px4_msgs/")
-_COMMON_PACKAGES = frozenset(
-    "std_msgs geometry_msgs sensor_msgs nav_msgs diagnostic_msgs trajectory_msgs visualization_msgs tf2_msgs "
-    "control_msgs stereo_msgs shape_msgs actionlib_msgs action_msgs rosgraph_msgs builtin_interfaces "
-    "rcl_interfaces".split()
-)
-"""Packages whose types say nothing of what is meant."""
 COMPARED = 500
 """Unmatched topics of one robot for which another name is sought."""
 SHORTEST = 4
@@ -49,8 +43,9 @@ class ProbableTypo(NamedTuple):
     meant: Use
     """The other side, under the other name."""
     near: str
-    known: bool = True
-    """All topics of the running nodes are known; else nothing but the names speaks for it."""
+    evidence: str = "topics"
+    """``topics``: all those of the running nodes are known; ``name``: only that the names are nearly equal; ``type``:
+    only that nothing else uses the type."""
 
 
 def unmatched_endpoints(running: Running) -> Iterator[Use]:
@@ -107,10 +102,12 @@ def _typos_of_sources(running: Running) -> Iterator[ProbableTypo]:
             continue
         others = [each for each in senders if each.type == use.type]
         found = _meant(use, [each for each in others if nearly_equal(each.topic, use.topic)], topics)
-        if found is None:
-            found = _only(use, others, [each for each in running.uses if each.type == use.type], topics)
         if found is not None:
-            yield ProbableTypo(use, found, found.topic, known=False)
+            yield ProbableTypo(use, found, found.topic, "name")
+            continue
+        found = _only(use, others, [each for each in running.uses if each.type == use.type], topics)
+        if found is not None:
+            yield ProbableTypo(use, found, found.topic, "type")
 
 
 def _is_of_source(use: Use) -> bool:
@@ -120,10 +117,10 @@ def _is_of_source(use: Use) -> bool:
 
 
 def _only(use: Use, senders: list[Use], same: list[Use], alone: set[str]) -> Use | None:
-    """The one publisher of a type of the tree's own that nobody hears, when nothing else uses the type."""
-    is_pair = len({each.topic for each in same}) == 2 and {each.topic for each in senders} <= alone
-    is_common = (use.type or "").partition("/")[0] in _COMMON_PACKAGES
-    return senders[0] if is_pair and len(senders) == 1 and not is_common else None
+    """The one publisher of a type, of another node and heard by nobody, when nothing else uses the type."""
+    if len(senders) != 1 or len({each.topic for each in same}) != 2 or BY_HAND.search(use.topic):
+        return None
+    return senders[0] if senders[0].topic in alone and senders[0].node is not use.node else None
 
 
 def _is_fixed(use: Use) -> bool:
