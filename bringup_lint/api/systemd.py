@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.systemd.cycles import Cycle
     from bringup_lint.graph.systemd.directories import paths
     from bringup_lint.graph.systemd.docker_clients import DockerStart
+    from bringup_lint.graph.systemd.docker_clients import docker_pulls
     from bringup_lint.graph.systemd.docker_clients import docker_starts
     from bringup_lint.graph.systemd.ending import set_up
     from bringup_lint.graph.systemd.hidden_home import HiddenHome
@@ -119,6 +120,7 @@ __all__ = [
     "crash_loops",
     "delete_lines",
     "directives",
+    "docker_pulls",
     "docker_starts",
     "duration",
     "edits_to_wait",

@@ -1,9 +1,9 @@
 """A script enables or starts a unit that nothing installs.
 
 ## What it finds
-`systemctl enable`, `reenable`, `start` and `restart` of a unit that looks like one of the robot's own (the same first
-word as another unit of the tree, nearly the name or the end of one, or that of a template without an instance) and that
-neither a file of the tree nor a script provides.
+`systemctl enable`, `reenable`, `start` and `restart`, and tasks of Ansible's systemd and service modules, of a unit
+that looks like one of the robot's own (the same first word as another unit of the tree, nearly the name or the end of
+one, or that of a template without an instance) and that neither a file of the tree nor a script provides.
 
 Not reported: units of Debian and Ubuntu, names that a variable gives, and commands whose failure is expected (`||`,
 `2>/dev/null`, `if systemctl ...`).
@@ -31,6 +31,7 @@ When a package or another repository installs the unit.
 - systemctl(1), "enable" and "start"
 """
 
+import re
 from collections.abc import Iterator
 from typing import NamedTuple
 
@@ -43,12 +44,16 @@ from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.shell import Run
+from bringup_lint.api.shell import Task
+from bringup_lint.api.shell import tasks
 from bringup_lint.api.systemd import Unit
+from bringup_lint.api.yaml import Mapping
 
 VERBS = ("enable", "reenable", "start", "restart")
 VALUED = ("-H", "--host", "-M", "--machine", "-t", "--type", "-p", "--property", "--root", "-n", "--lines")
 PLAIN = regex(r"[\w.@:\\-]+")
 TYPED = regex(r"\.(?:service|target|timer|socket|path|mount|automount|slice|swap|device|scope)$")
+MODULES = ("systemd", "systemd_service", "service")
 MOST = 20
 
 
@@ -59,6 +64,7 @@ class Named(NamedTuple):
     verb: str
     name: str
     manager: str
+    command: str = "systemctl"
 
 
 @rule(
@@ -72,17 +78,52 @@ def unit_missing(robot: Robot) -> Iterator[Finding]:
         for named in _named(run):
             if robot.units.lacks(named.name, named.manager) and not robot.scripts.brings_unit(source, named.name):
                 found.setdefault((source, named.name), []).append(named)
+    for source, named in _of_plays(robot):
+        if robot.units.lacks(named.name, "system") and not _is_brought(robot, source, named.name):
+            found.setdefault((source, named.name), []).append(named)
     for first, *others in found.values():
         like = robot.units.like(first.name, first.manager)
         yield finding(
             first.word,
-            f"systemctl {first.verb} fails: nothing in this tree installs {first.name}",
+            f"{first.command} {first.verb}".rstrip() + f" fails: nothing in this tree installs {first.name}",
             advice=_advice(like),
             related=[
                 *(note(other.word, f"systemctl {other.verb} fails, too") for other in others[:MOST]),
                 *(note(unit.where, "a unit that the tree has") for unit in like[:2]),
             ],
         )
+
+
+def _of_plays(robot: Robot) -> Iterator[tuple[Source, Named]]:
+    """The units that tasks of Ansible enable or start, each by a name of their own or by the items of a loop."""
+    for source in robot.of_kind("ansible"):
+        if not source.judged or not any(f"{each}:" in source.text for each in MODULES):
+            continue
+        for task in tasks(source):
+            for module, settings in task.modules:
+                if module.rpartition(".")[2] in MODULES and isinstance(settings, Mapping) and not task.may_fail:
+                    yield from ((source, each) for each in _of_task(task, settings))
+
+
+def _of_task(task: Task, settings: Mapping) -> Iterator[Named]:
+    name, state, enabled = (settings.scalar(key) for key in ("name", "state", "enabled"))
+    wanted = (state is not None and state.value in ("started", "restarted")) or (
+        enabled is not None and enabled.boolean
+    )
+    if name is None or not wanted or settings.get("scope") is not None or task.keys.get("when") is not None:
+        return
+    loop = task.keys.sequence("loop") or task.keys.sequence("with_items")
+    words = [each.value for each in loop.scalars] if loop and name.value == "{{ item }}" else [name.value]
+    for word in words:
+        if PLAIN.fullmatch(word):
+            yield Named(word, "", word if TYPED.search(word) else f"{word}.service", "system", "This task")
+
+
+def _is_brought(robot: Robot, source: Source, name: str) -> bool:
+    """Whether something else in the plays of the tree has to do with a file of that name."""
+    stem = re.escape(name.rpartition(".")[0].partition("@")[0])
+    file = re.compile(rf"(?:/|src:[^\n]*|dest:[^\n]*){stem}(?:@[\w{{}} ]*)?\.(?:service|timer|target|socket)")
+    return any(file.search(each.text) for each in robot.of_kind("ansible", "ansible-vars"))
 
 
 def _advice(like: list[Unit]) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from collections.abc import Iterator
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from bringup_lint.addresses import is_loopback
@@ -75,6 +76,9 @@ def _is_limited(start: Start) -> bool:
     from bringup_lint.graph.host.launched_bridges import LIMITS
 
     limits = LIMITS[str(start.ros.package)]
+    words = start.step.command.words
+    if any(word == "--address" and not is_wildcard(value) for word, value in pairwise(words)):
+        return True
     return any(
         name in limits or (name == "address" and value and not is_wildcard(value)) for name, value in start.arguments
     )

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.graph.commands.command_line import scripts_of
 from bringup_lint.graph.supervision.launched_processes import respawns
+from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
     from bringup_lint.graph.commands.ros_command import Ros
@@ -15,6 +16,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch.launch import Launch
     from bringup_lint.graph.systemd.unit import Unit
     from bringup_lint.graph.systemd.units import Units
+
+_CHOOSES = regex(r"\b(?:for|case|select)\b|/dev/[\w-]*[*?]")
 
 
 def expansion_of(ros: Ros, launch: Launch) -> Expansion | None:
@@ -40,4 +43,11 @@ def devices_opened_by(unit: Unit, units: Units, launch: Launch, devices: Devices
             if expansion is not None:
                 sources.update(file.source for file in expansion.files)
     sources.update(variable.value.span.source for variable in units.environment(unit))
-    return [use for use in devices.uses if use.path.span.source in sources and use.certainty in ("literal", "unit")]
+    own = [use for use in devices.uses if use.path.span.source in sources]
+    return [use for use in own if use.certainty in ("literal", "unit") or _is_only_one(use, own)]
+
+
+def _is_only_one(use: DeviceUse, others: list[DeviceUse]) -> bool:
+    """Whether a script names no other device, so that it opens this one rather than choose among several."""
+    paths = {each.path for each in others if each.path.span.source is use.path.span.source}
+    return use.certainty == "script" and len(paths) == 1 and not _CHOOSES.search(use.path.span.source.text)

@@ -14,6 +14,8 @@ from bringup_lint.source import Located
 _CLIENTS = frozenset({"docker", "nvidia-docker"})
 _COMPOSE = frozenset({"docker-compose"})
 _STARTING = frozenset({"run", "start", "up"})
+_IGNORES = "--ignore-pull-failures"
+_OWN_REGISTRIES = ("localhost", "127.0.0.1", "$", "{")
 _DAEMON_OPTIONS = frozenset({"-H", "--host", "-c", "--context", "--config", "-l", "--log-level"})
 _COMPOSE_OPTIONS = frozenset({"-f", "--file", "-p", "--project-name", "--env-file", "--profile", "--project-directory"})
 
@@ -44,6 +46,23 @@ class DockerStart(NamedTuple):
 
 def docker_starts(process: Process) -> Iterator[DockerStart]:
     """The commands of a process by which the Docker daemon of this machine starts containers."""
+    return _commands(process, _STARTING)
+
+
+def docker_pulls(process: Process) -> Iterator[Located]:
+    """The words by which a process asks a registry for images whenever it runs, and fails without an answer."""
+    for pull in _commands(process, frozenset({"pull"})):
+        images = [word for word in pull.options if not word.startswith("-")]
+        if _IGNORES not in pull.options and not any(word.startswith(_OWN_REGISTRIES) for word in images):
+            yield pull.verb
+    for start in docker_starts(process):
+        pairs = zip(start.options, (*start.options[1:], ""))
+        yield from (
+            word for word, value in pairs if word == "--pull=always" or (word == "--pull" and value == "always")
+        )
+
+
+def _commands(process: Process, verbs: frozenset[str]) -> Iterator[DockerStart]:
     for step in process.steps:
         words = unwrapped(step.command.words)
         name = program_name(words[0]) if words else ""
@@ -53,9 +72,9 @@ def docker_starts(process: Process) -> Iterator[DockerStart]:
         rest = _after_options(words[1:], _COMPOSE_OPTIONS if compose else _DAEMON_OPTIONS)
         if rest and rest[0] == "compose":
             compose, rest = True, _after_options(rest[1:], _COMPOSE_OPTIONS)
-        if rest and rest[0] in ("container", "stack"):
+        if rest and rest[0] in ("container", "image", "stack"):
             rest = rest[1:]
-        if rest and rest[0] in _STARTING and not _is_remote(words):
+        if rest and rest[0] in verbs and not _is_remote(words):
             yield DockerStart(process, step, rest[0], compose, _own_options(rest[1:], compose))
 
 
