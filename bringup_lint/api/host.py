@@ -8,6 +8,7 @@ from bringup_lint.on_demand import on_demand
 
 if TYPE_CHECKING:
     from bringup_lint.graph.host.device_uses import DeviceUse
+    from bringup_lint.graph.host.options import option_of
     from bringup_lint.model.fstab import Mount
     from bringup_lint.parsers.sysctl import KernelParameter
 else:
@@ -17,4 +18,5 @@ __all__ = [
     "DeviceUse",
     "KernelParameter",
     "Mount",
+    "option_of",
 ]
