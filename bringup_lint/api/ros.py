@@ -14,8 +14,6 @@ if TYPE_CHECKING:
     from bringup_lint.facts.ros.needed import instead_of
     from bringup_lint.facts.ros.variables import variables
     from bringup_lint.graph.dependencies.interfaces import Ungenerated
-    from bringup_lint.graph.dependencies.interfaces import missing_interfaces
-    from bringup_lint.graph.dependencies.interfaces import ungenerated
     from bringup_lint.parsers import json5
     from bringup_lint.parsers import ros_arguments
     from bringup_lint.parsers.ros_values import DISCOVERY_RANGES
@@ -47,8 +45,6 @@ __all__ = [
     "highest_port",
     "instead_of",
     "json5",
-    "missing_interfaces",
     "ros_arguments",
-    "ungenerated",
     "variables",
 ]

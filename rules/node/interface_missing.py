@@ -37,13 +37,12 @@ from bringup_lint.api import fix
 from bringup_lint.api import nodes
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api.ros import missing_interfaces
 from bringup_lint.api.spelling import nearest
 
 
 @rule("error", fix="unsafe", symptoms=["ImportError: cannot import name '*' from '*.msg'"])
 def interface_missing(robot: Robot) -> Iterator[Finding]:
-    for each in missing_interfaces(robot.files, robot.launch.workspace):
+    for each in robot.dependencies.missing_interfaces:
         source = each.name.span.source
         if robot.launch.workspace.is_vendored(source):
             continue

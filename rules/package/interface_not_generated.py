@@ -37,7 +37,6 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.ros import Ungenerated
-from bringup_lint.api.ros import ungenerated
 
 GROUP = "rosidl_interface_packages"
 
@@ -47,7 +46,7 @@ GROUP = "rosidl_interface_packages"
     symptoms=["Packages installing interfaces must include", "rosidl_generate_interfaces() the passed file"],
 )
 def interface_not_generated(robot: Robot) -> Iterator[Finding]:
-    for each in ungenerated(robot.files, robot.launch.workspace):
+    for each in robot.dependencies.ungenerated:
         if not robot.dependencies.judged(each.package):
             continue
         yield finding(

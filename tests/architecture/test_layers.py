@@ -51,7 +51,7 @@ LAYERS = (
         "graph.udev",
         "graph.commands",
     },
-    {"graph.files", "graph.file_nodes", "graph.places", "graph.layers"},
+    {"graph.files", "graph.file_nodes", "graph.interface_files", "graph.places", "graph.layers"},
     {
         "graph.absence",
         "graph.components",

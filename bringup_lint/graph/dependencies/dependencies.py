@@ -12,6 +12,11 @@ from bringup_lint.facts.ros.needed import base
 from bringup_lint.facts.ros.needed import instead_of
 from bringup_lint.facts.ros.needed import not_rosdep
 from bringup_lint.graph.dependencies.apart import Apart
+from bringup_lint.graph.dependencies.interfaces import MissingInterface
+from bringup_lint.graph.dependencies.interfaces import PackageInterfaces
+from bringup_lint.graph.dependencies.interfaces import Ungenerated
+from bringup_lint.graph.dependencies.interfaces import missing_interfaces
+from bringup_lint.graph.dependencies.interfaces import ungenerated
 from bringup_lint.graph.dependencies.missing_files import missing_files
 from bringup_lint.graph.dependencies.needs import Need
 from bringup_lint.graph.dependencies.needs import of_builds
@@ -23,6 +28,7 @@ from bringup_lint.graph.dependencies.subpackages import LeftOut
 from bringup_lint.graph.dependencies.subpackages import left_out
 from bringup_lint.graph.dependencies.unexported import Unexported
 from bringup_lint.graph.dependencies.unexported import unexported
+from bringup_lint.graph.memo import memo
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.pattern import regex
 
@@ -100,6 +106,20 @@ class Dependencies:
     def unexported(self, package: Package) -> Iterator[Unexported]:
         """The descriptions of plugins that a package builds and does not export."""
         return unexported(self._files, package)
+
+    @property
+    def missing_interfaces(self) -> Iterator[MissingInterface]:
+        """The imports of messages, services and actions that the packages of the workspace do not have."""
+        return missing_interfaces(self._files, self._launch.workspace, self._interfaces_of)
+
+    @property
+    def ungenerated(self) -> Iterator[Ungenerated]:
+        """The packages whose messages, services and actions are not generated, or make the build fail."""
+        return ungenerated(self._files, self._launch.workspace, self._interfaces_of)
+
+    @memo
+    def _interfaces_of(self, package: Package) -> PackageInterfaces:
+        return PackageInterfaces(self._files.tree, package)
 
     def is_of_workspace(self, need: Need) -> bool:
         """Whether a package of the tree is needed."""

@@ -5,10 +5,14 @@ from __future__ import annotations
 import ast
 import os
 import re
+from collections.abc import Callable
 from collections.abc import Iterator
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from bringup_lint.graph.interface_files import KINDS
+from bringup_lint.graph.interface_files import NAMED
+from bringup_lint.graph.interface_files import interface_files
 from bringup_lint.model.python import syntax_of
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.cmake_commands import Command
@@ -26,10 +30,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.workspace import Workspace
 
 _WORD_START = regex(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])")
-KINDS = ("msg", "srv", "action")
 GENERATE = "rosidl_generate_interfaces"
 _GROUP = "rosidl_interface_packages"
-_FILE = regex(r"(?:^|/)(?P<name>[A-Z][A-Za-z0-9]*)\.(?P<kind>msg|srv|action|idl)\Z")
 _IMPLICIT = frozenset(("builtin_interfaces", "action_msgs", "service_msgs", "unique_identifier_msgs"))
 """Packages that the command adds by itself, in some distributions."""
 _OTHER_TYPE = regex(r"(?m)^[ \t]*(?P<package>[a-z][a-z0-9_]*)/(?:msg/)?[A-Z]\w*(?:\[[^\]\n]*\])?[ \t]+\w")
@@ -59,8 +61,8 @@ class Ungenerated(NamedTuple):
     """The definitions, the packages whose types they use, or the files."""
 
 
-class Interfaces:
-    """The definitions of one package, by kind and name, each with its path."""
+class PackageInterfaces:
+    """The definitions of one package, by kind and name, each with its path, and what generates them."""
 
     def __init__(self, tree: Tree, package: Package) -> None:
         self._tree = tree
@@ -68,20 +70,7 @@ class Interfaces:
 
     @cached_property
     def defined(self) -> dict[tuple[str, str], str]:
-        found = {}
-        start = len(self.package.folder) + 1
-        for path in self._tree.walked_below(self.package.folder):
-            if not path.endswith((".msg", ".srv", ".action", ".idl")):
-                continue
-            full = os.path.abspath(path)
-            match = _FILE.search(full)
-            if match is not None:
-                below = full[start:].split("/")
-                kind = (
-                    match["kind"] if match["kind"] != "idl" else next((each for each in below if each in KINDS), "msg")
-                )
-                found[kind, match["name"]] = full
-        return found
+        return interface_files(self._tree, self.package.folder)
 
     @cached_property
     def commands(self) -> list[Command]:
@@ -114,9 +103,10 @@ class Interfaces:
         return (kind, name) not in self.defined or (listed is not None and name not in listed)
 
 
-def missing_interfaces(files: Files, workspace: Workspace) -> Iterator[MissingInterface]:
+def missing_interfaces(
+    files: Files, workspace: Workspace, interfaces_of: Callable[[Package], PackageInterfaces]
+) -> Iterator[MissingInterface]:
     """The imports of nodes that raise an exception because the interface does not exist."""
-    known: dict[str, Interfaces] = {}
     sources = (each for each in files.of_kind("python-node") if each.judged)
     for source in sources:
         imported = list(_imported(source))
@@ -124,7 +114,7 @@ def missing_interfaces(files: Files, workspace: Workspace) -> Iterator[MissingIn
             owner = workspace.packages.get(package)
             if owner is None or owner.manifest.is_ros1:
                 continue
-            interfaces = known.setdefault(package, Interfaces(files.tree, owner))
+            interfaces = interfaces_of(owner)
             if not _is_required(workspace, source, package) and not _is_used(interfaces, imported):
                 continue
             if interfaces.is_closed and interfaces.lacks(kind, str(name).partition("_")[0]):
@@ -138,7 +128,7 @@ def _is_required(workspace: Workspace, source: Source, package: str) -> bool:
     return importer is not None and (importer.name == package or package in workspace.required(importer))
 
 
-def _is_used(interfaces: Interfaces, imported: list[tuple[str, str, Located]]) -> bool:
+def _is_used(interfaces: PackageInterfaces, imported: list[tuple[str, str, Located]]) -> bool:
     """Whether a source that imports all this also imports what the package has, so that it means this one."""
     found = ((kind, str(name)) for package, kind, name in imported if package == interfaces.package.name)
     return any(each in interfaces.defined for each in found)
@@ -166,15 +156,17 @@ def _name(positions: Positions, alias: ast.alias) -> Located:
     return Located(alias.name, positions.source.span(start, start + len(alias.name)))
 
 
-def ungenerated(files: Files, workspace: Workspace) -> Iterator[Ungenerated]:
+def ungenerated(
+    files: Files, workspace: Workspace, interfaces_of: Callable[[Package], PackageInterfaces]
+) -> Iterator[Ungenerated]:
     """The packages of the tree's authors whose definitions are not generated, or make the build fail."""
     for package in workspace.packages.values():
-        interfaces = Interfaces(files.tree, package)
+        interfaces = interfaces_of(package)
         if package.manifest.build_type == "ament_cmake" and package.complete and interfaces.defined:
             yield from _of_package(files, package, interfaces)
 
 
-def _of_package(files: Files, package: Package, interfaces: Interfaces) -> Iterator[Ungenerated]:
+def _of_package(files: Files, package: Package, interfaces: PackageInterfaces) -> Iterator[Ungenerated]:
     if not interfaces.generators:
         own = tuple(sorted(name for (kind, name), path in interfaces.defined.items() if _is_place(package, kind, path)))
         is_meant = "rosidl" in package.manifest.source.text or any(_speaks(each) for each in interfaces.commands)
@@ -205,21 +197,20 @@ def _of_package(files: Files, package: Package, interfaces: Interfaces) -> Itera
 
 def _is_absent(tree: Tree, package: Package, word: str) -> bool:
     """Whether a listed file is not in the tree, and nothing makes it."""
-    if "$" in word or _FILE.search(word) is None:
+    if "$" in word or NAMED.search(word) is None:
         return False
     path = os.path.normpath(os.path.join(package.folder, word))
     return not tree.exists(path) and not tree.is_ignored(path)
 
 
-def _unlisted(files: Files, package: Package, interfaces: Interfaces) -> Iterator[str]:
+def _unlisted(files: Files, package: Package, interfaces: PackageInterfaces) -> Iterator[str]:
     """The definitions that the command does not list, and whose code nodes in C++ use."""
+    if not interfaces.is_closed or interfaces.listed is None:
+        return
     for (kind, name), path in interfaces.defined.items():
-        if not interfaces.is_closed or interfaces.listed is None or name in interfaces.listed:
+        if name in interfaces.listed or not _is_place(package, kind, path) or files.tree.is_ignored(path):
             continue
-        is_included = files.mentions(_in_cpp(package.name, kind, name))
-        if _is_written(files.tree, package, kind, name):
-            continue
-        if is_included and _is_place(package, kind, path) and not files.tree.is_ignored(path):
+        if not _is_written(files.tree, package, kind, name) and files.mentions(_in_cpp(package.name, kind, name)):
             yield f"{kind}/{os.path.basename(path)}"
 
 
@@ -245,7 +236,7 @@ def _is_place(package: Package, kind: str, path: str) -> bool:
     return os.path.dirname(path) == os.path.join(package.folder, kind)
 
 
-def _place(interfaces: Interfaces) -> Span | None:
+def _place(interfaces: PackageInterfaces) -> Span | None:
     """Where the CMakeLists.txt speaks of interfaces, else its first argument."""
     given = [each for each in interfaces.commands if each.arguments]
     return next((each for each in given if _speaks(each)), given[0]).arguments[0].span if given else None
@@ -256,7 +247,7 @@ def _speaks(command: Command) -> bool:
     return any("rosidl" in argument or argument.endswith(".msg") for argument in command.arguments)
 
 
-def _used(files: Files, package: Package, interfaces: Interfaces) -> set[str]:
+def _used(files: Files, package: Package, interfaces: PackageInterfaces) -> set[str]:
     """The other packages whose types the listed definitions have fields of."""
     found = set()
     listed = interfaces.listed

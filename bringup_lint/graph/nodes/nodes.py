@@ -367,9 +367,9 @@ class Nodes:
     def message_types(self) -> Iterator[MessageTypes]:
         """The types of the expressions of each program that imports messages."""
         from bringup_lint.graph.nodes.questions.message_fields import types_of
-        from bringup_lint.graph.nodes.resolved.interfaces import Interfaces
+        from bringup_lint.graph.nodes.resolved.interface_fields import InterfaceFields
 
-        interfaces = Interfaces(self.files.tree, self.launch.workspace)
+        interfaces = InterfaceFields(self.files.tree, self.launch.workspace)
         for file in self.programs:
             types = types_of(file, self.syntax(file), interfaces)
             if types is not None:

@@ -14,7 +14,7 @@ from bringup_lint.parsers.interface import CONSTANT
 from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
-    from bringup_lint.graph.nodes.resolved.interfaces import Interfaces
+    from bringup_lint.graph.nodes.resolved.interface_fields import InterfaceFields
     from bringup_lint.model.node_source import NodeSource
 
 _OF_EVERY_MESSAGE = frozenset({"get_fields_and_field_types", "SLOT_TYPES"})
@@ -148,7 +148,7 @@ def converted(misfit: Misfit, text: str) -> str | None:
     return None
 
 
-def types_of(file: NodeSource, syntax: Syntax, interfaces: Interfaces) -> MessageTypes | None:
+def types_of(file: NodeSource, syntax: Syntax, interfaces: InterfaceFields) -> MessageTypes | None:
     """None for a file that imports no message."""
     modules = (name or "" for name in file.imports.values())
     if not any(".msg" in name or ".srv" in name for name in modules):

@@ -6,7 +6,7 @@ import ast
 from collections.abc import Iterator
 from functools import cached_property
 
-from bringup_lint.graph.nodes.resolved.interfaces import Interfaces
+from bringup_lint.graph.nodes.resolved.interface_fields import InterfaceFields
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.python import is_self
@@ -27,7 +27,7 @@ class Bound(NamedTuple):
 class MessageTypes:
     """The types of the expressions of one file, as ``geometry_msgs/msg/Twist``; arrays end with ``[]``."""
 
-    def __init__(self, syntax: Syntax, interfaces: Interfaces) -> None:
+    def __init__(self, syntax: Syntax, interfaces: InterfaceFields) -> None:
         self.syntax = syntax
         self.file = syntax.file
         self.interfaces = interfaces

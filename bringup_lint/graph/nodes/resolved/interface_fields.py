@@ -6,10 +6,11 @@ import os
 from collections.abc import Iterator
 from collections.abc import Mapping
 from functools import cache
-from functools import cached_property
 from typing import TYPE_CHECKING
 
 from bringup_lint.facts import table
+from bringup_lint.graph.interface_files import interface_files
+from bringup_lint.graph.memo import memo
 from bringup_lint.parsers.interface import Fields
 from bringup_lint.parsers.interface import parse
 
@@ -24,7 +25,7 @@ _PARTS = {
 }
 
 
-class Interfaces:
+class InterfaceFields:
     """Types are named as ``geometry_msgs/msg/Twist`` and ``std_srvs/srv/SetBool_Request``."""
 
     def __init__(self, tree: Tree, workspace: Workspace) -> None:
@@ -45,8 +46,10 @@ class Interfaces:
         if package not in self._workspace.packages:
             return _common().get(type_)
         name, _, part = name.partition("_")
-        path = self._definitions.get((package, kind, name))
-        source = self._tree.read(path, "interface", judged=False) if path is not None else None
+        path = self._files_of(package).get((kind, name))
+        if path is None or os.path.basename(os.path.dirname(path)) != kind or not path.endswith(f".{kind}"):
+            return None
+        source = self._tree.read(path, "interface", judged=False)
         if source is None or source.template:
             return None
         parts = parse(source.text, package)
@@ -56,18 +59,9 @@ class Interfaces:
             return None
         return parts[names.index(wanted)]
 
-    @cached_property
-    def _definitions(self) -> dict[tuple[str, str, str], str]:
-        """Package, kind and name -> the file that defines it."""
-        found = {}
-        for path in self._tree.paths:
-            folder, _, name = path.rpartition("/")
-            stem, _, kind = name.rpartition(".")
-            if kind in _PARTS and os.path.basename(folder) == kind:
-                package = self._workspace.package_of(os.path.abspath(os.path.dirname(folder)))
-                if package is not None:
-                    found[package.name, kind, stem] = path
-        return found
+    @memo
+    def _files_of(self, package: str) -> dict[tuple[str, str], str]:
+        return interface_files(self._tree, self._workspace.packages[package].folder)
 
 
 @cache
