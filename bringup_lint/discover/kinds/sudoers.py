@@ -8,7 +8,7 @@ from bringup_lint.discover.kinds import Head
 from bringup_lint.discover.kinds import Kind
 from bringup_lint.pattern import regex
 
-_NAME = regex(r"/sudoers$|/sudoers\.d/[^/.~]+$|/[\w-]*sudo[\w-]*$|/[\w-]+\.sudoers$")
+_NAME = regex(r"/sudoers\.d/[^/.~]+$|/[\w-]*sudo[\w-]*$|/[\w-]+\.sudoers$")
 _RULE = regex(r"^[ \t]*[^#\s][^\n]*?=[ \t]*(?:\(|NOPASSWD|ALL)", re.M)
 
 

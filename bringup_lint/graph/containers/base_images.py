@@ -6,14 +6,14 @@ from bringup_lint.facts.ros import distros
 from bringup_lint.pattern import regex
 
 _LIBRARY = r"(?:docker\.io/)?(?:library/)?(?:(?:arm64v8|amd64|arm32v7)/)?"
+_OF_NVIDIA = r"(?:docker\.io/)?nvidia/cuda:.*|nvcr\.io/nvidia/cuda:.*"
 _ROS = regex(rf"{_LIBRARY}(?:osrf/)?ros:(?P<distro>[a-z]+)(?:-[\w.-]+)?")
 _UBUNTU = regex(rf"{_LIBRARY}ubuntu:(?P<release>[\w.]+)(?:-[\w.]+)?")
 _RELEASES = [distros.every()[name] for name in distros.distros_since("humble") if name != "rolling"]
 _SINCE_HUMBLE = "|".join(each.name for each in _RELEASES)
 _OF_RELEASES = "|".join(dict.fromkeys(each.codename for each in _RELEASES))
 _VARIANT = regex(
-    rf"(?:docker\.io/)?(?:(?:library|arm64v8|amd64|arm32v7)/)?"
-    rf"(?:ros:(?P<distro>{_SINCE_HUMBLE})(?:-ros-core|-ros-base|-perception)?"
+    rf"{_LIBRARY}(?:ros:(?P<distro>{_SINCE_HUMBLE})(?:-ros-core|-ros-base|-perception)?"
     rf"|osrf/ros:(?P<desktop>{_SINCE_HUMBLE})-desktop(?:-full)?)(?:-(?:{_OF_RELEASES}))?"
 )
 _PLAIN = regex(
@@ -25,14 +25,11 @@ _JETSON = regex(r"nvcr\.io/nvidia/l4t-[\w-]+:r(?P<major>\d\d)[\w.-]*")
 _CODENAMES = {"18.04": "bionic", "20.04": "focal", "22.04": "jammy", "24.04": "noble"}
 _OF_JETSON = {"32": "bionic", "34": "focal", "35": "focal", "36": "jammy"}
 """Release of Jetson Linux -> the Ubuntu of its images."""
-_CUDA = regex(r"(?:docker\.io/)?nvidia/cuda:.*|nvcr\.io/nvidia/cuda:.*")
+_CUDA = regex(_OF_NVIDIA)
 _OF_CUDA = regex(r"(?:CUDA|CUDNN|NV|NCCL|LD_|LIBRARY_)")
 """Begins the names of the variables of NVIDIA's images."""
 _BARE = regex(rf"{_LIBRARY}(?:ubuntu|debian)(?:[:@].*)?")
-_UNLISTED = regex(
-    rf"{_LIBRARY}(?:ros|ubuntu|debian|python|osrf/ros2?)(?::[^@]*)?"
-    r"|(?:docker\.io/)?nvidia/cuda:.*|nvcr\.io/nvidia/cuda:.*"
-)
+_UNLISTED = regex(rf"{_LIBRARY}(?:ros|ubuntu|debian|python|osrf/ros2?)(?::[^@]*)?|{_OF_NVIDIA}")
 _UNCHECKED = regex(
     rf"{_LIBRARY}(?:ros|ubuntu|debian|osrf/ros2?|alpine|busybox|eclipse-mosquitto|httpd|influxdb|memcached|mongo|mysql"
     r"|nginx|node|postgres|python|rabbitmq|redis|telegraf)(?:[:@].*)?"

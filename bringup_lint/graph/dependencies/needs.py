@@ -2,25 +2,23 @@
 
 from __future__ import annotations
 
-import ast
 import os
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.facts.ros.needed import Needed
 from bringup_lint.facts.ros.needed import needed
+from bringup_lint.graph.dependencies.imports import imported
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.model.launch_values import Literal
 from bringup_lint.model.launch_values import PackageShare
 from bringup_lint.model.launch_values import Value
 from bringup_lint.model.launch_values import walk
-from bringup_lint.model.python import syntax_of
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.cmake_commands import commands
 from bringup_lint.source import Located
 from bringup_lint.source import Source
-from bringup_lint.source import Span
 
 if TYPE_CHECKING:
     from bringup_lint.discover.tree import Tree
@@ -80,29 +78,10 @@ def of_nodes(files: Files, launch: Launch) -> Iterator[Need]:
             continue
         if owner.manifest.build_type != "ament_python" and not _is_installed(owner, source):
             continue
-        for name in _imported(source):
+        for module in imported(source):
+            name = module.partition(".")[0]
             if not _is_own(files.tree, source, name):
-                yield Need("module", name, owner)
-
-
-def _imported(source: Source) -> Iterator[Located]:
-    """The top modules of the imports that no ``try`` and no ``if`` surround."""
-    module = syntax_of(source.text)
-    if module is None:
-        return
-    for statement in module.body:
-        if isinstance(statement, ast.Import):
-            names = [each.name for each in statement.names]
-        elif isinstance(statement, ast.ImportFrom) and not statement.level:
-            names = [statement.module or ""]
-        else:
-            continue
-        yield from (Located(name.partition(".")[0], _line(source, statement.lineno)) for name in names if name)
-
-
-def _line(source: Source, line: int) -> Span:
-    start = source.line_starts[line - 1]
-    return source.span(start, start + len(source.line_text(line)))
+                yield Need("module", Located(name, module.span), owner)
 
 
 def _is_own(tree: Tree, source: Source, name: str) -> bool:

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import ast
 import os
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.graph.dependencies.imports import imported
 from bringup_lint.model.package import Packages
-from bringup_lint.model.python import syntax_of
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.source import Located
 from bringup_lint.source import Source
@@ -51,32 +50,7 @@ def _needed(tree: Tree, package: Package, listed: Packages) -> Iterator[Located]
         own = os.path.relpath(os.path.dirname(os.path.abspath(path)), package.folder).replace(os.sep, ".")
         if own != "." and _is_installed(tree, package, listed, own):
             source = tree.read(path)
-            yield from _imported(source, own) if source is not None else ()
-
-
-def _imported(source: Source, own: str) -> Iterator[Located]:
-    """The modules that a module of a Python package imports at its top, with full names."""
-    module = syntax_of(source.text)
-    if module is None:
-        return
-    for statement in module.body:
-        if isinstance(statement, ast.Import):
-            names = [each.name for each in statement.names]
-        elif isinstance(statement, ast.ImportFrom):
-            names = [_absolute(statement, own)]
-        else:
-            continue
-        start = source.line_starts[statement.lineno - 1]
-        span = source.span(start, start + len(source.line_text(statement.lineno)))
-        yield from (Located(name, span) for name in names if name)
-
-
-def _absolute(statement: ast.ImportFrom, own: str) -> str:
-    if not statement.level:
-        return statement.module or ""
-    parts = own.split(".")
-    above = parts[: len(parts) - statement.level + 1]
-    return ".".join([*above, *([statement.module] if statement.module else [])]) if above else ""
+            yield from imported(source, own) if source is not None else ()
 
 
 def _package_of(tree: Tree, package: Package, module: str) -> str | None:

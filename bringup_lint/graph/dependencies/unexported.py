@@ -55,17 +55,16 @@ def unexported(files: Files, package: Package) -> Iterator[Unexported]:
         return
     targets = {target for build in builds for target in build.targets}
     named = _INSTALLS.sub("", text)
-    for path in files.tree.walked_below(package.folder):
-        if not path.endswith(".xml") or os.path.basename(path) in named:
-            continue
-        source = files.tree.read(path)
-        found = _first_class(source, targets) if source is not None else None
-        if source is None or found is None or not _makes_plugins(files, package):
-            continue
+    descriptions = (path for path in files.tree.walked_below(package.folder) if path.endswith(".xml"))
+    unnamed = (path for path in descriptions if os.path.basename(path) not in named)
+    described = [(path, found) for path in unnamed if (found := _first_class(files.tree.read(path), targets))]
+    if not described or not _makes_plugins(files, package):
+        return
+    for path, found in described:
         place = found.get("name") or found.get("type")
         if place is not None:
-            span = builds[0].source.span(*end.span(1))
-            yield Unexported(place, str(found.get("base_class_type")), source, _below(path, package), span)
+            span, base = builds[0].source.span(*end.span(1)), str(found.get("base_class_type"))
+            yield Unexported(place, base, place.span.source, _below(path, package), span)
 
 
 def _makes_plugins(files: Files, package: Package) -> bool:
@@ -78,9 +77,9 @@ def _below(path: str, package: Package) -> str:
     return os.path.relpath(path, package.folder)
 
 
-def _first_class(source: Source, targets: set[str]) -> Element | None:
+def _first_class(source: Source | None, targets: set[str]) -> Element | None:
     """The first class in one of the libraries; None when the file describes no plugins of them."""
-    root = parse(source).root if "base_class_type" in source.text else None
+    root = parse(source).root if source is not None and "base_class_type" in source.text else None
     if root is None:
         return None
     for element in root.walk():
