@@ -10,7 +10,6 @@ from bringup_lint.graph.dependencies.imports import imported
 from bringup_lint.model.package import Packages
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.source import Located
-from bringup_lint.source import Source
 
 if TYPE_CHECKING:
     from bringup_lint.discover.tree import Tree
