@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.runners.image_distros import foreign_workspaces
     from bringup_lint.graph.runners.image_distros import other_distros
     from bringup_lint.graph.runners.missing_programs import MissingProgram
+    from bringup_lint.graph.runners.missing_programs import lacks
     from bringup_lint.graph.runners.missing_programs import missing_programs
     from bringup_lint.graph.runners.recordings import recordings
     from bringup_lint.graph.runners.runner import Runner
@@ -74,6 +75,7 @@ __all__ = [
     "is_deployed",
     "is_in_container",
     "lacking_sources",
+    "lacks",
     "last_user",
     "may_set",
     "missing_programs",

@@ -57,14 +57,12 @@ FILES = ("mkdir", "rm", "cp", "mv", "touch", "chmod", "chown")
 )
 def bash_in_sh(robot: Robot) -> Iterator[Finding]:
     for file in robot.dockerfiles:
-        for stage in file.stages:
-            if not has_dash(stage.origin) or _has_shell(stage):
-                continue
-            found = list(_foreign(stage))
-            if found:
-                (word, message, severity), *others = sorted(found, key=lambda each: each[2] is not None)
-                related = [note(other, "here too") for other, _, _ in others[:9]]
-                yield finding(word, message, advice=ADVICE, related=related, severity=severity)
+        stages = [stage for stage in file.stages if has_dash(stage.origin) and not _has_shell(stage)]
+        found = [each for stage in stages for each in _foreign(stage)]
+        if found:
+            (word, message, severity), *others = sorted(found, key=lambda each: each[2] is not None)
+            related = [note(other, "here too") for other, _, _ in others[:9]]
+            yield finding(word, message, advice=ADVICE, related=related, severity=severity)
 
 
 ADVICE = 'write SHELL ["/bin/bash", "-c"] before the step, or what sh understands'

@@ -36,6 +36,7 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
+from bringup_lint.api import Related
 from bringup_lint.api import Robot
 from bringup_lint.api import Source
 from bringup_lint.api import finding
@@ -47,6 +48,7 @@ from bringup_lint.api.systemd import Ros
 from bringup_lint.api.systemd import Step
 
 GROUP = regex(r"dumb-init|tini\b.*\s-g\b")
+GIVEN = regex(r"^[ \t]*(\"\$@\"|\$@|\$\*)[ \t]*$", re.M)
 FOREVER = regex(r"\bsleep\s+(?:infinity|inf)\b|\btail\s+-[fF]\b")
 
 
@@ -60,6 +62,7 @@ def script_keeps_signal(robot: Robot) -> Iterator[Finding]:
             found.setdefault(ros.where.span, (step, ros, []))[2].append(runner)
     for step, ros, runners in found.values():
         related = [note(runner.where, f"{runner.name} starts the script") for runner in runners]
+        related += _given_at(step, ros)
         script = step.script.basename if step.script is not None else "the script"
         if step.command.background:
             message = (
@@ -71,6 +74,14 @@ def script_keeps_signal(robot: Robot) -> Iterator[Finding]:
             advice = "write exec in front of it"
         yield finding(ros.where, message, advice=advice, related=related)
     yield from _handing(robot, {step.script for step, _, _ in found.values()})
+
+
+def _given_at(step: Step, ros: Ros) -> Iterator[Related]:
+    """Where the script runs the command that it is given, which is written elsewhere."""
+    script = step.script
+    match = GIVEN.search(script.text) if script is not None and ros.where.span.source is not script else None
+    if script is not None and match is not None:
+        yield note(script.located(*match.span(1)), "runs the command that it is given")
 
 
 def _handing(robot: Robot, said: set[Source | None]) -> Iterator[Finding]:

@@ -2,8 +2,9 @@
 
 ## What it finds
 A path in the CYCLONEDDS_URI of a unit that does not exist in a whole root file system; in a repository, a path that
-nothing of it ships or makes, in a folder for which it ships a file of nearly the same name (a warning). Containers are
-not checked: a container has its own file system.
+nothing of it ships or makes, in a folder for which it ships a file of nearly the same name, or to which a script or
+a play copies one (a warning). For containers, a path to which nothing brings a file: neither an instruction of the
+Dockerfile of the tree, on an official image, nor a volume.
 
 ## Why it matters on a robot
 Cyclone DDS fails when it cannot open its configuration: no domain is created, and no node starts.
@@ -30,27 +31,23 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
-from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.docker import lacks
 
 
 @rule("error", symptoms=["can't open configuration file", "rmw_create_node: failed to create domain"])
 def cyclonedds_uri_file_missing(robot: Robot) -> Iterator[Finding]:
-    said: set[Span] = set()
+    seen = set()
     for process in robot.ros.processes:
         uri = process.environment.get("CYCLONEDDS_URI") if process.unit else None
-        if uri is None or uri.text is None or "<" in uri.text:
+        if uri is None or process.environment.text("RMW_IMPLEMENTATION") not in (None, "rmw_cyclonedds_cpp"):
             continue
-        rmw = process.environment.text("RMW_IMPLEMENTATION")
-        if rmw not in (None, "rmw_cyclonedds_cpp"):
-            continue
-        for part in uri.text.split(","):
-            path = part.strip().removeprefix("file://")
-            sibling = robot.filesystem.shipped_sibling(path) if path.startswith("/") else None
-            if path.startswith("/") and (sibling or robot.tree.has(path) is False) and uri.value.span not in said:
-                said.add(uri.value.span)
+        for path in _paths(uri.text):
+            sibling = robot.filesystem.shipped_sibling(path)
+            if (uri.value.span, path) not in seen and (sibling or robot.tree.has(path) is False):
+                seen.add((uri.value.span, path))
                 yield finding(
                     uri.value,
                     f"{path} does not exist: Cyclone DDS fails, and {process.name} starts no node",
@@ -64,3 +61,31 @@ def cyclonedds_uri_file_missing(robot: Robot) -> Iterator[Finding]:
                     ),
                     related=[note(process.where, f"{process.name} gets the variable")],
                 )
+    yield from _of_containers(robot)
+
+
+def _paths(text: str | None) -> list[str]:
+    """The absolute paths of a value; none where it holds the configuration itself."""
+    if text is None or "<" in text:
+        return []
+    paths = (part.strip().removeprefix("file://") for part in text.split(","))
+    return [path for path in paths if path.startswith("/")]
+
+
+def _of_containers(robot: Robot) -> Iterator[Finding]:
+    """One finding for each value, at the first container that gets it."""
+    seen = set()
+    for runner in robot.runners.all:
+        uri = runner.environment.get("CYCLONEDDS_URI") if runner.in_container and runner.runs_ros else None
+        if uri is None or runner.environment.text("RMW_IMPLEMENTATION") != "rmw_cyclonedds_cpp":
+            continue
+        path = next((each for each in _paths(uri.text) if lacks(robot.files, runner, each)), None)
+        if path is not None and uri.value.span not in seen:
+            seen.add(uri.value.span)
+            yield finding(
+                uri.value,
+                f"Nothing brings {path} into {runner.name}: Cyclone DDS fails, and no node starts",
+                advice="copy or mount the file there, or correct the path",
+                confidence="medium",
+                related=[note(runner.where, "has no such file")],
+            )

@@ -22,6 +22,8 @@ from bringup_lint.pattern import regex
 if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
     from bringup_lint.graph.runners.runner import Runner
+    from bringup_lint.model.compose import Service
+    from bringup_lint.model.compose import Volume
     from bringup_lint.model.dockerfile import Stage
     from bringup_lint.source import Located
 
@@ -52,7 +54,7 @@ def missing_programs(files: Files, runners: Iterable[Runner]) -> Iterator[Missin
             continue
         for word in _programs(runner, stage):
             path = _path(runner, stage, word)
-            if path is not None and not _is_brought(files, runner, stage, path):
+            if path is not None and lacks(files, runner, path):
                 found = [os.path.relpath(each) for each in files.tree.named(posixpath.basename(path))]
                 yield MissingProgram(word, path, stage, runner, found[0] if len(found) == 1 else "")
 
@@ -82,9 +84,19 @@ def _path(runner: Runner, stage: Stage, word: Located) -> str | None:
     return None if path is None or _MADE.search(path) else path
 
 
-def _is_brought(files: Files, runner: Runner, stage: Stage, path: str) -> bool:
-    """Whether a file may be there, as far as the tree says."""
-    if runner.reads(path) is not None or may_hold(files, stage, path) or _is_mounted(files, runner, path):
+def lacks(files: Files, runner: Runner, path: str) -> bool:
+    """Whether the container of a runner certainly has no file at a path, as far as the tree says."""
+    stage, service = runner.stage, runner.service
+    pulled = service.image if service is not None and service.build is None else None
+    origin = stage.origin if stage is not None else str(pulled or "")
+    if not is_plain(origin) or "$" in path or _MADE.search(path) or runner.reads(path) is not None:
+        return False
+    return not _is_mounted(files, runner, path) and (stage is None or not _is_in_image(files, stage, path))
+
+
+def _is_in_image(files: Files, stage: Stage, path: str) -> bool:
+    """Whether a step may put a file there."""
+    if may_hold(files, stage, path):
         return True
     name = posixpath.basename(path)
     for one in stage.chain:
@@ -101,9 +113,21 @@ def _is_mounted(files: Files, runner: Runner, path: str) -> bool:
     if service is not None:
         if service.get("configs") is not None or service.get("develop") is not None:
             return True
-        return any(path.startswith(str(each.target).rstrip("/")) for each in service.volumes)
+        over = (each for each in service.volumes if f"{path}/".startswith(f"{str(each.target).rstrip('/')}/"))
+        return any(_may_hold(files, service, each, path) for each in over)
     folders = [path]
     while (above := posixpath.dirname(folders[-1])) != "/":
         folders.append(above)
     given = re.compile(rf"(?::|target=)(?:{'|'.join(map(re.escape, folders))})(?![\w/.-])")
     return any(given.search(source.text) for source in files.sources)
+
+
+def _may_hold(files: Files, service: Service, volume: Volume, path: str) -> bool:
+    """Whether a volume over a path may hold its file: all but folders of the tree may, which are known."""
+    source = str(volume.source or "")
+    if not source.startswith("."):
+        return True
+    below = path[len(str(volume.target).rstrip("/")) :].lstrip("/")
+    folder = os.path.join(os.path.dirname(os.path.abspath(service.source.name)), source)
+    host = os.path.normpath(os.path.join(folder, below))
+    return not files.tree.exists(os.path.normpath(folder)) or files.tree.exists(host) or files.tree.is_ignored(host)
