@@ -21,7 +21,7 @@ from cyclonedds.domain import Domain
 for number, configuration in json.load(open(sys.argv[1])):
     os.write(2, f"\\n@@ {number}\\n".encode())
     try:
-        domain = Domain(0, configuration)
+        domain = Domain(int(sys.argv[2]), configuration)
     except Exception:
         os.write(2, b"\\n@@ refused\\n")
     else:
@@ -44,15 +44,16 @@ class Verdict(NamedTuple):
     message: str
 
 
-def ask(configurations: list[str], folder: Path) -> list[Verdict]:
-    """The library's verdict on values of ``CYCLONEDDS_URI``, in order. A crash is a refusal."""
+def ask(configurations: list[str], folder: Path, domain: int = 0) -> list[Verdict]:
+    """The library's verdict on values of ``CYCLONEDDS_URI``, in order, for a participant of a domain. A crash is a
+    refusal."""
     verdicts: dict[int, Verdict] = {}
     pending = list(enumerate(configurations))
     batch = folder / "batch.json"
     while pending:
         batch.write_text(json.dumps(pending), "utf-8")
         run = subprocess.run(
-            [sys.executable, "-c", _CHILD, str(batch)],
+            [sys.executable, "-c", _CHILD, str(batch), str(domain)],
             capture_output=True,
             timeout=300,
             check=False,

@@ -20,6 +20,8 @@ import yaml
 from bringup_lint.parsers.yaml_kinds import YAML_KINDS
 from bringup_lint.suppress.forms import PYTHON_KINDS
 from bringup_lint.suppress.forms import XML_KINDS
+from tests.oracles import cyclonedds_library
+from tests.oracles import fastdds_library
 from tests.oracles import sshd_server
 from tests.oracles import systemd_daemons
 from tests.oracles import test_launch_grammar
@@ -29,6 +31,8 @@ from tests.oracles import udevadm
 from tests.oracles import verify
 
 Judge = Callable[[Path], Counter[str]]
+REFUSED = "refused"
+"""What a tool comes to that warns of mistakes, and stops at the first one that is more."""
 _OF_THE_HOST = re.compile(r"No such file or directory|^reading config file|^considering log")
 """What depends on the files of the machine that runs the tests."""
 _ENDPOINTS = frozenset(["create_publisher", "create_subscription", "create_client", "create_service"])
@@ -139,7 +143,9 @@ def hadolint(path: Path) -> Counter[str]:
     run = subprocess.run(
         ["hadolint", "--no-color", "-"], input=path.read_text("utf-8"), capture_output=True, text=True, check=False
     )
-    return Counter(re.sub(r"\d+", "0", line) for line in (run.stdout + run.stderr).splitlines())
+    lines = (run.stdout + run.stderr).splitlines()
+    said = Counter(re.sub(r"\d+", "0", line) for line in lines)
+    return said if all(re.search(r" (DL|SC)\d+ ", line) for line in lines) else said + Counter([REFUSED])
 
 
 def apt(path: Path) -> Counter[str]:
@@ -199,7 +205,27 @@ def findmnt(path: Path) -> Counter[str]:
     return Counter(re.sub(r"\d+", "0", line) for line in lines if re.search(r"parse error|wrong|undefined", line))
 
 
+def cyclonedds(path: Path) -> Counter[str]:
+    """What Cyclone DDS says when a participant starts in the first domain that the file is for."""
+    number = re.search(r"<Domain\s[^>]*\bId\s*=\s*[\"'](\d{1,3})[\"']", path.read_text("utf-8-sig"), re.I)
+    domain = int(number[1]) if number else 0
+    with tempfile.TemporaryDirectory() as folder:
+        (verdict,) = cyclonedds_library.ask([f"file://{path}"], Path(folder), domain)
+    lines = re.sub(r" \([^()]*line \d+\)", "", verdict.message).split("; ")
+    said = Counter(re.sub(r"\d+", "0", line) for line in lines if line not in ("accepted", "refused"))
+    return said if verdict.accepted else said + Counter([REFUSED])
+
+
+def fastdds(path: Path) -> Counter[str]:
+    """What Fast DDS says when it loads the file."""
+    with tempfile.TemporaryDirectory() as folder:
+        (verdict,) = fastdds_library.ask([path.read_text("utf-8-sig")], Path(folder))
+    return Counter(verdict.message.split("; ") if verdict.result != fastdds_library.LOADED else [])
+
+
 READERS: dict[str, tuple[str, Judge]] = {
+    "cyclonedds": ("Cyclone DDS", cyclonedds),
+    "fastdds": ("Fast DDS", fastdds),
     "systemd-unit": ("systemd-analyze verify", systemd),
     "systemd-dropin": ("systemd-analyze verify", systemd),
     "logrotate": ("logrotate -d", logrotate),
@@ -230,8 +256,13 @@ READERS: dict[str, tuple[str, Judge]] = {
 DAEMONS = frozenset(["systemd-journald", "systemd-logind", "systemd --test"])
 PROGRAMS = frozenset(["logrotate", "findmnt", "nmcli", "hadolint", "apt-config", "bash", "crontab"])
 """Judges that are found on the path, or not at all."""
-STOPS = frozenset(["launch", "netplan generate", "nmcli", "hadolint", "bash -n", "crontab -n"])
+STOPS = frozenset(["launch", "netplan generate", "nmcli", "bash -n", "crontab -n", "Fast DDS"])
 """Tools that say nothing after the first mistake: without it, they come to the next one."""
+
+
+def has_stopped(tool: str, said: Counter[str]) -> bool:
+    """Whether a tool may have left out what it would say of the rest of a file."""
+    return REFUSED in said or (tool in STOPS and bool(said))
 
 
 def judges_of(kind: str) -> Iterator[tuple[str, Judge]]:
@@ -257,6 +288,10 @@ def is_installed(tool: str) -> bool:
         return sshd_server.SSHD is not None and shutil.which("ssh-keygen") is not None
     if tool == "launch":
         return test_launch_grammar.tool() != "launch"
+    if tool == "Cyclone DDS":
+        return cyclonedds_library.is_installed()
+    if tool == "Fast DDS":
+        return fastdds_library.library() is not None
     if tool in ("rcl", "rclpy"):
         return importlib.util.find_spec("rclpy") is not None
     if tool in DAEMONS:

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from tests.lint import lint
-from tests.oracles.judges import STOPS
+from tests.oracles.judges import has_stopped
 from tests.oracles.judges import is_installed
 from tests.oracles.judges import judges_of
 from tests.rules.test_fixes import FIXES
@@ -32,5 +32,5 @@ def test_fixed_file(rule_id: str, case: Path, tmp_path: Path) -> None:
             (folder / name).write_bytes(old[name])
             before = judge(folder / name)
             (folder / name).write_bytes(data)
-            if not (tool in STOPS and before):
+            if not has_stopped(tool, before):
                 assert not after - before

@@ -6,6 +6,7 @@ import io
 import json
 import re
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 from typing import NamedTuple
 
@@ -96,7 +97,26 @@ def test_gitlab_takes_every_issue(name: str) -> None:
 
 @pytest.mark.parametrize("name", REPORTS)
 def test_reviewdog_takes_every_diagnostic(name: str) -> None:
-    jsonschema.validate(json.loads(render("rdjson", REPORTS[name])), DIAGNOSTICS)
+    report = json.loads(render("rdjson", REPORTS[name]))
+    jsonschema.validate(report, DIAGNOSTICS)
+    jsonschema.validate(report, reviewdogs_schema())
+
+
+def reviewdogs_schema() -> dict[str, Any]:
+    """The published schema, which may not be extended."""
+    return strict(json.loads(Path(__file__).with_name("rdjson.schema.json").read_text("utf-8")))
+
+
+def strict(schema: Any) -> Any:
+    """A schema whose objects have no members but those that it names."""
+    if isinstance(schema, list):
+        return [strict(each) for each in schema]
+    if not isinstance(schema, dict):
+        return schema
+    inner = {key: strict(value) for key, value in schema.items()}
+    if "$ref" in inner or "properties" in inner:
+        inner.pop("additionalProperties", None)
+    return {**inner, "additionalProperties": False} if isinstance(inner.get("properties"), dict) else inner
 
 
 def test_reviewdog_counts_bytes() -> None:
