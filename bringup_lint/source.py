@@ -117,6 +117,10 @@ class Source:
         end = starts[line] if line < len(starts) else len(self.text)
         return self.text[starts[line - 1] : end].rstrip("\r\n")
 
+    def line_before(self, offset: int) -> str:
+        """The text of a line before an offset in it."""
+        return self.text[self.text.rfind("\n", 0, offset) + 1 : offset]
+
     @property
     def absolute(self) -> str:
         """The absolute path of the file, from the folder in which the run began."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import partial
 
 from bringup_lint.model.dockerfile import Dockerfile
 from bringup_lint.model.dockerfile import Instruction
@@ -10,7 +11,7 @@ from bringup_lint.model.dockerfile import Stage
 from bringup_lint.model.shell import Block
 from bringup_lint.model.shell import Command
 from bringup_lint.parsers.shell import blocks
-from bringup_lint.parsers.shell import commands
+from bringup_lint.parsers.shell import flatten
 from bringup_lint.parsers.systemd_values import split_words
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
@@ -210,11 +211,12 @@ def commands_of(stage: Stage) -> Iterator[Command]:
 
 def commands_of_run(instruction: Instruction) -> Iterator[Command]:
     """The shell commands of one RUN instruction."""
-    for script in instruction.scripts:
-        yield from commands(script)
+    for statements in blocks_of_run(instruction):
+        yield from flatten(statements)
 
 
 def blocks_of_run(instruction: Instruction) -> Iterator[tuple[Block, ...]]:
-    """The statements of each script of one RUN instruction."""
+    """The statements of each script of one RUN instruction, read once for all rules."""
     for script in instruction.scripts:
-        yield blocks(script)
+        key = (blocks, script.span.start, script.span.end)
+        yield script.span.source.once(key, partial(blocks, script))

@@ -119,6 +119,6 @@ def _edits(robot: Robot, each: Unhandled) -> Iterator[tuple[Span, str]]:
 
 def _both(place: Span) -> tuple[Span, str]:
     """The edit that adds the second exception, in parentheses when the first one has none."""
-    alone = place.source.text[: place.start].rstrip().endswith("except")
+    alone = place.source.line_before(place.start).rstrip().endswith("except")
     both = f"{place.text}, ExternalShutdownException"
     return place, f"({both})" if alone else both

@@ -36,6 +36,7 @@ When the packages are known to need no others, or somebody is to read what apt i
 """
 
 import re
+from collections.abc import Iterable
 from collections.abc import Iterator
 from collections.abc import Sequence
 from itertools import pairwise
@@ -57,6 +58,7 @@ from bringup_lint.api.shell import unwrapped
 
 PROGRAMS = ("apt", "apt-get")
 ASKING = ("install", "upgrade", "dist-upgrade", "full-upgrade", "build-dep")
+DESKTOP = "-desktop"
 VALUED = ("-t", "-o", "-c", "-a", "--target-release", "--option", "--config-file")
 ANSWERED = regex(
     r"-[a-zA-Z]*y[a-zA-Z]*|-[a-zA-Z]*qq[a-zA-Z]*|--(?:assume-)?yes|--force-yes|--assume-no|--quiet=[2-9]|-q=[2-9]"
@@ -97,8 +99,9 @@ def _takes_answers(robot: Robot, file: Dockerfile) -> bool:
 
 def _of_image(stage: Stage) -> Iterator[Finding]:
     """One finding for all calls of a stage."""
-    installed = {str(word) for base in list(stage.chain)[1:] for each in commands_of(base) for word in each.words}
-    installed.add(stage.origin)
+    installed = set(_brought([stage.origin]))
+    for base in list(stage.chain)[1:]:
+        installed.update(word for command in commands_of(base) for word in _brought(command.words))
     asking = []
     brings_ros = False
     for command in commands_of(stage):
@@ -106,7 +109,7 @@ def _of_image(stage: Stage) -> Iterator[Finding]:
         if not command.depth and _asks(words, installed):
             asking.append(words[0])
             brings_ros |= any(word.startswith("ros-") for word in words)
-        installed.update(map(str, words))
+        installed.update(_brought(words))
     if asking:
         yield finding(
             asking[0],
@@ -127,7 +130,7 @@ def _of_scripts(robot: Robot) -> Iterator[Finding]:
         known = installed.setdefault(source, set())
         answers = any(each.operator.startswith("<") for each in run.command.redirects)
         calls.setdefault(source, []).append((words, not answers and _asks(words, known)))
-        known.update(map(str, words))
+        known.update(_brought(words))
     for source, each in calls.items():
         asking = sorted((words for words, asks in each if asks), key=lambda words: not _installs(words))
         answered = [words[0] for words, _ in each if _is_answered(words)]
@@ -185,7 +188,10 @@ def _installs(words: Sequence[Located]) -> bool:
 
 def _asks(words: Sequence[Located], installed: set[str]) -> bool:
     """Whether a call of apt may ask for a confirmation."""
-    if not words or words[0].rpartition("/")[2] not in PROGRAMS or PIPED.search(_before(words[0])):
+    if not words or words[0].rpartition("/")[2] not in PROGRAMS:
+        return False
+    place = words[0].span
+    if PIPED.search(place.source.line_before(place.start)):
         return False
     if "--reinstall" in words or any(
         "$" in word and "ROS_DISTRO" not in word and word.startswith(("$", "-")) for word in words
@@ -209,18 +215,20 @@ def _parts(words: Sequence[Located]) -> tuple[str, list[str]]:
     return (plain[0], plain[1:]) if plain else ("", [])
 
 
+def _brought(words: Iterable[str]) -> Iterator[str]:
+    """The words of a command that may be packages, and the sign of the desktop where one of them is it."""
+    for word in words:
+        yield str(word)
+        if DESKTOP in word:
+            yield DESKTOP
+
+
 def _needs_others(package: str, installed: set[str]) -> bool:
     """Whether a package may need others: what belongs to an installed one, such as git-lfs to git, does not."""
     name = package.partition("=")[0]
     if "/" in package or name.endswith(".deb") or name in ALONE or name in installed:
         return False
     if name.startswith("ros-"):
-        return not any("-desktop" in each for each in installed)
+        return DESKTOP not in installed
     parts = name.split("-")
     return not any("-".join(parts[:count]) in installed for count in range(1, len(parts)))
-
-
-def _before(word: Located) -> str:
-    """The text of the line before a word."""
-    span = word.span
-    return span.source.text[: span.start].rpartition("\n")[2]

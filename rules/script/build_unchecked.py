@@ -79,8 +79,7 @@ def _is_ignored(run: Run) -> bool:
     if run.name != "colcon" or run.arguments[:1] != ["build"] or run.command.ends in ("&&", "||", "&"):
         return False
     span = run.command.words[0].span
-    before = span.source.text[: span.start].rpartition("\n")[2]
-    return CONDITION.search(before) is None
+    return CONDITION.search(span.source.line_before(span.start)) is None
 
 
 def _moves(run: Run) -> bool:

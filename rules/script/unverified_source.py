@@ -110,7 +110,7 @@ def _word(source: Source, match: re.Match[str]) -> Located:
 
 def _is_said(source: Source, match: re.Match[str]) -> bool:
     """Whether a match is neither a comment nor an option in a text that is printed."""
-    line = source.text[: match.start()].rpartition("\n")[2]
+    line = source.line_before(match.start())
     if line.lstrip().startswith("#") or " # " in line:
         return False
     looks = LOOKED_FOR if match.lastgroup == "trusted" else PRINTED

@@ -7,12 +7,15 @@ from collections.abc import Callable
 
 import pytest
 
+from bringup_lint.discover.walk import discover_text
 from bringup_lint.graph.dds.cyclonedds_names import first_of
 from bringup_lint.graph.params.values import taken_back
 from bringup_lint.model.params import matches
 from bringup_lint.model.schema import Code
 from bringup_lint.parsers.cyclonedds import parse as parse_cyclonedds
 from bringup_lint.parsers.params import parse as parse_params
+from bringup_lint.registry import Registry
+from bringup_lint.robot import Robot
 from bringup_lint.source import Source
 from tests.scenarios.test_growth import LOGARITHM
 from tests.scenarios.test_growth import counted
@@ -42,6 +45,15 @@ def repeated(count: int) -> Callable[[], object]:
     return lambda: [first_of(configuration, each) for each in remarks]
 
 
+def asking(count: int) -> Callable[[], object]:
+    """Installations that nobody answers, of packages that each have another name."""
+    text = "FROM ros:jazzy-ros-base\n" + "".join(f"RUN apt-get install ros-jazzy-p{n}\n" for n in range(count))
+    robot = Robot(discover_text("Dockerfile", text.encode()))
+    apt_asks = Registry.of()["script/apt-asks"]
+    assert list(apt_asks.check(Robot(discover_text("Dockerfile", text.encode()))))
+    return lambda: list(apt_asks.check(robot))
+
+
 def lines_of(work: Callable[[], object]) -> int:
     """How many lines run: a loop in one function makes no calls."""
     count = 0
@@ -60,7 +72,7 @@ def lines_of(work: Callable[[], object]) -> int:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("shape", [blocks, repeated])
+@pytest.mark.parametrize("shape", [blocks, repeated, asking])
 def test_work_grows_as_the_file_does(shape: Callable[[int], Callable[[], object]]) -> None:
     lines = [lines_of(shape(size)) for size in SIZES]
     assert excess(*lines) <= LOGARITHM
