@@ -143,6 +143,7 @@ class Launch:
     def _unseen(self) -> frozenset[int]:
         return frozenset(id(file) for file in self.files if file.reads_all or _substitutes(file))
 
+    @memo
     def place(self, value: Value) -> Place | None:
         """A resolved value as a path, in terms of the package or folder it is relative to."""
         return place(value)
