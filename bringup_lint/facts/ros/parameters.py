@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from fnmatch import fnmatchcase
 from functools import cache
 
@@ -12,15 +13,42 @@ OF_EVERY_NODE = ("use_sim_time", "start_type_description_service", "qos_override
 """rclcpp and rclpy declare these themselves (rclcpp, time_source.cpp, node_type_descriptions.cpp, qos_overrides)."""
 
 
+class Names(NamedTuple):
+    """Names and patterns of names. Most are no patterns: fnmatch would compile one of each, and forget those of long
+    tables at once."""
+
+    plain: frozenset[str]
+    patterns: tuple[str, ...]
+
+    def __contains__(self, name: object) -> bool:
+        return name in self.plain or any(fnmatchcase(str(name), pattern) for pattern in self.patterns)
+
+
+def _names(written: Iterable[str]) -> Names:
+    every = tuple(written)
+    patterns = tuple(each for each in every if not set("*?[").isdisjoint(each))
+    return Names(frozenset(every).difference(patterns), patterns)
+
+
 def hands_parameters(package: str) -> bool:
     """Whether a package that is not in the tree may declare parameters in a node."""
-    return not any(fnmatchcase(package, row["package"]) for row in table("ros/parameter_free"))
+    return package not in _without_parameters()
+
+
+@cache
+def _without_parameters() -> Names:
+    return _names(row["package"] for row in table("ros/parameter_free"))
 
 
 def is_of_library(parameter: str) -> bool:
     """Whether the client library, or a common library, declares a parameter of this name."""
-    patterns = [*OF_EVERY_NODE, *(name for row in table("ros/parameter_free") for name in row["names"].split())]
-    return any(fnmatchcase(parameter, pattern) for pattern in patterns)
+    return parameter in _of_libraries()
+
+
+@cache
+def _of_libraries() -> Names:
+    named = (name for row in table("ros/parameter_free") for name in row["names"].split())
+    return _names((*OF_EVERY_NODE, *named))
 
 
 class PublicNode(NamedTuple):
@@ -41,17 +69,27 @@ class PublicNode(NamedTuple):
     def declares(self, parameter: str) -> bool:
         if "." in parameter and self.has_plugins:
             return True
-        return any(fnmatchcase(parameter, pattern) for pattern in self.parameters) or is_of_library(parameter)
+        return parameter in _names_of(self.parameters) or is_of_library(parameter)
 
     def type_of(self, parameter: str) -> str | None:
         """The type that the node declares for a parameter; None when it is not known."""
         subject, name = self.package, parameter
         if self.has_plugins:
             subject, name = "nav2", parameter.rpartition(".")[2]
-        for row in table("ros/parameter_types"):
-            if row["package"] == subject and any(fnmatchcase(name, each) for each in row["parameters"].split()):
-                return row["type"]
-        return None
+        typed = (kind for package, names, kind in _typed() if package == subject and name in names)
+        return next(typed, None)
+
+
+@cache
+def _names_of(parameters: tuple[str, ...]) -> Names:
+    return _names(parameters)
+
+
+@cache
+def _typed() -> tuple[tuple[str, Names, str], ...]:
+    """Package, parameters and their type."""
+    rows = table("ros/parameter_types")
+    return tuple((row["package"], _names(row["parameters"].split()), row["type"]) for row in rows)
 
 
 @cache

@@ -18,7 +18,7 @@ def is_plain(pattern: str) -> bool:
 
 def matches(pattern: str, text: str) -> bool:
     """Whether the pattern matches the whole text; a pattern too long to judge matches nothing but itself."""
-    if len(pattern) > _LONGEST:
+    if len(pattern) > _LONGEST or is_plain(pattern):
         return pattern == text
     return _compiled(pattern).match(text) is not None
 
