@@ -20,8 +20,8 @@ class Names(NamedTuple):
     plain: frozenset[str]
     patterns: tuple[str, ...]
 
-    def __contains__(self, name: object) -> bool:
-        return name in self.plain or any(fnmatchcase(str(name), pattern) for pattern in self.patterns)
+    def has(self, name: str) -> bool:
+        return name in self.plain or any(fnmatchcase(name, pattern) for pattern in self.patterns)
 
 
 def _names(written: Iterable[str]) -> Names:
@@ -32,7 +32,7 @@ def _names(written: Iterable[str]) -> Names:
 
 def hands_parameters(package: str) -> bool:
     """Whether a package that is not in the tree may declare parameters in a node."""
-    return package not in _without_parameters()
+    return not _without_parameters().has(package)
 
 
 @cache
@@ -42,7 +42,7 @@ def _without_parameters() -> Names:
 
 def is_of_library(parameter: str) -> bool:
     """Whether the client library, or a common library, declares a parameter of this name."""
-    return parameter in _of_libraries()
+    return _of_libraries().has(parameter)
 
 
 @cache
@@ -69,14 +69,14 @@ class PublicNode(NamedTuple):
     def declares(self, parameter: str) -> bool:
         if "." in parameter and self.has_plugins:
             return True
-        return parameter in _names_of(self.parameters) or is_of_library(parameter)
+        return _names_of(self.parameters).has(parameter) or is_of_library(parameter)
 
     def type_of(self, parameter: str) -> str | None:
         """The type that the node declares for a parameter; None when it is not known."""
         subject, name = self.package, parameter
         if self.has_plugins:
             subject, name = "nav2", parameter.rpartition(".")[2]
-        typed = (kind for package, names, kind in _typed() if package == subject and name in names)
+        typed = (kind for package, names, kind in _typed() if package == subject and names.has(name))
         return next(typed, None)
 
 
