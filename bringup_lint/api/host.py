@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from bringup_lint.on_demand import on_demand
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.host.device_addresses import own_addresses
     from bringup_lint.graph.host.device_uses import DeviceUse
     from bringup_lint.graph.host.options import option_of
     from bringup_lint.model.fstab import Mount
@@ -19,4 +20,5 @@ __all__ = [
     "KernelParameter",
     "Mount",
     "option_of",
+    "own_addresses",
 ]

@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.plugins.refused import Refused
     from bringup_lint.graph.plugins.unknown import UnknownPlugin
     from bringup_lint.graph.plugins.untyped import UntypedPlugin
+    from bringup_lint.graph.topics.questions.frames import unknown_frames
     from bringup_lint.graph.topics.questions.parameter_blocks import unreached
     from bringup_lint.graph.topics.questions.parameter_blocks import unused
     from bringup_lint.graph.topics.questions.undeclared import Undeclared
@@ -62,6 +63,7 @@ __all__ = [
     "qos_overrides",
     "simulated",
     "undeclared",
+    "unknown_frames",
     "unknown_to_public",
     "unreached",
     "unused",

@@ -70,6 +70,7 @@ class _Matching:
                 if None in names or any(self._reaches(block, load) for block in file.blocks for load in same):
                     continue
                 others = [load for load in self.params.loads(file) if load.node.action is not same[0].node.action]
+                others = [load for load in others if load in loads or self._name(load) is not None]
                 free = [block for block in file.blocks if not any(self._reaches(block, load) for load in others)]
                 yield from islice(self._mismatches(file, free, same[0], loads), 1)
 
