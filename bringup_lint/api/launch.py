@@ -39,6 +39,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch.relative_paths import relative_paths
     from bringup_lint.graph.launch.resolve import text_of
     from bringup_lint.graph.launch.resolve import truth
+    from bringup_lint.graph.launch.shared_devices import shared_devices
     from bringup_lint.graph.launch.started import Started
     from bringup_lint.graph.launch.started import exclusive
     from bringup_lint.graph.launch.started import literal_text
@@ -169,6 +170,7 @@ __all__ = [
     "respawns",
     "same",
     "setting",
+    "shared_devices",
     "simulated_by_default",
     "simulated_literally",
     "simulates_nothing",
