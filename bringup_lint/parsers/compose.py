@@ -13,8 +13,9 @@ from bringup_lint.model.yaml_node import Scalar
 from bringup_lint.model.yaml_node import YamlFile
 from bringup_lint.parsers import compose_schema
 from bringup_lint.parsers import yaml_nodes
-from bringup_lint.parsers.shell import words
+from bringup_lint.parsers.shell import commands
 from bringup_lint.pattern import regex
+from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
 
@@ -33,10 +34,21 @@ def parse(source: Source) -> ComposeFile:
         return file
     for name, body in services.merged:
         if isinstance(body, Mapping):
-            file.services.append(Service(name.value, body, words))
+            file.services.append(Service(name.value, body, _words))
     for service in file.services:
         _extend(service, file)
     return file
+
+
+def _words(text: Located) -> Iterator[Located]:
+    """The words of a command before the first operator, which Compose drops with all that follows it
+    (github.com/mattn/go-shellwords); a newline is a blank."""
+    for command in commands(text):
+        targets = [each.target.span.start for each in command.redirects if each.target is not None]
+        end = min(targets, default=text.span.end)
+        yield from (word for word in (*command.assignments, *command.words) if word.span.start < end)
+        if command.redirects or command.ends not in ("", "\n"):
+            return
 
 
 def is_certain(path: str, root: Node | None) -> bool:

@@ -1,5 +1,6 @@
 """Compose files: services with what merge keys, extends and both syntaxes bring."""
 
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -75,6 +76,22 @@ def test_a_circle_of_extends_ends():
 def test_launch_in_separate_words():
     service = read("services: {a: {image: x, command: [ros2, launch, base, base.launch.py]}}").service("a")
     assert service.launches == "launch"
+
+
+@pytest.mark.parametrize(
+    ("written", "given"),
+    [
+        ("bash -c source /a && ros2 launch b c", "bash -c source /a"),
+        ("ros2 topic echo /d > /data/d.txt", "ros2 topic echo /d"),
+        ("A=1 sleep 5 &", "A=1 sleep 5"),
+        ("|\n      ros2 run\n      a b", "ros2 run a b"),
+        ('bash -c "a && b"', "bash -c a && b"),
+    ],
+)
+def test_a_command_ends_at_the_first_operator(written: str, given: str) -> None:
+    service = read(f"services:\n  a:\n    command: {written}\n").service("a")
+    assert " ".join(service.command) == given
+    assert service.launches is None
 
 
 def test_split():
