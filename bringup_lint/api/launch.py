@@ -12,6 +12,11 @@ from bringup_lint.on_demand import on_demand
 if TYPE_CHECKING:
     from bringup_lint.facts.ros.launch_calls import parameters_of
     from bringup_lint.finding import Finding
+    from bringup_lint.graph.dependencies.effects import AT_RUN_TIME
+    from bringup_lint.graph.dependencies.effects import Effect
+    from bringup_lint.graph.dependencies.effects import Undeclared
+    from bringup_lint.graph.dependencies.effects import effect_of
+    from bringup_lint.graph.dependencies.effects import of_robots
     from bringup_lint.graph.dependencies.needs import Need
     from bringup_lint.graph.launch.delays import delayed
     from bringup_lint.graph.launch.delays import undelayed
@@ -102,6 +107,7 @@ else:
     __getattr__ = on_demand(globals())
 
 __all__ = [
+    "AT_RUN_TIME",
     "Action",
     "Argument",
     "Choice",
@@ -112,6 +118,7 @@ __all__ = [
     "DeclareArgument",
     "DerivedFile",
     "DictValue",
+    "Effect",
     "Emit",
     "Env",
     "EventHandler",
@@ -145,6 +152,7 @@ __all__ = [
     "Started",
     "Timer",
     "TypedValue",
+    "Undeclared",
     "Unknown",
     "Unpassed",
     "UntypedController",
@@ -153,6 +161,7 @@ __all__ = [
     "Wait",
     "check_of",
     "delayed",
+    "effect_of",
     "exclusive",
     "full_name",
     "in_degrees",
@@ -162,6 +171,7 @@ __all__ = [
     "missing_entries",
     "names_beside",
     "not_passed",
+    "of_robots",
     "outside",
     "parameters_of",
     "refused",

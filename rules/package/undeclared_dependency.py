@@ -61,17 +61,16 @@ from bringup_lint.api import launch
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.launch import AT_RUN_TIME
+from bringup_lint.api.launch import Effect
 from bringup_lint.api.launch import Need
+from bringup_lint.api.launch import Undeclared
+from bringup_lint.api.launch import effect_of
+from bringup_lint.api.launch import of_robots
 
-BESIDE = ("exec_depend", "run_depend", "depend")
-"""The dependencies below which another one is written, before those of building and testing."""
 REST = regex(r"[ \t]*(?:<!--[^\n<>]*-->[ \t]*)?(?=\r?\n)")
 """The end of a line that has nothing or a comment."""
 DEPENDENCY = regex(r"[ \t]*<\w+_?depend\b")
-PLACEHOLDER = regex(r"^(?:your|my)_(?:package|pkg|robot|node)|package_name$")
-ASIDE = regex(r"^(?:rviz|rqt|plotjuggler)|_gui$|(?:^|_)(?:gz|gazebo|sim|ign|ignition|webots|mujoco|isaac)(?:_|$)")
-"""Viewers and simulators, which no robot needs."""
-SEVERAL = 3
 SHOWN = 12
 """Places that a finding shows."""
 ASKED = {
@@ -98,30 +97,26 @@ def undeclared_dependency(robot: Robot) -> Iterator[Finding]:
     for package in robot.launch.workspace.packages.values():
         if not robot.dependencies.judged(package):
             continue
-        undeclared = robot.dependencies.undeclared(package)
-        needs = [each for each in undeclared if not PLACEHOLDER.search(each.name) and not robot.launch.meant(each.name)]
-        stopping = [need for need in needs if robot.dependencies.stops_build(need)]
-        lacking = [need for need in needs if robot.dependencies.is_lacking(need)]
-        apart = [need for need in needs if robot.dependencies.left_out(need)]
-        released = [need for need in needs if robot.dependencies.is_released_without(need)]
-        started = [need for need in needs if _is_started(robot, package, need)]
-        if stopping:
-            yield _found(package, [*stopping, *lacking], started, _of_build(stopping), "high")
-        elif lacking:
-            yield _found(package, [*lacking, *apart], started, _of_robot(robot, lacking), None)
-        elif apart:
-            yield _left_out(robot, package, apart, started)
-        elif released:
-            yield _found(package, released, started, _of_release(package, released[0]), None)
-        elif started and _declares_nothing(package, started):
-            yield _found(package, started, started, _of_nothing(package, started), None)
-        elif started:
-            yield _harmless(robot, package, started)
+        found = effect_of(robot.dependencies, robot.launch, package)
+        if found is not None:
+            yield _finding(robot, package, found)
 
 
-def _is_started(robot: Robot, package: launch.Package, need: Need) -> bool:
-    """Whether a launch file needs a package, and nothing that is declared has a name like it."""
-    return need.use in ("node", "include") and not robot.launch.comes_with(package, str(need.name))
+def _finding(robot: Robot, package: launch.Package, found: Undeclared) -> Finding:
+    needs, started = [*found.needs, *found.others], found.started
+    match found.effect:
+        case Effect.BUILD:
+            return _found(package, needs, started, _of_build(found.needs), "high")
+        case Effect.ROBOT:
+            return _found(package, needs, started, _of_robot(robot, found.needs), None)
+        case Effect.APART:
+            return _left_out(robot, package, needs, started)
+        case Effect.RELEASE:
+            return _found(package, needs, started, _of_release(package, needs[0]), None)
+        case Effect.EMPTY:
+            return _found(package, needs, started, _of_nothing(package, started), None)
+        case Effect.HARMLESS:
+            return _harmless(robot, package, started)
 
 
 def _of_build(needs: list[Need]) -> str:
@@ -143,17 +138,8 @@ def _of_release(package: launch.Package, need: Need) -> str:
     return f"The Debian package of {package.name} does not bring {need.name}: installed alone, its {_end(need)}"
 
 
-def _declares_nothing(package: launch.Package, started: list[Need]) -> bool:
-    """Whether a package.xml that nobody has filled in is one of a package which starts others."""
-    return not any(tag in BESIDE for tag, _ in package.manifest.depends) and len(_of_robots(started)) >= SEVERAL
-
-
-def _of_robots(started: list[Need]) -> list[Need]:
-    return [need for need in started if not ASIDE.search(need.name)]
-
-
 def _of_nothing(package: launch.Package, started: list[Need]) -> str:
-    first, *others = _of_robots(started)
+    first, *others = of_robots(started)
     return (
         f"{package.name} declares nothing that it needs at run time: rosdep and colcon build --packages-up-to do not "
         f"know that its launch files start {first.name} and {len(others)} others"
@@ -224,7 +210,7 @@ def _found(
 def _last(package: launch.Package) -> Span | None:
     """The dependency below which another one is written: the last of its kind."""
     places = package.manifest.places
-    return next((places[tag] for tag in (*BESIDE, *places) if tag in places), None)
+    return next((places[tag] for tag in (*AT_RUN_TIME, *places) if tag in places), None)
 
 
 def _places(needs: list[Need]) -> list[Related]:
