@@ -128,6 +128,7 @@ class _Reader:
         self.schema = schema(profiles.version)
         self.items = self.schema.items
         self.known_transports: set[str] = set()
+        self.known_profiles: set[tuple[str, str | None]] = set()
 
     def remark(
         self, code: Code, where: Located | Span, detail: str, item: Item | None = None, fatal: bool = True
@@ -186,8 +187,9 @@ class _Reader:
             self.remark(Code.UNKNOWN, element.name, element.name, self.items["profiles"])
             return
         name = element.get("profile_name")
-        if name and any(each.name == name for each in self.profiles.of_kind(kind)):
+        if name and (kind, name) in self.known_profiles:
             self.remark(Code.PROFILE_DUPLICATE, name, name, item, False)
+        self.known_profiles.add((kind, name))
         self.profiles.profiles.append(Profile(kind, element, name, element.get("is_default_profile")))
         self.inside(element, item)
 
