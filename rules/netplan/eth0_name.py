@@ -33,6 +33,7 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import regex
 from bringup_lint.api import rule
@@ -43,7 +44,7 @@ BOARD = regex(r"net\.ifnames=0|raspberry|raspi|rpi|\bjetson\b|tegra|nvidia-l4t",
 @rule("info", confidence="medium", symptoms=["Cannot find device eth", 'Device "eth0" does not exist'])
 def eth0_name(robot: Robot) -> Iterator[Finding]:
     named = [each for each in robot.netplan.interfaces if each.is_physical and each.name in ("eth0", "wlan0")]
-    if not named or any(BOARD.search(source.said) or BOARD.search(source.name) for source in robot.sources):
+    if not named or any(_is_of_board(source) for source in robot.sources):
         return
     for interface in named:
         if interface.match is None:
@@ -52,3 +53,9 @@ def eth0_name(robot: Robot) -> Iterator[Finding]:
                 f"{interface.name} exists only if predictable names are off; a PC has names such as enp3s0",
                 advice="match by MAC address and set the name with set-name",
             )
+
+
+def _is_of_board(source: Source) -> bool:
+    """Whether a file is for a computer whose interfaces have such names."""
+    named = source.once(_is_of_board, lambda: BOARD.search(source.said) is not None)
+    return named or BOARD.search(source.name) is not None

@@ -12,7 +12,11 @@ from bringup_lint.source import Source
 
 def imported(source: Source, package: str | None = None) -> Iterator[Located]:
     """The modules of the imports that no ``try`` and no ``if`` surround, with full names. Each has the span of its
-    line. Relative ones count where the package is known that the file lies in, with dots."""
+    line. Relative ones count where the package is known that the file lies in, with dots. Each file is read once."""
+    yield from source.once((imported, package), lambda: tuple(_imported(source, package)))
+
+
+def _imported(source: Source, package: str | None) -> Iterator[Located]:
     module = syntax_of(source.text)
     if module is None:
         return

@@ -103,13 +103,17 @@ class PackageInterfaces:
         return (kind, name) not in self.defined or (listed is not None and name not in listed)
 
 
+Imports = tuple[tuple[str, str, Located], ...]
+"""Package, kind and name of each interface that a source imports."""
+
+
 def missing_interfaces(
     files: Files, workspace: Workspace, interfaces_of: Callable[[Package], PackageInterfaces]
 ) -> Iterator[MissingInterface]:
     """The imports of nodes that raise an exception because the interface does not exist."""
     sources = (each for each in files.of_kind("python-node") if each.judged)
     for source in sources:
-        imported = list(_imported(source))
+        imported = _imports(source)
         for package, kind, name in imported:
             owner = workspace.packages.get(package)
             if owner is None or owner.manifest.is_ros1:
@@ -128,10 +132,15 @@ def _is_required(workspace: Workspace, source: Source, package: str) -> bool:
     return importer is not None and (importer.name == package or package in workspace.required(importer))
 
 
-def _is_used(interfaces: PackageInterfaces, imported: list[tuple[str, str, Located]]) -> bool:
+def _is_used(interfaces: PackageInterfaces, imported: Imports) -> bool:
     """Whether a source that imports all this also imports what the package has, so that it means this one."""
     found = ((kind, str(name)) for package, kind, name in imported if package == interfaces.package.name)
     return any(each in interfaces.defined for each in found)
+
+
+def _imports(source: Source) -> Imports:
+    """The same as ``_imported``, made once for each source."""
+    return source.once(_imports, lambda: tuple(_imported(source)))
 
 
 def _imported(source: Source) -> Iterator[tuple[str, str, Located]]:

@@ -46,7 +46,7 @@ def missing_entries(tree: Tree, package: Package) -> Iterator[MissingEntry]:
         else:
             source = tree.beside(package.manifest.source, os.path.relpath(path, package.folder))
             first = function.partition(".")[0]
-            if first and source is not None and not _defines(source.text, first):
+            if first and source is not None and not _defines(source, first):
                 yield MissingEntry(package, package.executables[name], module, function, source)
 
 
@@ -70,8 +70,12 @@ def _may_be_made(tree: Tree, stem: str) -> bool:
     return tree.is_link(os.path.dirname(stem)) or not tree.exists(os.path.dirname(stem))
 
 
-def _defines(text: str, name: str) -> bool:
+def _defines(source: Source, name: str) -> bool:
     """Whether a module has a name at its top, as far as that is known."""
+    return source.once((_defines, name), lambda: _binds(source.text, name))
+
+
+def _binds(text: str, name: str) -> bool:
     tree = syntax_of(text)
     return tree is None or any(name in names or "*" in names for names in map(_names, ast.walk(tree)))
 
