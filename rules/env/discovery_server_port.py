@@ -44,6 +44,9 @@ STARTS = regex(
 )
 PORT = regex(r"(?<!\S)[\"']?-(?:p|-udp-port|-port)[\"',=\s]{1,9}(?P<port>[^\s\"',\]]+)")
 UNKNOWN = regex(r"[${]|-x\b|--xml-file|-t\b|--tcp|\bstop\b|\blist\b|-h\b")
+STARTED = regex(r"(?<!\S)[\"']?-(?:[ilp]|-server-id|-ip-address|-udp-address|-udp-port|-port)\b")
+NO_START = regex(r"#|\b(?:p?grep|p?kill|killall|pidof|echo)\b")
+"""The command is only looked for or spoken of."""
 BY_FILE = regex(r"discoveryProtocol>\s*(?:SERVER|BACKUP)\s*<")
 ADDRESS = regex(r"[\w.-]+(?::(?P<port>\d+))?")
 KINDS = ("shell-script", "systemd-unit", "systemd-dropin", "compose", "dockerfile", "launch-python", "launch-xml")
@@ -80,9 +83,9 @@ def _servers(robot: Robot) -> Iterator[tuple[str | None, Located]]:
             continue
         for match in STARTS.finditer(source.text):
             line = source.text[: match.start()].rpartition("\n")[2]
-            if "#" in line or not source.judged:
-                continue
             options = match["options"] or match["more"] or ""
+            if NO_START.search(line) or not STARTED.search(options) or not source.judged:
+                continue
             where = source.located(match.start(), match.end())
             is_cut = line.count("[") > (line + match[0]).count("]")
             ports = [each["port"] for each in PORT.finditer(options)]
