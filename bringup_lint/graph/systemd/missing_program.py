@@ -17,7 +17,7 @@ _OWN = regex(r"/(?:usr/local|opt|etc|home|root|srv|var|data)/.+")
 """Where programs lie that no package of the distribution brings."""
 _MODE = regex(r"^[ \t-]*(?:permissions|mode)[\"']?[ \t]*:", re.M)
 _CHANGES = regex(r"\b(?:chmod|setfacl|install|cp|mv|rsync)\b[^\n]*")
-_GIVES_MODE = regex(r"\b(?:chmod|setfacl|install[ \t]|rsync[^\n]*--chmod)[^\n]*")
+_GIVES_MODE = regex(r"\b(?:chmod|setfacl|install[ \t]|rsync[^\n]{0,200}--chmod)[^\n]*")
 _SEVERAL = regex(r"[*$]|\{\}|[ \t]-\w{0,5}R")
 _SCRIPT = regex(r"\.(?:sh|bash|py|pl)$")
 
