@@ -95,9 +95,8 @@ class Selection:
         """The id that a name means. Raises ConfigError when it means none."""
         if name in self.families or name in self.registry.family_of:
             return name
-        for rule in self.registry.all():
-            if name in rule.meta.aliases:
-                return rule.id
+        if name in self.registry.aliases:
+            return self.registry.aliases[name]
         near = meant(name, [*self.families, *self.registry.family_of])
         raise ConfigError(
             f"{self.config.place(name)}no rule or family is called '{name}'"

@@ -323,6 +323,11 @@ class Registry:
         """The rules that can say something about a robot (``family.toml``: reads, mentions, joins)."""
         return [rule_id for family in self.families for rule_id in family.ids_for(robot)]
 
+    @cached_property
+    def aliases(self) -> dict[str, str]:
+        """Former name -> the rule that has it now."""
+        return {alias: rule.id for rule in self.all() for alias in rule.meta.aliases}
+
     def all(self) -> Iterator[Rule]:
         """All rules, the built-in ones not loaded yet."""
         builtin = builtin_folder()

@@ -4,6 +4,11 @@ from __future__ import annotations
 
 import pytest
 
+from bringup_lint.config import Config
+from bringup_lint.discover.walk import discover_text
+from bringup_lint.engine import run
+from bringup_lint.registry import Registry
+from bringup_lint.robot import Robot
 from bringup_lint.source import Source
 from bringup_lint.suppress.comments import Ignore
 from bringup_lint.suppress.comments import read
@@ -70,3 +75,13 @@ def test_head_counts_for_the_file_as_a_whole() -> None:
 @pytest.mark.parametrize("kind", ["systemd-unit", "fastdds", "netplan", "shell-script", "launch-python"])
 def test_hostile_comments_take_linear_time(unit: str, end: str, kind: str) -> None:
     assert is_linear(lambda size: list(read(Source("x", (unit + end) * size, kind))), 500)
+
+
+def test_comments_that_name_no_rule_read_the_rules_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """One reading of all rules for each comment took seconds for a small file."""
+    calls = []
+    every = Registry.all
+    monkeypatch.setattr(Registry, "all", lambda self: calls.append(1) or every(self))
+    text = "[Service]\n" + "# bringup-lint: ignore[a]: b\n" * 20
+    run(Robot(discover_text("a.service", text.encode())), Registry.of(), Config())
+    assert len(calls) <= 1
