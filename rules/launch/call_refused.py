@@ -105,7 +105,6 @@ ADVICE = {
         "object is not iterable",
         "object has no attribute 'visit'",
         "too many values to unpack (expected 2)",
-        "missing 1 required keyword-only argument",
     ],
 )
 def call_refused(robot: Robot) -> Iterator[Finding]:

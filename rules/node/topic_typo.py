@@ -36,6 +36,7 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
+from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
@@ -56,13 +57,18 @@ def is_named_elsewhere(robot: Robot, use: topics.Use) -> bool:
 
 @rule("warning", fix="unsafe", symptoms=["does not appear to be published yet"])
 def topic_typo(robot: Robot) -> Iterator[Finding]:
-    for running in robot.topics.runs:
+    said: set[frozenset[Span]] = set()
+    for running in sorted(robot.topics.runs, key=lambda running: not running.complete):
         used = Counter(use.topic for use in running.uses)
         for use, meant, near, evidence in topics.probable_typos(running):
             if evidence != "topics" and is_named_elsewhere(robot, use):
                 continue
             if evidence == "type" and (use.type or "").partition("/")[0] not in robot.launch.workspace.packages:
                 continue
+            sides = frozenset(each.name_place or each.where for each in (use, meant))
+            if sides in said:
+                continue
+            said.add(sides)
             nobody = "Nobody publishes" if use.role == "subscription" else "Nobody subscribes to"
             better = topics.corrected(use, near) if is_outvoted(used, use.topic, near) else None
             yield finding(

@@ -39,7 +39,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.host import own_addresses
 
 
-@rule("warning", symptoms=["Connection refused", "Could not open network Hokuyo"])
+@rule("warning", symptoms=["Could not open network Hokuyo"])
 def device_address_own(robot: Robot) -> Iterator[Finding]:
     for each in own_addresses(robot.params, robot.launch, robot.netplan, robot.networkmanager):
         if robot.same_robot(each.given, each.own):

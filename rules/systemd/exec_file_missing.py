@@ -43,7 +43,7 @@ SETTINGS = regex(
 @rule(
     "warning",
     confidence="medium",
-    symptoms=["No such file or directory", "Failed to open configuration file"],
+    symptoms=["Failed to open configuration file"],
 )
 def exec_file_missing(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
