@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.dependencies.effects import AT_RUN_TIME
     from bringup_lint.graph.dependencies.effects import Effect
     from bringup_lint.graph.dependencies.effects import Undeclared
+    from bringup_lint.graph.dependencies.effects import brought_up
     from bringup_lint.graph.dependencies.effects import effect_of
     from bringup_lint.graph.dependencies.effects import of_robots
     from bringup_lint.graph.dependencies.needs import Need
@@ -159,6 +160,7 @@ __all__ = [
     "Used",
     "Value",
     "Wait",
+    "brought_up",
     "check_of",
     "delayed",
     "effect_of",

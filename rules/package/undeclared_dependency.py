@@ -13,7 +13,9 @@ neither the package.xml nor that of a package of the workspace on which it depen
 - when the same is so, and the changelog of the package shows that it is released, which makes a Debian package of it
   alone;
 - when the package.xml declares nothing that is needed at run time, and launch files start three packages or more,
-  viewers and simulators aside.
+  viewers and simulators aside;
+- when launch files always start three packages or more that are not declared, and these are more than half of all that
+  they start. Those of ros-base, viewers and simulators do not count.
 
 Other packages of which launch files start nodes or include files are an info: they are there on most robots. Nothing is
 said of other modules and libraries.
@@ -65,6 +67,7 @@ from bringup_lint.api.launch import AT_RUN_TIME
 from bringup_lint.api.launch import Effect
 from bringup_lint.api.launch import Need
 from bringup_lint.api.launch import Undeclared
+from bringup_lint.api.launch import brought_up
 from bringup_lint.api.launch import effect_of
 from bringup_lint.api.launch import of_robots
 
@@ -115,6 +118,8 @@ def _finding(robot: Robot, package: launch.Package, found: Undeclared) -> Findin
             return _found(package, needs, started, _of_release(package, needs[0]), None)
         case Effect.EMPTY:
             return _found(package, needs, started, _of_nothing(package, started), None)
+        case Effect.MOST:
+            return _found(package, needs, started, _of_most(robot, package, needs), None)
         case Effect.HARMLESS:
             return _harmless(robot, package, started)
 
@@ -143,6 +148,15 @@ def _of_nothing(package: launch.Package, started: list[Need]) -> str:
     return (
         f"{package.name} declares nothing that it needs at run time: rosdep and colcon build --packages-up-to do not "
         f"know that its launch files start {first.name} and {len(others)} others"
+    )
+
+
+def _of_most(robot: Robot, package: launch.Package, needs: list[Need]) -> str:
+    first, *others = needs
+    count = len(brought_up(robot.dependencies, package))
+    return (
+        f"The launch files of {package.name} start {count} other packages, and it does not declare {len(needs)} of "
+        f"them: rosdep and colcon build --packages-up-to leave out {first.name} and {len(others)} others"
     )
 
 

@@ -78,6 +78,18 @@ class Dependencies:
                 if need.name != need.owner.name and need.name not in self._required(need.owner):
                     yield need
 
+    def started(self, package: Package) -> frozenset[str]:
+        """The other packages of which the launch files of a package start something whenever they run."""
+        return self._started.get(package.name, frozenset())
+
+    @cached_property
+    def _started(self) -> dict[str, frozenset[str]]:
+        found: dict[str, set[str]] = {}
+        for need in of_launch(self._files, self._launch):
+            if need.always and need.name != need.owner.name:
+                found.setdefault(need.owner.name, set()).add(str(need.name))
+        return {name: frozenset(started) for name, started in found.items()}
+
     def _required(self, package: Package) -> frozenset[str]:
         if package.name not in self._closures:
             self._closures[package.name] = frozenset(map(str, self._launch.workspace.required(package)))

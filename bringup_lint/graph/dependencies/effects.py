@@ -5,6 +5,7 @@ from __future__ import annotations
 from enum import Enum
 from typing import TYPE_CHECKING
 
+from bringup_lint.facts.ros.needed import base
 from bringup_lint.graph.dependencies.needs import Need
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
@@ -27,6 +28,7 @@ class Effect(Enum):
     APART = "a command builds the package without another one"
     RELEASE = "the Debian package comes without another one"
     EMPTY = "nothing that is needed at run time is declared"
+    MOST = "most of what launch files start is not declared"
     HARMLESS = "the packages are there all the same"
 
 
@@ -60,12 +62,27 @@ def effect_of(dependencies: Dependencies, launch: Launch, package: Package) -> U
     is_empty = not any(tag in AT_RUN_TIME for tag, _ in package.manifest.depends)
     if is_empty and len(of_robots(started)) >= _SEVERAL:
         return Undeclared(Effect.EMPTY, started, [], started)
+    missed = [need for need in of_robots(started) if need.always and _is_missed(launch, package, need)]
+    if len(missed) >= max(_SEVERAL, len(brought_up(dependencies, package)) // 2 + 1):
+        return Undeclared(Effect.MOST, missed, [], started)
     return Undeclared(Effect.HARMLESS, started, [], started) if started else None
+
+
+def brought_up(dependencies: Dependencies, package: Package) -> list[str]:
+    """The other packages of which launch files always start something, without ros-base, viewers and simulators."""
+    return [name for name in dependencies.started(package) if name not in base() and not _ASIDE.search(name)]
 
 
 def of_robots(needs: list[Need]) -> list[Need]:
     """Without viewers and simulators."""
     return [need for need in needs if not _ASIDE.search(need.name)]
+
+
+def _is_missed(launch: Launch, package: Package, need: Need) -> bool:
+    """Whether ros-base lacks a package, and it does not depend itself on the one that starts it."""
+    starts = launch.workspace.packages.get(str(need.name))
+    is_circular = starts is not None and package.name in launch.workspace.required(starts)
+    return need.name not in base() and not is_circular
 
 
 def _is_started(launch: Launch, package: Package, need: Need) -> bool:
