@@ -2,7 +2,8 @@
 
 ## What it finds
 For controllers of the type `diff_drive_controller/DiffDriveController`, where the tree is for Jazzy or newer: the topic
-`<controller>/cmd_vel_unstamped` in remappings of launch files, and `use_stamped_vel: false` in parameter files.
+`<controller>/cmd_vel_unstamped` in remappings of launch files, and `use_stamped_vel: false` in parameter files, which
+alone is a warning. Silent where a node of the tree may add the stamp (twist_stamper).
 
 ## Why it matters on a robot
 Since Jazzy the controller subscribes to `~/cmd_vel` with `geometry_msgs/msg/TwistStamped` alone. Nobody listens to the
@@ -48,4 +49,5 @@ def drive_unstamped(robot: Robot) -> Iterator[Finding]:
             "~/cmd_vel with TwistStamped alone",
             advice=f"send TwistStamped to {each.controller}/cmd_vel",
             related=[note(other, "here, too") for other in each.others[:10]],
+            severity=None if each.is_topic else "warning",
         )

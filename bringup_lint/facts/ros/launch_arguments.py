@@ -15,7 +15,7 @@ class Taken(NamedTuple):
     required: frozenset[str]
     """Those without a default in every distribution."""
     grows: bool
-    """Releases have had others."""
+    """Releases have had others, or may have."""
 
 
 def taken(package: str, file: str) -> Taken | None:

@@ -9,6 +9,7 @@ from bringup_lint.facts import rows
 from bringup_lint.facts import table
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.spelling import edits
+from bringup_lint.spelling import numbered
 
 
 class Needed(NamedTuple):
@@ -62,6 +63,8 @@ _OTHERS = frozenset(("ament_cmake_test", "nav2_msgs", "rclc_lifecycle", "ros2nod
 """Released packages and keys that are a letter away from a package that the tables know."""
 _LONG = 8
 """Letters from which on a name that is one letter away can mean nothing else."""
+_WORD = 6
+"""Letters from which on a word that is one letter away is the same one."""
 
 
 @cache
@@ -75,7 +78,17 @@ def instead_of(name: str) -> str | None:
     if name.replace("-", "_") in known:
         return name.replace("-", "_")
     near = [each for each in known if len(each) >= _LONG and edits(name, each, 2) == 1]
-    return near[0] if len(near) == 1 else None
+    return near[0] if len(near) == 1 and _is_misspelt(name, near[0]) else None
+
+
+def _is_misspelt(name: str, known: str) -> bool:
+    """Whether a name one letter away is no name of its own: ``uav_msgs`` is a package, ``rplidar_ros2`` a fork."""
+    if numbered(name, known):
+        return False
+    pairs = list(zip(name.split("_"), known.split("_")))
+    if name.count("_") != known.count("_"):
+        return True
+    return all(one == other or len(other) >= _WORD or f"{one}s" == other for one, other in pairs)
 
 
 @cache

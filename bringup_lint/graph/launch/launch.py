@@ -347,11 +347,12 @@ class Launch:
             return True
         own = self.workspace.packages.get(package)
         if own is not None:
-            return name in self._code_of(own.folder)
+            return name in self.code_of(own.folder)
         words = [word for word in name.split("_") if len(word) > 2 and word not in _GENERAL]
         return not words or any(word in f"{package} {program}".lower() for word in words)
 
-    def _code_of(self, folder: str) -> str:
+    @memo
+    def code_of(self, folder: str) -> str:
         """The sources of the nodes below a folder."""
         paths = (path for path in self._tree_files.tree.walked_below(folder) if path.endswith(_CODE))
         return "\n".join(self._tree_files.tree.head(path, _MOST_CODE) for path in paths)

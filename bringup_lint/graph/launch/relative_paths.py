@@ -21,12 +21,17 @@ from bringup_lint.source import Located
 if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
     from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.launch.started import Started
     from bringup_lint.model.launch import LaunchFile
 
 _RELATIVE = regex(r"[\w.-][\w./-]*\Z")
 _PARAMETERS = (".yaml", ".yml")
 _LAUNCH = (".launch.py", "_launch.py", ".launch.xml", ".launch.yaml", ".launch.yml", ".launch")
 _READ = (*_PARAMETERS, ".rviz", ".urdf", ".xacro", ".srdf", ".sdf", ".world", ".lua", ".json", ".pcd")
+_AS_GIVEN = frozenset(("nav2_map_server", "robot_state_publisher", "rviz2"))
+"""Public packages whose programs open a path as they get it; others put a folder before it."""
+_SHARE = regex(r"(?i:package_?share|share_?directory)|ament_index|getSharePath")
+"""How a source asks for the folder of a package."""
 _FOLDER = regex(r"^[ \t]*WorkingDirectory[ \t]*=|\bworking_dir[ \t]*:|^[ \t]*WORKDIR[ \t]", re.M)
 
 
@@ -51,18 +56,25 @@ def _named(launch: Launch, files: Files, file: LaunchFile) -> Iterator[Relative]
     for include in expansion.includes:
         if include.source is file:
             yield from _relative("include", include.file, _LAUNCH)
-            values += include.arguments.values()
     for node in expansion.nodes:
         if node.file is file:
             sources = [base_of(source) for source in node.parameters]
             for source in sources:
                 yield from _relative("parameters", source, _PARAMETERS)
-            values += [source for source in sources if isinstance(source, DictValue)]
-            values += node.arguments
+            if _opens_as_given(launch, node):
+                values += [source for source in sources if isinstance(source, DictValue)]
+                values += node.arguments
     for inner in (inner for value in values for inner in _whole(value)):
         for each in _relative("path", inner, _READ):
             if "/" in each.path and _exists(files, file, each.path):
                 yield each
+
+
+def _opens_as_given(launch: Launch, node: Started) -> bool:
+    """Whether a program takes a path as it is, and does not look for it in a package or folder of its own."""
+    name = str(literal_text(node.package))
+    own = launch.workspace.packages.get(name)
+    return name in _AS_GIVEN if own is None else _SHARE.search(launch.code_of(own.folder)) is None
 
 
 def _whole(value: Value) -> Iterator[Value]:

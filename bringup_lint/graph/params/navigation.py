@@ -81,9 +81,14 @@ def _jumping(file: ParameterFile, block: Block, named: dict[str, Parameter]) -> 
     rolling, frame = named.get("rolling_window"), named.get("global_frame")
     if frame is None or rolling is None or rolling.value.data is not True or _name(block) != "local_costmap":
         return
-    localized = [_named(each).get("global_frame_id") for each in file.blocks if _name(each) == "amcl"]
-    if localized and frame.value.data == (localized[0].value.data if localized[0] is not None else "map"):
+    localized = [_named(each) for each in file.blocks if _name(each) == "amcl"]
+    frames = [(_text(named, "global_frame_id", "map"), _text(named, "odom_frame_id", "odom")) for named in localized]
+    if frames and frame.value.data == frames[0][0] != frames[0][1]:
         yield NavigationProblem("frame", frame.span, "global_frame", str(frame.value.data), rolling.span)
+
+
+def _text(named: dict[str, Parameter], name: str, default: str) -> str:
+    return str(named[name].value.data) if name in named else default
 
 
 def _navigator(params: Params, file: ParameterFile, block: Block) -> Iterator[NavigationProblem]:

@@ -27,6 +27,10 @@ _AUTONOMY = regex(
 )
 _STOP = regex(r"(?:^|[_/])(?:e_?stop|stop|emergency\w*?|safety|safe)(?:$|[_/])")
 
+_EMERGENCY = regex(r"(?:^|[_/])(?:e_?stop|emergency\w*?)(?:$|[_/])")
+_LOOP = regex(r"(?:^|[_/])loop(?:$|[_/])")
+"""The lock of the sample of twist_mux that holds navigation back while the map closes a loop."""
+
 
 class OperatorProblem(NamedTuple):
     kind: str
@@ -90,8 +94,8 @@ def _mux(block: Block) -> Iterator[OperatorProblem]:
         elif each.timeout == 0 and each.timed is not None and lower:
             yield OperatorProblem("endless", each.timed, each.name, lower[0].name, "", lower[0].place)
     for lock in locks:
-        through = [each for each in topics if each.priority >= lock.priority and not each.fits(_STOP)]
-        if lock.fits(_STOP) and through:
+        through = [each for each in topics if each.priority >= lock.priority and _is_held_by(lock, each)]
+        if through:
             first = through[0]
             detail = f"{first.priority}, {lock.priority}"
             yield OperatorProblem("lock", lock.place, lock.name, first.name, detail, first.place)
@@ -107,6 +111,13 @@ def _order(topics: list[_Input]) -> Iterator[OperatorProblem]:
     if 0 < person.priority < machine.priority:
         detail = f"{machine.priority}, {person.priority}"
         yield OperatorProblem("order", person.place, person.name, machine.name, detail, machine.place)
+
+
+def _is_held_by(lock: _Input, each: _Input) -> bool:
+    """Whether a lock is there to hold back an input: one that is no emergency stop leaves the person alone."""
+    if each.fits(_STOP) or not lock.fits(_STOP) or lock.fits(_AUTONOMY) or lock.fits(_LOOP):
+        return False
+    return lock.fits(_EMERGENCY) or not each.fits(_OPERATOR)
 
 
 def _priority(each: _Input) -> int:

@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 _DRIVE = "diff_drive_controller/DiffDriveController"
 _TOPIC = "cmd_vel_unstamped"
 _SWITCH = "use_stamped_vel"
+_STAMPING = ("TwistStamped", "use_stamped", "publish_stamped_twist", "enable_stamped_cmd_vel", "stamped")
+"""Words by which publishers of commands are told to send a stamp."""
 _STAMPED = ("jazzy", "kilted", "lyrical", "rolling")
 """Releases whose diff_drive_controller has neither the topic nor the parameter (diff_drive_controller.cpp and
 diff_drive_controller_parameter.yaml of ros2_controllers)."""
@@ -35,14 +37,27 @@ class Unstamped(NamedTuple):
 def unstamped_commands(launch: Launch, params: Params) -> Iterator[Unstamped]:
     """For each controller the topic and the parameter together."""
     distribution = params.distribution
-    if distribution not in _STAMPED:
+    if distribution not in _STAMPED or _may_be_stamped(launch, params):
         return
     for controller, switches in _drives(params).items():
         topics = list(dict.fromkeys(name.span for name in _topics(launch, controller)))
         given = [each.span for each in switches]
-        if topics or given:
+        if topics or (given and not _is_stamped(params)):
             first, *others = [*topics, *given]
             yield Unstamped(controller, first, tuple(others), str(distribution), bool(topics))
+
+
+def _may_be_stamped(launch: Launch, params: Params) -> bool:
+    """Whether something between the old topic and the controller may add the stamp."""
+    programs = (f"{literal_text(node.package)} {literal_text(node.executable)}" for node in launch.nodes)
+    if any("stamper" in program for program in programs):
+        return True
+    return params.named_elsewhere(_TOPIC, {node.file.source for node in launch.nodes})
+
+
+def _is_stamped(params: Params) -> bool:
+    """Whether the tree sends commands with a stamp, so that the parameter is a harmless rest."""
+    return any(params.named_elsewhere(word, set()) for word in _STAMPING)
 
 
 def _drives(params: Params) -> dict[str, list[Parameter]]:
