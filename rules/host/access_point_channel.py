@@ -45,6 +45,8 @@ def access_point_channel(robot: Robot) -> Iterator[Finding]:
         if not source.judged or source.template:
             continue
         mode, channel = option_of(source, "hw_mode"), option_of(source, "channel")
+        if option_of(source, "op_class") is not None:
+            continue  # it chooses the band, such as 6 GHz
         if mode is None or channel is None or mode not in BANDS or not NUMBER.fullmatch(channel):
             continue
         first, last, band = BANDS[mode]

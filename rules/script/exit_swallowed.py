@@ -40,6 +40,8 @@ PRINTS = ("echo", "printf")
 ENDS = ("exit", "return")
 STATUS = regex(r"\d{1,3}|\$\?|-1")
 FUNCTION = regex(r"^[ \t]*(?:function[ \t]+)?(?P<name>[A-Za-z_]\w*)[ \t]*\([ \t]*\)", re.M)
+ARGUMENT = regex(r"\$(?:[@*#1-9]|\{[@*#1-9])|\bshift\b")
+QUOTES = ("'", '"')
 LEAST = 3
 
 
@@ -48,7 +50,7 @@ def exit_swallowed(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("shell-script"):
         if not source.judged or source.template or not any(word in source.text for word in ENDS):
             continue
-        names = {match["name"] for match in FUNCTION.finditer(source.text)} | set(PRINTS)
+        names = {*_without_arguments(source.text), *PRINTS}
         for command in shell_commands(source):
             if command.name in names and _swallows(command):
                 word = command.words[-2]
@@ -59,11 +61,22 @@ def exit_swallowed(robot: Robot) -> Iterator[Finding]:
                 )
 
 
+def _without_arguments(text: str) -> Iterator[str]:
+    """The functions of a script that read none of their arguments."""
+    for match in FUNCTION.finditer(text):
+        end = text.find("\n}", match.end())
+        if not ARGUMENT.search(text, match.end(), end if end != -1 else len(text)):
+            yield match["name"]
+
+
 def _swallows(command: Command) -> bool:
     """Whether the last words are a command of their own without a separator."""
     words = command.words
-    if command.name not in PRINTS and (len(words) != LEAST or words[-2] != "exit"):
-        return False
     if len(words) < LEAST or words[-2] not in ENDS or words[-2].span.text != words[-2]:
+        return False
+    if command.name in PRINTS:
+        if words[-3].span.text[-1:] not in QUOTES or "%" in words[1] or words[-1] == "$?":
+            return False
+    elif len(words) != LEAST or words[-2] != "exit":
         return False
     return STATUS.fullmatch(words[-1]) is not None and words[-1].span.text == words[-1]

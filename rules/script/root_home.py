@@ -44,11 +44,9 @@ from bringup_lint.api.shell import Run
 from bringup_lint.api.shell import Written
 
 LOGIN = regex(r"(?:~|\{\{ HOME \}\})/\.(?:bashrc|bash_profile|bash_aliases|profile|zshrc)")
-ASKS = regex(
-    r"^#[^\n]{0,80}\bsudo[ \t]+(?:bash[ \t]+)?\S{0,60}\.sh\b|^#[^\n]{0,80}\b(?:as|by) root\b"
-    r"|(?:\bEUID\b|\bid[ \t]+-u\b)[^\n]{0,60}(?:-ne|!=|-gt)[ \t]*[\"']?0",
-    re.M,
-)
+ASKS = regex(r"(?:\bEUID\b|\bid[ \t]+-u\b)[^\n]{0,60}(?:-ne|!=|-gt)[ \t]*[\"']?0")
+REFUSES = regex(r"(?:(?!\b(?:fi|else|sudo[ \t]+[^\n]{0,20}\$(?:0|\{?BASH_SOURCE)))[\s\S]){0,300}?\bexit\b")
+"""Up to the end of the branch; a script that calls itself again with sudo goes on in another process."""
 OTHER_HOME = regex(r"\bSUDO_USER\b|^[ \t]*(?:export[ \t]+)?HOME=|\bsudo[ \t]+(?:-\w+[ \t]+)*-u\b|\bsu[ \t]+-", re.M)
 INSTALLERS = ("apt", "apt-get")
 ADDS = ("useradd", "adduser")
@@ -74,7 +72,8 @@ def root_home(robot: Robot) -> Iterator[Finding]:
 
 def _is_root(source: Source, did: list[Run | Written]) -> bool:
     """Whether the script runs as root: it says so, or does throughout what only root may do."""
-    if ASKS.search(source.text):
+    asks = ASKS.search(source.text)
+    if (asks and REFUSES.match(source.text, asks.end())) or _is_called_with_sudo(source):
         return True
     if "sudo" in source.text:
         return False
@@ -85,6 +84,14 @@ def _is_root(source: Source, did: list[Run | Written]) -> bool:
         for each in did
     )
     return installs and (writes or copies)
+
+
+def _is_called_with_sudo(source: Source) -> bool:
+    """Whether a comment of the script says that it is called so."""
+    name = rf"(?:{re.escape(source.basename)}|\$0)"
+    return (
+        re.search(rf"^#[^\n]{{0,80}}\bsudo[ \t]+(?:bash[ \t]+)?\S{{0,60}}{name}(?!\S)", source.text, re.M) is not None
+    )
 
 
 def _is_etc(run: Run) -> bool:

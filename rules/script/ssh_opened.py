@@ -2,7 +2,7 @@
 
 ## What it finds
 `PermitRootLogin yes` or `PermitEmptyPasswords yes` that a script or an Ansible task writes into the configuration of
-sshd with `sed`, `echo ... >>`, `lineinfile` or `replace`.
+sshd with `sed`, `echo ... >>`, `lineinfile` or `replace`. Silent where the same file writes `no` later.
 
 ## Why it matters on a robot
 Root is the one name that everybody knows, and its password is then all that is between the network and the motors, on
@@ -19,12 +19,13 @@ sed -i 's/^#\\?PermitRootLogin.*/PermitRootLogin no/' /etc/ssh/sshd_config
 ```
 
 ## When to ignore it
-When the script opens the access for a moment and closes it again.
+When something that is not in the script closes the access again.
 
 ## References
 - sshd_config(5), "PermitRootLogin" and "PermitEmptyPasswords"
 """
 
+import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -37,8 +38,9 @@ from bringup_lint.api.shell import tasks
 from bringup_lint.api.yaml import Mapping
 
 FILE = regex(r"(?:^|/)sshd_config(?:\.d/[^/]*)?$")
-OPENS = regex(r"(?<![\w#])(?P<key>PermitRootLogin|PermitEmptyPasswords)[ \t=]+yes\b")
+OPENS = regex(r"(?:^|(?<=\n)|(?<=\\n))[ \t]*(?P<key>PermitRootLogin|PermitEmptyPasswords)[ \t=]+yes\b")
 REPLACED = regex(r"s(?P<mark>[/|#@,])(?:(?!(?P=mark)).)*(?P=mark)(?P<new>(?:(?!(?P=mark)).)*)")
+CLOSES = r"{key}[ \t=]+(?:no|prohibit-password|without-password|forced-commands-only)\b"
 MODULES = {"lineinfile": "line", "replace": "replace", "blockinfile": "block"}
 
 
@@ -46,7 +48,7 @@ MODULES = {"lineinfile": "line", "replace": "replace", "blockinfile": "block"}
 def ssh_opened(robot: Robot) -> Iterator[Finding]:
     for place, text in _changes(robot):
         opens = OPENS.search(text)
-        if opens is not None:
+        if opens is not None and not _is_closed_again(place, opens["key"]):
             yield finding(
                 place,
                 "Everybody who knows the password of root may log in over SSH"
@@ -54,6 +56,11 @@ def ssh_opened(robot: Robot) -> Iterator[Finding]:
                 else "Accounts without a password may log in over SSH",
                 advice=f"write {opens['key']} no",
             )
+
+
+def _is_closed_again(place: Located, key: str) -> bool:
+    """Whether the same file closes later what it opens."""
+    return re.compile(CLOSES.format(key=re.escape(key))).search(place.span.source.text, place.span.end) is not None
 
 
 def _changes(robot: Robot) -> Iterator[tuple[Located, str]]:
@@ -78,5 +85,8 @@ def _of_task(modules: Iterator[tuple[Located, object]]) -> Iterator[tuple[Locate
             continue
         path = settings.scalar("path") or settings.scalar("dest")
         text = settings.scalar(key)
+        state = settings.scalar("state")
+        if state is not None and state.value == "absent":
+            continue
         if path is not None and text is not None and FILE.search(path.value):
             yield text.value, str(text.value)

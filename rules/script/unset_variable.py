@@ -2,8 +2,8 @@
 
 ## What it finds
 `$LD_LIBRARY_PATH`, `$PYTHONPATH` and the like, without a default, in a bash or sh script after `set -u`, where the
-script has neither set the variable nor sourced a file before. Only scripts that a unit, a container or cron starts, and
-whose environment does not hold the variable.
+script has neither set the variable nor sourced a file before. Only scripts that a system unit starts without another
+shell, and whose environment surely does not hold the variable.
 
 ## Why it matters on a robot
 In the shell of a developer, ROS has set the variable. A service starts with an empty environment: the script exits with
@@ -46,6 +46,7 @@ NAMES = ("LD_LIBRARY_PATH", "PYTHONPATH", "AMENT_PREFIX_PATH", "CMAKE_PREFIX_PAT
 USE = regex(rf"(?<![\\'\w])\$(?:(?P<plain>{'|'.join(NAMES)})(?!\w)|\{{(?P<braced>{'|'.join(NAMES)})\}})")
 ON = regex(r"-[a-zA-Z]*u[a-zA-Z]*|nounset")
 OFF = regex(r"\+[a-zA-Z]*u[a-zA-Z]*")
+GIVES = regex(r"\$\{(?P<name>\w+):?[=?]")
 DECLARES = ("export", "declare", "local", "readonly", "typeset", "read", "unset")
 
 
@@ -58,7 +59,7 @@ def unset_variable(robot: Robot) -> Iterator[Finding]:
         if found is None:
             continue
         use, name, strict = found
-        if robot.scripts.starts_by_itself(source) and not _is_given(robot, name):
+        if _starts_without(robot, source, name):
             yield finding(
                 use,
                 f"{name} is not set when this script starts: with 'set -u' it exits here",
@@ -71,8 +72,11 @@ def _first_use(source: Source) -> tuple[Span, str, Span] | None:
     """The first variable that is surely not set, with the command that makes this an error."""
     strict: Span | None = None
     known: set[str] = set()
+    before = ""
     for command in shell_commands(source):
         words = command.words
+        judged = strict is not None and not command.depth and before not in ("&&", "||")
+        before = command.ends
         if command.name == "set":
             strict = _after_set(command, strict)
         elif command.name in ("source", ".", "eval"):
@@ -80,10 +84,18 @@ def _first_use(source: Source) -> tuple[Span, str, Span] | None:
         for word in (*command.assignments, *words):
             use = USE.search(word) if "'" not in word.span.text else None
             name = (use["plain"] or use["braced"]) if use else ""
-            if use and strict is not None and name not in known and not command.depth:
+            if (
+                use
+                and strict
+                and judged
+                and name not in known
+                and f"${{{name}:" not in word
+                and f"${{{name}+" not in word
+            ):
                 return word.part(*use.span()).span, name, strict
         names = (*command.assignments, *(words[1:] if command.name in DECLARES else ()))
         known.update(re.split(r"\+?=", word)[0] for word in names)
+        known.update(match["name"] for word in words for match in GIVES.finditer(word))
     return None
 
 
@@ -94,8 +106,16 @@ def _after_set(command: Command, strict: Span | None) -> Span | None:
     return command.words[0].span if any(map(ON.fullmatch, words)) else strict
 
 
-def _is_given(robot: Robot, name: str) -> bool:
-    """Whether something of the tree sets the variable for others."""
-    given = re.compile(rf"\b{re.escape(name)}\b[\"']?[ \t]*[=:]")
-    kinds = ("systemd-unit", "systemd-dropin", "env-file", "compose", "dockerfile")
-    return any(given.search(each.text) for each in robot.of_kind(*kinds))
+def _starts_without(robot: Robot, source: Source, name: str) -> bool:
+    """Whether only system units start the script, as the first program, and one of them has no such variable."""
+    own = re.escape(source.basename)
+    if any(source.basename in each.text for each in robot.of_kind("dockerfile", "compose")):
+        return False
+    direct = re.compile(rf"(?:\S*/(?:ba|da)?sh[ \t]+)?/\S*/{own}(?:[ \t].*)?")
+    return any(
+        unit.manager == "system"
+        and not unit.has("PassEnvironment")
+        and robot.units.environment(unit).defines(name) is False
+        and any(direct.fullmatch(process.line) for process in robot.units.processes(unit))
+        for unit in robot.units.services
+    )

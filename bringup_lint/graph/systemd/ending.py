@@ -14,7 +14,7 @@ from bringup_lint.source import Located
 
 _SETS_UP = frozenset(
     "ip ifconfig modprobe insmod slcan_attach slcand tc ethtool iptables ip6tables nmcli rfkill iwconfig iw stty "
-    "setserial jetson_clocks nvpmodel cpupower cpufreq-set amixer pactl gpio raspi-gpio pinctrl gpioset i2cset devmem "
+    "setserial jetson_clocks nvpmodel cpupower cpufreq-set amixer pactl gpio raspi-gpio pinctrl i2cset devmem "
     "devmem2 sysctl v4l2-ctl hciconfig mount umount chmod chown chgrp mkdir ln cp mv rm tee touch".split()
 )
 """What changes something of the running system and returns."""
@@ -23,9 +23,10 @@ _PASSING = frozenset(
     "grep egrep awk sed cut head tail cat wc tr id whoami sudo command which type logger date trap shift unset udevadm "
     "lsmod lsusb dmesg uname hostname basename dirname readlink realpath seq expr systemctl".split()
 )
+_READERS = ("cat", "tail", "head", "grep", "awk", "sed", "logger")
 _LOOPS = regex(
-    r"\bwhile[ \t]+(?:true|:|1|\[[ \t]*(?:1|true)|\(\()|\bfor[ \t]*\(\([ \t]*;|\btail[ \t]+-[fF]"
-    r"|\bmonitor\b|\binfinity\b"
+    r"\b(?:while|until)\b|\bfor[ \t]*\(\([ \t]*;|\btail[ \t]+-[fF]|\bmonitor\b|\binfinity\b|\bsleep[ \t]+\d{4}"
+    r"|\b(?:subscribe|event|wfi)\b|--(?:follow|wait|mode=|stream)|\bslcand\b[^\n;&|]*[ \t]-\w*F"
 )
 
 
@@ -36,10 +37,21 @@ def set_up(line: CommandLine) -> Located | None:
     steps = [step for step in line.steps if not _is_followed(line, step)]
     if not steps or any(step.command.background for step in steps):
         return None
+    if any(_waits(step) for step in steps):
+        return None
     programs = list(_programs(steps))
     if any(name not in _SETS_UP and name not in _PASSING for name, _ in programs):
         return None
     return next((word for name, word in programs if name in _SETS_UP), None)
+
+
+def _waits(step: Step) -> bool:
+    """Whether a command reads what comes in: from a device, a pipe or a person."""
+    words = unwrapped(step.command.words)
+    name = program_name(words[0]) if words else ""
+    if any(each.operator == "<" for each in step.command.redirects):
+        return True
+    return name == "read" or (name in _READERS and any(word.startswith(("/dev/", "/run/", "/tmp/")) for word in words))
 
 
 def _is_followed(line: CommandLine, step: Step) -> bool:
