@@ -6,8 +6,8 @@ that runs as a user other than root without the group of that device: `group_add
 of the tree does not make the user a member. With a group in `user:`, as in `1000:1000`, Docker gives the process that
 group alone, whatever the image says.
 
-Silent for privileged services, for users that a variable names, and in trees with a udev rule or a script that opens
-devices to everybody.
+Silent for privileged services, for users that a variable names, and in trees with a udev rule that gives devices to
+everybody, to a user or to a group of the robot's own, or with a command that does.
 
 ## Why it matters on a robot
 `devices:` makes the node visible, with the owner and the mode that it has on the host. The driver ends with "Permission

@@ -3,7 +3,7 @@
 ## What it finds
 A service whose `command:`, or whose entry script in the tree, runs `apt-get update`, `apt-get install` or `pip install`
 before it starts ROS, so that its failure keeps ROS down. Silent for what runs under a condition or may fail, for files
-of the tree that pip installs without its dependencies, and for services in which somebody works.
+that apt and pip install, also without their dependencies, and for services in which somebody works.
 
 ## Why it matters on a robot
 Each new container needs the Internet, and a robot in the field often has none: the command ends with "Temporary failure
@@ -45,6 +45,7 @@ from bringup_lint.api.shell import unwrapped
 from bringup_lint.api.systemd import Step
 
 APT = ("apt", "apt-get")
+OFFLINE = {"--no-deps", "--no-index", "--no-build-isolation"}
 PIP = ("pip", "pip3")
 STOPS = regex(STRICT, re.M)
 
@@ -75,7 +76,16 @@ def _installs(line: CommandLine) -> Located | None:
         return None
     first = line.ros[0][0]
     before = takewhile(lambda step: step is not first, line.steps)
-    return next((step.command.words[0] for step in before if _fetches(step) and _ends_with(step)), None)
+    pairs = zip((None, *line.steps), before)
+    return next(
+        (step.command.words[0] for last, step in pairs if _fetches(step) and _ends_with(step) and not _is_else(last)),
+        None,
+    )
+
+
+def _is_else(last: Step | None) -> bool:
+    """Whether a command only runs where the one before it fails."""
+    return last is not None and last.command.ends == "||"
 
 
 def _fetches(step: Step) -> bool:
@@ -83,9 +93,11 @@ def _fetches(step: Step) -> bool:
     if not words or step.command.depth:
         return False
     name, rest = program_name(words[0]), set(map(str, words[1:]))
+    if any(word.endswith((".deb", ".whl")) for word in rest):
+        return False
     if name in APT:
         return bool({"update", "install"} & rest)
-    return name in PIP and "install" in rest and not {"--no-deps", "--no-index"} & rest
+    return name in PIP and "install" in rest and not OFFLINE & rest
 
 
 def _ends_with(step: Step) -> bool:

@@ -46,7 +46,7 @@ from bringup_lint.api.docker import has_dash
 from bringup_lint.api.shell import Command
 
 SH_IS_BASH = regex(
-    r"\bln\b[^\n;&]*\bbash[ \t]+[^\n;&]*/bin/sh\b|/bin/sh\b[^\n;&]*\bbash\b|dpkg-reconfigure[^\n;&]*\bdash\b"
+    r"\b(?:ln|cp|mv)\b[^;&]*\bbash\s+[^\n;&]*/bin/sh\b|/bin/sh\b[^\n;&]*\bbash\b|dpkg-reconfigure[^\n;&]*\bdash\b"
 )
 BRACES = regex(r"[^\s\"'$]*(?<!\$)\{[^\s{}\"']*(?:,|\.\.)[^\s{}\"']*\}[^\s\"']*")
 FILES = ("mkdir", "rm", "cp", "mv", "touch", "chmod", "chown")
@@ -96,7 +96,7 @@ def _wrong(command: Command) -> tuple[Located, str, str | None] | None:
         return words[0], "sh has no '[[': the condition is never true", None
     if name == "set" and "pipefail" in words[1:]:
         return words[0], "dash has no pipefail: the step ends here", None
-    braced = next((word for word in words[1:] if BRACES.fullmatch(word)), None) if name in FILES else None
+    braced = next((word for word in words[1:] if BRACES.fullmatch(word.span.text)), None) if name in FILES else None
     if braced is None:
         return None
     if name == "rm":

@@ -76,8 +76,8 @@ def _not_in_policy(robot: Robot, name: Located) -> Iterator[Finding]:
     beside = [path for path in paths if path.split("/")[:2] == first and path.count("/") > 1]
     if name in map(str, paths) or not beside or not re.fullmatch(r"(?:/\w+)+", name):
         return
-    named = [source for source in robot.of_kind("shell-script", "ansible") if name in source.text]
-    if named:
+    scripted = any(name in source.text for source in robot.of_kind("shell-script", "ansible"))
+    if scripted or robot.mentions(re.compile(rf"\bcreate_(?:enclave|key)\b[^\n]*{re.escape(name)}(?![\w/])")):
         return
     near = nearest(name, [str(path) for path in beside])
     yield finding(

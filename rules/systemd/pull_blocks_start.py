@@ -2,7 +2,8 @@
 
 ## What it finds
 `docker pull`, `docker compose pull` and `--pull=always` in the ExecStartPre= or ExecStart= of a service that a boot
-target starts, without `-` before the command line and without anything that lets it fail.
+target starts, without `-` before the command line and without anything that lets it fail. Silent for units that only
+pull, and for images that are pulled where they are missing.
 
 ## Why it matters on a robot
 In a field, at a customer or with a broken router, the pull fails, and systemd does not start the robot's software
@@ -51,8 +52,11 @@ def pull_blocks_start(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         if unit.uncertain or not unit.fragment or not any(robot.units.wanted_by(unit)):
             continue
-        for process in robot.units.processes(unit):
-            pull = _needed(process) if process.key in KEYS and "-" not in process.prefixes else None
+        processes = [each for each in robot.units.processes(unit) if each.key in KEYS]
+        if all(_needed(each) for each in processes):
+            continue  # it only brings the images up to date
+        for process in processes:
+            pull = _needed(process) if "-" not in process.prefixes else None
             if pull is not None:
                 yield finding(
                     pull,
@@ -65,7 +69,12 @@ def pull_blocks_start(robot: Robot) -> Iterator[Finding]:
 
 
 def _needed(process: Process) -> Located | None:
-    """The first pull of a command line whose failure ends it."""
-    steps = (step for step in process.steps if step.script is None and step.command.ends in ("", "&&"))
+    """The first pull of a command line whose failure ends it, whatever ran before."""
+    after = zip(("", *(step.command.ends for step in process.steps)), process.steps)
+    steps = (
+        step
+        for before, step in after
+        if before != "||" and step.script is None and not step.command.depth and step.command.ends in ("", "&&")
+    )
     unguarded = {word.span for step in steps for word in step.command.words}
     return next((word for word in docker_pulls(process) if word.span in unguarded), None)

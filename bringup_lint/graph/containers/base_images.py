@@ -30,6 +30,7 @@ _OF_CUDA = regex(r"(?:CUDA|CUDNN|NV|NCCL|LD_|LIBRARY_)")
 """Begins the names of the variables of NVIDIA's images."""
 _BARE = regex(rf"{_LIBRARY}(?:ubuntu|debian)(?:[:@].*)?")
 _UNLISTED = regex(rf"{_LIBRARY}(?:ros|ubuntu|debian|python|osrf/ros2?)(?::[^@]*)?|{_OF_NVIDIA}")
+_OTHER_SYSTEM = regex(r"alpine|ubi\d|rocky|centos|windows")
 _UNCHECKED = regex(
     rf"{_LIBRARY}(?:ros|ubuntu|debian|osrf/ros2?|alpine|busybox|eclipse-mosquitto|httpd|influxdb|memcached|mongo|mysql"
     r"|nginx|node|postgres|python|rabbitmq|redis|telegraf)(?:[:@].*)?"
@@ -81,7 +82,7 @@ def has_no_package_lists(image: str) -> bool:
 
 def has_dash(image: str) -> bool:
     """Whether ``/bin/sh`` of an image is dash, as on Debian and Ubuntu, of which these images are made."""
-    return _UNLISTED.fullmatch(image) is not None and "alpine" not in image and "ubi" not in image
+    return _UNLISTED.fullmatch(image) is not None and _OTHER_SYSTEM.search(image) is None
 
 
 def has_no_healthcheck(image: str) -> bool:

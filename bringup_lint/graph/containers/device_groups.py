@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.containers.base_images import is_plain
+from bringup_lint.graph.containers.base_images import ubuntu_codename
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.dockerfile_variables import last_user
 from bringup_lint.pattern import regex
@@ -33,8 +34,14 @@ _GROUPS = (
 )
 """Device nodes that only root and a group may open, with the id of the group where Debian and Ubuntu fix it."""
 _OPENED = regex(
-    r"MODE:?=\"0?[67][67][67]\"|TAG\+=\"uaccess\"|\bchmod\b[^\n;&]*/dev/|\bsetfacl\b[^\n;&]*/dev/|\bchown\b[^\n;&]*/dev/"
+    r"MODE:?=\"0?[67][67][67]\"|TAG\+=\"uaccess\"|OWNER:?=\"|GROUP:?=\"(?!(?:dialout|video|audio|input|i2c|spi|gpio)\")|\bchmod\b[^\n;&]*/dev/|\bsetfacl\b[^\n;&]*/dev/|\bchown\b[^\n;&]*/dev/"
 )
+
+
+_FIRST_USER = ("ubuntu", "1000")
+"""Since 24.04, images of Ubuntu, and so those of ROS, have this user, with these groups."""
+_GROUPS_OF_FIRST_USER = ("dialout", "audio", "video")
+_WITHOUT_USER = ("bionic", "focal", "jammy")
 
 
 class Closed(NamedTuple):
@@ -49,7 +56,8 @@ class Closed(NamedTuple):
 def closed_devices(files: Files, compose: Compose) -> Iterator[Closed]:
     """The first such device of each service."""
     if any(
-        _OPENED.search(source.text) for source in files.of_kind("udev-rules", "shell-script", "ansible", "systemd-unit")
+        _OPENED.search(source.text)
+        for source in files.of_kind("udev-rules", "shell-script", "ansible", "systemd-unit", "compose", "dockerfile")
     ):
         return
     for service in compose.whole_services:
@@ -80,6 +88,8 @@ def _is_member(service: Service, stage: Stage | None, user: str, group: str, num
     if own:
         return own in (group, number) or (own.isdigit() and not number and not 1000 <= int(own) < 60000)
     if stage is None or not is_plain(stage.origin):
+        return True
+    if user in _FIRST_USER and group in _GROUPS_OF_FIRST_USER and ubuntu_codename(stage.origin) not in _WITHOUT_USER:
         return True
     steps = "\n".join(str(each.value) for one in stage.chain for each in one.all("RUN", "COPY"))
     return bool(re.search(rf"\b{re.escape(group)}\b|\$\{{?GROUP|\.sh\b", steps))

@@ -18,6 +18,7 @@ from bringup_lint.graph.commands.wrappers import unwrapped
 from bringup_lint.graph.files import Files
 from bringup_lint.graph.systemd.directories import directories
 from bringup_lint.graph.systemd.provision import makes
+from bringup_lint.graph.systemd.provision import may_make
 from bringup_lint.graph.systemd.provision import mentions
 from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.graph.systemd.units import Units
@@ -35,8 +36,16 @@ _OF_ONE_ROBOT = regex(
     r"|robot_?(?:id|name)|secrets?|serial|site|tokens?|user|wifi|wlan)(?=[-_.]|$)"
 )
 """Words in the names of files that are made for each robot, and lie in no repository."""
+_PATTERN = regex(r"(?i)[-_.](?:example|sample|templ(?:ate)?|tmpl|dist|in|j2|orig|bak)(?=[-_.]|$)")
+"""Names of files from which somebody makes another one."""
 _SURE_STEM = 4
 """So many characters that two names begin with say that one may be meant by the other."""
+_OF_PACKAGES = frozenset(
+    "apache2 apt bluetooth chrony clickhouse containerd docker dpkg gpsd grafana influxdb jenkins lxd mongodb "
+    "mosquitto mysql netplan NetworkManager nginx nvidia postgresql prometheus redis samba snapd systemd tailscale "
+    "telegraf tftpboot udisks2 www zerotier-one journal user".split()
+)
+"""Folders below /var/lib and the like that packages of the distribution and of vendors bring."""
 _VOLATILE = ("/run/", "/var/run/", "/tmp/", "/dev/", "/proc/", "/sys/")
 
 
@@ -66,7 +75,9 @@ class Filesystem:
                 return there
         if path in self._shipped or mentions(tree, path):
             return True
-        return False if path.startswith(_STATE) else None
+        if not path.startswith(_STATE) or _of_package(path) or may_make(tree, path):
+            return None
+        return False
 
     def exists(self, path: str) -> bool | None:
         """What a root file system says of a path; None when it is not whole there, or the path lies on another
@@ -91,7 +102,10 @@ class Filesystem:
         if _OF_ONE_ROBOT.search(name):
             return None
         there = chain(self._shipped_in.get(folder, []), self._checked_out_in(folder))
-        sibling = next((found for found in there if _related(name, _basename(found))), None)
+        related = [found for found in there if _related(name, _basename(found))]
+        sibling = next(iter(related), None)
+        if any(_PATTERN.search(_basename(found)) for found in related):
+            return None
         if sibling is None or any(True for _ in tree.named(name)) or makes(tree, name) or mentions(tree, path):
             return None
         return sibling
@@ -181,6 +195,10 @@ def _above(path: str) -> Iterator[str]:
     """The folders that a path lies in, the nearest first, without the root."""
     while path := path.rpartition("/")[0]:
         yield path
+
+
+def _of_package(path: str) -> bool:
+    return not _OF_PACKAGES.isdisjoint(path.split("/")[2:4])
 
 
 def _basename(path: str) -> str:

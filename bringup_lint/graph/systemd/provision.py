@@ -20,6 +20,7 @@ _LOOKS = (
     r"|WorkingDirectory=|(?:rsync|scp)[ \t]|ssh[ \t][^\n]{0,200}[ \t'\"](?:rm|ls|du|find|tail|cat)[ \t])"
 )
 """How lines begin that take for granted that a path is there."""
+_GUIDE = regex(r"(?:\.(?:md|rst|dirs|install|tmpfiles?)|(?:^|/)(?:dirs|README))$")
 _SIZE = 512 * 1024
 _COUNT = 3000
 """Bytes of a script and scripts of a tree that are looked at, at most."""
@@ -36,6 +37,22 @@ def mentions(tree: Tree, path: str) -> bool:
     there = rf"[^\n]*{re.escape(path)}(?![\w.-])"
     written = re.compile(rf"^(?:(?!{_LOOKS}){there}|[ \t]*(?:rsync|scp)[ \t]{there}\S*[ \t]*$)", re.M)
     return any(path in text and written.search(text) for text in _scripts(tree))
+
+
+def may_make(tree: Tree, path: str) -> bool:
+    """Whether something of the tree may make a folder without naming it as a script would: with a variable for a part
+    of it, in a list of debhelper, or by hand as a guide says."""
+    parts = path.strip("/").split("/")
+    heads = (re.escape("/".join(parts[:count])) for count in range(2, len(parts)))
+    tails = (re.escape("/".join(parts[count:])) for count in range(1, len(parts)))
+    by_variable = rf"/(?:{'|'.join(heads)})/[\"']?(?:\$|\{{\{{)|(?:\$\w+|\}})[\"']?/(?:{'|'.join(tails)})(?![\w.-])"
+    by_list = rf"^{re.escape('/'.join(parts))}/?[ \t]*$"
+    by_hand = rf"\b(?:mkdir|install|useradd|adduser)\b[^\n]{{0,200}}{re.escape(path)}(?![\w.-])"
+    written = re.compile(f"{by_variable}|{by_list}|{by_hand}", re.M)
+    guides = (tree.head(each, _SIZE) for each in tree.paths if _GUIDE.search(each))
+    return any(parts[-1] in text and written.search(text) for text in guides) or any(
+        map(written.search, _scripts(tree))
+    )
 
 
 def starts(tree: Tree, unit: str) -> bool:
