@@ -46,9 +46,10 @@ from bringup_lint.api.docker import has_dash
 from bringup_lint.api.shell import Command
 
 SH_IS_BASH = regex(
-    r"\b(?:ln|cp|mv)\b[^;&]*\bbash\s+[^\n;&]*/bin/sh\b|/bin/sh\b[^\n;&]*\bbash\b|dpkg-reconfigure[^\n;&]*\bdash\b"
+    r"\b(?:ln|cp|mv)\b[^;&]{0,80}\bbash\s{1,80}[^\n;&]{0,80}/bin/sh\b|/bin/sh\b[^\n;&]{0,80}\bbash\b"
+    r"|dpkg-reconfigure[^\n;&]{0,80}\bdash\b"
 )
-BRACES = regex(r"[^\s\"'$]*(?<!\$)\{[^\s{}\"']*(?:,|\.\.)[^\s{}\"']*\}[^\s\"']*")
+BRACES = regex(r"[^\s\"'$]*(?<!\$)\{(?=[^\s{}\"'.,]*(?:\.(?!\.)[^\s{}\"'.,]*)*(?:,|\.\.))[^\s{}\"']*\}[^\s\"']*")
 FILES = ("mkdir", "rm", "cp", "mv", "touch", "chmod", "chown")
 
 

@@ -29,6 +29,7 @@ When these clients belong to another server, which is started outside of the tre
 """
 
 from collections.abc import Iterator
+from itertools import islice
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
@@ -51,6 +52,10 @@ BY_FILE = regex(r"discoveryProtocol>\s*(?:SERVER|BACKUP)\s*<")
 ADDRESS = regex(r"[\w.-]+(?::(?P<port>\d+))?")
 KINDS = ("shell-script", "systemd-unit", "systemd-dropin", "compose", "dockerfile", "launch-python", "launch-xml")
 DEFAULT = "11811"
+LINE = 400
+"""Characters before a command that may say what it is for."""
+MOST = 10
+"""Servers that a message names."""
 
 
 @rule("warning", confidence="medium", silent="clients of a discovery server wait for it forever")
@@ -72,7 +77,7 @@ def discovery_server_port(robot: Robot) -> Iterator[Finding]:
             f"The server listens on port {', '.join(map(str, servers))}, and not on {', '.join(sorted(ports))}: no node"
             " discovers another",
             advice="write the same port on both sides",
-            related=[note(where, "started here") for where in servers.values()],
+            related=[note(where, "started here") for where in islice(servers.values(), MOST)],
         )
 
 
@@ -82,7 +87,7 @@ def _servers(robot: Robot) -> Iterator[tuple[str | None, Located]]:
         if "discovery" not in source.text:
             continue
         for match in STARTS.finditer(source.text):
-            line = source.text[: match.start()].rpartition("\n")[2]
+            line = source.line_before(match.start())[-LINE:]
             options = match["options"] or match["more"] or ""
             if NO_START.search(line) or not STARTED.search(options) or not source.judged:
                 continue

@@ -34,7 +34,8 @@ _GROUPS = (
 )
 """Device nodes that only root and a group may open, with the id of the group where Debian and Ubuntu fix it."""
 _OPENED = regex(
-    r"MODE:?=\"0?[67][67][67]\"|TAG\+=\"uaccess\"|OWNER:?=\"|GROUP:?=\"(?!(?:dialout|video|audio|input|i2c|spi|gpio)\")|\bchmod\b[^\n;&]*/dev/|\bsetfacl\b[^\n;&]*/dev/|\bchown\b[^\n;&]*/dev/"
+    r"MODE:?=\"0?[67][67][67]\"|TAG\+=\"uaccess\"|OWNER:?=\"|GROUP:?=\"(?!(?:dialout|video|audio|input|i2c|spi|gpio)\")"
+    r"|\b(?:chmod|setfacl|chown)\b[^\n;&]{0,200}/dev/"
 )
 
 

@@ -20,6 +20,8 @@ from bringup_lint.source import Located
 
 _HOME = regex(r"/home/[^/]+")
 """Belongs to its user, whoever names it first."""
+_LONGEST = 4096
+"""Characters of a path that the kernel takes (PATH_MAX)."""
 _PLACES = ("--build-base", "--install-base", "--log-base")
 
 
@@ -77,7 +79,7 @@ def _made(command: Command) -> Iterator[str]:
     """The folders that mkdir makes, those above included."""
     if command.name == "mkdir":
         for path in (word for word in command.words[1:] if not word.startswith("-") and "$" not in word):
-            at = str(path)
+            at = str(path) if len(path) <= _LONGEST else ""
             while at not in ("", "/"):
                 yield at
                 at = posixpath.dirname(at)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from itertools import islice
 from typing import TYPE_CHECKING
 
 from bringup_lint.dataclass import dataclass
@@ -25,6 +26,8 @@ _OPERATOR = regex(
 _AUTONOMY = regex(
     r"(?:^|[_/])(?:nav2?|navigation|navigator|auto\w*?|planner|follow\w*?|pursuit|patrol|explore)(?:$|[_/])"
 )
+_MOST = 200
+"""Inputs of a multiplexer that are compared with each other."""
 _STOP = regex(r"(?:^|[_/])(?:e_?stop|stop|emergency\w*?|safety|safe)(?:$|[_/])")
 
 _EMERGENCY = regex(r"(?:^|[_/])(?:e_?stop|emergency\w*?)(?:$|[_/])")
@@ -85,7 +88,7 @@ def _is_mux(params: Params, file: ParameterFile, block: Block) -> bool:
 
 
 def _mux(block: Block) -> Iterator[OperatorProblem]:
-    topics, locks = list(_inputs(block, "topics")), list(_inputs(block, "locks"))
+    topics, locks = (list(islice(_inputs(block, group), _MOST)) for group in ("topics", "locks"))
     yield from _order(topics)
     for each in topics:
         lower = [other for other in topics if 0 < other.priority < each.priority]

@@ -20,6 +20,8 @@ _DEEP = 8
 """Macros within macros that are followed."""
 _MOST = 200
 """Names that one text may become."""
+_STEPS = 200_000
+"""Calls and properties that are looked at for all names; what is left then is not known."""
 
 
 class XacroValues:
@@ -27,6 +29,10 @@ class XacroValues:
         self._calls: dict[str, list[Element]] = {}
         """Macro -> its calls."""
         self._properties: dict[str, list[Element]] = {}
+        self._known: dict[tuple[str, Element | None, int], set[str]] = {}
+        """Variable, its macro and the depth -> its values: a macro may call itself many times."""
+        self._parameters: dict[Element, dict[str, str | None]] = {}
+        self._left = _STEPS
 
     def take(self, root: Element) -> None:
         """Remember the calls and properties of a description."""
@@ -47,23 +53,32 @@ class XacroValues:
         count = 1
         for part in parts:
             count *= len(part)
-        if count > _MOST:
-            return {_SUBSTITUTION.sub(HOLE, text)}
+            if count > _MOST:
+                return {_SUBSTITUTION.sub(HOLE, text)}
         return {"".join(each) for each in product(*parts)}
 
     def _values(self, variable: str | None, element: Element, depth: int) -> set[str]:
         if variable is None or not _NAME.match(variable) or depth > _DEEP:
             return {HOLE}
         name = variable.strip()
-        macro = _macro_around(element, name)
+        macro = self._macro_around(element, name)
+        key = (name, macro, depth)
+        if key not in self._known:
+            self._known[key] = self._given(name, macro, depth)
+        return self._known[key]
+
+    def _given(self, name: str, macro: Element | None, depth: int) -> set[str]:
         found: set[str] = set()
         for text, place in self._of_parameter(macro, name) if macro is not None else self._of_property(name):
+            self._left -= 1 + len(place.attributes)
+            if self._left < 0:
+                return {HOLE}
             found |= {HOLE} if text is None else self.names(text, place, depth + 1)
         return found or {HOLE}
 
     def _of_parameter(self, macro: Element, name: str) -> Iterator[tuple[str | None, Element]]:
         """What the calls of a macro give for a parameter, or its default."""
-        default = _parameters(macro).get(name)
+        default = self._parameters_of(macro).get(name)
         for call in self._calls.get(str(macro.get("name")).rpartition(":")[2], ()):
             given = call.get(name)
             yield (str(given), call) if given is not None else (default, macro.parent or macro)
@@ -73,15 +88,19 @@ class XacroValues:
             value = element.get("value")
             yield (str(value) if value is not None else None), element.parent or element
 
+    def _macro_around(self, element: Element, name: str) -> Element | None:
+        """The macro around an element that has a parameter."""
+        outer: Element | None = element
+        while outer is not None:
+            if outer.name == "xacro:macro" and name in self._parameters_of(outer):
+                return outer
+            outer = outer.parent
+        return None
 
-def _macro_around(element: Element, name: str) -> Element | None:
-    """The macro around an element that has a parameter."""
-    outer: Element | None = element
-    while outer is not None:
-        if outer.name == "xacro:macro" and name in _parameters(outer):
-            return outer
-        outer = outer.parent
-    return None
+    def _parameters_of(self, macro: Element) -> dict[str, str | None]:
+        if macro not in self._parameters:
+            self._parameters[macro] = _parameters(macro)
+        return self._parameters[macro]
 
 
 def _parameters(macro: Element) -> dict[str, str | None]:

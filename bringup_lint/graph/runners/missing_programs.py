@@ -30,8 +30,10 @@ if TYPE_CHECKING:
 _SCRIPT = regex(r"[\w./-]+\.(?:sh|bash|py)")
 _MADE = regex(r"^/(?:usr|bin|sbin|lib|proc|dev|opt/ros)/|/(?:install|build|devel|venv|\.venv|site-packages)/")
 """Folders that packages and builds fill."""
+_LONGEST = 4096
+"""Characters of a path that the kernel takes (PATH_MAX)."""
 _ENTRYPOINT = "/ros_entrypoint.sh"
-_FETCHES = regex(r"\b(?:clone|vcs|unzip|tar|rsync|svn|cp|mv|ln)\b|\b(?:curl|wget)\b[^\n;&]*\.(?:sh|py|zip|tgz)\b")
+_FETCHES = regex(r"\b(?:clone|vcs|unzip|tar|rsync|svn|cp|mv|ln)\b|\b(?:curl|wget)\b[^\n;&]{0,400}\.(?:sh|py|zip|tgz)\b")
 """May put files into folders that the step does not name."""
 _CHANGES_MODE = regex(r"\bchmod\b[^\n;&|]*")
 
@@ -70,7 +72,7 @@ def _programs(runner: Runner, stage: Stage) -> Iterator[Located]:
     words = unwrapped((*entrypoint, *command))
     while words:
         first, *rest = words
-        if _SCRIPT.fullmatch(first) and "/" in first and first != _ENTRYPOINT:
+        if len(first) <= _LONGEST and _SCRIPT.fullmatch(first) and "/" in first and first != _ENTRYPOINT:
             yield first
             return
         if first != _ENTRYPOINT and program_name(first) not in (*SHELLS, "python3", "python"):

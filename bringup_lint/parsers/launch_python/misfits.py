@@ -46,7 +46,8 @@ def note_misfit(state: State, function: Any, call: ast.Call, args: Arguments) ->
 
 
 def _note(state: State, refused: RefusedCall) -> None:
-    if all(other.where.start != refused.where.start for other in state.file.calls_refused):
+    if refused.where.start not in state.refused:
+        state.refused.add(refused.where.start)
         state.file.calls_refused.append(refused)
 
 

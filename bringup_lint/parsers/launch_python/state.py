@@ -45,6 +45,8 @@ class State:
     """Above 0 inside functions that only the run calls."""
     effects: list[Action] = field(default_factory=list)
     """Actions that deferred code performs directly on the launch context."""
+    refused: set[int] = field(default_factory=set)
+    """Where calls are that launch refuses."""
     calls: int = 0
     steps: int = STEPS
 

@@ -103,10 +103,10 @@ def _hardware(nodes: Nodes) -> Iterator[tuple[Source, str, dict[str, tuple[int, 
 
 def _bodies(plain: str) -> dict[str, tuple[int, int]]:
     """Method -> where its body starts and ends; none of those that are defined several times."""
-    found: dict[str, list[tuple[int, int]]] = {}
+    found: dict[str, list[int]] = {}
     for match in _METHOD.finditer(plain):
-        found.setdefault(match["name"], []).append((match.start("body"), _end(plain, match.start("body"))))
-    return {name: places[0] for name, places in found.items() if len(places) == 1}
+        found.setdefault(match["name"], []).append(match.start("body"))
+    return {name: (starts[0], _end(plain, starts[0])) for name, starts in found.items() if len(starts) == 1}
 
 
 def _end(plain: str, start: int) -> int:

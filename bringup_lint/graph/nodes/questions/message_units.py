@@ -32,6 +32,7 @@ _CPP_FIELD = regex(
 )
 _CPP_TIMES = regex(r"\b(?P<message>\w+)(?:->|\.)percentage\s{0,4}=[^;=\n]{1,200}\*\s{0,4}100(?:\.0*)?f?\s{0,4};")
 """A value that is made a percentage at last."""
+_CPP_DECLARED = regex(r"(?<!\w)(?P<type>\w+)(?:::\w*Ptr)?[ \t>&*]{1,4}(?=(?P<name>\w+)\s{0,4}[;,)({=])")
 
 
 class WrongUnit(NamedTuple):
@@ -217,17 +218,20 @@ def _in_cpp(text: str, whole: Span) -> Iterator[WrongUnit]:
         return
     kind = "sensor_msgs/msg/BatteryState"
     plain = COMMENT.sub(lambda found: " " * len(found[0]), text)
+    types = _declared(plain)
     for found in _CPP_FIELD.finditer(plain):
-        if PERCENT <= float(found["number"]) <= 100 and _is_battery(plain, found["message"]):
+        if PERCENT <= float(found["number"]) <= 100 and types.get(found["message"]) == {"BatteryState"}:
             place = Span(whole.source, found.start(), found.end())
             yield WrongUnit(place, kind, "percentage", found["set"] is None, found["number"])
     for found in _CPP_TIMES.finditer(plain):
-        if _is_battery(plain, found["message"]):
+        if types.get(found["message"]) == {"BatteryState"}:
             yield WrongUnit(Span(whole.source, found.start(), found.end() - 1), kind, "percentage", False, "")
 
 
-def _is_battery(text: str, name: str) -> bool:
-    """Whether a variable or member is declared as a BatteryState, and as nothing else that has a percentage."""
-    declared = re.findall(rf"\b(\w+)(?:::\w*Ptr)?[ \t>&*]{{1,4}}{re.escape(name)}\b\s{{0,4}}[;,)({{=]", text)
-    known = [each for each in declared if each not in ("return", "else")]
-    return bool(known) and all(each in ("BatteryState",) for each in known)
+def _declared(text: str) -> dict[str, set[str]]:
+    """Variable or member -> the types that it is declared with anywhere in a source."""
+    found: dict[str, set[str]] = {}
+    for each in _CPP_DECLARED.finditer(text):
+        if each["type"] not in ("return", "else"):
+            found.setdefault(each["name"], set()).add(each["type"])
+    return found
