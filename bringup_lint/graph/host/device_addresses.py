@@ -23,8 +23,10 @@ if TYPE_CHECKING:
     from bringup_lint.model.launch_values import Value
 
 _OF_DEVICE = regex(
-    r"(?:(?:sensor|lidar|laser|scanner|device|camera)_(?:ip|ip_addr(?:ess)?|host(?:name)?)|ip_address)\Z"
+    r"(?:(?:sensor|lidar|laser|scanner|device|camera)_(?:ip|ip_addr(?:ess)?|host(?:name)?))\Z"
 )
+_OF_DRIVER = regex(r"urg_node2?|sick_\w+|pf_driver")
+"""Nodes and packages whose ``ip_address`` is that of the sensor; those of others may be what they listen on."""
 _ADDRESS = regex(r"(?:[0-9]{1,3}\.){3}[0-9]{1,3}\Z")
 
 
@@ -60,8 +62,15 @@ def _of_host(netplan: Netplan, networkmanager: NetworkManager) -> Iterator[Locat
 def _of_files(params: Params) -> Iterator[tuple[str, Located]]:
     for file, each in params.parameters:
         name, text = str(each.name).rpartition(".")[2], each.value.data
-        if isinstance(text, str) and _OF_DEVICE.match(name) and _ADDRESS.match(text) and params.is_used(file):
+        node = str(each.block.key).rpartition("/")[2]
+        if isinstance(text, str) and _is_of_device(name, node) and _ADDRESS.match(text) and params.is_used(file):
             yield name, Located(text, each.span)
+
+
+def _is_of_device(parameter: str, driver: str) -> bool:
+    if parameter == "ip_address":
+        return _OF_DRIVER.fullmatch(driver) is not None
+    return _OF_DEVICE.match(parameter) is not None
 
 
 def _of_launch(launch: Launch) -> Iterator[tuple[str, Located]]:
@@ -71,7 +80,8 @@ def _of_launch(launch: Launch) -> Iterator[tuple[str, Located]]:
         for key, value in _given(node):
             text = literal_text(value.value if isinstance(value, TypedValue) else value)
             name = text_of(key) or ""
-            if text is not None and _OF_DEVICE.match(name) and _ADDRESS.match(text):
+            package = str(literal_text(node.package))
+            if text is not None and _is_of_device(name, package) and _ADDRESS.match(text):
                 yield name, text
 
 

@@ -111,6 +111,9 @@ def _order(topics: list[_Input]) -> Iterator[OperatorProblem]:
     if not people or not machines:
         return
     person, machine = max(people, key=_priority), max(machines, key=_priority)
+    unknown = [each for each in topics if each not in people and each not in machines and not each.fits(_STOP)]
+    if any(each.priority > machine.priority for each in unknown):
+        return  # a person may send it
     if 0 < person.priority < machine.priority:
         detail = f"{machine.priority}, {person.priority}"
         yield OperatorProblem("order", person.place, person.name, machine.name, detail, machine.place)

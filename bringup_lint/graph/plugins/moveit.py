@@ -11,6 +11,7 @@ from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.xml import parse as parse_xml
 from bringup_lint.parsers.yaml_nodes import parse as parse_yaml
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.spelling import nearest
 
@@ -23,6 +24,8 @@ if TYPE_CHECKING:
 _KINEMATICS = "kinematics.yaml"
 _CONTROLLERS = "moveit_controllers.yaml"
 _MANAGER = "moveit_simple_controller_manager"
+_OF_HAND = regex(r"gripper|hand|finger|tool|eef|end_?effector")
+"""Groups that need no solver."""
 _TRAJECTORY = "joint_trajectory_controller/"
 
 
@@ -43,7 +46,7 @@ def moveit_problems(tree: Tree, workspace: Workspace, params: Params) -> Iterato
         if source is not None and owner is not None and source.judged:
             if owner.folder not in groups:
                 groups[owner.folder] = _groups(tree, owner.folder)
-            yield from _solvers(source, groups[owner.folder])
+            yield from _solvers(source, groups[owner.folder], params)
     for path in tree.named(_CONTROLLERS):
         source = tree.read(path)
         if source is not None and source.judged:
@@ -63,14 +66,17 @@ def _groups(tree: Tree, folder: str) -> tuple[Located, ...] | None:
     return tuple(found) if found and not any("$" in name for name in found) else None
 
 
-def _solvers(source: Source, groups: tuple[Located, ...] | None) -> Iterator[MoveItProblem]:
-    """Groups of a kinematics file that the SRDF does not have, where it gives none of its groups a solver."""
+def _solvers(source: Source, groups: tuple[Located, ...] | None, params: Params) -> Iterator[MoveItProblem]:
+    """Groups of a kinematics file that the SRDF does not have, where it gives none of its groups a solver, and that
+    nothing else of the tree names, as it does when the SRDF is elsewhere."""
     root = _root(source)
     if root is None or groups is None:
         return
     names = {str(each) for each in groups}
+    if all(map(_OF_HAND.search, names)):
+        return  # the SRDF of the arm is elsewhere
     solved = [key.value for key, value in root.entries if isinstance(value, Mapping) and value.get("kinematics_solver")]
-    if any(str(name) in names for name in solved):
+    if any(str(name) in names or params.named_elsewhere(str(name), {source}) for name in solved):
         return
     for name in solved:
         near = nearest(name, names)
@@ -101,6 +107,8 @@ def _controllers(source: Source, params: Params) -> Iterator[MoveItProblem]:
         if same is None or len(same) != 1 or tail in every or params.named_elsewhere(tail, {source}):
             continue
         name = next(iter(same))
+        if any(other.value.strip("/").rpartition("/")[2] == name for other in names.scalars):
+            continue  # the listed one is of the simulation, this one of the driver of the robot
         yield MoveItProblem("controller", item.value, (same[name],), name)
 
 

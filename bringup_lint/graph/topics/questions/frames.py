@@ -47,6 +47,8 @@ _NAMING = (
     ".cpp",
     ".cc",
     ".cxx",
+    ".c",
+    ".ino",
     ".hpp",
     ".h",
     ".rs",
@@ -59,12 +61,16 @@ _NAMING = (
     ".sdf",
     ".sh",
     ".lua",
+    ".json",
+    ".toml",
 )
 """Files that may make a frame, or give its name to what makes it."""
 _MOST = 4000
 """Files that are looked through."""
 _NAME = regex(r"/?[A-Za-z]\w*\Z")
 _COMMON = frozenset(("map", "odom", "world", "earth"))
+_FIRMWARE = "micro_ros_agent"
+"""What brings the nodes of a microcontroller into the graph, transforms of the odometry among them."""
 _BESIDE = regex(r"controller_manager|ros_gz\w*|gazebo_ros|rviz2?|xacro|moveit_\w+|joint_state_publisher\w*|rqt\w*")
 """Further packages that publish no transform of the base."""
 
@@ -114,6 +120,8 @@ def _is_closed(topics: Topics) -> bool:
                 target = place(include.file)
                 packages.add(str(target.package) if target is not None else "")
     own = topics.launch.workspace.packages
+    if _FIRMWARE in packages:
+        return False
     return all(
         each in own or PUBLIC.fullmatch(each) or _LIDARS.fullmatch(each) or _BESIDE.fullmatch(each) for each in packages
     )
