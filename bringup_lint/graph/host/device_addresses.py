@@ -22,9 +22,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.params.params import Params
     from bringup_lint.model.launch_values import Value
 
-_OF_DEVICE = regex(
-    r"(?:(?:sensor|lidar|laser|scanner|device|camera)_(?:ip|ip_addr(?:ess)?|host(?:name)?))\Z"
-)
+_OF_DEVICE = regex(r"(?:(?:sensor|lidar|laser|scanner|device|camera)_(?:ip|ip_addr(?:ess)?|host(?:name)?))\Z")
 _OF_DRIVER = regex(r"urg_node2?|sick_\w+|pf_driver")
 """Nodes and packages whose ``ip_address`` is that of the sensor; those of others may be what they listen on."""
 _ADDRESS = regex(r"(?:[0-9]{1,3}\.){3}[0-9]{1,3}\Z")

@@ -16,8 +16,11 @@ from bringup_lint.source import Located
 if TYPE_CHECKING:
     from bringup_lint.graph.launch.launch import Launch
 
-_ALONE = regex(r"/dev/(?!i2c|spi|gpio|mem|input|dri|null|zero|shm|bus|urandom|snd|nv|net|can\d|pps|ptp|rtc|hailo|apex|accel|kfd)[\w./:-]+\Z")
-"""Devices that one process uses at a time; several may share a bus, a GPIO chip, a clock, an accelerator and the like."""
+_ALONE = regex(
+    r"/dev/(?!i2c|spi|gpio|mem|input|dri|null|zero|shm|bus|urandom|snd|nv|net|can\d"
+    r"|pps|ptp|rtc|hailo|apex|accel|kfd)[\w./:-]+\Z"
+)
+"""Devices that one process uses at a time; several may share a bus, a GPIO chip, a clock, an accelerator."""
 
 
 class Shared(NamedTuple):

@@ -71,19 +71,21 @@ def _costmap(params: Params, file: ParameterFile, block: Block) -> Iterator[Navi
     if shape is not None and shape.name == "footprint":
         yield from _footprint(shape)
     yield from _inflation(named)
-    yield from _jumping(file, block, named)
+    yield from _jumping(params, file, block, named)
     for layer in _layers(named):
         yield from _observations(params, named, layer)
 
 
-def _jumping(file: ParameterFile, block: Block, named: dict[str, Parameter]) -> Iterator[NavigationProblem]:
+def _jumping(
+    params: Params, file: ParameterFile, block: Block, named: dict[str, Parameter]
+) -> Iterator[NavigationProblem]:
     """A window that moves with the robot in a frame that jumps against it whenever amcl corrects the pose."""
     rolling, frame = named.get("rolling_window"), named.get("global_frame")
     if frame is None or rolling is None or rolling.value.data is not True or _name(block) != "local_costmap":
         return
     localized = [_named(each) for each in file.blocks if _name(each) == "amcl"]
     frames = [(_text(named, "global_frame_id", "map"), _text(named, "odom_frame_id", "odom")) for named in localized]
-    if frames and frame.value.data == frames[0][0] != frames[0][1]:
+    if frames and frame.value.data == frames[0][0] != frames[0][1] and not params.is_static(*frames[0]):
         yield NavigationProblem("frame", frame.span, "global_frame", str(frame.value.data), rolling.span)
 
 

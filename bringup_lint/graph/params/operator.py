@@ -67,16 +67,18 @@ def operator_problems(params: Params) -> Iterator[OperatorProblem]:
     for file in params.judged:
         if file.accepted and not file.uncertain and params.is_used(file):
             for block in file.blocks:
-                yield from _deadman(block)
+                yield from _deadman(params, file, block)
                 if _is_mux(params, file, block):
                     yield from _mux(block)
 
 
-def _deadman(block: Block) -> Iterator[OperatorProblem]:
+def _deadman(params: Params, file: ParameterFile, block: Block) -> Iterator[OperatorProblem]:
     named = {str(each.name): each for each in block.parameters}
     switch = named.get("require_enable_button")
     moves = any(name.startswith("scale_") for name in named)
-    if switch is not None and switch.value.data is False and moves:
+    if switch is None or switch.value.data is not False or not moves:
+        return
+    if not params.loads(file) or params.effective(file, switch):
         yield OperatorProblem("deadman", switch.span, "", "", "")
 
 

@@ -306,6 +306,15 @@ class Params:
         """By the number of sources, to which some come later."""
         return {}
 
+    def is_static(self, parent: str, child: str) -> bool:
+        """Whether a launch file starts a static_transform_publisher for two frames."""
+        for node in self._launch().nodes:
+            if literal_text(node.executable) == "static_transform_publisher":
+                words = " ".join(text_of(each) or "" for each in node.arguments).split()
+                if parent in words and child in words:
+                    return True
+        return False
+
     def at_path(self, path: str) -> ParameterFile | None:
         """The file at a path, of the tree or of the robot."""
         return self._paths.get(path) or self._paths.get(self._tree_files.tree.real_path(path))

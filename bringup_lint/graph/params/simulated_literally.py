@@ -30,7 +30,10 @@ _SIMULATION = regex(
     re.I,
 )
 _WRITTEN_FALSE = regex(r"use_sim_time['\"]?\s*:\s*(?:false|no|off)\b", re.I)
-_WAITING = regex(r"nav2_(?!map_server|lifecycle_manager|rviz|common)|opennav_|robot_localization$|slam_toolbox$|cartographer_ros$|rtabmap_")
+_WAITING = regex(
+    r"nav2_(?!map_server|lifecycle_manager|rviz|common)|opennav_|robot_localization$|slam_toolbox$|cartographer_ros$"
+    r"|rtabmap_"
+)
 """Packages whose nodes compare the time with the stamps of transforms, or have timers in ROS time."""
 _PAGES = (".md", ".rst", ".txt")
 _MOST = 200_000
