@@ -2,7 +2,8 @@
 
 ## What it finds
 A tree whose files agree on one `ROS_DOMAIN_ID`, while no node of the robot runs on that domain. The nodes run on
-another domain that the files mention, on the default domain 0, or on the domain that was given on the command line.
+another domain that the files mention, on the default domain 0, on one of which the computer has ports open, or on the
+domain that was given on the command line. The domain on which most of them run is reported.
 Single nodes that run on another domain than the files say are also reported.
 
 ## Why it matters on a robot
@@ -35,6 +36,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.live import Entry
 from bringup_lint.api.live import Observed
 from bringup_lint.api.live import RunningNode
 
@@ -49,7 +51,7 @@ def domain_mismatch(robot: Robot) -> Iterator[Finding]:
     ours = {domain: [node for node in nodes if belongs(observed, node)] for domain, nodes in by_domain.items()}
     file = configured.where.span.path.rpartition("/")[2]
     if ours.get(configured.number) == []:
-        domain, nodes = next(((each, nodes) for each, nodes in sorted(ours.items()) if nodes), (None, []))
+        domain, nodes = max(sorted(ours.items()), key=lambda each: len(each[1]))
         if nodes:
             yield finding(
                 configured.where,
@@ -63,12 +65,19 @@ def domain_mismatch(robot: Robot) -> Iterator[Finding]:
             yield finding(
                 entry.where,
                 f"{count(nodes)} on domain {domain}, but {file} says {configured.number}",
-                advice=f"make {entry.who or 'whatever starts this'} load {file}",
+                advice=advice(observed, entry, file),
                 related=[
                     note(configured.where, "the domain of the others"),
                     *(note(node.name, f"runs on domain {domain}") for node in nodes[:3]),
                 ],
             )
+
+
+def advice(observed: Observed, entry: Entry, file: str) -> str:
+    who = entry.who or "whatever starts this"
+    if observed.sets_domain(entry):
+        return f"{who} loads {file}: restart it, and look for what starts nodes without it, such as a shell"
+    return f"make {who} load {file}"
 
 
 def count(nodes: list[RunningNode]) -> str:

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from bringup_lint.live import ports
 from tests.lint import Run
 from tests.lint import lint
 from tests.oracles.live_nodes import running
@@ -78,13 +79,14 @@ def shell(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
 
 
 def set_shell(monkeypatch: pytest.MonkeyPatch, folder: Path) -> None:
-    """A shell without ROS variables, on the loopback only."""
+    """A shell without ROS variables, on the loopback only, that does not see the ports of other tests."""
     for name in [
         name for name in os.environ if name.startswith(("ROS_", "RMW_", "RCUTILS_", "FASTRTPS_", "CYCLONEDDS_"))
     ]:
         monkeypatch.delenv(name)
     monkeypatch.setenv("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST")
     monkeypatch.setenv("ROS_LOG_DIR", str(folder / "log"))
+    monkeypatch.setattr(ports, "TABLES", ())
 
 
 def on(domain: int) -> dict[str, str]:
@@ -187,6 +189,15 @@ def test_nodes_are_looked_for_on_the_domains_that_files_mention(tmp_path: Path, 
     assert len(lines) == 1, (run.stdout, run.stderr)
     assert lines[0].endswith(f"where no node of the robot runs; 5 nodes run on domain {domain}")
     assert "node-missing" not in run.stdout
+
+
+def test_nodes_on_a_domain_that_no_file_mentions(tmp_path: Path, domain: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    folder = tree(tmp_path / "tree", domain - 100)
+    with running(*GOOD, environment=on(domain)):
+        monkeypatch.setattr(ports, "TABLES", ("/proc/net/udp",))
+        run = live(folder, *TWICE)
+    assert f"Domain {domain} shows 5: /amcl, /base, /lidar/driver, ... Look there with" in run.stderr
+    assert "where no node of the robot runs; " in run.stdout, (run.stdout, run.stderr)
 
 
 def test_one_node_on_another_domain(tmp_path: Path, domain: int) -> None:

@@ -143,6 +143,7 @@ def seen(robot: Robot, options: dict[str, Any]) -> Source:
     """The running graph. Raises LiveError when it cannot be looked at."""
     from bringup_lint.graph.observed.domains import mentioned
     from bringup_lint.graph.observed.domains import middleware
+    from bringup_lint.live.ports import open_domains
     from bringup_lint.live.run import AGAIN
     from bringup_lint.live.run import AT_MOST
     from bringup_lint.live.run import look
@@ -167,7 +168,8 @@ def seen(robot: Robot, options: dict[str, Any]) -> Source:
     text = graph_text(graph, [], told, secured, units)
     observed = robot.compared(parse(Source("", text)))
     if observed.wants or (observed.configured and observed.configured.number != domain):
-        others = [each for each in mentioned(robot.ros) if each != domain][:AT_MOST]
+        unseen = [] if observed.nodes else open_domains()
+        others = [each for each in dict.fromkeys([*mentioned(robot.ros), *unseen]) if each != domain][:AT_MOST]
         also = f", and at {', '.join(map(str, others))}" if others else ""
         say(f"Looking longer, for what is not there{also} ...")
         again, *elsewhere = look([domain, *others], AGAIN * options["wait"], **how)
@@ -216,8 +218,8 @@ def _tell(robot: Robot, observed: Observed) -> None:
     say(f"Domain {observed.graph.domain} shows {counted(nodes, 'node')}, tools left out.")
     for domain, others in observed.elsewhere.items():
         if others and not nodes:
-            shown = ", ".join(str(node.name) for node in others[:3]) + ", ..." * (len(others) > 3)
-            say(f"Domain {domain} shows {len(others)}: {shown}. Look there with --domain-id {domain}.")
+            shown = ", ".join(str(node.name) for node in others[:3]) + (", ..." if len(others) > 3 else ".")
+            say(f"Domain {domain} shows {len(others)}: {shown} Look there with --domain-id {domain}.")
     if expected.ambiguous:
         said = "Several launch files, and nothing says which one runs: name it with --launch to hear of missing nodes."
         say(said)

@@ -122,6 +122,11 @@ class Observed:
                 found[entry, domain] = there
         return found
 
+    def sets_domain(self, entry: Entry) -> bool:
+        """Whether the nodes that something starts get the domain of the files."""
+        domain = of_environment(entry.environment)
+        return domain is not None and self.configured is not None and domain.number == self.configured.number
+
     @cached_property
     def missing(self) -> dict[Entry, list[ExpectedNode]]:
         """The nodes that must run on this domain, do not, and are not seen on another one either."""
