@@ -44,7 +44,11 @@ from bringup_lint.api import rule
 from bringup_lint.api.compose import closed_devices
 
 
-@rule("warning", confidence="medium", symptoms=["Permission denied: '/dev/", "could not open port /dev/"])
+@rule(
+    "warning",
+    confidence="medium",
+    symptoms=["Permission denied: '/dev/", "could not open port /dev/*Permission denied"],
+)
 def device_group(robot: Robot) -> Iterator[Finding]:
     for closed in closed_devices(robot.files, robot.compose):
         yield finding(

@@ -55,7 +55,6 @@ _RANK = ("literal", "unit", "host", "default", "script", "argument")
     symptoms=[
         "could not open port /dev/tty*: [Errno 2] No such file or directory",
         "Serial port not found. | device: /dev/tty*, error 2, waiting for connection",
-        "could not open port /dev/tty",
         "Could not open device /dev/tty",
         "cannot bind to the specified [serial port:/dev/tty",
         "cannot bind to the specified serial port /dev/",

@@ -53,7 +53,9 @@ BRACES = regex(r"[^\s\"'$]*(?<!\$)\{(?=[^\s{}\"'.,]*(?:\.(?!\.)[^\s{}\"'.,]*)*(?
 FILES = ("mkdir", "rm", "cp", "mv", "touch", "chmod", "chown")
 
 
-@rule("error", symptoms=["/bin/sh: 1: [[: not found", "/bin/sh: 1: set: Illegal option -o pipefail"])
+@rule(
+    "error", symptoms=["/bin/sh: 1: [[: not found", "/bin/sh: 1: set: Illegal option -o pipefail", "source: not found"]
+)
 def bash_in_sh(robot: Robot) -> Iterator[Finding]:
     for file in robot.dockerfiles:
         stages = [stage for stage in file.stages if has_dash(stage.origin) and not _has_shell(stage)]

@@ -45,7 +45,14 @@ SETUP = regex(r"(?:^|/)(?:opt/ros/[^/]+|install|install_\w+|devel)/(?:local_)?se
 """The files of a distribution or of a built workspace; another setup.sh may be anything."""
 
 
-@rule("error", symptoms=["unbound variable", "AMENT_TRACE_SETUP_FILES"])
+@rule(
+    "error",
+    symptoms=[
+        "AMENT_TRACE_SETUP_FILES: unbound variable",
+        "COLCON_TRACE: unbound variable",
+        "setup.bash: line *: unbound variable",
+    ],
+)
 def setup_sourced_under_nounset(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("shell-script"):
         if source.judged and not source.template and "setup." in source.said:

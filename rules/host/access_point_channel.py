@@ -39,7 +39,14 @@ BANDS = {"g": (1, 14, "2.4 GHz"), "b": (1, 14, "2.4 GHz"), "a": (15, 233, "5 GHz
 NUMBER = regex(r"[1-9]\d{0,2}")
 
 
-@rule("error", symptoms=["not found from the channel list of", "Hardware does not support configured channel"])
+@rule(
+    "error",
+    symptoms=[
+        "not found from the channel list of",
+        "Hardware does not support configured channel",
+        "Could not select hw_mode and channel",
+    ],
+)
 def access_point_channel(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("hostapd"):
         if not source.judged or source.template:

@@ -102,6 +102,7 @@ ADVICE = {
     fix="safe",
     symptoms=[
         "got an unexpected keyword argument",
+        "required keyword-only argument",
         "object is not iterable",
         "object has no attribute 'visit'",
         "too many values to unpack (expected 2)",

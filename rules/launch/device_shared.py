@@ -37,7 +37,15 @@ from bringup_lint.api import rule
 from bringup_lint.api.launch import shared_devices
 
 
-@rule("warning", silent="a serial port can be opened several times")
+@rule(
+    "warning",
+    symptoms=[
+        "device reports readiness to read but returned no data (device disconnected or multiple access on port?)",
+        "Could not exclusively lock port",
+        "Device or resource busy: '/dev/",
+        "/dev/*: Device or resource busy",
+    ],
+)
 def device_shared(robot: Robot) -> Iterator[Finding]:
     for shared in shared_devices(robot.launch):
         if not shared.path.span.source.judged:

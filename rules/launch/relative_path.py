@@ -42,7 +42,11 @@ EFFECTS = {
 }
 
 
-@rule("warning", confidence="medium", symptoms=["Parameter file path is not a file"])
+@rule(
+    "warning",
+    confidence="medium",
+    symptoms=["Parameter file path is not a file", "No such file or directory: 'config/"],
+)
 def relative_path(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         for each in relative_paths(robot.launch, robot.files, file):

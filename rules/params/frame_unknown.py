@@ -47,6 +47,9 @@ from bringup_lint.api.params import unknown_frames
         "Message Filter dropping message: frame '*' at time * for reason",
         "Timed out waiting for transform from * to * to become available",
         'Invalid frame ID "*" passed to canTransform argument target_frame - frame does not exist',
+        'Invalid frame ID "*" passed to canTransform argument source_frame - frame does not exist',
+        '"*" passed to lookupTransform argument source_frame does not exist',
+        '"*" passed to lookupTransform argument target_frame does not exist',
     ],
 )
 def frame_unknown(robot: Robot) -> Iterator[Finding]:

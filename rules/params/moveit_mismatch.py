@@ -47,6 +47,7 @@ from bringup_lint.api.params import MoveItProblem
     symptoms=[
         "No kinematics plugins defined. Fill and load kinematics.yaml!",
         "Action client not connected to action server",
+        "Unable to identify any set of controllers that can actuate the specified joints",
     ],
 )
 def moveit_mismatch(robot: Robot) -> Iterator[Finding]:

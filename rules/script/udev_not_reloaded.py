@@ -45,7 +45,7 @@ TOLD = regex(
 FOLDER = "/udev/rules.d"
 
 
-@rule("warning", symptoms=["No such file or directory: '/dev/", "could not open port /dev/"])
+@rule("warning", symptoms=["No such file or directory: '/dev/", "could not open port /dev/*No such file or directory"])
 def udev_not_reloaded(robot: Robot) -> Iterator[Finding]:
     copied: dict[Source, list[Located]] = {}
     for source, run in robot.scripts.run("cp", "install", "ln", "mv"):
