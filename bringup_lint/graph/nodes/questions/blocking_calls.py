@@ -39,7 +39,9 @@ _SPINS = {"rclpy.spin": 99, "rclpy.spin_until_future_complete": 3, "rclpy.spin_o
 UNTIL_BYTE = "until a byte arrives"
 UNTIL_PACKET = "until the other side sends something"
 _RECEIVES = frozenset({"recv", "recvfrom", "recv_into", "accept"})
-_SOCKET_TIMEOUTS = regex(r"settimeout|setblocking|setdefaulttimeout|select|MSG_DONTWAIT|SO_RCVTIMEO|create_connection")
+_SOCKET_TIMEOUTS = regex(
+    r"settimeout|setblocking|setdefaulttimeout|select|MSG_DONTWAIT|SO_RCVTIMEO|O_NONBLOCK|create_connection"
+)
 _SERIAL_READS = frozenset({"read", "readline", "readlines", "read_until"})
 
 

@@ -25,10 +25,14 @@ if TYPE_CHECKING:
 
 _ENDS = regex(
     r"\.daemon\s{0,2}=\s{0,2}True|setDaemon\(True|os\._exit|os\.kill|os\.abort|\bclose\(|\.release\(|\.cancel\("
+    r"|SIG_DFL|os\.killpg"
 )
 """What makes a thread one that nobody waits for, ends the process, or makes what the thread waits for raise."""
 _RAISES = frozenset(
-    {"publish", "call", "call_async", "send_goal_async", "sleep_for", "sleep_until", "wait_for_service"}
+    (
+        *("publish", "call", "call_async", "send_goal_async", "sleep_for", "sleep_until", "wait_for_service"),
+        *("spin", "spin_once", "spin_until_future_complete", "spin_once_until_future_complete"),
+    )
 )
 """Methods of rclpy that raise when the context is shut down."""
 _ALL = frozenset({"Exception", "BaseException"})
@@ -84,7 +88,8 @@ def _loop(syntax: Syntax, function: ast.AST, cls: NodeClass) -> ast.While | None
 def _may_raise(syntax: Syntax, call: ast.Call) -> bool:
     """Whether a call ends the thread after the shutdown."""
     name = getattr(call.func, "attr", getattr(call.func, "id", ""))
-    return (name in _RAISES or "exit" in name) and not syntax.catches(call, _ALL)
+    is_rate = name == "sleep" and syntax.qualified(call) != "time.sleep"
+    return (name in _RAISES or "exit" in name or is_rate) and not syntax.catches(call, _ALL)
 
 
 def _asks(loop: ast.While) -> bool:

@@ -21,19 +21,30 @@ _METHOD = regex(
     r"\b(?:\w{1,80}::)?(?P<name>on_activate|export_command_interfaces|read|write)\s{0,4}\([^;{}()]{0,300}\)"
     r"(?:\s{0,4}(?:override|noexcept|const|final)){0,3}\s{0,40}(?P<body>\{)"
 )
+_SUCCEEDS = regex(r"\breturn\b[^;]{0,80}\bOK\s{0,4};")
 _BRACE = regex(r"[{}]")
 _POSITION = regex(r"(?:HW_IF_POSITION|\"position\")\s{0,4},\s{0,40}&\s{0,4}(?P<member>[A-Za-z_]\w{0,80})")
-_SLOWED = regex(r"(?i)profile_?vel|max_?vel|vel(?:ocity)?_?limit|\bramp|interpolat|is_?first|first_|isnan|initial")
-"""Words of what starts slowly, or waits for the first command."""
+_SLOWED = regex(
+    r"(?i)profile_?vel|max_?vel|vel(?:ocity)?_?limit|\bramp|interpolat|is_?first|first_|isnan|initial|homing|home"
+    r"|set_?zero|calibrat|perform_command_mode_switch"
+)
+"""Words of what starts slowly, waits for the first command or for a controller, or makes 0 the place of the joints."""
 _SIMULATED = regex(r"(?i)gazebo|mujoco|isaac|\bfake|\bmock|webots")
 _RECEIVES = regex(
     r"(?<![\w.>])(?:::)?(?P<name>read|recv|recvfrom|recvmsg)\s{0,4}\(\s{0,4}\w{0,40}(?:sock|fd|can|port|serial|bus)"
 )
-_OPENS = regex(r"(?<![\w.>])(?:::)?socket\s{0,4}\(\s{0,4}(?:PF|AF)_")
+_OPENS = regex(r"\b(?P<kept>[A-Za-z]\w{0,80})\s{0,4}=\s{0,4}(?P<call>(?:::)?socket\s{0,4}\(\s{0,4}(?:PF|AF)_)")
 _WAITS_NOT = regex(
-    r"O_NONBLOCK|SOCK_NONBLOCK|SO_RCVTIMEO|MSG_DONTWAIT|FIONBIO|FIONREAD|O_NDELAY|\be?poll\s{0,2}\(|\be?p?select\s{0,2}\("
-    r"|epoll_wait|std::thread|\basync\b"
+    r"O_NONBLOCK|SOCK_NONBLOCK|SO_RCVTIMEO|MSG_DONTWAIT|FIONBIO|FIONREAD|O_NDELAY|\b[ep]?poll\s{0,2}\(|\be?p?select\s{0,2}\("
+    r"|epoll_wait|std::j?thread|boost::thread|pthread_create|\basync\b"
 )
+_KNOWN_CALLS = frozenset(
+    (
+        *("socket", "bind", "connect", "listen", "setsockopt", "ioctl", "close", "shutdown", "if", "while", "return"),
+        *("read", "recv", "recvfrom", "recvmsg", "write", "send", "sendto", "sendmsg"),
+    )
+)
+"""What may be called with a socket that keeps waiting for packets all the same."""
 
 
 class ZeroedCommand(NamedTuple):
@@ -61,7 +72,7 @@ def zeroed_commands(nodes: Nodes) -> Iterator[ZeroedCommand]:
         if found is None or body is None or _SLOWED.search(plain) or _SIMULATED.search(plain):
             continue
         place = _zeroed(plain, body, found["member"])
-        if place is not None:
+        if place is not None and _is_sent_as_it_is(plain, bodies, found["member"]):
             span = Span(source, found.start("member"), found.end("member"))
             yield ZeroedCommand(source, Span(source, *place), found["member"], span)
 
@@ -79,6 +90,25 @@ def _zeroed(plain: str, body: tuple[int, int], member: str) -> tuple[int, int] |
     return found[0].span() if len(found) == 1 and named == 1 else None
 
 
+def _is_sent_as_it_is(plain: str, bodies: dict[str, tuple[int, int]], member: str) -> bool:
+    """Whether ``write()`` sends a command whatever it is, and nothing else in the source gives it a value; not where
+    ``read()`` makes the states of the commands, as simulations do."""
+    if "write" not in bodies or "read" not in bodies:
+        return False
+    name = rf"\b{re.escape(member)}\b(?:\s{{0,4}}\[[^\]\n]{{1,40}}\])?"
+    given = re.compile(rf"{name}\s{{0,4}}=(?!=)(?!\s{{0,4}}0(?:\.0*)?f?\s{{0,4}};|\s{{0,4}}[\w:<> ]{{0,60}}NaN)")
+    filled = re.compile(rf"\b(?:copy|copy_n|transform|swap)\s{{0,4}}\([^;]{{0,200}}{name}")
+    compared = re.compile(rf"{name}\s{{0,4}}[!=]=|[!=]=\s{{0,4}}{name}|\bf?abs\s{{0,4}}\([^;]{{0,120}}{name}")
+    written = plain[slice(*bodies["write"])]
+    return (
+        not any(pattern.search(plain) for pattern in (given, filled))
+        and re.search(name, written) is not None
+        and not compared.search(written)
+        and len(_SUCCEEDS.findall(written)) < 2
+        and re.search(name, plain[slice(*bodies["read"])]) is None
+    )
+
+
 def blocking_reads(nodes: Nodes) -> Iterator[BlockingRead]:
     """Reads of a socket in ``read()`` that wait until a packet arrives, as nothing in the sources says otherwise."""
     for source, plain, bodies in _hardware(nodes):
@@ -87,9 +117,17 @@ def blocking_reads(nodes: Nodes) -> Iterator[BlockingRead]:
         if found is None or _WAITS_NOT.search(with_header(nodes, source)):
             continue
         opened = _OPENS.search(plain)
-        if opened is not None:
+        if opened is not None and not _is_handed_on(plain, opened["kept"]):
             place = Span(source, found.start("name"), found.end("name"))
-            yield BlockingRead(source, place, found["name"], Span(source, *opened.span()))
+            yield BlockingRead(source, place, found["name"], Span(source, *opened.span("call")))
+
+
+def _is_handed_on(plain: str, kept: str) -> bool:
+    """Whether a socket is given to a function of the project, which may set a time-out or wait with one."""
+    call = re.compile(
+        rf"\b(?P<name>\w{{1,80}})\s{{0,4}}\((?:[^;(){{}}]{{0,200}},)?\s{{0,40}}&?{re.escape(kept)}\s{{0,4}}[,)]"
+    )
+    return any(found["name"] not in _KNOWN_CALLS for found in call.finditer(plain))
 
 
 def _hardware(nodes: Nodes) -> Iterator[tuple[Source, str, dict[str, tuple[int, int]]]]:

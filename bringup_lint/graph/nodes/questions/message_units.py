@@ -22,17 +22,29 @@ if TYPE_CHECKING:
 
 PERCENT = 5
 """The smallest number that is surely a percentage; 1.5 and the like ask whether the other side is right."""
+_BATTERIES = frozenset({"BatteryState", "msg::BatteryState", "sensor_msgs::msg::BatteryState"})
+_UNKNOWN = frozenset({"?"})
 _DEGREES = frozenset({"math.degrees", "numpy.degrees", "numpy.rad2deg"})
 _WRAPPERS = frozenset({"float", "round", "max", "min", "numpy.clip"})
+_TWIST = "geometry_msgs/msg/Twist"
 _JOINTS = "sensor_msgs/msg/JointState"
 _PERCENT_FILE = regex(r"power_supply/[^\n'\"]*capacity\b")
 _CPP_FIELD = regex(
     r"\b(?P<message>\w+)(?:->|\.)percentage\s{0,4}(?:[<>]=?|(?P<set>=)(?!=))\s{0,4}"
     r"(?P<number>\d{1,3}(?:\.\d*)?)f?\s{0,4}(?=[;)&|])"
 )
+_TELLS_APART = regex(
+    r"\.(?:percentage|relative_humidity)\s{0,4}[<>]=?\s{0,4}[12](?:\.\d{1,3})?(?![\d.])"
+    r"|->percentage\s{0,4}[<>]=?\s{0,4}[12](?:\.\d{1,3})?(?![\d.])"
+)
+"""A comparison that finds out whether a driver publishes shares or percentages."""
+_OTHER_ANGLES = regex(r"(?i)deg|euler|rpy|debug|plot|servo|gimbal|pan_?tilt")
+"""Topics on which a Twist is no velocity, but three numbers."""
 _CPP_TIMES = regex(r"\b(?P<message>\w+)(?:->|\.)percentage\s{0,4}=[^;=\n]{1,200}\*\s{0,4}100(?:\.0*)?f?\s{0,4};")
 """A value that is made a percentage at last."""
-_CPP_DECLARED = regex(r"(?<!\w)(?P<type>\w+)(?:::\w*Ptr)?[ \t>&*]{1,4}(?=(?P<name>\w+)\s{0,4}[;,)({=])")
+_CPP_DECLARED = regex(
+    r"(?<![\w:])(?P<type>\w[\w:]{0,120}?)(?:::\w{0,20}Ptr)?[ \t>&*]{1,4}(?=(?P<name>\w+)\s{0,4}[;,)({=])"
+)
 
 
 class WrongUnit(NamedTuple):
@@ -85,7 +97,7 @@ def _compared(nodes: Nodes, types: MessageTypes, node: ast.Compare) -> Iterator[
         if kind is None or FRACTIONS.get(kind) != one.attr:  # type: ignore[attr-defined]
             continue
         limit, parameter = _limit(types, other)
-        if _is_percentage(limit) and not _is_set(nodes, parameter):
+        if _is_percentage(limit) and not _is_set(nodes, parameter) and not _TELLS_APART.search(_text(types)):
             yield WrongUnit(types.file.span_of(node), kind, FRACTIONS[kind], True, f"{limit:g}")
 
 
@@ -145,8 +157,12 @@ def _given(
 
 
 def _is_judged(types: MessageTypes, kind: str) -> bool:
-    """Whether joint states are a reading: on other topics, they may be commands in a servo's own unit."""
+    """Whether joint states are a reading, and a Twist a velocity: on other topics, they may be commands in a servo's
+    own unit, or numbers to look at."""
     endpoints = [each for cls in types.file.classes for each in cls.all_endpoints]
+    if kind == _TWIST:
+        sent = [each for each in (*endpoints, *types.file.strays) if each.role == "publisher" and each.type == kind]
+        return not any(_OTHER_ANGLES.search(str(each.name or "deg")) for each in sent)
     return kind != _JOINTS or reports_joints([*endpoints, *types.file.strays])
 
 
@@ -220,11 +236,13 @@ def _in_cpp(text: str, whole: Span) -> Iterator[WrongUnit]:
     plain = COMMENT.sub(lambda found: " " * len(found[0]), text)
     types = _declared(plain)
     for found in _CPP_FIELD.finditer(plain):
-        if PERCENT <= float(found["number"]) <= 100 and types.get(found["message"]) == {"BatteryState"}:
+        if PERCENT <= float(found["number"]) <= 100 and types.get(found["message"], _UNKNOWN) <= _BATTERIES:
+            if found["set"] is None and _TELLS_APART.search(plain):
+                continue
             place = Span(whole.source, found.start(), found.end())
             yield WrongUnit(place, kind, "percentage", found["set"] is None, found["number"])
     for found in _CPP_TIMES.finditer(plain):
-        if types.get(found["message"]) == {"BatteryState"}:
+        if types.get(found["message"], _UNKNOWN) <= _BATTERIES:
             yield WrongUnit(Span(whole.source, found.start(), found.end() - 1), kind, "percentage", False, "")
 
 

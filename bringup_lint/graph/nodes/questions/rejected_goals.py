@@ -6,6 +6,7 @@ import ast
 from collections.abc import Iterable
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
+from typing import TypeGuard
 
 from bringup_lint.graph.nodes.questions.callback_code import reached
 from bringup_lint.graph.nodes.sources.syntax import Syntax
@@ -13,6 +14,7 @@ from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.graph.nodes.sources.syntax import own
 from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import NodeClass
+from bringup_lint.model.python import is_self
 from bringup_lint.model.python import walk
 from bringup_lint.named_tuple import NamedTuple
 
@@ -20,8 +22,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.nodes import Nodes
     from bringup_lint.model.node_source import NodeSource
 
-_STAYS = ("exit", "shutdown", "set_result", "set_exception", "set")
-"""Calls in the branch of a rejected goal that may tell somebody else."""
+_LOGS = frozenset(("get_logger", "debug", "info", "warn", "warning", "error", "fatal", "print", "str", "format"))
+"""Calls in the branch of a rejected goal that tell nobody else."""
 
 
 class StuckFlag(NamedTuple):
@@ -48,7 +50,7 @@ def _in_class(nodes: Nodes, file: NodeSource, node: NodeClass) -> Iterator[Stuck
     for name in _told(syntax, node):
         method = node.methods[name].node
         branch = next((each for each in own(body_of(method)) if isinstance(each, ast.If) and _rejects(each)), None)
-        if branch is None or _goes_on(syntax, node, branch):
+        if branch is None or _goes_on(branch):
             continue
         after = {each for each in _handed_over(own(body_of(method))) if each in node.methods} - {name}
         for flag in sorted(_flags(node)):
@@ -86,13 +88,10 @@ def _is_accepted(node: ast.expr) -> bool:
     return isinstance(node, ast.Attribute) and node.attr == "accepted"
 
 
-def _goes_on(syntax: Syntax, node: NodeClass, branch: ast.If) -> bool:
+def _goes_on(branch: ast.If) -> bool:
     """Whether a branch does more than to write to the log: it may set the node right in another way."""
-    for call in own_calls(branch.body):
-        name = getattr(call.func, "attr", getattr(call.func, "id", ""))
-        if name in node.methods or name in _STAYS or name == "send_goal_async" or name.startswith("create_"):
-            return True
-    return any(isinstance(each, ast.Raise) for each in own(branch.body))
+    names = {getattr(call.func, "attr", getattr(call.func, "id", "")) for call in own_calls(branch.body)}
+    return not names <= _LOGS or any(isinstance(each, ast.Raise) for each in own(branch.body))
 
 
 def _flags(node: NodeClass) -> set[str]:
@@ -107,14 +106,13 @@ def _flags(node: NodeClass) -> set[str]:
 
 def _assigned(node: ast.AST) -> Iterator[tuple[str, ast.expr]]:
     if isinstance(node, ast.Assign):
-        targets = node.targets
+        targets, value = node.targets, node.value
     elif isinstance(node, ast.AnnAssign) and node.value is not None:
-        targets = [node.target]
+        targets, value = [node.target], node.value
     else:
         return
     for target in targets:
-        if isinstance(target, ast.Attribute) and ast.unparse(target.value) == "self" and node.value is not None:
-            yield target.attr, node.value
+        yield from ((each.attr, value) for each in walk(target) if _is_stored(each) and is_self(each.value))
 
 
 def _stuck(
@@ -122,6 +120,8 @@ def _stuck(
 ) -> tuple[ast.stmt, ast.expr] | None:
     """Where a flag is set and where it is asked; None unless only what follows the acceptance resets it."""
     if any(name == flag for each in own(branch.body) for name, _ in _assigned(each)):
+        return None
+    if any(each.attr == flag and not is_self(each.value) for each in syntax.file.nodes if _is_stored(each)):
         return None
     later = {each for name in after for each in reached(syntax, body_of(node.methods[name].node), node)}
     set_at: ast.stmt | None = None
@@ -137,7 +137,7 @@ def _stuck(
                 return None
             else:
                 resets += 1
-    asked = next((each.test for each in _conditions(syntax, node) if _asks(each.test, flag)), None)
+    asked = next((each.test for each in _conditions(syntax, node) if _holds_back(each, flag)), None)
     return (set_at, asked) if set_at is not None and resets and asked is not None else None
 
 
@@ -154,5 +154,13 @@ def _conditions(syntax: Syntax, node: NodeClass) -> Iterator[ast.If]:
             yield from (each for each in walk(method.node) if isinstance(each, ast.If))
 
 
-def _asks(test: ast.expr, flag: str) -> bool:
-    return any(isinstance(each, ast.Attribute) and each.attr == flag for each in walk(test))
+def _holds_back(node: ast.If, flag: str) -> bool:
+    """Whether a condition leaves something out while a flag is set; not one that only replaces the goal."""
+    if not any(isinstance(each, ast.Attribute) and each.attr == flag for each in walk(node.test)):
+        return False
+    is_negative = any(isinstance(each, (ast.UnaryOp, ast.Compare)) for each in walk(node.test))
+    return is_negative or bool(node.orelse) or isinstance(node.body[-1], (ast.Return, ast.Raise, ast.Continue))
+
+
+def _is_stored(node: ast.AST) -> TypeGuard[ast.Attribute]:
+    return isinstance(node, ast.Attribute) and isinstance(node.ctx, ast.Store)

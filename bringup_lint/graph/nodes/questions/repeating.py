@@ -38,7 +38,7 @@ _NUMBERS = frozenset({"Float64MultiArray", "Float32MultiArray"})
 _TIMED = regex(
     r"time_?out|watch_?dog|dead_?man|stale|expir|elapsed|heart_?beat|fail_?safe|deadline|\blease|since_?last"
     r"|last_?\w{0,20}(?:time|stamp|recv|received|call)|(?:time|stamp)\w{0,20}last|no_?(?:cmd|command)|\bstamp\b|\bage\b"
-    r"|(?:now|time|monotonic|clock)\(\)[\w.()]{0,40}\s{0,3}-|-\s{0,3}(?:self\.|this->)?(?:last|prev)",
+    r"|\bnow\s{0,3}-(?!>)|(?:now|time|monotonic|clock)\(\)[\w.()]{0,40}\s{0,3}-|-\s{0,3}(?:self\.|this->)?(?:last|prev)",
     re.I,
 )
 """What code that ends a motion by time has in it somewhere."""

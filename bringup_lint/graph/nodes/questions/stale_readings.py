@@ -19,6 +19,7 @@ from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import NodeClass
+from bringup_lint.model.python import is_self
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.source import Source
 from bringup_lint.source import Span
@@ -34,6 +35,7 @@ _READINGS = frozenset(
 )
 """What a sensor sends again and again, so that its absence is a failure."""
 
+_CLOCKS = frozenset(("now", "time", "time_ns", "monotonic", "monotonic_ns", "perf_counter", "perf_counter_ns"))
 _VELOCITIES = ("Twist", "TwistStamped")
 
 
@@ -67,6 +69,8 @@ def _in_class(nodes: Nodes, file: NodeSource, node: NodeClass, readings: list[En
         if not any(_moves(each, node) for each in mover.code):
             continue
         for reading in readings:
+            if _is_timed(syntax, node, reading, mover):
+                continue
             for name in sorted(held_over(syntax, node, reading.callback, mover)):
                 used = next(_reads(mover.code, name), None)
                 if used is not None:
@@ -74,6 +78,29 @@ def _in_class(nodes: Nodes, file: NodeSource, node: NodeClass, readings: list[En
                     first = _before(file, node, name)
                     yield StaleReading(file.source, reading, f"self.{name}", place, f"{mover.name}()", first)
                     break
+
+
+def _is_timed(syntax: Syntax, node: NodeClass, reading: Endpoint, mover: Loop) -> bool:
+    """Whether a callback asks for the time, or counts, so that the mover can see how old the reading is."""
+    method = node.methods.get(reading.callback or "")
+    code = list(reached(syntax, body_of(method.node), node)) if method is not None else []
+    calls = (each.func for each in code if isinstance(each, ast.Call))
+    if any(getattr(each, "attr", getattr(each, "id", "")) in _CLOCKS for each in calls):
+        return True
+    counted = {name for each in code for name in _counted(each)}
+    return any(isinstance(each, ast.Attribute) and each.attr in counted for each in mover.code)
+
+
+def _counted(node: ast.AST) -> Iterator[str]:
+    """``x`` of ``self.x += 1`` and ``self.x = self.turns``, which come from no message."""
+    if isinstance(node, ast.AugAssign):
+        targets: list[ast.expr] = [node.target] if isinstance(node.value, ast.Constant) else []
+    elif isinstance(node, ast.Assign):
+        is_own = isinstance(node.value, ast.Attribute) and is_self(node.value.value)
+        targets = node.targets if is_own else []
+    else:
+        return
+    yield from (each.attr for each in targets if isinstance(each, ast.Attribute) and is_self(each.value))
 
 
 def _is_reading(endpoint: Endpoint) -> bool:
