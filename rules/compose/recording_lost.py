@@ -66,7 +66,8 @@ def recording_lost(robot: Robot) -> Iterator[Finding]:
             continue
         seen.add(folder.span)
         memory = _covers(service.tmpfs, folder)
-        if (memory or not _is_kept(service, folder)) and not robot.mentions(TAKES):
+        parts = [each for each in robot.compose.services if each.name == service.name]
+        if (memory or not any(_is_kept(each, folder) for each in parts)) and not robot.mentions(TAKES):
             yield finding(
                 folder,
                 f"'{service.name}' records to "

@@ -37,6 +37,7 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.docker import Runner
 from bringup_lint.api.docker import distro_of
@@ -45,6 +46,8 @@ from bringup_lint.api.systemd import Ros
 
 INITS = ("tini", "dumb-init", "catatonit", "env")
 """Programs that start the words after them as they are."""
+READS_PROFILES = regex(r"[\"']-\w*[il]\w*[\"']")
+"""A SHELL that reads the profiles of its user."""
 SETS = ("PATH", "AMENT_PREFIX_PATH", "BASH_ENV", "ENV")
 
 
@@ -66,6 +69,8 @@ def entrypoint_bypass(robot: Robot) -> Iterator[Finding]:
 def _starts_bare(runner: Runner) -> bool:
     """Whether an image with ROS starts its first process without the entrypoint of the official images."""
     stage, service = runner.stage, runner.service
+    if stage is not None and any(READS_PROFILES.search(each.value) for one in stage.chain for each in one.all("SHELL")):
+        return False
     own = service is not None and service.key("entrypoint") is not None
     if stage is None:
         return own and service is not None and service.build is None and bool(ros_distro(service.image or ""))
@@ -76,7 +81,7 @@ def _starts_bare(runner: Runner) -> bool:
 
 def _unsourced(runner: Runner) -> Ros | None:
     """The first ``ros2`` of a container of which all that runs before it is known."""
-    if any(runner.environment.get(name) is not None for name in SETS):
+    if any(runner.environment.defines(name) is not False for name in SETS):
         return None
     for line in runner.main:
         sources = any(step.command.name in ("source", ".", "eval") for step in line.steps)

@@ -34,6 +34,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.docker import Runner
 from bringup_lint.api.docker import lacks
 
 
@@ -72,6 +73,13 @@ def _paths(text: str | None) -> list[str]:
     return [path for path in paths if path.startswith("/")]
 
 
+def _is_written(runner: Runner, path: str) -> bool:
+    """Whether the container may make the file itself when it starts."""
+    words = (word for each in runner.commands if each.name not in ("export", "test", "[", "[[") for word in each.words)
+    targets = (str(redirect.target) for each in runner.commands for redirect in each.redirects)
+    return path.startswith(("/tmp/", "/run/")) or any(path in word for word in (*words, *targets))
+
+
 def _of_containers(robot: Robot) -> Iterator[Finding]:
     """One finding for each value, at the first container that gets it."""
     seen = set()
@@ -80,7 +88,7 @@ def _of_containers(robot: Robot) -> Iterator[Finding]:
         if uri is None or runner.environment.text("RMW_IMPLEMENTATION") != "rmw_cyclonedds_cpp":
             continue
         path = next((each for each in _paths(uri.text) if lacks(robot.files, runner, each)), None)
-        if path is not None and uri.value.span not in seen:
+        if path is not None and not _is_written(runner, path) and uri.value.span not in seen:
             seen.add(uri.value.span)
             yield finding(
                 uri.value,

@@ -28,6 +28,7 @@ When these clients belong to another server, which is started outside of the tre
 - Fast DDS documentation, "CLI discovery", "ROS_DISCOVERY_SERVER"
 """
 
+import re
 from collections.abc import Iterator
 from itertools import islice
 
@@ -44,13 +45,15 @@ STARTS = regex(
     r"|\bfast-discovery-server(?:-[\d.]+)?\b[\"',]?(?P<more>[^\n#;&|]{0,400})"
 )
 PORT = regex(r"(?<!\S)[\"']?-(?:p|-udp-port|-port)[\"',=\s]{1,9}(?P<port>[^\s\"',\]]+)")
-UNKNOWN = regex(r"[${]|-x\b|--xml-file|-t\b|--tcp|\bstop\b|\blist\b|-h\b")
+UNKNOWN = regex(r"[${]|\\\s*$|-x\b|--xml-file|-t\b|--tcp|\bstop\b|\blist\b|-h\b")
 STARTED = regex(r"(?<!\S)[\"']?-(?:[ilp]|-server-id|-ip-address|-udp-address|-udp-port|-port)\b")
 NO_START = regex(r"#|\b(?:p?grep|p?kill|killall|pidof|echo)\b")
 """The command is only looked for or spoken of."""
 BY_FILE = regex(r"discoveryProtocol>\s*(?:SERVER|BACKUP)\s*<")
 ADDRESS = regex(r"[\w.-]+(?::(?P<port>\d+))?")
 KINDS = ("shell-script", "systemd-unit", "systemd-dropin", "compose", "dockerfile", "launch-python", "launch-xml")
+LISTENS = regex(r"(?<!\S)[\"']?-(?:l|-listening-address|-udp-address)[\"',=\s]{1,9}(?P<address>[\d.]{7,15})")
+LOCAL = ("127.0.0.1", "localhost", "0.0.0.0")
 DEFAULT = "11811"
 LINE = 400
 """Characters before a command that may say what it is for."""
@@ -69,7 +72,7 @@ def discovery_server_port(robot: Robot) -> Iterator[Finding]:
     seen = set()
     for value in settings:
         ports = _ports(value)
-        if not ports or not ports.isdisjoint(servers) or value.span in seen:
+        if not ports or not ports.isdisjoint(servers) or value.span in seen or _is_elsewhere(robot, value, ports):
             continue
         seen.add(value.span)
         yield finding(
@@ -89,13 +92,23 @@ def _servers(robot: Robot) -> Iterator[tuple[str | None, Located]]:
         for match in STARTS.finditer(source.text):
             line = source.line_before(match.start())[-LINE:]
             options = match["options"] or match["more"] or ""
-            if NO_START.search(line) or not STARTED.search(options) or not source.judged:
+            if NO_START.search(line) or not (STARTED.search(options) or options.endswith("\\")) or not source.judged:
                 continue
             where = source.located(match.start(), match.end())
             is_cut = line.count("[") > (line + match[0]).count("]")
             ports = [each["port"] for each in PORT.finditer(options)]
             known = not is_cut and not UNKNOWN.search(options) and all(port.isdigit() for port in ports)
             yield from ((port, where) for port in (ports or [DEFAULT])) if known else ((None, where),)
+
+
+def _is_elsewhere(robot: Robot, value: str, ports: set[str]) -> bool:
+    """Whether another server may be meant: one that listens at another address, or by a port that Docker maps."""
+    mapped = re.compile(rf"\b(?:{'|'.join(map(re.escape, ports))}):\d+")
+    if any(mapped.search(each.text) for each in robot.of_kind("compose")):
+        return True
+    listening = {match["address"] for each in robot.of_kind(*KINDS) for match in LISTENS.finditer(each.text)}
+    own = (*LOCAL, *listening)
+    return bool(listening.difference(LOCAL)) and not any(address in value for address in own)
 
 
 def _ports(value: str) -> set[str]:

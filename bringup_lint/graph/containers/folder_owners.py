@@ -22,6 +22,8 @@ _HOME = regex(r"/home/[^/]+")
 """Belongs to its user, whoever names it first."""
 _LONGEST = 4096
 """Characters of a path that the kernel takes (PATH_MAX)."""
+_GIVERS = ("install", "useradd", "adduser", "usermod")
+_MODE = regex(r"-\w*m|--mode")
 _PLACES = ("--build-base", "--install-base", "--log-base")
 
 
@@ -56,6 +58,8 @@ def builds_of_others(stage: Stage) -> Iterator[ForeignBuild]:
                 root_made.setdefault(target, None if owned else each.keyword)
             elif each.name == "RUN" and each.exec_form is None:
                 for command in commands_of_run(each):
+                    for path in _given(command):
+                        root_made.setdefault(_at(folder, path), None)
                     for path in _made(command):
                         root_made.setdefault(_at(folder, path), command.words[0] if root else None)
                 build = _build(each, folder)
@@ -73,6 +77,12 @@ def _target(folder: str, value: str) -> str:
     """The folder that a copy goes to."""
     words = value.split()
     return _at(folder, words[-1].strip("\"'[],")) if words else folder
+
+
+def _given(command: Command) -> Iterator[str]:
+    """The folders that a command may make for another user."""
+    if command.name in _GIVERS or (command.name == "mkdir" and any(map(_MODE.match, command.words[1:]))):
+        yield from (str(word) for word in command.words[1:] if word.startswith("/"))
 
 
 def _made(command: Command) -> Iterator[str]:

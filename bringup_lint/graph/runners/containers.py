@@ -177,7 +177,10 @@ def may_hold(files: Files, stage: Stage, path: str) -> bool:
             continue
         if any(flag.startswith("--from") for flag in instruction.flags) or any(map(_is_unknown, sources)):
             return True
+        below = path.removeprefix(target).lstrip("/")
         if not all(_in_folders(files, instruction.keyword.span.source, name) for name in sources):
+            return True
+        if any(_is_left_out(files, instruction.keyword.span.source, os.path.join(name, below)) for name in sources):
             return True
     return False
 
@@ -188,9 +191,22 @@ def _is_unknown(source: str) -> bool:
 
 def _in_folders(files: Files, dockerfile: Source, name: str) -> bool:
     """Whether the tree surely holds a file or folder that an instruction copies."""
+    return any(map(files.tree.exists, _of_contexts(dockerfile, name)))
+
+
+def _is_left_out(files: Files, dockerfile: Source, name: str) -> bool:
+    """Whether the tree may lack what is there when an image is built: what git leaves out, and submodules."""
+    paths = list(_of_contexts(dockerfile, name))
+    return any(map(files.tree.is_ignored, paths)) or any(
+        path.startswith(f"{module}/") for module in files.tree.submodules for path in paths
+    )
+
+
+def _of_contexts(dockerfile: Source, name: str) -> Iterator[str]:
+    """Where a file of a build context may lie in the tree."""
     beside = os.path.dirname(os.path.abspath(dockerfile.name))
-    above = (os.path.normpath(os.path.join(beside, "../" * up, name.lstrip("/"))) for up in range(_FOLDERS_ABOVE))
-    return any(files.tree.exists(path) for path in above)
+    for up in range(_FOLDERS_ABOVE):
+        yield os.path.normpath(os.path.join(beside, "../" * up, name.lstrip("/")))
 
 
 def _copied_by(instruction: Instruction, path: str, folder: str | None) -> Iterator[str]:

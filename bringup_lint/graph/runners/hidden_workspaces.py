@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.dockerfile import commands_of_run
 from bringup_lint.parsers.dockerfile_variables import expanded
+from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
@@ -19,6 +20,12 @@ if TYPE_CHECKING:
     from bringup_lint.model.compose import Volume
     from bringup_lint.model.dockerfile import Stage
     from bringup_lint.source import Located
+
+
+_BUILDS = regex(r"\bdocker[ -]compose\b[^\n]*[ \t](?:run|exec)\b[^\n]*\bcolcon\b")
+_GUIDES = ("Makefile", "justfile", "Justfile", "README.md", "Taskfile.yml")
+_MOST = 64 * 1024
+"""Bytes of a guide that are read."""
 
 
 class HiddenWorkspace(NamedTuple):
@@ -30,14 +37,24 @@ class HiddenWorkspace(NamedTuple):
 
 
 def hidden_workspaces(files: Files, runners: Iterable[Runner]) -> Iterator[HiddenWorkspace]:
-    for runner in runners:
-        if runner.service is None or runner.stage is None or any("colcon" in each.words for each in runner.commands):
+    known = [each for each in runners if each.service is not None]
+    builders = {runner.source for runner in known if any("colcon" in each.words for each in runner.commands)}
+    for runner in known:
+        if runner.service is None or runner.stage is None or runner.source in builders or _is_built_by_hand(files):
             continue
         for folder, build in _built(runner.stage):
             sourced = _sourced(runner, folder)
             volume = _over(files, runner.service, folder)
             if sourced is not None and volume is not None:
                 yield HiddenWorkspace(runner.service, volume, folder, build, sourced)
+
+
+def _is_built_by_hand(files: Files) -> bool:
+    """Whether somebody builds in a container of Compose, as a guide, a script or a Makefile says."""
+    tree = files.tree
+    paths = (path for name in _GUIDES for path in tree.named(name))
+    texts = (*(tree.head(path, _MOST) for path in paths), *(each.text for each in files.of_kind("shell-script")))
+    return any(map(_BUILDS.search, texts))
 
 
 def _built(stage: Stage) -> Iterator[tuple[str, Located]]:

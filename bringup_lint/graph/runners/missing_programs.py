@@ -35,6 +35,8 @@ _LONGEST = 4096
 _ENTRYPOINT = "/ros_entrypoint.sh"
 _FETCHES = regex(r"\b(?:clone|vcs|unzip|tar|rsync|svn|cp|mv|ln)\b|\b(?:curl|wget)\b[^\n;&]{0,400}\.(?:sh|py|zip|tgz)\b")
 """May put files into folders that the step does not name."""
+_BRINGING = ("configs", "secrets", "develop", "extends", "volumes_from")
+"""Keys of a service by which it may get files that its own volumes do not name."""
 _CHANGES_MODE = regex(r"\bchmod\b[^\n;&|]*")
 
 
@@ -113,7 +115,7 @@ def _is_mounted(files: Files, runner: Runner, path: str) -> bool:
     """Whether a volume may hold it, or somebody mounts something there by hand."""
     service = runner.service
     if service is not None:
-        if service.get("configs") is not None or service.get("develop") is not None:
+        if any(service.get(key) is not None for key in _BRINGING):
             return True
         over = (each for each in service.volumes if f"{path}/".startswith(f"{str(each.target).rstrip('/')}/"))
         return any(_may_hold(files, service, each, path) for each in over)

@@ -9,6 +9,7 @@ from enum import Enum
 from bringup_lint.graph.files import Files
 from bringup_lint.graph.systemd.filesystem import Filesystem
 from bringup_lint.graph.systemd.process import Process
+from bringup_lint.graph.systemd.provision import scripts_of
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
@@ -18,6 +19,8 @@ _OWN = regex(r"/(?:usr/local|opt|etc|home|root|srv|var|data)/.+")
 _MODE = regex(r"^[ \t-]*(?:permissions|mode)[\"']?[ \t]*:", re.M)
 _CHANGES = regex(r"\b(?:chmod|setfacl|install|cp|mv|rsync)\b[^\n]*")
 _GIVES_MODE = regex(r"\b(?:chmod|setfacl|install[ \t]|rsync[^\n]{0,200}--chmod)[^\n]*")
+_ITEMS = regex(r"fileglob|\{\{[ \t]*item|\bsrc:[^\n]*/[\"']?[ \t]*$", re.M)
+"""Names of several files in a task."""
 _SEVERAL = regex(r"[*$]|\{\}|[ \t]-\w{0,5}R")
 _SCRIPT = regex(r"\.(?:sh|bash|py|pl)$")
 
@@ -68,12 +71,15 @@ def _lacks_mode(files: Files, source: Source) -> bool:
     if not source.text.startswith("#!") or not tree.keeps_modes or tree.is_executable(source.name):
         return False
     guides = filter(None, map(tree.read, tree.named("README.md")))
-    return not any(_may_execute(source, each.text) for each in (*files.sources, *guides))
+    texts = (*(each.text for each in (*files.sources, *guides)), *scripts_of(tree))
+    return not any(_may_execute(source, text) for text in texts)
 
 
 def _may_execute(source: Source, text: str) -> bool:
     """Whether a text gives a file the mode of a program, or perhaps does."""
-    if source.basename in text and _MODE.search(text):
+    if _MODE.search(text) and (source.basename in text or _ITEMS.search(text)):
+        return True
+    if "PROGRAMS" in text and source.basename in text:
         return True
     lines = _GIVES_MODE.findall(text)
     return any(source.basename in line or _SEVERAL.search(line) for line in lines)

@@ -29,14 +29,14 @@ _COUNT = 3000
 def makes(tree: Tree, name: str) -> bool:
     """Whether a script or recipe of the tree names a file of that name by a path, or redirects into it."""
     written = re.compile(rf"(?:[/>]\s*|\b(?:tee|cat|touch)\s+(?:-\S+\s+)*[\"']?){re.escape(name)}(?![\w.-])")
-    return any(name in text and written.search(text) for text in _scripts(tree))
+    return any(name in text and written.search(text) for text in scripts_of(tree))
 
 
 def mentions(tree: Tree, path: str) -> bool:
     """Whether a script or recipe of the tree has to do with a path, other than to look at it or to clear it."""
     there = rf"[^\n]*{re.escape(path)}(?![\w.-])"
     written = re.compile(rf"^(?:(?!{_LOOKS}){there}|[ \t]*(?:rsync|scp)[ \t]{there}\S*[ \t]*$)", re.M)
-    return any(path in text and written.search(text) for text in _scripts(tree))
+    return any(path in text and written.search(text) for text in scripts_of(tree))
 
 
 def may_make(tree: Tree, path: str) -> bool:
@@ -51,7 +51,7 @@ def may_make(tree: Tree, path: str) -> bool:
     written = re.compile(f"{by_variable}|{by_list}|{by_hand}", re.M)
     guides = (tree.head(each, _SIZE) for each in tree.paths if _GUIDE.search(each))
     return any(parts[-1] in text and written.search(text) for text in guides) or any(
-        map(written.search, _scripts(tree))
+        map(written.search, scripts_of(tree))
     )
 
 
@@ -61,10 +61,11 @@ def starts(tree: Tree, unit: str) -> bool:
     command = rf"\bsystemctl\b[^\n|;&]*\s(?:re)?start\s[^\n|;&]*(?<![\w.-]){name}(?![\w.-])"
     task = rf"\bname:\s*[\"']?{name}[\"']?[ \t]*\n(?:[ \t]+\w+:.*\n){{0,6}}?[ \t]+state:\s*[\"']?(?:re)?started\b"
     written = re.compile(f"{command}|{task}")
-    return any(unit.removesuffix(".service") in text and written.search(text) for text in _scripts(tree))
+    return any(unit.removesuffix(".service") in text and written.search(text) for text in scripts_of(tree))
 
 
-def _scripts(tree: Tree) -> Iterator[str]:
+def scripts_of(tree: Tree) -> Iterator[str]:
+    """The texts of the scripts, recipes and plays of a tree."""
     for at, path in enumerate(path for path in tree.paths if _SCRIPT.search(path)):
         if at >= _COUNT:
             return
