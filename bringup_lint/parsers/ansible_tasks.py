@@ -41,6 +41,8 @@ class Task(NamedTuple):
     """Of the task, or of the blocks and the play around it; None: none of them says it, or the value is not known."""
     may_fail: bool = False
     """The play goes on when it fails: by its own keys, or by a block with ``rescue``."""
+    conditional: bool = False
+    """It runs where a condition holds: its own, or that of a block around it."""
 
     @property
     def own_become(self) -> bool | None:
@@ -61,6 +63,7 @@ class _Around(NamedTuple):
 
     become: bool | None = None
     may_fail: bool = False
+    conditional: bool = False
 
 
 def modules(task: Mapping) -> Iterator[Module]:
@@ -94,13 +97,14 @@ def _of_task(keys: Mapping, around: _Around, depth: int) -> Iterator[Task]:
     own = _become(keys)
     become = around.become if own is None else own
     may_fail = around.may_fail or any(keys.get(key) is not None for key in _FORGIVING)
+    conditional = around.conditional or keys.get("when") is not None
     inner = [each for name in _BLOCKS for each in keys.sequence(name) or ()]
     if not inner:
-        yield Task(keys, become, may_fail)
+        yield Task(keys, become, may_fail, conditional)
     elif depth < _DEEPEST:
         for each in inner:
             if isinstance(each, Mapping):
-                yield from _of_task(each, _Around(become, may_fail), depth + 1)
+                yield from _of_task(each, _Around(become, may_fail, conditional), depth + 1)
 
 
 def _become(keys: Mapping) -> bool | None:

@@ -110,7 +110,7 @@ def _of_task(task: Task, settings: Mapping) -> Iterator[Named]:
     wanted = (state is not None and state.value in ("started", "restarted")) or (
         enabled is not None and enabled.boolean
     )
-    if name is None or not wanted or settings.get("scope") is not None or task.keys.get("when") is not None:
+    if name is None or not wanted or settings.get("scope") is not None or task.conditional:
         return
     loop = task.keys.sequence("loop") or task.keys.sequence("with_items")
     words = [each.value for each in loop.scalars] if loop and name.value == "{{ item }}" else [name.value]
@@ -119,11 +119,16 @@ def _of_task(task: Task, settings: Mapping) -> Iterator[Named]:
             yield Named(word, "", word if TYPED.search(word) else f"{word}.service", "system", "This task")
 
 
+INSTALLS = r"\b(?:apt|deb|package|pip|snap|dnf|yum|command|shell|script|get_url|unarchive)\b|\.(?:sh|py|deb)\b"
+
+
 def _is_brought(robot: Robot, source: Source, name: str) -> bool:
     """Whether something else in the plays of the tree has to do with a file of that name."""
     stem = re.escape(name.rpartition(".")[0].partition("@")[0])
     file = re.compile(rf"(?:/|src:[^\n]*|dest:[^\n]*){stem}(?:@[\w{{}} ]*)?\.(?:service|timer|target|socket)")
-    return any(file.search(each.text) for each in robot.of_kind("ansible", "ansible-vars"))
+    package = re.compile(rf"^(?![ \t]*(?:- )?name:)[^\n#]*(?:{INSTALLS})[^\n]*\b{stem}\b", re.M)
+    texts = [each.text for each in robot.of_kind("ansible", "ansible-vars")]
+    return any(file.search(text) or package.search(text) for text in texts)
 
 
 def _advice(like: list[Unit]) -> str:

@@ -34,7 +34,8 @@ PACKAGES = {
 """Middlewares that no official image brings, with the end of their package's name."""
 
 _OPAQUE = regex(
-    r"xargs|ansible|\b(?:vcs|wstool|conda|mamba|micromamba|nix|pixi)\b|\|[ \t]*(?:sudo[ \t]+)?(?:ba|z)?sh\b|rmw-\*"
+    r"xargs|ansible|\b(?:vcs|wstool|conda|mamba|micromamba|nix|pixi)\b|\|[ \t]*(?:sudo[ \t]+)?(?:ba|z)?sh\b"
+    r"|rmw-[\w-]{0,20}\*|\*\.deb\b"
     r"|install\b[^\n;&]{0,900}\$(?!\{?ROS_DISTRO)|\bclone\b[^\n;&]{0,200}(?:rmw|dds|zenoh)"
     r"|(?:ros-[^\s-]{1,40}-|_)(?:turtlebot4|clearpath|irobot|rmf|autoware)"
 )

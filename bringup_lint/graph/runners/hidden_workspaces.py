@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from bringup_lint.source import Located
 
 
-_BUILDS = regex(r"\bdocker[ -]compose\b[^\n]*[ \t](?:run|exec)\b[^\n]*\bcolcon\b")
+_BUILDS = regex(r"\bdocker[ -]compose\b[^\n]{0,200}[ \t](?:run|exec)\b[^\n]{0,200}\bcolcon\b")
 _GUIDES = ("Makefile", "justfile", "Justfile", "README.md", "Taskfile.yml")
 _MOST = 64 * 1024
 """Bytes of a guide that are read."""

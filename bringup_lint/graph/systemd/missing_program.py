@@ -19,7 +19,7 @@ _OWN = regex(r"/(?:usr/local|opt|etc|home|root|srv|var|data)/.+")
 _MODE = regex(r"^[ \t-]*(?:permissions|mode)[\"']?[ \t]*:", re.M)
 _CHANGES = regex(r"\b(?:chmod|setfacl|install|cp|mv|rsync)\b[^\n]*")
 _GIVES_MODE = regex(r"\b(?:chmod|setfacl|install[ \t]|rsync[^\n]{0,200}--chmod)[^\n]*")
-_ITEMS = regex(r"fileglob|\{\{[ \t]*item|\bsrc:[^\n]*/[\"']?[ \t]*$", re.M)
+_ITEMS = regex(r"fileglob|\{\{[ \t]*item|\bsrc:[^\n]{0,200}/[\"']?[ \t]{0,9}$", re.M)
 """Names of several files in a task."""
 _SEVERAL = regex(r"[*$]|\{\}|[ \t]-\w{0,5}R")
 _SCRIPT = regex(r"\.(?:sh|bash|py|pl)$")
