@@ -28,6 +28,9 @@ AGAIN = 2.0
 NOTHING: Mapping[str, list[str]] = {}
 _FRILLS = regex(r"^\[\w+\] \[[\d.]+\] \[[\w.]+\]: |^\w+Error: |(?<![.,])[.,]* at /\S+:\d+$")
 """Log prefixes, exception names, and the place in the library's sources."""
+_OTHER_RMW = regex(r"Expected RMW implementation identifier of '(\w+)' but instead found '(\w+)'")
+"""What rcl says where the one that was asked for is not installed and one other is;
+rmw_implementation_identifier_check.c."""
 
 
 class LiveError(Exception):
@@ -135,4 +138,6 @@ def _reason(output: str) -> str:
     line = next(iter([*telling, *lines[-1:]]), "no message")
     if "error not set" in line and os.environ.get("ROS_SECURITY_ENABLE") == "true":
         return "ROS_SECURITY_ENABLE is true, and ROS_SECURITY_KEYSTORE is not set"
+    if other := _OTHER_RMW.search(line):
+        return f"{other[1]} is not installed; RMW_IMPLEMENTATION={other[2]} looks with the one that is"
     return _FRILLS.sub("", line)[:300]
