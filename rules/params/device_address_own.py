@@ -1,8 +1,8 @@
 """A driver is told to connect to the robot itself.
 
 ## What it finds
-An address of a sensor (`ip_address`, `sensor_ip`, `lidar_ip`, `device_ip`, ...) in parameter and launch files that
-netplan or a profile of NetworkManager of the tree gives to the robot's own interface.
+An address of a sensor (`sensor_ip`, `lidar_ip`, `device_ip`, ..., and `ip_address` of the drivers of laser scanners) in
+parameter and launch files that netplan or a profile of NetworkManager of the tree gives to the robot's own interface.
 
 ## Why it matters on a robot
 Two devices of one network cannot have one address. The driver connects to the computer that it runs on, where nothing

@@ -3,7 +3,8 @@
 ## What it finds
 In parameter files of twist_mux that something names: inputs of navigation with a higher priority than every input of
 a person (joystick, teleoperation, keyboard); locks for an emergency stop with a priority that is not above that of an
-input; a `timeout` of 0 for an input that is not the lowest; and inputs with priority 0.
+input, and other locks that stop the robot with one that is not above that of an input that no person sends; a `timeout`
+of 0 for an input that is not the lowest; and inputs with priority 0.
 
 ## Why it matters on a robot
 twist_mux forwards only the input with the highest priority that is not too old. With navigation on top, the joystick

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.started import literal_text
-from bringup_lint.model.launch_values import DictValue
 from bringup_lint.model.launch_values import TypedValue
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
@@ -16,11 +15,9 @@ from bringup_lint.source import Located
 
 if TYPE_CHECKING:
     from bringup_lint.graph.launch.launch import Launch
-    from bringup_lint.graph.launch.started import Started
     from bringup_lint.graph.netplan.netplan import Netplan
     from bringup_lint.graph.networkmanager.profiles import NetworkManager
     from bringup_lint.graph.params.params import Params
-    from bringup_lint.model.launch_values import Value
 
 _OF_DEVICE = regex(r"(?:(?:sensor|lidar|laser|scanner|device|camera)_(?:ip|ip_addr(?:ess)?|host(?:name)?))\Z")
 _OF_DRIVER = regex(r"urg_node2?|sick_\w+|pf_driver")
@@ -75,16 +72,9 @@ def _of_launch(launch: Launch) -> Iterator[tuple[str, Located]]:
     for node in launch.nodes:
         if not node.file.source.judged:
             continue
-        for key, value in _given(node):
+        for key, value in node.given:
             text = literal_text(value.value if isinstance(value, TypedValue) else value)
             name = text_of(key) or ""
             package = str(literal_text(node.package))
             if text is not None and _is_of_device(name, package) and _ADDRESS.match(text):
                 yield name, text
-
-
-def _given(node: Started) -> Iterator[tuple[Value, Value]]:
-    """The parameters that the launch file itself gives."""
-    for given in node.parameters:
-        if isinstance(given, DictValue):
-            yield from given.items

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import exclusive
 from bringup_lint.graph.launch.started import literal_text
-from bringup_lint.model.launch_values import DictValue
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
@@ -51,12 +50,10 @@ def _devices(node: Started) -> Iterator[tuple[str, Located]]:
     """The parameters of a node that starts in any case, as the launch file gives them."""
     if not node.is_node or node.by_default is not True or node.conditions or literal_text(node.executable) is None:
         return
-    for source in node.parameters:
-        if isinstance(source, DictValue):
-            for name, value in source.items:
-                key, path = literal_text(name), literal_text(value)
-                if key is not None and path is not None and _ALONE.match(path):
-                    yield key, path
+    for name, value in node.given:
+        key, path = literal_text(name), literal_text(value)
+        if key is not None and path is not None and _ALONE.match(path):
+            yield key, path
 
 
 def _key(path: Located) -> tuple[str, int]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
 from bringup_lint.graph.launch.resolve import Resolver
@@ -16,6 +18,7 @@ from bringup_lint.model.launch import Node
 from bringup_lint.model.launch import Process
 from bringup_lint.model.launch_values import Choice
 from bringup_lint.model.launch_values import Condition
+from bringup_lint.model.launch_values import DictValue
 from bringup_lint.model.launch_values import Env
 from bringup_lint.model.launch_values import Literal
 from bringup_lint.model.launch_values import Operation
@@ -66,6 +69,13 @@ class Started:
     @property
     def is_node(self) -> bool:
         return isinstance(self.action, (Node, ComposableNode)) or self.package is not None
+
+    @property
+    def given(self) -> Iterator[tuple[Value, Value]]:
+        """The parameters that the launch file itself gives, by name."""
+        for source in self.parameters:
+            if isinstance(source, DictValue):
+                yield from source.items
 
     @property
     def fqn(self) -> str | None:

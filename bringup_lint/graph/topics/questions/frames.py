@@ -13,7 +13,6 @@ from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.plugins.described import described
 from bringup_lint.graph.topics.resolved.node_names import PUBLIC
 from bringup_lint.graph.workspace import place
-from bringup_lint.model.launch_values import DictValue
 from bringup_lint.model.launch_values import TypedValue
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
@@ -154,17 +153,10 @@ def _of_launch(topics: Topics) -> Iterator[tuple[Located, bool]]:
         package = str(literal_text(node.package))
         if not node.file.source.judged or not _LIDARS.fullmatch(package):
             continue
-        for key, value in _given(node):
+        for key, value in node.given:
             text = _text(value)
             if text_of(key) in _SENSOR and text is not None and _NAME.match(text):
                 yield text, False
-
-
-def _given(node: Started) -> Iterator[tuple[Value, Value]]:
-    """The parameters that the launch file itself gives."""
-    for given in node.parameters:
-        if isinstance(given, DictValue):
-            yield from given.items
 
 
 def _text(value: Value) -> Located | None:
