@@ -17,10 +17,12 @@ from bringup_lint.graph.nodes.questions.repeating import looks_at_age
 from bringup_lint.graph.nodes.questions.with_header import with_header
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import body_of
+from bringup_lint.model.cpp_source import COMMENT
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.python import is_self
 from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 
@@ -36,6 +38,10 @@ _READINGS = frozenset(
 """What a sensor sends again and again, so that its absence is a failure."""
 
 _CLOCKS = frozenset(("now", "time", "time_ns", "monotonic", "monotonic_ns", "perf_counter", "perf_counter_ns"))
+_SET = regex(r"[;{})]\s{0,80}(?:this->)?(?P<name>[A-Za-z]\w{0,80})\s{0,3}=\s{0,3}(?P<value>0|true|false)(?=;)")
+_COUNTED = regex(
+    r"(?:\+\+|--)(?:this->)?(?P<before>[A-Za-z]\w{0,80})|\b(?P<after>[A-Za-z]\w{0,80})(?:\+\+|--|\s{0,3}[+-]=)"
+)
 _VELOCITIES = ("Twist", "TwistStamped")
 
 
@@ -114,13 +120,28 @@ def _in_cpp(nodes: Nodes, source: CppNode) -> Iterator[StaleReading]:
     text = with_header(nodes, source.source)
     if looks_at_age(text):
         return
+    signs = _signs(text)
     for reading in readings:
+        if any(_is_within(at, reading.span) and names & _CLOCKS for at, names in source.called.items()):
+            continue
         names = next((names for at, names in source.kept.items() if _is_within(at, reading.span)), frozenset())
         for mover in source.callbacks:
             words = source.sent.get(mover.span.start) or _passed_on(source, mover)
+            if signs & words:
+                continue
             for name in sorted(names & words)[:1]:
                 label = f"{mover.name}()" if mover.name is not None else f"The callback of a {mover.role}"
                 yield StaleReading(source.source, reading, name, mover.span, label, _cpp_before(text, name))
+
+
+def _signs(text: str) -> frozenset[str]:
+    """Members that say whether a reading is new: counters that start again, flags that are set and reset."""
+    plain = COMMENT.sub(" ", text)
+    values: dict[str, set[str]] = {}
+    for each in _SET.finditer(plain):
+        values.setdefault(each["name"], set()).add(each["value"])
+    counted = {each["before"] or each["after"] for each in _COUNTED.finditer(plain)}
+    return frozenset(name for name, given in values.items() if len(given) > 1 or (given == {"0"} and name in counted))
 
 
 def _passed_on(source: CppNode, mover: Callback) -> frozenset[str]:
