@@ -53,7 +53,7 @@ def pull_blocks_start(robot: Robot) -> Iterator[Finding]:
         if unit.uncertain or not unit.fragment or not any(robot.units.wanted_by(unit)):
             continue
         processes = [each for each in robot.units.processes(unit) if each.key in KEYS]
-        if all(_needed(each) for each in processes):
+        if all(_needed(each) == "pull" for each in processes):
             continue  # it only brings the images up to date
         for process in processes:
             pull = _needed(process) if "-" not in process.prefixes else None
