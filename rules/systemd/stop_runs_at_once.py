@@ -51,6 +51,7 @@ ENDING = (None, "simple", "exec", "oneshot")
 
 @rule("warning", silent="the unit is inactive after a successful start")
 def stop_runs_at_once(robot: Robot) -> Iterator[Finding]:
+    after = _ordered(robot)
     for unit in robot.units.services:
         kind = unit.get("Type")
         if unit.uncertain or kind not in ENDING or unit.flag("RemainAfterExit") or _starts_again(unit):
@@ -68,7 +69,7 @@ def stop_runs_at_once(robot: Robot) -> Iterator[Finding]:
                 advice="write Type=oneshot and RemainAfterExit=yes",
                 related=[note(first, "does its work and ends")],
             )
-        elif kind != "oneshot" and (later := _ordered_after(robot, unit)):
+        elif kind != "oneshot" and (later := _ordered_after(after, unit)):
             yield finding(
                 kind or started[0].line,
                 f"{later[0].span.source.basename} is to start after {unit.name}, but does not wait for its set-up: "
@@ -83,7 +84,16 @@ def _starts_again(unit: Unit) -> bool:
     return unit.get("Restart") in ("always", "on-success")
 
 
-def _ordered_after(robot: Robot, unit: Unit) -> list[Located]:
+def _ordered(robot: Robot) -> dict[str, list[tuple[Unit, Located]]]:
+    """Unit -> where units of the tree say that they start after it."""
+    found: dict[str, list[tuple[Unit, Located]]] = {}
+    for other in robot.units.judged:
+        for word in other.words("After"):
+            found.setdefault(str(word), []).append((other, word))
+    return found
+
+
+def _ordered_after(after: dict[str, list[tuple[Unit, Located]]], unit: Unit) -> list[Located]:
     """Where other units of the tree say that they start after this one."""
-    others = (other for other in robot.units.judged if other is not unit and other.manager == unit.manager)
-    return [word for other in others for word in other.words("After") if str(word) == unit.name]
+    same = after.get(unit.name, ())
+    return [word for other, word in same if other is not unit and other.manager == unit.manager]

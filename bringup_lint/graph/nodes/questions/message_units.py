@@ -210,7 +210,12 @@ def _reads_capacity(types: MessageTypes, call: ast.Call) -> bool:
     Documentation/ABI/testing/sysfs-class-power)."""
     names = [each.func.attr for each in own_calls([call]) if isinstance(each.func, ast.Attribute)]
     is_read = any(name in ("read", "read_text", "readline", "strip") for name in names)
-    return is_read and len(_PERCENT_FILE.findall(_text(types))) == 1
+    return is_read and types.file.source.once(_reads_capacity, lambda: _capacities(types)) == 1
+
+
+def _capacities(types: MessageTypes) -> int:
+    """How many such files a source names."""
+    return len(_PERCENT_FILE.findall(_text(types)))
 
 
 def _text(types: MessageTypes) -> str:

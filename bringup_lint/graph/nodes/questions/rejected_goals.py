@@ -47,14 +47,18 @@ def stuck_flags(nodes: Nodes) -> Iterator[StuckFlag]:
 
 def _in_class(nodes: Nodes, file: NodeSource, node: NodeClass) -> Iterator[StuckFlag]:
     syntax = nodes.syntax(file)
+    uses: _Uses | None = None
     for name in _told(syntax, node):
         method = node.methods[name].node
         branch = next((each for each in own(body_of(method)) if isinstance(each, ast.If) and _rejects(each)), None)
         if branch is None or _goes_on(branch):
             continue
         after = {each for each in _handed_over(own(body_of(method))) if each in node.methods} - {name}
-        for flag in sorted(_flags(node)):
-            found = _stuck(syntax, node, flag, branch, after)
+        reset = {flag for each in own(branch.body) for flag, _ in _assigned(each)}
+        later = {each for one in after for each in reached(syntax, body_of(node.methods[one].node), node)}
+        uses = uses or _Uses(syntax, node)
+        for flag in sorted(_flags(node) - reset - uses.foreign):
+            found = _stuck(uses, flag, later)
             if found is not None:
                 yield StuckFlag(file, flag, branch, *found)
 
@@ -115,29 +119,46 @@ def _assigned(node: ast.AST) -> Iterator[tuple[str, ast.expr]]:
         yield from ((each.attr, value) for each in walk(target) if _is_stored(each) and is_self(each.value))
 
 
-def _stuck(
-    syntax: Syntax, node: NodeClass, flag: str, branch: ast.If, after: set[str]
-) -> tuple[ast.stmt, ast.expr] | None:
+class _Uses:
+    """What a class does with its flags and its goals, read once for all flags."""
+
+    def __init__(self, syntax: Syntax, node: NodeClass) -> None:
+        self.set: dict[str, list[tuple[str, ast.AST, ast.expr]]] = {}
+        """Attribute -> the method, the statement and the value of each assignment outside of the constructor."""
+        self.asked: dict[str, ast.expr] = {}
+        """Attribute -> the first condition of what leads to a goal that asks for it."""
+        self.foreign = {each.attr for each in syntax.file.nodes if _is_stored(each) and not is_self(each.value)}
+        """Attributes that something sets on another object than ``self``."""
+        self.sending: set[str] = set()
+        """The methods that lead to a goal."""
+        for name, method in node.methods.items():
+            code = list(walk(method.node))
+            if _sends(syntax, node, method.node):
+                self.sending.add(name)
+                self._take_conditions(each.test for each in code if isinstance(each, ast.If) and _holds_back(each))
+            for each in code if name != "__init__" else ():
+                for attribute, value in _assigned(each):
+                    self.set.setdefault(attribute, []).append((name, each, value))
+
+    def _take_conditions(self, tests: Iterable[ast.expr]) -> None:
+        for test in tests:
+            for each in walk(test):
+                if isinstance(each, ast.Attribute):
+                    self.asked.setdefault(each.attr, test)
+
+
+def _stuck(uses: _Uses, flag: str, later: set[ast.AST]) -> tuple[ast.stmt, ast.expr] | None:
     """Where a flag is set and where it is asked; None unless only what follows the acceptance resets it."""
-    if any(name == flag for each in own(branch.body) for name, _ in _assigned(each)):
-        return None
-    if any(each.attr == flag and not is_self(each.value) for each in syntax.file.nodes if _is_stored(each)):
-        return None
-    later = {each for name in after for each in reached(syntax, body_of(node.methods[name].node), node)}
     set_at: ast.stmt | None = None
     resets = 0
-    for name, method in node.methods.items():
-        for each in walk(method.node):
-            values = [value for assigned, value in _assigned(each) if assigned == flag]
-            if not values or name == "__init__":
-                continue
-            if isinstance(values[0], ast.Constant) and values[0].value is True:
-                set_at = each if isinstance(each, ast.stmt) and _sends(syntax, node, method.node) else set_at
-            elif each not in later:
-                return None
-            else:
-                resets += 1
-    asked = next((each.test for each in _conditions(syntax, node) if _holds_back(each, flag)), None)
+    for name, each, value in uses.set.get(flag, ()):
+        if isinstance(value, ast.Constant) and value.value is True:
+            set_at = each if isinstance(each, ast.stmt) and name in uses.sending else set_at
+        elif each not in later:
+            return None
+        else:
+            resets += 1
+    asked = uses.asked.get(flag)
     return (set_at, asked) if set_at is not None and resets and asked is not None else None
 
 
@@ -147,17 +168,8 @@ def _sends(syntax: Syntax, node: NodeClass, function: ast.AST) -> bool:
     return any(isinstance(each, ast.Attribute) and each.attr == "send_goal_async" for each in code)
 
 
-def _conditions(syntax: Syntax, node: NodeClass) -> Iterator[ast.If]:
-    """The conditions of what leads to a goal."""
-    for method in node.methods.values():
-        if _sends(syntax, node, method.node):
-            yield from (each for each in walk(method.node) if isinstance(each, ast.If))
-
-
-def _holds_back(node: ast.If, flag: str) -> bool:
+def _holds_back(node: ast.If) -> bool:
     """Whether a condition leaves something out while a flag is set; not one that only replaces the goal."""
-    if not any(isinstance(each, ast.Attribute) and each.attr == flag for each in walk(node.test)):
-        return False
     is_negative = any(isinstance(each, (ast.UnaryOp, ast.Compare)) for each in walk(node.test))
     return is_negative or bool(node.orelse) or isinstance(node.body[-1], (ast.Return, ast.Raise, ast.Continue))
 

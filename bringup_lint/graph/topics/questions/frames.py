@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 from collections.abc import Iterator
 from itertools import chain
@@ -66,6 +65,9 @@ _NAMING = (
 """Files that may make a frame, or give its name to what makes it."""
 _MOST = 4000
 """Files that are looked through."""
+_COMPARED = 20
+"""Frames for which a link is sought that may be meant."""
+_WORD = regex(r"(?<![\w/])[A-Za-z]\w*")
 _NAME = regex(r"/?[A-Za-z]\w*\Z")
 _COMMON = frozenset(("map", "odom", "world", "earth"))
 _FIRMWARE = "micro_ros_agent"
@@ -92,10 +94,12 @@ def unknown_frames(topics: Topics) -> Iterator[UnknownFrame]:
     found: dict[str, list[tuple[Located, bool]]] = {}
     for name, is_base in chain(_of_files(topics), _of_launch(topics)):
         found.setdefault(str(name).lstrip("/"), []).append((name, is_base))
-    for frame, uses in found.items():
-        if frame in _COMMON or known.has_link(frame) or frame in known.joints or _is_named(topics, frame, uses):
-            continue
-        near = nearest(frame, known.links, 4) or _same_words(frame, known)
+    for frame in (_COMMON & found.keys()) | {each for each in found if known.has_link(each) or each in known.joints}:
+        del found[frame]
+    named = _named(topics, found) if found else set()
+    unknown = ((frame, uses) for frame, uses in found.items() if frame not in named)
+    for at, (frame, uses) in enumerate(unknown):
+        near = (nearest(frame, known.links, 4) or _same_words(frame, known)) if at < _COMPARED else []
         (first, is_base), *others = uses
         yield UnknownFrame(first, near[0] if len(near) == 1 else None, is_base, tuple(one.span for one, _ in others))
 
@@ -165,16 +169,18 @@ def _text(value: Value) -> Located | None:
     return text if isinstance(text, Located) else None
 
 
-def _is_named(topics: Topics, frame: str, uses: list[tuple[Located, bool]]) -> bool:
-    """Whether anything else names a frame, so that it may make it: another file, or the same one in another place."""
-    word = re.compile(rf"(?<![\w/]){re.escape(frame)}(?!\w)")
-    counts = Counter(use.span.source.absolute for use, _ in uses)
+def _named(topics: Topics, found: dict[str, list[tuple[Located, bool]]]) -> set[str]:
+    """The frames that anything else names, so that it may make them: another file, or the same one in another place."""
+    own = {frame: Counter(use.span.source.absolute for use, _ in uses) for frame, uses in found.items()}
+    named: set[str] = set()
     tree = topics.files.tree
     for path in [path for path in tree.paths if path.endswith(_NAMING)][:_MOST]:
         source = tree.read(path, judged=False)
-        if source is not None and frame in source.text and len(word.findall(source.text)) > counts[source.absolute]:
-            return True
-    return False
+        words = Counter(word for word in _WORD.findall(source.text) if word in own) if source is not None else Counter()
+        for frame, count in words.items():
+            if source is not None and count > own[frame][source.absolute]:
+                named.add(frame)
+    return named
 
 
 def _same_words(frame: str, known: Described) -> list[str]:
