@@ -78,8 +78,13 @@ def unit_missing(robot: Robot) -> Iterator[Finding]:
         for named in _named(run):
             if robot.units.lacks(named.name, named.manager) and not robot.scripts.brings_unit(source, named.name):
                 found.setdefault((source, named.name), []).append(named)
+    bringing: list[tuple[str, str]] | None = None
     for source, named in _of_plays(robot):
-        if robot.units.lacks(named.name, "system") and not _is_brought(robot, source, named.name):
+        if robot.units.lacks(named.name, "system"):
+            if bringing is None:
+                bringing = _bringing(robot)
+            if _is_brought(bringing, named.name):
+                continue
             found.setdefault((source, named.name), []).append(named)
     for first, *others in found.values():
         like = robot.units.like(first.name, first.manager)
@@ -121,14 +126,29 @@ def _of_task(task: Task, settings: Mapping) -> Iterator[Named]:
 
 INSTALLS = r"\b(?:apt|deb|package|pip|snap|dnf|yum|command|shell|script|get_url|unarchive)\b|\.(?:sh|py|deb)\b"
 
+FILE = regex(r"\.(?:service|timer|target|socket)")
+INSTALLING = regex(INSTALLS)
 
-def _is_brought(robot: Robot, source: Source, name: str) -> bool:
-    """Whether something else in the plays of the tree has to do with a file of that name."""
-    stem = re.escape(name.rpartition(".")[0].partition("@")[0])
-    file = re.compile(rf"(?:/|src:[^\n]*|dest:[^\n]*){stem}(?:@[\w{{}} ]*)?\.(?:service|timer|target|socket)")
-    package = re.compile(rf"^(?![ \t]*(?:- )?name:)[^\n#]*(?:{INSTALLS})[^\n]*\b{stem}\b", re.M)
+
+def _bringing(robot: Robot) -> list[tuple[str, str]]:
+    """The lines of each play that name units by their files, and those that install something."""
     texts = [each.text for each in robot.of_kind("ansible", "ansible-vars")]
-    return any(file.search(text) or package.search(text) for text in texts)
+    return [
+        ("\n".join(filter(FILE.search, lines)), "\n".join(filter(INSTALLING.search, lines)))
+        for lines in map(str.splitlines, texts)
+    ]
+
+
+def _is_brought(bringing: list[tuple[str, str]], name: str) -> bool:
+    """Whether something else in the plays of the tree has to do with a file of that name."""
+    plain = name.rpartition(".")[0].partition("@")[0]
+    stem = re.escape(plain)
+    file = re.compile(rf"(?:/|(?:src|dest):[^\n]{{0,400}}){stem}(?:@[\w{{}} ]*)?\.(?:service|timer|target|socket)")
+    package = re.compile(rf"^(?![ \t]*(?:- )?name:)[^\n#]*(?:{INSTALLS})[^\n]*\b{stem}\b", re.M)
+    return any(
+        (plain in files and file.search(files)) or (plain in installs and package.search(installs))
+        for files, installs in bringing
+    )
 
 
 def _advice(like: list[Unit]) -> str:

@@ -37,3 +37,41 @@ def test_a_long_path_of_a_dockerfile_keeps_nobody_busy(tmp_path: Path) -> None:
         lint("--no-cache", "--quiet", "--select", "docker/build-without-root", ".", cwd=tmp_path)
 
     assert is_linear(check, 4_000)
+
+
+def node_with_flags(flags: int) -> str:
+    names = range(flags)
+    start = "".join(f"        self.busy{at} = False\n" for at in names)
+    asks = "".join(f"        if self.busy{at}:\n            return\n" for at in names)
+    sets = "".join(f"        self.busy{at} = True\n" for at in names)
+    return f"""import rclpy
+from rclpy.action import ActionClient
+from rclpy.node import Node
+
+
+class Driver(Node):
+    def __init__(self):
+        super().__init__("driver")
+{start}        self.client = ActionClient(self, Dock, "dock")
+        self.create_timer(1.0, self.tick)
+
+    def tick(self):
+{asks}{sets}        self.client.send_goal_async(Dock.Goal()).add_done_callback(self.answered)
+
+    def answered(self, future):
+        handle = future.result()
+        if not handle.accepted:
+            return
+        handle.get_result_async().add_done_callback(self.done)
+
+    def done(self, future):
+{start}"""
+
+
+@pytest.mark.slow
+def test_time_grows_as_the_flags_of_a_node(tmp_path: Path) -> None:
+    def check(size: int) -> None:
+        (tmp_path / "driver.py").write_text(node_with_flags(size))
+        lint("--no-cache", "--quiet", "--select", "node/goal-rejected-busy", ".", cwd=tmp_path)
+
+    assert is_linear(check, 60)

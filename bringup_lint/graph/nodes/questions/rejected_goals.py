@@ -136,9 +136,13 @@ class _Uses:
             if _sends(syntax, node, method.node):
                 self.sending.add(name)
                 self._take_conditions(each.test for each in code if isinstance(each, ast.If) and _holds_back(each))
-            for each in code if name != "__init__" else ():
-                for attribute, value in _assigned(each):
-                    self.set.setdefault(attribute, []).append((name, each, value))
+            if name != "__init__":
+                self._take_assignments(str(name), code)
+
+    def _take_assignments(self, method: str, code: Iterable[ast.AST]) -> None:
+        for each in code:
+            for attribute, value in _assigned(each):
+                self.set.setdefault(attribute, []).append((method, each, value))
 
     def _take_conditions(self, tests: Iterable[ast.expr]) -> None:
         for test in tests:
