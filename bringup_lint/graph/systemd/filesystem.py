@@ -8,6 +8,7 @@ from collections.abc import Callable
 from collections.abc import Iterator
 from functools import cached_property
 from itertools import chain
+from itertools import islice
 from itertools import takewhile
 
 from bringup_lint.dataclass import dataclass
@@ -38,6 +39,8 @@ _OF_ONE_ROBOT = regex(
 """Words in the names of files that are made for each robot, and lie in no repository."""
 _PATTERN = regex(r"(?i)[-_.](?:example|sample|templ(?:ate)?|tmpl|dist|in|j2|orig|bak)(?=[-_.]|$)")
 """Names of files from which somebody makes another one."""
+_COMPARED = 200
+"""Files of one folder that a missing one is compared with."""
 _SURE_STEM = 4
 """So many characters that two names begin with say that one may be meant by the other."""
 _OF_PACKAGES = frozenset(
@@ -102,7 +105,7 @@ class Filesystem:
         if _OF_ONE_ROBOT.search(name):
             return None
         there = chain(self._shipped_in.get(folder, []), self._checked_out_in(folder))
-        related = [found for found in there if _related(name, _basename(found))]
+        related = [found for found in islice(there, _COMPARED) if _related(name, _basename(found))]
         sibling = next(iter(related), None)
         if any(_PATTERN.search(_basename(found)) for found in related):
             return None
