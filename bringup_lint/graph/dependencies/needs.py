@@ -11,6 +11,7 @@ from bringup_lint.facts.ros.needed import needed
 from bringup_lint.graph.dependencies.imports import imported
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.purpose import Purpose
+from bringup_lint.model.launch_values import Choice
 from bringup_lint.model.launch_values import Literal
 from bringup_lint.model.launch_values import PackageShare
 from bringup_lint.model.launch_values import Value
@@ -55,7 +56,8 @@ def of_launch(files: Files, launch: Launch) -> Iterator[Need]:
         if owner is None:
             continue
         for include in launch.expansion(file).includes:
-            always = not include.conditions and not launch.simulated(file) and _is_installed(owner, file.source)
+            chosen = include.conditions or any(isinstance(each, Choice) for each in walk(include.file))
+            always = not chosen and not launch.simulated(file) and _is_installed(owner, file.source)
             if include.source is file:
                 yield from (Need("include", name, owner, always) for name in _shares(include.file))
 
