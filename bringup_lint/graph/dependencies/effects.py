@@ -79,10 +79,11 @@ def of_robots(needs: list[Need]) -> list[Need]:
 
 
 def _is_missed(launch: Launch, package: Package, need: Need) -> bool:
-    """Whether ros-base lacks a package, and it does not depend itself on the one that starts it."""
+    """Whether ros-base and what is declared do not bring a package, which does not depend on the one that starts it."""
     starts = launch.workspace.packages.get(str(need.name))
     is_circular = starts is not None and package.name in launch.workspace.required(starts)
-    return need.name not in base() and not is_circular
+    comes = need.fact is not None and any(map(need.fact.comes_with, launch.workspace.required(package)))
+    return need.name not in base() and not is_circular and not comes
 
 
 def _is_started(launch: Launch, package: Package, need: Need) -> bool:

@@ -11,6 +11,7 @@ from bringup_lint.facts.ros.needed import needed
 from bringup_lint.graph.dependencies.imports import imported
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.purpose import Purpose
+from bringup_lint.model.launch import LaunchFile
 from bringup_lint.model.launch_values import Choice
 from bringup_lint.model.launch_values import Literal
 from bringup_lint.model.launch_values import PackageShare
@@ -49,7 +50,7 @@ def of_launch(files: Files, launch: Launch) -> Iterator[Need]:
     for node in launch.nodes:
         name, owner = literal_text(node.package), launch.workspace.owner(node.file.source)
         if name is not None and owner is not None:
-            always = node.by_default is True and not launch.simulated(node.file)
+            always = node.by_default is True and _is_of_robot(files, launch, node.file)
             yield Need("node", name, owner, always and _is_installed(owner, node.file.source))
     for file in launch.judged:
         owner = launch.workspace.owner(file.source)
@@ -57,9 +58,14 @@ def of_launch(files: Files, launch: Launch) -> Iterator[Need]:
             continue
         for include in launch.expansion(file).includes:
             chosen = include.conditions or any(isinstance(each, Choice) for each in walk(include.file))
-            always = not chosen and not launch.simulated(file) and _is_installed(owner, file.source)
+            always = not chosen and _is_of_robot(files, launch, file) and _is_installed(owner, file.source)
             if include.source is file:
                 yield from (Need("include", name, owner, always) for name in _shares(include.file))
+
+
+def _is_of_robot(files: Files, launch: Launch, file: LaunchFile) -> bool:
+    """Neither for a simulation nor for tests."""
+    return files.purpose(file.source) is Purpose.ROBOT and not launch.simulated(file)
 
 
 def _shares(value: Value) -> Iterator[Located]:
