@@ -35,8 +35,7 @@ class Absence:
     @cached_property
     def _descriptions(self) -> str:
         """The text of everything that may say what is built."""
-        inside = (path for path in self._tree.paths if path.startswith(self._folder + os.sep))
-        below = [path for path in inside if _DESCRIBES.search(path)]
+        below = [path for path in self._tree.walked_below(self._folder) if _DESCRIBES.search(path)]
         sources = [self._tree.read(path, judged=False) for path in below[:DESCRIPTIONS]]
         return "\n".join(source.text for source in sources if source is not None)
 

@@ -55,11 +55,13 @@ ADDS = ("useradd", "adduser")
 @rule("warning", confidence="medium", silent="the script succeeds; only the user's shell lacks the lines")
 def root_home(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("shell-script"):
-        if not source.judged or source.template or OTHER_HOME.search(source.text) or _is_of_image(robot, source):
+        if not source.judged or source.template or OTHER_HOME.search(source.text):
             continue
         did = robot.scripts.done(source)
         written = [each for each in did if isinstance(each, Written) and LOGIN.match(each.path)]
         if not written or not _is_root(source, did) or not _has_user(robot, did):
+            continue
+        if robot.scripts.is_for_image(source):  # root is the only user there
             continue
         first, *others = written
         yield finding(
@@ -104,8 +106,3 @@ def _has_user(robot: Robot, did: list[Run | Written]) -> bool:
         return True
     users = (unit.identity.user for unit in robot.units.services if unit.fragment is not None)
     return any(user is not None and user not in ("root", "0") for user in users)
-
-
-def _is_of_image(robot: Robot, source: Source) -> bool:
-    """Whether a Dockerfile may run the script, where root is the only user."""
-    return any(source.basename in each.text for each in robot.of_kind("dockerfile", "compose"))

@@ -109,7 +109,7 @@ def _after_set(command: Command, strict: Span | None) -> Span | None:
 def _starts_without(robot: Robot, source: Source, name: str) -> bool:
     """Whether only system units start the script, as the first program, and one of them has no such variable."""
     own = re.escape(source.basename)
-    if any(source.basename in each.text for each in robot.of_kind("dockerfile", "compose")):
+    if robot.scripts.is_for_image(source):
         return False
     direct = re.compile(rf"(?:\S*/(?:ba|da)?sh[ \t]+)?/\S*/{own}(?:[ \t].*)?")
     return any(

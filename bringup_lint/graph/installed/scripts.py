@@ -64,6 +64,10 @@ class Scripts:
             if found:
                 yield source, found
 
+    def is_for_image(self, source: Source) -> bool:
+        """Whether a Dockerfile or compose file names the script, so that a container may run it."""
+        return any(source.basename in each.text for each in self.files.of_kind("dockerfile", "compose"))
+
     def _saying(self, *parts: str) -> Iterator[Source]:
         for source in self.files.of_kind(*KINDS):
             if source.judged and any(part in source.text for part in parts):

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ast
-import os
 import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
@@ -84,15 +83,15 @@ def declarations_in(files: Files, workspace: Workspace, package: Package) -> Ite
 
 def mentions(files: Files, package: Package, word: str) -> bool:
     """Whether any source of a package holds a word: a parameter that is nowhere named is never declared there."""
-    paths = (path for path in files.tree.paths if path.startswith(package.folder + os.sep) and path.endswith(SUFFIXES))
+    paths = (path for path in files.tree.walked_below(package.folder) if path.endswith(SUFFIXES))
     sources = (files.tree.read(path, judged=False) for path in paths)
     return any(source is not None and word in source.text for source in sources)
 
 
 def _sources(files: Files, workspace: Workspace, package: Package) -> Iterator[Source]:
     count = 0
-    for path in sorted(files.tree.paths):
-        if not path.startswith(package.folder + os.sep) or not path.endswith(SUFFIXES):
+    for path in files.tree.walked_below(package.folder):
+        if not path.endswith(SUFFIXES):
             continue
         if _TESTS.search(path[len(package.folder) :]) or count >= FILES:
             continue

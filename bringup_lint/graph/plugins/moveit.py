@@ -55,7 +55,7 @@ def moveit_problems(tree: Tree, workspace: Workspace, params: Params) -> Iterato
 
 def _groups(tree: Tree, folder: str) -> tuple[Located, ...] | None:
     """The groups of all SRDF files of a package; None where xacro or a template makes some, or there are none."""
-    paths = [path for path in tree.paths if path.startswith(folder + os.sep) and ".srdf" in os.path.basename(path)]
+    paths = [path for path in tree.walked_below(folder) if ".srdf" in os.path.basename(path)]
     found: list[Located] = []
     for path in paths:
         source = tree.read(path)

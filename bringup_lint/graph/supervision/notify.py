@@ -234,8 +234,8 @@ class Notify:
     def _imported(self, folder: str, stem: str, notifier: Source) -> bool:
         """Whether another module of the package imports the notifier."""
         uses = re.compile(rf"^\s*(?:from|import)\s[^\n]*\b{re.escape(stem)}\b", re.M)
-        for path in self.files.tree.paths:
-            if path.startswith(folder + "/") and path.endswith(".py") and os.path.basename(path) != notifier.basename:
+        for path in self.files.tree.walked_below(folder):
+            if path.endswith(".py") and os.path.basename(path) != notifier.basename:
                 source = self.files.tree.read(path, judged=False)
                 if source is not None and uses.search(source.text):
                     return True

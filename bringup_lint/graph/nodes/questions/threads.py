@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
@@ -38,7 +37,7 @@ def _sources(files: Files, package: Package | None, source: Source) -> Iterator[
     if package is None:
         yield None
         return
-    inside = [each for each in files.tree.paths if each.startswith(package.folder + os.sep) and each.endswith(SUFFIXES)]
+    inside = [each for each in files.tree.walked_below(package.folder) if each.endswith(SUFFIXES)]
     if len(inside) > FILES:
         yield None
         return
