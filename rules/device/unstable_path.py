@@ -3,10 +3,10 @@
 ## What it finds
 `/dev/ttyUSB0`, `/dev/ttyACM1`, `/dev/video2` and similar paths. The severity depends on the place:
 
-- Warning: units and their environment files, compose, launch and parameter files, scripts; the default of a launch
-  argument where a unit launches the file without giving the argument a value.
-- Info: any other default of a launch argument; the default of a driver in its own launch file; the only camera of
-  the robot in a launch file, a script or code.
+- Warning: units and their environment files, compose, launch and parameter files, scripts, variables of Ansible's hosts
+  and groups; the default of a launch argument where a unit launches the file without giving the argument a value.
+- Info: any other default of a launch argument or of an Ansible role; the default of a driver in its own launch file;
+  the only camera of the robot in a launch file, a script or code.
 
 Several uses of one path in a file are one finding.
 

@@ -6,6 +6,7 @@ import re
 
 from bringup_lint.discover.kinds import Head
 from bringup_lint.discover.kinds import Kind
+from bringup_lint.discover.kinds.variables import is_of_hosts
 from bringup_lint.pattern import regex
 
 _YAML = regex(r"\.ya?ml$")
@@ -20,7 +21,7 @@ _NETWORK = regex(r"^network:", re.M)
 
 def _is_ansible(path: str, head: Head) -> bool:
     path = f"/{path}"
-    if not _YAML.search(path):
+    if not _YAML.search(path) or is_of_hosts(path):
         return False
     if _FOLDER.search(path):
         return bool(_TASKS.search(head()))

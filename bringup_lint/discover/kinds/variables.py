@@ -13,18 +13,23 @@ _INVENTORY = regex(
     r"/[^/]*(?:hosts|inventory)[^/.]*(?:\.ini|\.ya?ml)?$|/(?:hosts|inventor(?:y|ies))/[^/]+\.(?:ini|ya?ml)$"
 )
 _OF_INVENTORY = regex(r"\bansible_(?:host|user|connection|port|python_interpreter|\w*pass(?:word)?)[ \t]*[=:]")
-_OF_OTHERS = regex(
-    r"^[ \t]*-[ \t]+(?:name|hosts|become|ansible\.builtin\.\w+)[ \t]*:|\bros__parameters\b|^services:", re.M
-)
+_TASKS = regex(r"^[ \t]*-[ \t]+(?:name|hosts|become|ansible\.builtin\.\w+)[ \t]*:", re.M)
+_OF_OTHERS = regex(r"\bros__parameters\b|^services:", re.M)
 _CODE_SERVER = (regex(r"^bind-addr:", re.M), regex(r"^auth:", re.M))
 """Keys that only the configuration of code-server has both of."""
 
 
+def is_of_hosts(path: str) -> bool:
+    """Whether Ansible reads the file as variables, by its place: lists with names in it are no tasks."""
+    return bool(_OF_HOSTS.search(f"/{path}"))
+
+
 def _is_variables(path: str, head: Head) -> bool:
-    path = f"/{path}"
-    if _OF_HOSTS.search(path):
+    if is_of_hosts(path):
         return not _OF_OTHERS.search(head())
-    return bool(_INVENTORY.search(path)) and bool(_OF_INVENTORY.search(head())) and not _OF_OTHERS.search(head())
+    if not _INVENTORY.search(f"/{path}") or not _OF_INVENTORY.search(head()):
+        return False
+    return not _OF_OTHERS.search(head()) and not _TASKS.search(head())
 
 
 def _has_both(text: str) -> bool:

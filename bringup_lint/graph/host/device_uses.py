@@ -189,3 +189,16 @@ def of_descriptions(files: Files) -> Iterator[DeviceUse]:
         for name, value in description.parameters:
             if value.startswith("/dev/"):
                 yield DeviceUse(value, f"the hardware parameter {name}")
+
+
+def of_variables(files: Files) -> Iterator[DeviceUse]:
+    """The devices that Ansible's variables name; those of a role are only its defaults."""
+    from bringup_lint.model.yaml_node import Scalar
+    from bringup_lint.parsers.yaml_nodes import parse
+
+    sources = [each for each in files.of_kind("ansible-vars") if each.judged and "/dev/" in each.text]
+    for file in files.parsed(parse, sources):
+        certainty: Certainty = "argument" if "/defaults/" in file.source.name else "literal"
+        for node in file.nodes:
+            if isinstance(node, Scalar) and "/dev/" in node.value:
+                yield from uses_in(node.value, "a variable of Ansible", certainty)

@@ -16,6 +16,7 @@ from bringup_lint.graph.host.device_uses import of_env_files
 from bringup_lint.graph.host.device_uses import of_launch
 from bringup_lint.graph.host.device_uses import of_params
 from bringup_lint.graph.host.device_uses import of_units
+from bringup_lint.graph.host.device_uses import of_variables
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.graph.udev.matched_devices import subsystem_of_name
 from bringup_lint.named_tuple import NamedTuple
@@ -42,7 +43,7 @@ _SEPARATORS = regex(r"[/_.-]")
 _PERHAPS = ("default", "argument", "script")
 _LEAST = 6
 """Characters of a name that is long enough to be a misspelt one."""
-_OF_THE_ROBOT = ("systemd-unit", "compose", "params", "udev-rules")
+_OF_THE_ROBOT = ("systemd-unit", "compose", "params", "udev-rules", "ansible-vars")
 _OF_KERNEL = frozenset(
     [
         "block",
@@ -116,6 +117,8 @@ class Devices:
             yield from of_params(self.params())
         if self.files.of_kind("urdf"):
             yield from of_descriptions(self.files)
+        if self.files.of_kind("ansible-vars"):
+            yield from of_variables(self.files)
         if self.files.of_kind("python-node", "cpp-node"):
             from bringup_lint.graph.host.device_code import of_sources
 
