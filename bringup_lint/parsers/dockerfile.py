@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Iterator
+from functools import cached_property
 from functools import partial
 
 from bringup_lint.model.dockerfile import Dockerfile
@@ -89,6 +91,7 @@ def _unquoted(text: Located) -> Located:
 def _instructions(file: Dockerfile) -> Iterator[Instruction]:
     source = file.source
     lines = _lines(source)
+    ends = _Delimiters(source, lines)
     escape = _escape(source)
     at = 0
     while at < len(lines):
@@ -114,7 +117,7 @@ def _instructions(file: Dockerfile) -> Iterator[Instruction]:
         if instruction is None:
             continue
         if instruction.name in ("RUN", "COPY", "ADD"):
-            at = _heredocs(file, instruction, lines, at)
+            at = _heredocs(file, instruction, ends, at)
         yield instruction
 
 
@@ -173,20 +176,41 @@ def _instruction(file: Dockerfile, whole: Located) -> Instruction | None:
     return Instruction(name, keyword, whole.part(at, len(whole)).strip_located(), tuple(flags))
 
 
-def _heredocs(file: Dockerfile, instruction: Instruction, lines: list[tuple[int, int]], at: int) -> int:
+class _Delimiters:
+    """The lines of a file by their text, so that the end of each here-document is looked up, and not searched for."""
+
+    def __init__(self, source: Source, lines: list[tuple[int, int]]) -> None:
+        self.source = source
+        self.lines = lines
+
+    @cached_property
+    def _by_text(self) -> tuple[dict[str, list[int]], dict[str, list[int]]]:
+        """Text -> the numbers of its lines; and the same without the tabs before it."""
+        whole: dict[str, list[int]] = {}
+        stripped: dict[str, list[int]] = {}
+        for number, line in enumerate(self.lines):
+            text = self.source.text[slice(*line)].rstrip("\r")
+            whole.setdefault(text, []).append(number)
+            stripped.setdefault(text.lstrip("\t"), []).append(number)
+        return whole, stripped
+
+    def next(self, word: str, at: int, *, tabs: bool) -> int | None:
+        """The first line from one on that is the word, with ``tabs`` also behind tabs."""
+        known = self._by_text[tabs].get(word, [])
+        index = bisect_left(known, at)
+        return known[index] if index < len(known) else None
+
+
+def _heredocs(file: Dockerfile, instruction: Instruction, ends: _Delimiters, at: int) -> int:
     """Take the lines of the here-documents that the instruction opens; returns the line behind them."""
     for opening in _HEREDOC.finditer(instruction.value):
-        first = at
-        while at < len(lines):
-            line = file.source.text[slice(*lines[at])].rstrip("\r")
-            at += 1
-            if (line.lstrip("\t") if opening["dash"] else line) == opening["word"]:
-                start = lines[first][0]
-                instruction.heredocs.append(file.source.located(start, max(start, lines[at - 1][0])))
-                break
-        else:
+        end = ends.next(opening["word"], at, tabs=bool(opening["dash"]))
+        if end is None:
             file.problems.append(Problem("unterminated-heredoc", instruction.value, opening["word"]))
-            return first
+            return at
+        start = ends.lines[at][0]
+        instruction.heredocs.append(file.source.located(start, max(start, ends.lines[end][0])))
+        at = end + 1
     return at
 
 

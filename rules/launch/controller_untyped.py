@@ -69,13 +69,15 @@ def controller_untyped(robot: Robot) -> Iterator[Finding]:
 
 def _without_spawners(robot: Robot) -> Iterator[Finding]:
     """Controller managers without any parameter, in launches that spawn nothing."""
+    spawning: set[int] | None = None
     for node in robot.launch.nodes:
         if literal_text(node.executable) != "ros2_control_node" or not node.file.source.judged:
             continue
         if node.parameters or node.arguments or getattr(node.action, "open", False):
             continue
-        around = (each for expansion in robot.launch.leading_to(node.file) for each in expansion.nodes)
-        if not any("spawner" in str(literal_text(each.executable)) for each in around):
+        if spawning is None:
+            spawning = _spawning(robot)
+        if spawning.isdisjoint(map(id, robot.launch.leading_to(node.file))):
             yield finding(
                 node.span,
                 "ros2_control_node is given no parameter file: it knows no controller, and none can be loaded",
@@ -83,3 +85,12 @@ def _without_spawners(robot: Robot) -> Iterator[Finding]:
                 severity="warning",
                 chain=robot.provenance.chain_to_node(node),
             )
+
+
+def _spawning(robot: Robot) -> set[int]:
+    """``id`` of each expansion that starts a spawner."""
+    return {
+        id(expansion)
+        for expansion in robot.launch.expansions
+        if any("spawner" in str(literal_text(each.executable)) for each in expansion.nodes)
+    }

@@ -44,7 +44,9 @@ def lifecycle_order(robot: Robot) -> Iterator[Finding]:
         for manager in launch.managers(expansion):
             managed = (manager.managed if manager.node.file is expansion.entry else None) or []
             for index, (name, fqn) in enumerate(managed):
-                called = CALLED.get(fqn.rpartition("/")[2], ())
+                called = CALLED.get(fqn.rpartition("/")[2])
+                if called is None:
+                    continue
                 late = [later.name for later in managed[index + 1 :] if later.fqn.rpartition("/")[2] in called]
                 if late:
                     move = move_after(name.span, late[-1].span)

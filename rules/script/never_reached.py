@@ -65,14 +65,15 @@ def never_reached(robot: Robot) -> Iterator[Finding]:
 
 
 def _waiting(robot: Robot, source: Source) -> tuple[Run, Run] | None:
-    runs = [did for did in robot.scripts.done(source) if isinstance(did, Run) and did.certain]
-    for at, run in enumerate(runs):
-        if not _lasts(run):
-            continue
-        after = next((each for each in runs[at + 1 :] if _matters(each, run)), None)
-        if after is not None:
-            return run, after
-    return None
+    """The first command that lasts before others that matter, with the first of these."""
+    found = None
+    behind: dict[bool, Run] = {}
+    for run in reversed([did for did in robot.scripts.done(source) if isinstance(did, Run) and did.certain]):
+        is_server = run.name in SERVERS
+        if is_server in behind and _lasts(run):
+            found = run, behind[is_server]
+        behind |= {server: run for server in (True, False) if _matters(run, server)}
+    return found
 
 
 def _lasts(run: Run) -> bool:
@@ -84,9 +85,10 @@ def _lasts(run: Run) -> bool:
     return run.name == "ros2" and (run.arguments[:1] == ["launch"] or run.arguments[:2] == ["bag", "record"])
 
 
-def _matters(after: Run, waits: Run) -> bool:
+def _matters(after: Run, server: bool) -> bool:
+    """Whether a command is missed behind a server, or behind another program that lasts."""
     starts_ros = after.name == "ros2" and after.arguments[:1] in (["launch"], ["run"])
-    return starts_ros or (waits.name in SERVERS and after.name in SETS_UP)
+    return starts_ros or (server and after.name in SETS_UP)
 
 
 def _name(run: Run) -> str:

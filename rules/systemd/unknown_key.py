@@ -57,6 +57,7 @@ def unknown_key(robot: Robot) -> Iterator[Finding]:
         for section in file.sections:
             if section.name not in allowed or section.name == "Install":
                 continue
+            given = {str(each.key) for each in section.assignments}
             for assignment in section.assignments:
                 key = assignment.key
                 if directives.directive(section.name, key):
@@ -64,7 +65,7 @@ def unknown_key(robot: Robot) -> Iterator[Finding]:
                 if not key or key.startswith("X-") or file.is_filled_in(key) or key.span in reported:
                     continue
                 if not any(directives.directive(name, key) for name in allowed):
-                    yield _unknown(key, section.name, {str(each.key) for each in section.assignments})
+                    yield _unknown(key, section.name, given)
 
 
 def _unknown(key: Located, section: str, keys: set[str]) -> Finding:

@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 _PASSIVE = ("--inactive", "--stopped", "--load-only")
 _TYPES = ("joint_trajectory_controller/", "position_controllers/", "velocity_controllers/", "effort_controllers/")
 """Controllers that claim the command interfaces of all joints in ``joints``."""
+_MOST = 200
+"""Controllers of a file that are compared with each other."""
 
 
 class Claim(NamedTuple):
@@ -90,7 +92,7 @@ def _texts(parameter: Parameter) -> frozenset[str]:
 
 def _among(taken: list[Taken], active: dict[str, Located]) -> Iterator[Claim]:
     """The claims of the active controllers of one file that another one of them has made before."""
-    known = [each for each in taken if each.name in active]
+    known = [each for each in taken if each.name in active][:_MOST]
     for at, each in enumerate(known):
         for first in known[:at]:
             joints = sorted(each.joints & first.joints)

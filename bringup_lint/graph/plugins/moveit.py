@@ -99,17 +99,22 @@ def _controllers(source: Source, params: Params) -> Iterator[MoveItProblem]:
         return
     known = _by_joints(params)
     every = {name for group in known.values() for name in group}
+    listed = {_tail(item.value) for item in names.scalars}
     for item in names.scalars:
         own = manager.mapping(item.value)
         joints = own.sequence("joints") if own is not None else None
         same = known.get(frozenset(str(each.value) for each in joints.scalars)) if joints is not None else None
-        tail = item.value.strip("/").rpartition("/")[2]
+        tail = _tail(item.value)
         if same is None or len(same) != 1 or tail in every or params.named_elsewhere(tail, {source}):
             continue
         name = next(iter(same))
-        if any(other.value.strip("/").rpartition("/")[2] == name for other in names.scalars):
+        if name in listed:
             continue  # the listed one is of the simulation, this one of the driver of the robot
         yield MoveItProblem("controller", item.value, (same[name],), name)
+
+
+def _tail(name: str) -> str:
+    return name.strip("/").rpartition("/")[2]
 
 
 def _by_joints(params: Params) -> dict[frozenset[str], dict[str, Located]]:

@@ -127,7 +127,7 @@ def in_image(stage: Stage | None, path: str, folder: str | None = None) -> str |
     """A path as the processes of an image mean it: a relative one starts in ``folder`` or the last WORKDIR. None for
     a bare name, which is looked for in PATH, and where the folder is not known."""
     if path.startswith("/"):
-        return path
+        return f"/{path.lstrip('/')}"
     if not ("/" in path or path.endswith((".sh", ".bash", ".py"))):
         return None
     if folder is None:

@@ -37,12 +37,21 @@ class HiddenWorkspace(NamedTuple):
 
 
 def hidden_workspaces(files: Files, runners: Iterable[Runner]) -> Iterator[HiddenWorkspace]:
+    found = list(_hidden(files, runners))
+    if found and not _is_built_by_hand(files):
+        yield from found
+
+
+def _hidden(files: Files, runners: Iterable[Runner]) -> Iterator[HiddenWorkspace]:
     known = [each for each in runners if each.service is not None]
     builders = {runner.source for runner in known if any("colcon" in each.words for each in runner.commands)}
+    built: dict[int, list[tuple[str, Located]]] = {}
     for runner in known:
-        if runner.service is None or runner.stage is None or runner.source in builders or _is_built_by_hand(files):
+        if runner.service is None or runner.stage is None or runner.source in builders:
             continue
-        for folder, build in _built(runner.stage):
+        if id(runner.stage) not in built:
+            built[id(runner.stage)] = list(_built(runner.stage))
+        for folder, build in built[id(runner.stage)]:
             sourced = _sourced(runner, folder)
             volume = _over(files, runner.service, folder)
             if sourced is not None and volume is not None:
@@ -88,6 +97,8 @@ def _sourced(runner: Runner, folder: str) -> Located | None:
 
 def _over(files: Files, service: Service, folder: str) -> Volume | None:
     """The bind mount of a folder of the tree over a workspace, or over what is installed in it."""
+    if any(str(each.target or "").startswith(f"{folder}/install") for each in service.volumes):
+        return None
     for volume in service.volumes:
         target, source = str(volume.target or "").rstrip("/"), str(volume.source or "")
         covers = target in (folder, f"{folder}/install") or (target and folder.startswith(f"{target}/"))
@@ -96,7 +107,6 @@ def _over(files: Files, service: Service, folder: str) -> Volume | None:
         below = folder[len(target) :].lstrip("/") if folder.startswith(target) else "."
         beside = os.path.dirname(os.path.abspath(service.source.name))
         host = os.path.normpath(os.path.join(beside, source, below))
-        kept = any(str(each.target or "").startswith(f"{folder}/install") for each in service.volumes)
-        if not kept and files.tree.exists(host) and not files.tree.exists(os.path.join(host, "install")):
+        if files.tree.exists(host) and not files.tree.exists(os.path.join(host, "install")):
             return volume
     return None
