@@ -15,13 +15,13 @@ if TYPE_CHECKING:
     from bringup_lint.graph.params.operator import OperatorProblem
     from bringup_lint.graph.params.operator import operator_problems
     from bringup_lint.graph.params.public import Unknown
-    from bringup_lint.graph.params.public import of_wrong_public_type
     from bringup_lint.graph.params.public import unknown_to_public
     from bringup_lint.graph.params.qos_overrides import OverrideProblem
     from bringup_lint.graph.params.qos_overrides import QosOverride
     from bringup_lint.graph.params.qos_overrides import qos_overrides
     from bringup_lint.graph.params.time import simulated
     from bringup_lint.graph.params.values import Item
+    from bringup_lint.graph.params.wrong_types import wrong_types
     from bringup_lint.graph.plugins.joints import UnknownJoint
     from bringup_lint.graph.plugins.moveit import MoveItProblem
     from bringup_lint.graph.plugins.refused import Refused
@@ -58,7 +58,6 @@ __all__ = [
     "UnknownPlugin",
     "UntypedPlugin",
     "navigation_problems",
-    "of_wrong_public_type",
     "operator_problems",
     "qos_overrides",
     "simulated",
@@ -67,4 +66,5 @@ __all__ = [
     "unknown_to_public",
     "unreached",
     "unused",
+    "wrong_types",
 ]

@@ -33,16 +33,13 @@ When the declaration that the linter found belongs to another node than the one 
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
-from bringup_lint.api import Related
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
-from bringup_lint.api.params import Item
-from bringup_lint.api.params import Parameter
-from bringup_lint.api.params import of_wrong_public_type
+from bringup_lint.api.params import wrong_types
 
 _WHOLE = regex(r"([+-]?(?:0|[1-9][0-9]*))\.0*\Z")
 
@@ -59,22 +56,18 @@ _WHOLE = regex(r"([+-]?(?:0|[1-9][0-9]*))\.0*\Z")
     ],
 )
 def double_for_int(robot: Robot) -> Iterator[Finding]:
-    for parameter, declared, items in robot.params.of_wrong_type("double", "integer"):
-        related = [note(declared.place, "declared as an integer here")]
-        yield _finding(parameter, items, "the node", related)
-    for parameter, node, items in of_wrong_public_type(robot.params, robot.launch, "double", "integer"):
-        if not robot.dependencies.is_forked(node.package):
-            yield _finding(parameter, items, node.package, [])
-
-
-def _finding(parameter: Parameter, items: list[Item], who: str, related: list[Related]) -> Finding:
-    whole = [match[1] for item in items if (match := _WHOLE.match(item.text))]
-    plain = len(whole) == len(items)
-    return finding(
-        parameter.span,
-        f"'{parameter.name}: {parameter.text}' is a double, but {who} declares an integer: it exits with "
-        "InvalidParameterTypeException",
-        advice=f"write {whole[0]}" if plain else "write a whole number",
-        related=related,
-        fix=fix("write an integer", *((item.span, text) for item, text in zip(items, whole))) if plain else None,
-    )
+    for each in wrong_types(robot.params, robot.launch, "double", "integer"):
+        if each.package and robot.dependencies.is_forked(each.package):
+            continue
+        whole = [match[1] for item in each.items if (match := _WHOLE.match(item.text))]
+        plain = len(whole) == len(each.items)
+        yield finding(
+            each.parameter.span,
+            f"'{each.parameter.name}: {each.parameter.text}' is a double, but {each.node} declares an integer: "
+            "it exits with InvalidParameterTypeException",
+            advice=f"write {whole[0]}" if plain else "write a whole number",
+            related=[note(each.declared, "declared as an integer here")] if each.declared else [],
+            fix=fix("write an integer", *((item.span, text) for item, text in zip(each.items, whole)))
+            if plain
+            else None,
+        )

@@ -34,16 +34,13 @@ When the declaration that the linter found belongs to another node than the one 
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
-from bringup_lint.api import Related
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
-from bringup_lint.api.params import Item
-from bringup_lint.api.params import Parameter
-from bringup_lint.api.params import of_wrong_public_type
+from bringup_lint.api.params import wrong_types
 
 _DECIMAL = regex(r"[+-]?(?:0|[1-9][0-9]*)\Z")
 
@@ -60,21 +57,15 @@ _DECIMAL = regex(r"[+-]?(?:0|[1-9][0-9]*)\Z")
     ],
 )
 def int_for_double(robot: Robot) -> Iterator[Finding]:
-    for parameter, declared, items in robot.params.of_wrong_type("integer", "double"):
-        related = [note(declared.place, "declared as a double here")]
-        yield _finding(parameter, items, "the node", related)
-    for parameter, node, items in of_wrong_public_type(robot.params, robot.launch, "integer", "double"):
-        if not robot.dependencies.is_forked(node.package):
-            yield _finding(parameter, items, node.package, [])
-
-
-def _finding(parameter: Parameter, items: list[Item], who: str, related: list[Related]) -> Finding:
-    plain = all(_DECIMAL.match(item.text) for item in items)
-    return finding(
-        parameter.span,
-        f"'{parameter.name}: {parameter.text}' is an integer, but {who} declares a double: it exits with "
-        "InvalidParameterTypeException",
-        advice=f"write {items[0].text}.0" if plain else "write a number with a decimal point",
-        related=related,
-        fix=fix("write a double", *((item.span, f"{item.text}.0") for item in items)) if plain else None,
-    )
+    for each in wrong_types(robot.params, robot.launch, "integer", "double"):
+        if each.package and robot.dependencies.is_forked(each.package):
+            continue
+        plain = all(_DECIMAL.match(item.text) for item in each.items)
+        yield finding(
+            each.parameter.span,
+            f"'{each.parameter.name}: {each.parameter.text}' is an integer, but {each.node} declares a double: "
+            "it exits with InvalidParameterTypeException",
+            advice=f"write {each.items[0].text}.0" if plain else "write a number with a decimal point",
+            related=[note(each.declared, "declared as a double here")] if each.declared else [],
+            fix=fix("write a double", *((item.span, f"{item.text}.0") for item in each.items)) if plain else None,
+        )
