@@ -34,9 +34,7 @@ from typing import NamedTuple
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
-from bringup_lint.api import Related
 from bringup_lint.api import Robot
-from bringup_lint.api import Source
 from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -55,7 +53,6 @@ class Dropped(NamedTuple):
     command: Located | Span
     entrypoint: Located | Span
     why: str
-    script: Source | None = None
 
 
 @rule("error", silent="the entrypoint runs, and the command is dropped without a message")
@@ -73,14 +70,6 @@ def command_ignored(robot: Robot) -> Iterator[Finding]:
             related=[note(dropped.entrypoint, "the entrypoint")],
             severity="info" if _runs_the_same(runner, dropped) else None,
         )
-
-
-def _end_of(dropped: Dropped) -> Iterator[Related]:
-    """The last line of the script, after which the command is to run."""
-    script = dropped.script
-    if script is not None:
-        text = script.text.rstrip()
-        yield note(script.located(text.rfind("\n") + 1, len(text)), "the script ends here")
 
 
 def _runs_the_same(runner: Runner, dropped: Dropped) -> bool:
@@ -106,7 +95,7 @@ def _dropped(runner: Runner) -> Dropped | None:
             continue
         script = runner.reads(str(program))
         if script is not None and script.text.startswith("#!") and not READS_ARGUMENTS.search(script.text):
-            return Dropped(command, entrypoint, f"{script.basename} reads none of its arguments", script)
+            return Dropped(command, entrypoint, f"{script.basename} reads none of its arguments")
     return None
 
 

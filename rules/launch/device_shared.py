@@ -48,8 +48,6 @@ from bringup_lint.api.launch import shared_devices
 )
 def device_shared(robot: Robot) -> Iterator[Finding]:
     for shared in shared_devices(robot.launch):
-        if not shared.path.span.source.judged:
-            continue
         first, second = shared.other.label(), shared.node.label()
         yield finding(
             shared.path,

@@ -120,8 +120,7 @@ def _finding(robot: Robot, package: launch.Package, found: Undeclared) -> Findin
             return _found(package, needs, started, _of_nothing(package, started), None)
         case Effect.MOST:
             return _found(package, needs, started, _of_most(robot, package, needs), None)
-        case Effect.HARMLESS:
-            return _harmless(robot, package, started)
+    return _harmless(robot, package, started)
 
 
 def _of_build(needs: list[Need]) -> str:
