@@ -55,6 +55,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.params.simulation_arguments import simulated_by_default
     from bringup_lint.graph.plugins.controllers import UntypedController
     from bringup_lint.graph.runners.launching import Launching
+    from bringup_lint.graph.runners.refused_choices import choices_of
+    from bringup_lint.graph.runners.refused_choices import refused_choices
     from bringup_lint.graph.runners.required_arguments import not_passed
     from bringup_lint.graph.supervision.launched_processes import check_of
     from bringup_lint.graph.supervision.launched_processes import respawns
@@ -161,6 +163,7 @@ __all__ = [
     "Value",
     "Wait",
     "brought_up",
+    "choices_of",
     "check_of",
     "delayed",
     "effect_of",
@@ -177,6 +180,7 @@ __all__ = [
     "outside",
     "parameters_of",
     "refused",
+    "refused_choices",
     "refused_transforms",
     "relative_paths",
     "respawns",
