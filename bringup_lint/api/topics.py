@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.topics.questions.command_sources import ungated
     from bringup_lint.graph.topics.questions.compatibility import conflicts_of
     from bringup_lint.graph.topics.questions.compatibility import types_differ
+    from bringup_lint.graph.topics.questions.dead_remappings import dead_remappings
     from bringup_lint.graph.topics.questions.namespaces import shared_by_namespaces
     from bringup_lint.graph.topics.questions.unmatched import corrected
     from bringup_lint.graph.topics.questions.unmatched import probable_typos
@@ -32,6 +33,7 @@ __all__ = [
     "Use",
     "conflicts_of",
     "corrected",
+    "dead_remappings",
     "is_gate",
     "is_stop",
     "is_velocity",

@@ -48,14 +48,14 @@ class ParameterWords:
         leaf = parameter.rpartition(".")[2]
         if parameter in self.texts or leaf in self._leaves:
             return True
-        return any(_is_part(piece, parameter) for piece in self._joined)
+        return any(_is_part(piece, parameter) for piece in self.joined)
 
     @cached_property
     def _leaves(self) -> frozenset[str]:
         return frozenset(text.rpartition(".")[2] for text in self.texts)
 
     @cached_property
-    def _joined(self) -> frozenset[str]:
+    def joined(self) -> frozenset[str]:
         found = {piece for piece in self.pieces if len(piece) > 1}
         for text in self.texts:
             if len(text) > 1 and (text[0] in _JOINTS or text[-1] in _JOINTS):

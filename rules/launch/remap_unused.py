@@ -1,12 +1,22 @@
 """A remapping never matches.
 
 ## What it finds
-Remappings of an absolute topic (`/image_raw`) on nodes that are known to use the relative one. A warning when the
-node is in a namespace, info when it is not.
+- Remappings of an absolute topic (`/image_raw`) on nodes that are known to use the relative one. A warning when the
+  node is in a namespace, info when it is not.
+- Remappings of a name that the node does not use: `imu/data` of navsat_transform_node, which subscribes to `imu`. All
+  names are known of nodes whose sources are in the tree and name no other, and of robot_state_publisher,
+  joint_state_publisher, teleop_twist_joy, teleop_twist_keyboard, twist_mux, joy, robot_localization, slam_toolbox,
+  amcl, velocity_smoother, the spawner of controllers and some filters of sensor data. It is info where the
+  remapping only takes the slash away.
+- Remappings of a relative name in a namespace, where the source names the absolute one (`/cmd_vel`), and the reverse.
+
+Remappings that reach several nodes are left alone when one of them uses the name or is not known.
 
 ## Why it matters on a robot
 In the namespace `/front` the driver publishes `/front/image_raw`. A rule for `/image_raw` does not match that name:
-the driver keeps its old topic, and the subscriber to the new one gets nothing.
+the driver keeps its old topic, and the subscriber to the new one gets nothing. A rule for a name that the node does
+not have is dropped without a message in the same way: navsat_transform_node waits for an orientation forever, and a
+controller whose remapping is on the robot_state_publisher beside it hears no velocity.
 
 ## Bad
 ```python
@@ -20,10 +30,11 @@ Node(package='usb_cam', executable='usb_cam_node_exe', namespace='front', remapp
 
 ## When to ignore it
 When the node is a modified version that publishes the absolute topic, or, for the info finding, when the node will
-never get a namespace.
+never get a namespace. When the remapping is for a version of the node that has the topic.
 
 ## References
 - ROS 2 design, "Topic and Service name mapping"
+- robot_localization, navsat_transform.cpp: the subscription to `imu`
 """
 
 from collections.abc import Iterator
@@ -33,19 +44,22 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import launch
+from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api import topics
 
 
 @rule("warning", fix="unsafe", silent="rcl does not report remappings that match nothing")
 def remap_unused(robot: Robot) -> Iterator[Finding]:
+    yield from of_other_names(robot)
     for node in robot.launch.nodes:
-        topics = robot.launch.role(node).topics
-        if not topics or node.namespace is None:
+        relative = robot.launch.role(node).topics
+        if not relative or node.namespace is None:
             continue
         own = node.namespace.rstrip("/")
         for src, _ in getattr(node.action, "remappings", ()):
             source = launch.literal(src)
-            if source is None or not source.startswith("/") or source[1:] not in topics:
+            if source is None or not source.startswith("/") or source[1:] not in relative:
                 continue
             yield finding(
                 source,
@@ -59,3 +73,34 @@ def remap_unused(robot: Robot) -> Iterator[Finding]:
                 if source.span.text == source
                 else None,
             )
+
+
+def of_other_names(robot: Robot) -> Iterator[Finding]:
+    for each in topics.dead_remappings(robot.topics):
+        started = each.node.started
+        package = launch.literal_text(started.package) or ""
+        if package not in robot.launch.workspace.packages and robot.dependencies.is_forked(package):
+            continue
+        chain = robot.provenance.chain_to_node(started)
+        if each.used:
+            yield finding(
+                each.source,
+                f"{each.node.label()} uses {each.used}, which is another name than '{each.source}' in the namespace "
+                f"{each.node.namespace}: the remapping has no effect",
+                advice=f"remap '{each.used}'",
+                related=[note(each.used, "the name in the source")],
+                chain=chain,
+                confidence="medium",
+            )
+            continue
+        program = launch.literal_text(started.plugin) or launch.literal_text(started.executable)
+        names = ", ".join(each.instead[:6])
+        yield finding(
+            each.source,
+            f"{each.node.label()} ({program} of {package}) has no topic or service '{each.source}': the remapping has "
+            "no effect",
+            advice=f"remap what the node has ({names})" if names else "remap a name of its source, or remove this",
+            chain=chain,
+            severity="info" if each.harmless else None,
+            confidence="medium",
+        )
