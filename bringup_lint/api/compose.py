@@ -13,8 +13,10 @@ if TYPE_CHECKING:
     from bringup_lint.graph.containers.device_groups import closed_devices
     from bringup_lint.graph.containers.health import unchecked_health
     from bringup_lint.graph.containers.image_use import is_workplace
+    from bringup_lint.graph.containers.ports import taken_ports
     from bringup_lint.graph.runners.hidden_workspaces import HiddenWorkspace
     from bringup_lint.graph.runners.hidden_workspaces import hidden_workspaces
+    from bringup_lint.graph.runners.listening import unserved_ports
     from bringup_lint.model.compose import Beside
     from bringup_lint.model.compose import Device
     from bringup_lint.model.compose import Service
@@ -37,6 +39,8 @@ __all__ = [
     "is_workplace",
     "missing_files",
     "reach",
+    "taken_ports",
     "unchecked_health",
     "undefined_names",
+    "unserved_ports",
 ]
