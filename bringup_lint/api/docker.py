@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.runners.missing_programs import MissingProgram
     from bringup_lint.graph.runners.missing_programs import lacks
     from bringup_lint.graph.runners.missing_programs import missing_programs
+    from bringup_lint.graph.runners.processors import foreign_programs
     from bringup_lint.graph.runners.recordings import recordings
     from bringup_lint.graph.runners.runner import Runner
     from bringup_lint.model.dockerfile import Dockerfile
@@ -68,6 +69,7 @@ __all__ = [
     "distro_of",
     "expanded",
     "first_unlisted",
+    "foreign_programs",
     "foreign_workspaces",
     "has_dash",
     "image_name",

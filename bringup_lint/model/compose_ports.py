@@ -37,7 +37,9 @@ def published(service: Service) -> Iterator[Published]:
     if service.base is not None:
         yield from published(service.base)
     node = service.body.get("ports")
-    for item in node.items if isinstance(node, Sequence) else ():
+    if not isinstance(node, Sequence):
+        return
+    for item in node.items:
         found = None
         if isinstance(item, Scalar):
             found = _short(item.value)

@@ -1,9 +1,9 @@
 """A published port leads to no program of the container.
 
 ## What it finds
-`ports:` of a service that starts rosbridge, foxglove_bridge, web_video_server or the agent of micro-ROS, where no entry
-leads to the port on which it listens, with its protocol: that of its `port:=` or `--port`, else its default (9090, 8765,
-8080).
+`ports:` of a service that starts rosbridge, foxglove_bridge, web_video_server or the agent of micro-ROS, where no
+entry leads to the port on which it listens, with its protocol: that of its `port:=` or `--port`, else its default
+(9090, 8765, 8080).
 
 Silent where the service starts other programs as well, or a parameter file or variable may set the port.
 
