@@ -62,8 +62,11 @@ class Files:
     today: date = field(default_factory=date.today)
     """The day for which validity dates are judged."""
     failures: list[tuple[Source, Exception]] = field(default_factory=list)
-    unfinished: list[Source] = field(default_factory=list)
     """Sources on which a parser failed inside."""
+    unfinished: list[Source] = field(default_factory=list)
+    """Sources that a parser did not end with in its time."""
+    _ended: set[tuple[object, Source]] = field(default_factory=set, init=False)
+    """The parsers that are not asked again about a source: each question would take the whole time anew."""
     installed: set[str] = field(default_factory=set)
     """The paths on the robot of all that scripts and plays of the tree copy or write there, of whatever kind."""
 
@@ -92,12 +95,15 @@ class Files:
         ``unfinished`` when it takes too long."""
         models = []
         for source in sources:
+            if (parse, source) in self._ended:
+                continue
             try:
                 models.append(_model(parse, source))
             except Exception as error:
                 self.failures.append((source, error))
             except OutOfTime:
                 self.unfinished.append(source)
+                self._ended.add((parse, source))
         return models
 
     @property

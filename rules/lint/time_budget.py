@@ -1,8 +1,8 @@
 """A file or a rule takes more time than it may.
 
 ## What it finds
-A file that is not parsed within 120 seconds of CPU time, a rule that does not end within 300, and rules that did not
-run because all rules together took more than 1,200.
+A file that is not parsed within 120 seconds of CPU time (C++ sources: within a number of steps that grows with the
+file), a rule that does not end within 300, and rules that did not run because all rules together took more than 1,200.
 
 ## Why it matters on a robot
 No real configuration comes near. A file that does is generated, damaged or made to keep a check busy, and what it would

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from bringup_lint.budget import OutOfTime
 from bringup_lint.parsers.cpp_node import parse
 from bringup_lint.source import Source
 from tests.scenarios.test_growth import LOGARITHM
@@ -127,3 +129,8 @@ def test_what_callbacks_keep_is_known_in_time_that_grows_as_the_file_does() -> N
     assert len(parse(sources[0]).kept) == 20
     calls = [counted(lambda source=source: parse(source))["parsers/cpp_node"] for source in sources]  # type: ignore[misc]
     assert excess(*calls) <= LOGARITHM
+
+
+def test_recovery_from_errors_ends() -> None:
+    with pytest.raises(OutOfTime):
+        parse(Source("relay.cpp", NODE + "<!-- " * 20_000))
