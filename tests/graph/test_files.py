@@ -6,6 +6,7 @@ import re
 
 import pytest
 
+from bringup_lint.budget import OutOfTime
 from bringup_lint.discover.tree import Tree
 from bringup_lint.graph.files import Files
 from bringup_lint.source import Source
@@ -40,3 +41,16 @@ def test_no_timer_is_set_for_what_is_parsed_already(monkeypatch: pytest.MonkeyPa
     monkeypatch.setattr("bringup_lint.graph.files.limited", set_for.append)
     files.parsed(read, files.sources)
     assert not set_for
+
+
+def test_a_parser_that_ran_out_of_time_is_not_asked_again() -> None:
+    asked = []
+
+    def endless(source: Source) -> Model:
+        asked.append(source)
+        raise OutOfTime
+
+    source = Source("a.sh", "ls\n", kind="shell-script")
+    files = Files(Tree(sources=[source]))
+    assert files.parsed(endless, [source]) == files.parsed(endless, [source]) == []
+    assert asked == files.unfinished == [source]

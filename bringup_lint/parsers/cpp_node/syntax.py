@@ -76,7 +76,9 @@ def _parsed(data: bytes) -> Tree:
     parser = tree_sitter.Parser(tree_sitter.Language(tree_sitter_cpp.language()))
     left = iter(range(STEPS + int(STEPS_A_BYTE * len(plain))))
     try:
-        return parser.parse(lambda at, _: plain[at : at + _CHUNK], progress_callback=lambda *_: next(left, None) is None)
+        return parser.parse(
+            lambda at, _: plain[at : at + _CHUNK], progress_callback=lambda *_: next(left, None) is None
+        )
     except ValueError as error:
         raise OutOfTime from error
 
