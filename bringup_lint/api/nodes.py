@@ -30,7 +30,6 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.message_fields import is_checked
     from bringup_lint.graph.nodes.questions.message_fields import misfits
     from bringup_lint.graph.nodes.questions.message_fields import missing_fields
-    from bringup_lint.graph.nodes.questions.message_units import WrongUnit
     from bringup_lint.graph.nodes.questions.message_units import wrong_units
     from bringup_lint.graph.nodes.questions.misread_parameters import misread_parameters
     from bringup_lint.graph.nodes.questions.missing_attributes import missing_attributes
@@ -72,6 +71,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.unsafe_ends import unsafe_ends
     from bringup_lint.graph.nodes.questions.unsafe_hardware import unsafe_hardware
     from bringup_lint.graph.nodes.questions.unstamped import unstamped
+    from bringup_lint.graph.nodes.questions.wrong_unit import WrongUnit
     from bringup_lint.graph.topics.questions.undeclared import asked_in_vain
     from bringup_lint.graph.topics.questions.undeclared import is_called_nowhere
     from bringup_lint.graph.topics.questions.undeclared import unset
