@@ -16,9 +16,9 @@ if TYPE_CHECKING:
     from bringup_lint.graph.topics.questions.compatibility import conflicts_of
     from bringup_lint.graph.topics.questions.compatibility import types_differ
     from bringup_lint.graph.topics.questions.dead_remappings import dead_remappings
+    from bringup_lint.graph.topics.questions.misspelt import misspelt
+    from bringup_lint.graph.topics.questions.misspelt import probable_typos
     from bringup_lint.graph.topics.questions.namespaces import shared_by_namespaces
-    from bringup_lint.graph.topics.questions.unmatched import corrected
-    from bringup_lint.graph.topics.questions.unmatched import probable_typos
     from bringup_lint.graph.topics.questions.unmatched import without_publisher
     from bringup_lint.graph.topics.resolved.endpoint_use import LaunchedNode
     from bringup_lint.graph.topics.resolved.endpoint_use import Use
@@ -32,11 +32,11 @@ __all__ = [
     "LaunchedNode",
     "Use",
     "conflicts_of",
-    "corrected",
     "dead_remappings",
     "is_gate",
     "is_stop",
     "is_velocity",
+    "misspelt",
     "probable_typos",
     "published_at_start",
     "refusal",

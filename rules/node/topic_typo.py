@@ -30,13 +30,10 @@ When both names are intended and the other side is on another computer or starte
 - ROS 2 documentation, "Topic and service name mapping"
 """
 
-import re
-from collections import Counter
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
-from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
@@ -44,43 +41,20 @@ from bringup_lint.api import rule
 from bringup_lint.api import topics
 
 
-def is_outvoted(count: Counter[str], topic: str, near: str) -> bool:
-    """Whether more places use the other name, so that this one is the typo."""
-    return count[near] > count[topic]
-
-
-def is_named_elsewhere(robot: Robot, use: topics.Use) -> bool:
-    """Whether another file of the tree mentions the last word of a topic, so that something else may serve it."""
-    name = re.compile(rf"\b{re.escape(use.topic.rpartition('/')[2])}\b")
-    return any(name.search(source.text) for source in robot.sources if source is not use.where.source)
-
-
 @rule("warning", fix="unsafe", symptoms=["does not appear to be published yet"])
 def topic_typo(robot: Robot) -> Iterator[Finding]:
-    said: set[frozenset[Span]] = set()
-    for running in sorted(robot.topics.runs, key=lambda running: not running.complete):
-        used = Counter(use.topic for use in running.uses)
-        for use, meant, near, evidence in topics.probable_typos(running):
-            if evidence != "topics" and is_named_elsewhere(robot, use):
-                continue
-            if evidence == "type" and (use.type or "").partition("/")[0] not in robot.launch.workspace.packages:
-                continue
-            sides = frozenset(each.name_place or each.where for each in (use, meant))
-            if sides in said:
-                continue
-            said.add(sides)
-            nobody = "Nobody publishes" if use.role == "subscription" else "Nobody subscribes to"
-            better = topics.corrected(use, near) if is_outvoted(used, use.topic, near) else None
-            yield finding(
-                use.name_place or use.where,
-                f"{nobody} {use.topic}, which {use.node.label()} {use.verb}: {meant.node.label()} {meant.verb} {near}",
-                advice=f"{f'use {near}' if better else 'write the same name'} on both sides, or remap one of them",
-                related=[
-                    note(meant.name_place or meant.where, f"{near} is named here"),
-                    note(use.node.started.span, f"{use.node.label()} is started here"),
-                ],
-                chain=robot.provenance.chain_to_node(
-                    use.node.started, note(use.name_place or use.where, f"{use.topic} is used here")
-                ),
-                fix=fix(f"use {near}", better, safe=False) if better else None,
-            )
+    for use, meant, near, correction in topics.misspelt(robot.topics):
+        nobody = "Nobody publishes" if use.role == "subscription" else "Nobody subscribes to"
+        yield finding(
+            use.name_place or use.where,
+            f"{nobody} {use.topic}, which {use.node.label()} {use.verb}: {meant.node.label()} {meant.verb} {near}",
+            advice=f"{f'use {near}' if correction else 'write the same name'} on both sides, or remap one of them",
+            related=[
+                note(meant.name_place or meant.where, f"{near} is named here"),
+                note(use.node.started.span, f"{use.node.label()} is started here"),
+            ],
+            chain=robot.provenance.chain_to_node(
+                use.node.started, note(use.name_place or use.where, f"{use.topic} is used here")
+            ),
+            fix=fix(f"use {near}", correction, safe=False) if correction else None,
+        )

@@ -39,9 +39,9 @@ from bringup_lint.api import topics
 @rule("warning", confidence="medium", symptoms=["does not appear to be published yet"])
 def topic_unconnected(robot: Robot) -> Iterator[Finding]:
     for running in robot.topics.runs:
-        near = {each.use.topic for each in topics.probable_typos(running)}
         if not running.whole:
             continue
+        near = {each.use.topic for each in topics.probable_typos(running)}
         for use in topics.without_publisher(running):
             if use.topic not in near and topics.tail(use.topic) not in robot.topics.published_anywhere:
                 yield finding(

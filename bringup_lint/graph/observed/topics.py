@@ -11,7 +11,7 @@ from bringup_lint.dataclass import field
 from bringup_lint.graph.topics.questions.command_sources import is_velocity
 from bringup_lint.graph.topics.questions.compatibility import Conflict
 from bringup_lint.graph.topics.questions.compatibility import conflicts
-from bringup_lint.graph.topics.questions.unmatched import nearly_equal
+from bringup_lint.graph.topics.questions.misspelt import nearly_equal
 from bringup_lint.graph.topics.resolved.names import tail
 from bringup_lint.model.observed import Endpoint
 from bringup_lint.named_tuple import NamedTuple
