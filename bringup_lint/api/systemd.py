@@ -35,9 +35,6 @@ if TYPE_CHECKING:
     from bringup_lint.graph.systemd.log_directory import Unwritable
     from bringup_lint.graph.systemd.log_directory import log_directory
     from bringup_lint.graph.systemd.memory import memory
-    from bringup_lint.graph.systemd.unstartable import Defect
-    from bringup_lint.graph.systemd.unstartable import is_own_program
-    from bringup_lint.graph.systemd.unstartable import unstartable
     from bringup_lint.graph.systemd.needless_root import NeedlessRoot
     from bringup_lint.graph.systemd.needless_root import Work
     from bringup_lint.graph.systemd.needless_root import changes_user
@@ -70,6 +67,9 @@ if TYPE_CHECKING:
     from bringup_lint.graph.systemd.unsourced import NotSourced
     from bringup_lint.graph.systemd.unsourced import SourcedBefore
     from bringup_lint.graph.systemd.unsourced import unsourced
+    from bringup_lint.graph.systemd.unstartable import Defect
+    from bringup_lint.graph.systemd.unstartable import is_own_program
+    from bringup_lint.graph.systemd.unstartable import unstartable
     from bringup_lint.model.unit import Assignment
     from bringup_lint.model.unit import UnitFile
     from bringup_lint.parsers.systemd_values import is_unit_name

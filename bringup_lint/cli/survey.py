@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.config import ROS_DISTROS
 from bringup_lint.discover.gitignore import escaped
+from bringup_lint.facts.ros.simulation import is_simulator
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.graph.purpose import by_path
 from bringup_lint.named_tuple import NamedTuple
@@ -73,7 +74,6 @@ _PURPOSES = (
 )
 _OF_BUILDROOT = "external.desc"
 """At the top of a Buildroot external tree, which holds what a project adds to Buildroot."""
-_SIMULATORS = regex(r"gazebo|ros_gz|ros_ign|webots|isaac_sim|mujoco")
 _HEAD = 64 * 1024
 """Bytes of a workflow that are read."""
 
@@ -173,7 +173,7 @@ def _purpose_of(robot: Robot, folder: str) -> Iterator[tuple[Purpose, str]]:
         return
     package = package_xml.parse(manifest)
     purpose = by_path(f"{package.name}/") if package.name else Purpose.ROBOT
-    simulators = [str(depend) for _, depend in package.depends if _SIMULATORS.search(depend)]
+    simulators = [str(depend) for _, depend in package.depends if is_simulator(depend)]
     if purpose is Purpose.SIMULATION and simulators:
         yield purpose, f"package {package.name}, which depends on {simulators[0]}"
 

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
+from bringup_lint.facts.ros import simulation
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 
@@ -43,8 +44,7 @@ def _folder(words: str) -> re.Pattern[str]:
 
 
 SIMULATION = _word(
-    "sim|sims|simulation|simulations|simulator|simulated|gazebo|gz|ign|ignition|webots|isaac_?sim|mujoco|airsim|carla"
-    "|awsim|netem|loopback|mock|fake|replay|playback|rosbag2?|xil|sitl|hitl"
+    rf"{simulation.WORDS}|{simulation.SIMULATORS}|netem|loopback|mock|fake|replay|playback|rosbag2?|xil|sitl|hitl"
 )
 """Words for simulators and for recorded or made-up data."""
 
@@ -90,10 +90,7 @@ SOURCES: tuple[tuple[Purpose, re.Pattern[str]], ...] = (
     (Purpose.TEST, regex(r"(?:^|[/_-])tests?(?:[/_.-]|$)|(?:^|/)(?:testing|integration_tests?)/", re.I)),
     (Purpose.EXAMPLE, regex(r"(?:^|[/_-])(?:examples?|demos?|tutorials?|samples?|benchmarks?)(?:[/_.-]|$)", re.I)),
     (Purpose.EXAMPLE, _folder(r"docs?|tools?")),
-    (
-        Purpose.SIMULATION,
-        regex(r"(?:^|[/_-])(?:sim|simulation|simulator|gazebo|gz|mujoco|webots|isaac\w*)(?:[/_.-]|$)", re.I),
-    ),
+    (Purpose.SIMULATION, regex(rf"(?:^|[/_-])(?:{simulation.WORDS}|{simulation.SIMULATORS})(?:[/_.-]|$)", re.I)),
 )
 """The same for the path of a node's source in its package, where more folders hold what no robot runs."""
 

@@ -40,6 +40,7 @@ from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.compose import Service
+from bringup_lint.api.ros import is_simulation
 
 CALLS = regex(
     r"^[^#\n]{0,200}\bdocker(?:-compose|[ \t]+compose)\b(?![^\n]{0,200}\s(?:-d|--detach)(?:\s|$))[^\n]{0,200}\bup\b",
@@ -47,7 +48,7 @@ CALLS = regex(
 )
 """Commands that start containers and stay with them."""
 BRINGUP = regex(r"bring_?up|robot\.launch", re.I)
-SIMULATION = regex(r"gazebo|\bsim|gz|rviz|webots|\bgcs|desktop|sleep infinity", re.I)
+BESIDE = regex(r"rviz|\bgcs|desktop|sleep infinity", re.I)
 """What simulates, shows or waits for somebody."""
 
 
@@ -102,7 +103,7 @@ def _is_named(service: Service) -> bool:
 
 
 def _simulates(service: Service) -> bool:
-    return SIMULATION.search(_words(service)) is not None
+    return is_simulation(_words(service)) or BESIDE.search(_words(service)) is not None
 
 
 def _words(service: Service) -> str:

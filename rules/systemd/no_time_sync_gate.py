@@ -48,6 +48,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.ros import is_simulation
 from bringup_lint.api.systemd import Unit
 from bringup_lint.api.systemd import Units
 
@@ -61,7 +62,7 @@ DAEMONS = (
     "/etc/linuxptp/ptp4l.conf",
 )
 WAITS = regex(r"waitsync|time-wait-sync|ntp-wait|ntpwait|NTPSynchronized|pmc\s|check_clock")
-SIMULATED = regex(r"use_sim_time:=[Tt]rue|(?:^|[-_/])(?:sim|simulation|gazebo|gz)(?:[-_./]|$)")
+SIMULATED = regex(r"use_sim_time:=[Tt]rue")
 
 
 @rule(
@@ -97,8 +98,8 @@ def no_time_sync_gate(robot: Robot) -> Iterator[Finding]:
 def _starts_early(units: Units, unit: Unit) -> bool:
     if unit.manager == "user" or unit.unsure_of("After", "Wants") or gated(units, unit):
         return False
-    simulated = (SIMULATED.search(text) for process in units.processes(unit) for text in (process.line, unit.stem))
-    return not any(simulated)
+    lines = [str(process.line) for process in units.processes(unit)]
+    return not any(map(SIMULATED.search, lines)) and not any(map(is_simulation, (unit.stem, *lines)))
 
 
 def configures(robot: Robot, path: str) -> bool | re.Match[str] | None:

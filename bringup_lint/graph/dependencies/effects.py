@@ -6,6 +6,7 @@ from enum import Enum
 from typing import TYPE_CHECKING
 
 from bringup_lint.facts.ros.needed import base
+from bringup_lint.facts.ros.simulation import is_simulation
 from bringup_lint.graph.dependencies.needs import Need
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
@@ -17,7 +18,7 @@ if TYPE_CHECKING:
 
 AT_RUN_TIME = ("exec_depend", "run_depend", "depend")
 _PLACEHOLDER = regex(r"^(?:your|my)_(?:package|pkg|robot|node)|package_name$")
-_ASIDE = regex(r"^(?:rviz|rqt|plotjuggler)|_gui$|(?:^|_)(?:gz|gazebo|sim|ign|ignition|webots|mujoco|isaac)(?:_|$)")
+_VIEWER = regex(r"^(?:rviz|rqt|plotjuggler)|_gui$")
 """Viewers and simulators, which no robot needs."""
 _SEVERAL = 3
 
@@ -70,12 +71,17 @@ def effect_of(dependencies: Dependencies, launch: Launch, package: Package) -> U
 
 def brought_up(dependencies: Dependencies, package: Package) -> list[str]:
     """The other packages of which launch files always start something, without ros-base, viewers and simulators."""
-    return [name for name in dependencies.started(package) if name not in base() and not _ASIDE.search(name)]
+    return [name for name in dependencies.started(package) if name not in base() and not _is_aside(name)]
 
 
 def of_robots(needs: list[Need]) -> list[Need]:
     """Without viewers and simulators."""
-    return [need for need in needs if not _ASIDE.search(need.name)]
+    return [need for need in needs if not _is_aside(str(need.name))]
+
+
+def _is_aside(package: str) -> bool:
+    """Whether a package is a viewer or a simulator."""
+    return _VIEWER.search(package) is not None or is_simulation(package)
 
 
 def _is_missed(launch: Launch, package: Package, need: Need) -> bool:

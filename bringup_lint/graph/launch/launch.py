@@ -18,6 +18,7 @@ from bringup_lint.facts.ros.node_roles import HARDWARE
 from bringup_lint.facts.ros.node_roles import Role
 from bringup_lint.facts.ros.node_roles import packages
 from bringup_lint.facts.ros.node_roles import role_of
+from bringup_lint.facts.ros.simulation import is_simulation
 from bringup_lint.graph.launch.expand import ACTIONS
 from bringup_lint.graph.launch.expand import Expander
 from bringup_lint.graph.launch.expansion import Expansion
@@ -64,10 +65,6 @@ _DIGIT = regex(r"\d")
 _VIEW = regex(r"(?:^|[/_.-])(?:display|view\w*|rviz\w*)(?:$|[/_.-])")
 """Paths of launch files that only show something."""
 _LIFECYCLE = regex(r"lifecycle|nav2_util|nav2_ros_common")
-SIMULATORS = regex(
-    r"(?:^|_)(?:sim|simulation|simulator|gazebo|gz|ign|ignition|webots|isaac\w*|mujoco|airsim|carla|awsim|stage)(?:$|_)"
-)
-"""Packages of simulators."""
 _PROGRAMS = ("python-node", "cpp-node", "shell-script", "systemd-unit", "compose", "dockerfile")
 _SWITCHES = regex(r"\blifecycle[\"',\s]+set\b|\blifecycle_bringup\b|\bChangeState\b|/change_state\b")
 """Commands and service clients that configure the nodes which their file names."""
@@ -437,7 +434,7 @@ class Launch:
         packages = {str(literal_text(node.package)) for node in expansion.nodes if node.by_default is not False}
         always = (self.place(include.file) for include in expansion.includes if not include.conditions)
         packages |= {target.package for target in always if target is not None}
-        return any(SIMULATORS.search(package) for package in packages)
+        return any(map(is_simulation, packages))
 
     def visited(self, file: LaunchFile) -> Iterator[tuple[Action, LaunchFile]]:
         """The actions of a file itself, as it is launched without arguments."""

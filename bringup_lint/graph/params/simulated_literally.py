@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.facts.ros import simulation
 from bringup_lint.graph.launch.resolve import truth
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import literal_text
@@ -25,7 +26,7 @@ if TYPE_CHECKING:
 
 _NAME = "use_sim_time"
 _SIMULATION = regex(
-    r"gazebo|\bgz[ _-]|ros_gz|ignition|webots|isaac|mujoco|coppelia|airsim|carla|unity|simulat|stage_ros|pybullet"
+    rf"{simulation.TOLD}|ignition|unity"
     r"|\bbag\s+play|rosbag|/clock\b|(?:^|[^a-z])sim(?:[^a-z_]|$)|_sim(?![a-z_])|(?<![a-z_])sim_|\bhil\b|in-the-loop",
     re.I,
 )

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.facts.ros.simulation import is_simulation
 from bringup_lint.graph.launch.expansion import Expansion
 from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.resolve import truth
@@ -24,11 +25,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.params.params import Params
 
 NAME = "use_sim_time"
-_SIMULATION = regex(
-    r"(?:^|[^a-z])(?:sim|sims|simulat\w*|gazebo|gz|ign|ignition|webots|isaac\w*|unity|carla|mujoco|stage|bag|rosbag2?|replay|test|tests)"
-    r"(?:[^a-z]|$)",
-    re.I,
-)
+_RECORDED = regex(r"(?:^|[^a-z])(?:bag|rosbag2?|replay|tests?)(?:[^a-z]|$)", re.I)
 _HARDWARE = regex(r"(?:^|[^a-z])(?:bringup|hardware|drivers?|real|robot)(?:[^a-z]|$)", re.I)
 
 
@@ -41,7 +38,7 @@ class Simulated(NamedTuple):
 def simulated(params: Params) -> Iterator[Simulated]:
     for file in params.judged:
         told = [each for each in file.parameters if each.name == NAME and each.value.data is True]
-        if not told or _SIMULATION.search(file.source.name):
+        if not told or _gives_time(file.source.name):
             continue
         for parameter in told:
             loads = (each for each in params.loads(file) if not params.is_missing(each.node))
@@ -68,7 +65,7 @@ def _is_hardware(expansion: Expansion) -> bool:
 
 
 def _simulates(expansion: Expansion) -> bool:
-    if any(_SIMULATION.search(file.source.name) for file in expansion.files):
+    if any(_gives_time(file.source.name) for file in expansion.files):
         return True
     for name, binding in expansion.arguments.items():
         if "sim" in name.lower() and truth(binding.value) is not False:
@@ -77,8 +74,11 @@ def _simulates(expansion: Expansion) -> bool:
         words: list[str | None] = [literal_text(value) for value in (node.package, node.executable, node.plugin)]
         if not node.is_node and not words[0]:
             words = [text_of(value) for value in node.arguments]
-        if any(word is None and node.is_node for word in words[:2]) or any(
-            _SIMULATION.search(word) for word in words if word
-        ):
+        if any(word is None and node.is_node for word in words[:2]) or any(map(_gives_time, filter(None, words))):
             return True
     return False
+
+
+def _gives_time(name: str) -> bool:
+    """Whether a name is that of a simulation or a recording."""
+    return is_simulation(name) or _RECORDED.search(name) is not None

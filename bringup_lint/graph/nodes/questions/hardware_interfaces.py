@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.facts.ros import simulation
 from bringup_lint.graph.nodes.questions.with_header import with_header
 from bringup_lint.model.cpp_source import COMMENT
 from bringup_lint.named_tuple import NamedTuple
@@ -29,7 +30,7 @@ _SLOWED = regex(
     r"|set_?zero|calibrat|perform_command_mode_switch"
 )
 """Words of what starts slowly, waits for the first command or for a controller, or makes 0 the place of the joints."""
-_SIMULATED = regex(r"(?i)gazebo|mujoco|isaac|\bfake|\bmock|webots")
+_SIMULATED = regex(rf"(?i){simulation.TOLD}|\bfake|\bmock")
 _RECEIVES = regex(
     r"(?<![\w.>])(?:::)?(?P<name>read|recv|recvfrom|recvmsg)\s{0,4}\(\s{0,4}\w{0,40}(?:sock|fd|can|port|serial|bus)"
 )

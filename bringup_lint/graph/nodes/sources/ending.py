@@ -11,6 +11,7 @@ import ast
 from collections.abc import Iterator
 from functools import cached_property
 
+from bringup_lint.facts.ros.simulation import is_simulator
 from bringup_lint.graph.nodes.sources.sending import called
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import body_of
@@ -44,9 +45,6 @@ _KEYS = (
     "evdev.events",
     "evdev.KeyEvent",
 )
-_SIMULATORS = ("coppeliasim_zmqremoteapi_client", "pybullet", "mujoco", "isaacsim", "omni.isaac", "carla", "airsim")
-"""Modules through which a program drives a simulator."""
-
 UNKNOWN = ("foxy", "galactic")
 """Distributions whose rclpy handles signals in another way (before rclpy 3, Humble)."""
 
@@ -113,7 +111,8 @@ class Ending:
 
     @cached_property
     def drives_simulator(self) -> bool:
-        return any((name or "").startswith(_SIMULATORS) for name in self.file.imports.values())
+        """Whether it imports a module for that."""
+        return any(map(is_simulator, filter(None, self.file.imports.values())))
 
     @cached_property
     def handlers(self) -> list[Handler]:

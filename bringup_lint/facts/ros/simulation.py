@@ -1,0 +1,31 @@
+"""What names and texts tell of a simulation: the names of simulators, and words for what is simulated.
+
+Isaac ROS runs on real robots; Isaac Sim, Isaac Lab and Isaac Gym simulate. SIM7600 and the like are modems.
+"""
+
+from __future__ import annotations
+
+import re
+
+from bringup_lint.pattern import regex
+
+SIMULATORS = (
+    r"gazebo\d*|gz|ign|ignition|webots|isaac_?(?:sim|lab|gym)\w*|omni\.isaac|mujoco|airsim|carla|awsim|stage_ros2?|unity"
+    r"|pybullet|coppelia(?:sim)?"
+)
+WORDS = r"sim(?!_time)|sims|simulations?|simulators?|simulated"
+TOLD = r"gazebo|\bgz[ _-]|ros_gz|webots|isaac|mujoco|coppelia|airsim|carla|stage_ros|pybullet|simulat"
+"""Anywhere in a text, these hardly mean anything else. Isaac alone may mean Isaac Sim."""
+
+_SIMULATOR = regex(rf"(?<![a-z0-9])(?:{SIMULATORS})(?![a-z0-9])", re.I)
+_NAMED = regex(rf"(?<![a-z0-9])(?:{SIMULATORS}|{WORDS})(?![a-z0-9])", re.I)
+
+
+def is_simulator(name: str) -> bool:
+    """Whether a part of the name of a package, a program or a module of Python is that of a simulator."""
+    return _SIMULATOR.search(name) is not None
+
+
+def is_simulation(name: str) -> bool:
+    """The same, and the words for what is simulated: also for files, units, services and command lines."""
+    return _NAMED.search(name) is not None
