@@ -11,6 +11,7 @@ from bringup_lint.on_demand import on_demand
 
 if TYPE_CHECKING:
     from bringup_lint.facts.ros.launch_calls import parameters_of
+    from bringup_lint.facts.ros.public_programs import public_package
     from bringup_lint.finding import Finding
     from bringup_lint.graph.dependencies.effects import AT_RUN_TIME
     from bringup_lint.graph.dependencies.effects import Effect
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch.entry_points import missing_entries
     from bringup_lint.graph.launch.expansion import Expansion
     from bringup_lint.graph.launch.expansion import Used
+    from bringup_lint.graph.launch.gone_packages import gone_packages
     from bringup_lint.graph.launch.launch import Launch
     from bringup_lint.graph.launch.lifecycle import full_name
     from bringup_lint.graph.launch.lifecycle import managers
@@ -169,6 +171,7 @@ __all__ = [
     "effect_of",
     "exclusive",
     "full_name",
+    "gone_packages",
     "in_degrees",
     "literal",
     "literal_text",
@@ -179,6 +182,7 @@ __all__ = [
     "of_robots",
     "outside",
     "parameters_of",
+    "public_package",
     "refused",
     "refused_choices",
     "refused_transforms",

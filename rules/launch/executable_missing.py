@@ -3,9 +3,10 @@
 ## What it finds
 Executables of workspace packages that neither setup.py (`console_scripts`) nor CMakeLists.txt (`install`, component
 registration) provides, console scripts that setup.cfg does not put into `lib/<package>`, and scripts that
-`install(FILES)` installs without their executable bit. For gazebo_ros: every
-executable except `spawn_entity.py`; from Humble on also `spawner.py` of controller_manager. A node that
-does not start by default is a warning.
+`install(FILES)` installs without their executable bit. Of common public packages (Navigation2, robot_localization,
+slam_toolbox, controller_manager, joy, teleop_twist_joy, tf2_ros, ...): executables that no distribution has, and those
+that have another name in the robot's distribution, as `spawner.py` from Humble on. A node that does not start by
+default is a warning.
 
 ## Why it matters on a robot
 launch aborts with "executable 'x' not found on the libexec directory": no node of the whole launch file starts.
@@ -45,13 +46,6 @@ from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.spelling import nearest
 
-PUBLIC = {"gazebo_ros": ("spawn_entity.py",)}
-"""All executables of public packages whose names are often guessed wrong."""
-RENAMED = {("controller_manager", "spawner.py"): "spawner", ("controller_manager", "unspawner.py"): "unspawner"}
-"""Executables of public packages that Humble has no more under their old names (ros2_control, setup.cfg)."""
-BEFORE = (None, "foxy", "galactic")
-
-
 Start = tuple[launch.Started, Located]
 """A node, and the name of its executable."""
 SYMLINKS = regex(r"--symlink-install\b")
@@ -73,10 +67,8 @@ def executable_missing(robot: Robot) -> Iterator[Finding]:
                 elsewhere.setdefault(name, []).append((node, executable))
             elif package.made(executable) and robot.launch.workspace.lacks(package, executable):
                 made.setdefault(name, []).append((node, executable))
-        elif name in PUBLIC and executable not in PUBLIC[name]:
-            yield unknown(node, name, executable)
-        elif (name, executable) in RENAMED and robot.target.ros not in BEFORE and node.file.source.judged:
-            yield renamed(robot, node, name, executable)
+        elif name not in robot.launch.workspace.ambiguous and node.file.source.judged:
+            yield from of_public(robot, node, name, executable)
     packages = robot.launch.workspace.packages
     yield from (misplaced(robot, packages[package], started) for package, started in elsewhere.items())
     yield from (only_made(robot, packages[package], started) for package, started in made.items())
@@ -89,25 +81,35 @@ def of_workspace(robot: Robot, node: launch.Started, package: launch.Package, ex
         yield without_mode(robot, node, package, executable)
 
 
-def unknown(node: launch.Started, package: str, executable: Located) -> Finding:
-    return finding(
-        executable,
-        f"{package} has no executable '{executable}': launch aborts",
-        advice="include one of the package's launch files instead",
-        severity=_severity(node),
-    )
-
-
-def renamed(robot: Robot, node: launch.Started, package: str, executable: Located) -> Finding:
-    now = RENAMED[package, executable]
-    return finding(
-        executable,
-        f"{package} has no executable '{executable}' since Humble: launch aborts",
-        advice=f"start '{now}'",
-        chain=robot.provenance.chain_to_node(node),
-        fix=_fix(executable, now),
-        severity=_severity(node),
-    )
+def of_public(robot: Robot, node: launch.Started, name: str, executable: Located) -> Iterator[Finding]:
+    """Programs that no release of a public package has, or that it has under another name now."""
+    package = launch.public_package(name)
+    if package is None or robot.dependencies.is_forked(name) or robot.launch.looks_at_distribution(node.file):
+        return
+    distro = robot.launch.distribution(node.file)
+    if package.is_gone(distro):
+        return
+    now = package.renamed(executable, distro)
+    if now is not None:
+        yield finding(
+            executable,
+            f"{name} has no executable '{executable}' after {now.last.capitalize()}: launch aborts",
+            advice=f"start '{now.now}'",
+            chain=robot.provenance.chain_to_node(node),
+            fix=_fix(executable, now.now),
+            severity=_severity(node),
+        )
+    elif package.lacks(executable):
+        names = [each.name for each in package.programs if not each.last]
+        near = nearest(executable, names, 3)
+        yield finding(
+            executable,
+            f"{name} has no executable '{executable}': launch aborts",
+            advice=f"start {' or '.join(near or names)}",
+            chain=robot.provenance.chain_to_node(node),
+            fix=_fix(executable, near[0]) if len(near) == 1 else None,
+            severity=_severity(node),
+        )
 
 
 def misplaced(robot: Robot, package: launch.Package, started: list[Start]) -> Finding:

@@ -2,7 +2,10 @@
 
 ## What it finds
 A name that no package of this workspace has, but that is close to one that exists; or whose executable one other
-package of the workspace installs, where the executable is called like the missing package.
+package of the workspace installs, where the executable is called like the missing package. Also, as packages of nodes
+and of included files, those of ROS 1 that ROS 2 has under other names (`rviz`, `tf`, `amcl`, ...), and those that the
+robot's distribution no longer has (`nav2_recoveries` from Humble on, `gazebo_ros` and `ros_ign_*` from Jazzy on). Left
+alone is what a list of repositories or a command of the tree fetches, and files that ask which distribution runs.
 
 ## Why it matters on a robot
 launch aborts with "package 'my_robot_drivers' not found".
@@ -18,10 +21,12 @@ Node(package='my_robot_driver', executable='motor')
 ```
 
 ## When to ignore it
-When both packages exist, and the other one is not in this repository.
+When both packages exist, and the other one is not in this repository, or when the robot builds the old one from its
+source.
 
 ## References
 - ament_index, `get_package_prefix`
+- https://github.com/ros/rosdistro: the packages of each distribution
 """
 
 from collections.abc import Iterator
@@ -43,6 +48,7 @@ SHORTEST = 6
     "error", fix="unsafe", symptoms=["PackageNotFoundError", "not found, searching", "package '*' not found, searching"]
 )
 def package_missing(robot: Robot) -> Iterator[Finding]:
+    yield from _gone(robot)
     workspace = robot.launch.workspace
     for node in robot.launch.nodes:
         package = launch.literal_text(node.package)
@@ -63,6 +69,21 @@ def package_missing(robot: Robot) -> Iterator[Finding]:
             )
         else:
             yield from _moved(robot, node, package)
+
+
+def _gone(robot: Robot) -> Iterator[Finding]:
+    """Packages of ROS 1, and of older distributions."""
+    for each in launch.gone_packages(robot.launch):
+        if robot.dependencies.is_fetched(each.name) or robot.launch.meant(each.name) is not None:
+            continue
+        why = f"{each.distro.capitalize()} no longer has it" if each.distro else "ROS 2 does not have it"
+        yield finding(
+            each.name,
+            f"Package '{each.name}' not found: {why}, and launch aborts",
+            advice=f"use {each.package.instead}",
+            chain=robot.provenance.chain_to(each.name, f"'{each.name}' is needed"),
+            severity=None if each.always else "warning",
+        )
 
 
 def _moved(robot: Robot, node: launch.Started, package: Located) -> Iterator[Finding]:

@@ -512,9 +512,17 @@ class Launch:
         """The public names of a module of launch or launch_ros; None when the module is not one of theirs."""
         return launch_api.names(module, self._tree_files.target.ros)
 
+    def looks_at_distribution(self, file: LaunchFile) -> bool:
+        """Whether a file asks itself which distribution runs, or catches what another one raises."""
+        return bool(_LOOKS_AT_DISTRIBUTION.search(file.source.text))
+
+    def distribution(self, file: LaunchFile) -> str | None:
+        """The distribution that a file is for, by its name, else that of the robot; None when it is not known."""
+        return distros.named_in(file.source.basename) or self._tree_files.target.ros
+
     def refused_calls(self, file: LaunchFile) -> list[RefusedCall]:
         """The calls in a Python file that end with an exception; none when the file may catch it."""
-        if _LOOKS_AT_DISTRIBUTION.search(file.source.text):
+        if self.looks_at_distribution(file):
             return []
         is_foxy = self._tree_files.target.ros == "foxy"
         return [each for each in file.calls_refused if not (is_foxy and each.code == "missing")]
@@ -522,11 +530,10 @@ class Launch:
     def removed_keywords(self, file: LaunchFile) -> Iterator[OldKeyword]:
         """The keywords in a Python file that its distribution no longer has; none when the file looks itself which
         distribution runs."""
-        if _LOOKS_AT_DISTRIBUTION.search(file.source.text):
+        if self.looks_at_distribution(file):
             return
-        distribution = distros.named_in(file.source.basename) or self._tree_files.target.ros
         for keyword in file.keywords:
-            if keyword.name in launch_api.removed(keyword.owner, distribution):
+            if keyword.name in launch_api.removed(keyword.owner, self.distribution(file)):
                 yield keyword
 
     def actions(self, kind: type[Kind]) -> Iterator[tuple[LaunchFile, Kind]]:
