@@ -67,7 +67,7 @@ LAYERS = (
     {"schema", "fleet.store"},
     {"model", "finding", "facts", "fleet.summary"},
     {"addresses"},
-    {"budget", "digest", "extras", "garbage", "plural", "source", "spelling", "templates", "toml"},
+    {"budget", "digest", "extras", "folders", "garbage", "plural", "source", "spelling", "templates", "toml"},
     {"ignore_marks"},
     {"pattern", "dataclass", "named_tuple", "on_demand"},
     {""},

@@ -61,6 +61,9 @@ GREW = [
     ("launch-xml", '    <arg name="robot" value="$(var robot)"/>\n'),
     ("params", "      scan: anything\n"),
     ("cyclonedds", '      <Thread Name="receiver"/>\n'),
+    ("dockerfile", "RUN <<EOF\n"),
+    ("systemd-dropin", "a=b\n"),
+    ("cpp-node", "<!-- "),
 ]
 """What once took more than its share."""
 

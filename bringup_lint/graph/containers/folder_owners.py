@@ -5,9 +5,10 @@ Source: docs.docker.com/reference/dockerfile, "COPY --chown": files and folders 
 
 from __future__ import annotations
 
-import posixpath
 from collections.abc import Iterator
 
+from bringup_lint.folders import above
+from bringup_lint.folders import joined
 from bringup_lint.graph.containers.base_images import runs_as_root
 from bringup_lint.model.dockerfile import Instruction
 from bringup_lint.model.dockerfile import Stage
@@ -50,7 +51,7 @@ def builds_of_others(stage: Stage) -> Iterator[ForeignBuild]:
             if each.name == "USER":
                 root = value.partition(":")[0] in ("root", "0")
             elif each.name == "WORKDIR":
-                folder = posixpath.normpath(posixpath.join(folder, value.strip("\"'")))
+                folder = joined(folder, value.strip("\"'"))
                 root_made.setdefault(folder, each.keyword if root else None)
             elif each.name in ("COPY", "ADD"):
                 owned = any(flag.startswith("--chown") for flag in each.flags)
@@ -59,9 +60,9 @@ def builds_of_others(stage: Stage) -> Iterator[ForeignBuild]:
             elif each.name == "RUN" and each.exec_form is None:
                 for command in commands_of_run(each):
                     for path in _given(command):
-                        root_made.setdefault(_at(folder, path), None)
+                        root_made.setdefault(joined(folder, path), None)
                     for path in _made(command):
-                        root_made.setdefault(_at(folder, path), command.words[0] if root else None)
+                        root_made.setdefault(joined(folder, path), command.words[0] if root else None)
                 build = _build(each, folder)
                 if one is stage and build is not None and not root:
                     made = root_made.get(build[1])
@@ -69,14 +70,10 @@ def builds_of_others(stage: Stage) -> Iterator[ForeignBuild]:
                         yield ForeignBuild(each, *build, made)
 
 
-def _at(folder: str, path: str) -> str:
-    return posixpath.normpath(posixpath.join(folder, path))
-
-
 def _target(folder: str, value: str) -> str:
     """The folder that a copy goes to."""
     words = value.split()
-    return _at(folder, words[-1].strip("\"'[],")) if words else folder
+    return joined(folder, words[-1].strip("\"'[],")) if words else folder
 
 
 def _given(command: Command) -> Iterator[str]:
@@ -89,10 +86,8 @@ def _made(command: Command) -> Iterator[str]:
     """The folders that mkdir makes, those above included."""
     if command.name == "mkdir":
         for path in (word for word in command.words[1:] if not word.startswith("-") and "$" not in word):
-            at = str(path) if len(path) <= _LONGEST else ""
-            while at not in ("", "/"):
-                yield at
-                at = posixpath.dirname(at)
+            if len(path) <= _LONGEST:
+                yield from (str(path), *above(path))
 
 
 def _build(instruction: Instruction, folder: str) -> tuple[Located, str] | None:
@@ -102,7 +97,7 @@ def _build(instruction: Instruction, folder: str) -> tuple[Located, str] | None:
         if command.name == "cd" and len(words) > 1:
             if "$" in words[1] or "~" in words[1]:
                 return None
-            folder = _at(folder, words[1])
+            folder = joined(folder, words[1])
         if command.name == "colcon" and "build" in words[1:2] and not any(word in _PLACES for word in words):
             return words[0], folder
     return None

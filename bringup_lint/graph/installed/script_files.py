@@ -8,6 +8,7 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.folders import above
 from bringup_lint.graph.installed.script import Run
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
@@ -188,11 +189,8 @@ def _moved(source: Source, moves: list[str]) -> list[str]:
 
 
 def _above(folder: str) -> list[str]:
-    """A folder, and all above it."""
-    folders = [folder]
-    while folders[-1] not in ("", "/"):
-        folders.append(posixpath.dirname(folders[-1]))
-    return folders
+    """A folder, and all above it up to the first."""
+    return [folder, *above(folder), *(["/" if folder.startswith("/") else ""] if folder.strip("/") else [])]
 
 
 def _is_missing(scripts: Scripts, source: Source, base: str, named: NamedFile) -> bool:
@@ -223,11 +221,11 @@ def _is_only_template(scripts: Scripts, path: str) -> bool:
 
 def _is_missing_folder(tree: Tree, source: Source, folder: str) -> bool:
     """Whether the folder above is there, and nothing in the script makes this one."""
-    above, _, name = folder.rpartition("/")
+    outer, _, name = folder.rpartition("/")
     made = re.search(
         rf"\b(?:mkdir|clone|unzip|tar|rsync|scp|wget|curl|colcon)\b[^\n]*(?<![\w.-]){re.escape(name)}\b", source.text
     )
-    return tree.exists(above or ".") and made is None
+    return tree.exists(outer or ".") and made is None
 
 
 def _without_comments(text: str) -> str:

@@ -9,6 +9,7 @@ import re
 from collections.abc import Callable
 from collections.abc import Iterator
 
+from bringup_lint.folders import joined
 from bringup_lint.graph.commands.command_line import CommandLine
 from bringup_lint.graph.commands.environment import Environment
 from bringup_lint.graph.commands.environment import Variable
@@ -127,12 +128,12 @@ def in_image(stage: Stage | None, path: str, folder: str | None = None) -> str |
     """A path as the processes of an image mean it: a relative one starts in ``folder`` or the last WORKDIR. None for
     a bare name, which is looked for in PATH, and where the folder is not known."""
     if path.startswith("/"):
-        return f"/{path.lstrip('/')}"
+        return joined("/", path)
     if not ("/" in path or path.endswith((".sh", ".bash", ".py"))):
         return None
     if folder is None:
         folder = next((at for at, _ in reversed(list(_steps(stage)))), None) if stage is not None else None
-    return posixpath.normpath(posixpath.join(folder, path)) if folder and folder.startswith("/") else None
+    return joined(folder, path) if folder and folder.startswith("/") else None
 
 
 def _steps(stage: Stage) -> Iterator[tuple[str | None, Instruction]]:
@@ -145,7 +146,7 @@ def _steps(stage: Stage) -> Iterator[tuple[str | None, Instruction]]:
             if instruction.name == "WORKDIR":
                 value = str(instruction.value).strip("\"'")
                 known = "$" not in value and (folder is not None or value.startswith("/"))
-                folder = posixpath.normpath(posixpath.join(folder or "/", value)) if known else None
+                folder = joined(folder or "/", value) if known else None
             yield folder, instruction
 
 
@@ -172,7 +173,7 @@ def may_hold(files: Files, stage: Stage, path: str) -> bool:
         *sources, written = words or [""]
         if "$" in written or (folder is None and not written.startswith("/")):
             return True
-        target = posixpath.normpath(posixpath.join(folder or "/", written)).rstrip("/")
+        target = joined(folder or "/", written).rstrip("/")
         if path != target and not path.startswith(f"{target}/"):
             continue
         if any(flag.startswith("--from") for flag in instruction.flags) or any(map(_is_unknown, sources)):
@@ -218,7 +219,7 @@ def _copied_by(instruction: Instruction, path: str, folder: str | None) -> Itera
     if not written.startswith("/") and folder is None:
         return
     is_folder = written.endswith(("/", ".")) or len(sources) > 1
-    target = posixpath.normpath(posixpath.join(folder or "/", written)).rstrip("/")
+    target = joined(folder or "/", written).rstrip("/")
     for name in sources:
         if "$" in name:
             continue

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import os
-import posixpath
 from collections.abc import Iterable
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.folders import joined
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.dockerfile import commands_of_run
 from bringup_lint.parsers.dockerfile_variables import expanded
@@ -72,18 +72,14 @@ def _built(stage: Stage) -> Iterator[tuple[str, Located]]:
     for one in reversed(list(stage.chain)):
         for each in one.all("WORKDIR", "RUN"):
             if each.name == "WORKDIR":
-                folder = _at(folder, str(expanded(one, each)).strip("\"'"))
+                folder = joined(folder, str(expanded(one, each)).strip("\"'"))
                 continue
             here = folder
             for command in commands_of_run(each):
                 if command.name == "cd" and len(command.words) > 1:
-                    here = _at(here, str(command.words[1]))
+                    here = joined(here, str(command.words[1]))
                 if command.name == "colcon" and "build" in command.words and "--install-base" not in command.words:
                     yield here, command.words[0]
-
-
-def _at(folder: str, path: str) -> str:
-    return posixpath.normpath(posixpath.join(folder, path))
 
 
 def _sourced(runner: Runner, folder: str) -> Located | None:

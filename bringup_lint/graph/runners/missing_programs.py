@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import os
 import posixpath
-import re
 from collections.abc import Iterable
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.folders import above
 from bringup_lint.graph.commands.shells import SHELLS
 from bringup_lint.graph.commands.wrappers import program_name
 from bringup_lint.graph.commands.wrappers import unwrapped
@@ -37,6 +37,8 @@ _FETCHES = regex(r"\b(?:clone|vcs|unzip|tar|rsync|svn|cp|mv|ln)\b|\b(?:curl|wget
 """May put files into folders that the step does not name."""
 _BRINGING = ("configs", "secrets", "develop", "extends", "volumes_from")
 """Keys of a service by which it may get files that its own volumes do not name."""
+_GIVEN = regex(r"(?::|target=)(/[\w/.-]+)")
+"""Where a volume appears in a container, as an option of ``docker run`` says it."""
 _CHANGES_MODE = regex(r"\bchmod\b[^\n;&|]*")
 
 
@@ -119,11 +121,8 @@ def _is_mounted(files: Files, runner: Runner, path: str) -> bool:
             return True
         over = (each for each in service.volumes if f"{path}/".startswith(f"{str(each.target).rstrip('/')}/"))
         return any(_may_hold(files, service, each, path) for each in over)
-    folders = [path]
-    while (above := posixpath.dirname(folders[-1])) != "/":
-        folders.append(above)
-    given = re.compile(rf"(?::|target=)(?:{'|'.join(map(re.escape, folders))})(?![\w/.-])")
-    return any(given.search(source.text) for source in files.sources)
+    folders = {path, *above(path)}
+    return any(match[1] in folders for source in files.sources for match in _GIVEN.finditer(source.text))
 
 
 def _may_hold(files: Files, service: Service, volume: Volume, path: str) -> bool:

@@ -14,6 +14,7 @@ from itertools import takewhile
 from bringup_lint.dataclass import dataclass
 from bringup_lint.discover.roots import resolve_inside
 from bringup_lint.facts import table
+from bringup_lint.folders import above
 from bringup_lint.graph.commands.wrappers import program_name
 from bringup_lint.graph.commands.wrappers import unwrapped
 from bringup_lint.graph.files import Files
@@ -150,13 +151,13 @@ class Filesystem:
     @cached_property
     def _shipped(self) -> frozenset[str]:
         """The folders on the robot that hold files of the tree."""
-        return frozenset(folder for source in self.files.sources for folder in _above(source.robot_path or ""))
+        return frozenset(folder for source in self.files.sources for folder in above(source.robot_path or ""))
 
     @cached_property
     def _created(self) -> frozenset[str]:
         """What is made whatever unit asks, with the folders above it."""
         made = list(self._made())
-        return frozenset([*made, *(folder for path in made for folder in _above(path))])
+        return frozenset([*made, *(folder for path in made for folder in above(path))])
 
     def _made(self) -> Iterator[str]:
         yield from (row["path"] for row in table("host/base_directories"))
@@ -179,7 +180,7 @@ class Filesystem:
         return frozenset(target.rstrip("/") for target in targets if target.startswith("/") and target != "/")
 
     def _is_below_mount(self, path: str) -> bool:
-        return any(folder in self._mounts for folder in _above(path))
+        return any(folder in self._mounts for folder in above(path))
 
     def _presumed(self, unit: Unit) -> Iterator[str]:
         """What must be there for the unit to start at all."""
@@ -192,12 +193,6 @@ class Filesystem:
                 name, *words = unwrapped(step.command.words) or [""]
                 if program_name(name) in _MAKERS:
                     yield from (str(word) for word in words if word.startswith("/"))
-
-
-def _above(path: str) -> Iterator[str]:
-    """The folders that a path lies in, the nearest first, without the root."""
-    while path := path.rpartition("/")[0]:
-        yield path
 
 
 def _of_package(path: str) -> bool:
