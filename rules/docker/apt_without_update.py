@@ -3,7 +3,8 @@
 ## What it finds
 `apt-get install` and `apt install` in a stage where no step before it ran `apt-get update`, or where a step removed
 `/var/lib/apt/lists` since, for images that come without lists: `ros`, `osrf/ros`, `ubuntu`, `debian`, `python` and
-NVIDIA's.
+NVIDIA's. `rosdep install` where no step of the image ever ran `apt-get update` is a warning, because what it needs may
+be there already; `rosdep update` fetches other lists.
 
 Silent after a step that may update the lists in a way that is not seen: a script, `add-apt-repository`, a program that
 is piped into a shell, and a cache that is mounted at `/var/lib/apt`.
@@ -53,9 +54,12 @@ def apt_without_update(robot: Robot) -> Iterator[Finding]:
                 continue
             package, removed = unlisted
             why = "they were removed before" if removed is not None else f"{stage.origin} comes without them"
+            asked = package == "rosdep"
+            missed = "nothing that rosdep asks for" if asked else f"no {package}"
             yield finding(
                 package,
-                f"There are no package lists at this step ({why}): apt finds no {package}, and the build stops",
+                f"There are no package lists at this step ({why}): apt finds {missed}, and the build stops",
                 advice="run apt-get update in the same step",
                 related=[note(removed, "removes the lists")] if removed is not None else (),
+                severity="warning" if asked else None,
             )

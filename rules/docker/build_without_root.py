@@ -1,9 +1,10 @@
 """A build step needs root after USER has given it up.
 
 ## What it finds
-`apt-get`, `apt`, `dpkg -i`, `useradd` and the like, and files that the shell writes below `/etc`, `/usr` or `/opt`,
-in a `RUN` after a `USER` that is not root, and `colcon build` in a folder that WORKDIR, `mkdir` or a COPY without
-`--chown` made for root before. A build argument counts as its default. Commands that run through sudo are not reported.
+`apt-get`, `apt`, `dpkg -i`, `useradd` and the like, files that the shell writes below `/etc`, `/usr`, `/opt` or
+`/root`, and what `mkdir`, `touch` or `tee` makes below `/root`, in a `RUN` after a `USER` that is not root, and `colcon
+build` in a folder that WORKDIR, `mkdir` or a COPY without `--chown` made for root before. A build argument counts as
+its default. Commands that run through sudo are not reported.
 Where `|| true` hides the failure, the finding is a warning. After `RUN chown`, `chmod` or `setfacl` of a folder, writes
 to it are not judged.
 
@@ -49,8 +50,10 @@ from bringup_lint.api.docker import user_name
 from bringup_lint.api.shell import Command
 
 ACCOUNTS = ("useradd", "groupadd", "usermod", "adduser", "addgroup")
-SYSTEM = regex(r"/(?:etc|usr|opt)/")
+SYSTEM = regex(r"/(?:etc|usr|opt|root)/")
+OF_ROOT = regex(r"/root/\S")
 OPENS = ("chown", "chmod", "setfacl")
+MAKES = ("mkdir", "touch", "tee")
 
 
 @rule("error", symptoms=["Could not open lock file /var/lib/dpkg/lock-frontend", "are you root?"])
@@ -88,9 +91,10 @@ def _judged(stage: Stage) -> Iterator[Finding]:
 
 def _finding(bad: Located, user: Located, *, hidden: bool) -> Finding:
     consequence = "the failure is hidden and the image lacks its result" if hidden else "the build stops"
+    what = f"{user} may not write {bad}" if bad.startswith("/") else f"'{bad}' runs as {user} and needs root"
     return finding(
         bad,
-        f"'{bad}' runs as {user} and needs root: {consequence}",
+        f"{what}: {consequence}",
         advice="move it before USER, or switch to USER root for it",
         related=[note(user, "the user of the steps after it")],
         severity="warning" if hidden else None,
@@ -111,8 +115,12 @@ def _needs_root(command: Command, opened: bool) -> Located | None:
         return words[0] if not {"-s", "--simulate", "--dry-run", "download"} & set(words) else None
     if command.name in ACCOUNTS or (command.name == "dpkg" and {"-i", "--install"} & set(words)):
         return words[0]
+    if opened:
+        return None
     writes = (redirect.target for redirect in command.redirects if redirect.target and redirect.writes)
-    return next((path for path in writes if not opened and SYSTEM.match(path)), None)
+    made = words[1:] if command.name in MAKES else ()
+    found = next((path for path in writes if SYSTEM.match(path)), None)
+    return found or next((word for word in made if OF_ROOT.match(word)), None)
 
 
 def _hidden(commands: list[Command]) -> bool:

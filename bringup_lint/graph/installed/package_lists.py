@@ -23,6 +23,7 @@ _UPDATES = frozenset(
 _COPIED = regex(r"/var(?:/lib(?:/apt(?:/lists)?)?)?/?[\"\]\s]*$|^/[\s,]+/$")
 _LISTS = regex(r"/var/lib/apt(?:/lists)?(?:/\*?)?")
 _CACHED = regex(r"--mount=(?:[^\s=]{1,40}=[^\s,]{0,200},){0,9}(?:target|dst)=/var/lib/apt")
+_DRY = frozenset(("-s", "--simulate"))
 _VALUED = ("-t", "-o", "-c", "--target-release", "--option")
 
 
@@ -30,6 +31,7 @@ class Unlisted(NamedTuple):
     """A package that a step installs without lists."""
 
     package: Located
+    """``rosdep`` where that names the packages to apt."""
     removed: Located | None
     """What removed the lists; None where the image comes without them."""
 
@@ -50,7 +52,7 @@ def first_unlisted(stage: Stage) -> Unlisted | None:
             lists = _after(lists, command)
     for command in _commands(stage):
         word = _installed(command) if lists.missing else None
-        if word is not None:
+        if word is not None and (word != "rosdep" or lists.removed is None):
             return Unlisted(word, lists.removed)
         lists = _after(lists, command)
     return None
@@ -84,10 +86,13 @@ def _after(lists: _Lists, command: Command | None) -> _Lists:
 
 
 def _installed(command: Command | None) -> Located | None:
-    """The first package that a command takes from the lists, where its failure stops the build."""
+    """The first package that a command takes from the lists, where its failure stops the build; ``rosdep`` itself,
+    which takes those of the manifests."""
     if command is None or command.depth or command.ends in ("||", "|"):
         return None
     words = unwrapped(command.words)
+    if words and program_name(words[0]) == "rosdep":
+        return words[0] if "install" in words and not _DRY.intersection(words) else None
     if not words or program_name(words[0]) not in _PROGRAMS:
         return None
     plain = [word for at, word in enumerate(words) if at and not word.startswith("-") and words[at - 1] not in _VALUED]

@@ -58,11 +58,18 @@ def missing_programs(files: Files, runners: Iterable[Runner]) -> Iterator[Missin
         stage = runner.stage
         if stage is None or not runner.source.judged or not is_plain(stage.origin):
             continue
+        if runner.service is not None and any(map(_starts, _beside(files, runner.service))):
+            continue
         for word in _programs(runner, stage):
             path = _path(runner, stage, word)
             if path is not None and lacks(files, runner, path):
                 found = [os.path.relpath(each) for each in files.tree.named(posixpath.basename(path))]
                 yield MissingProgram(word, path, stage, runner, found[0] if len(found) == 1 else "")
+
+
+def _starts(service: Service) -> bool:
+    """Whether it says itself what its container starts."""
+    return bool(service.entrypoint or service.command)
 
 
 def _programs(runner: Runner, stage: Stage) -> Iterator[Located]:
@@ -117,12 +124,28 @@ def _is_mounted(files: Files, runner: Runner, path: str) -> bool:
     """Whether a volume may hold it, or somebody mounts something there by hand."""
     service = runner.service
     if service is not None:
-        if any(service.get(key) is not None for key in _BRINGING):
-            return True
-        over = (each for each in service.volumes if f"{path}/".startswith(f"{str(each.target).rstrip('/')}/"))
-        return any(_may_hold(files, service, each, path) for each in over)
+        return any(_brings(files, each, path) for each in (service, *_beside(files, service)))
     folders = {path, *above(path)}
     return any(match[1] in folders for source in files.sources for match in _GIVEN.finditer(source.text))
+
+
+def _beside(files: Files, service: Service) -> Iterator[Service]:
+    """The services of this name in the files of its folder, which may be given together with its own."""
+    from bringup_lint.parsers.compose import parse
+
+    folder = os.path.dirname(service.source.name)
+    for file in files.parsed(parse, files.of_kind("compose")):
+        if file.source is not service.source and os.path.dirname(file.source.name) == folder:
+            other = file.service(str(service.name))
+            if other is not None:
+                yield other
+
+
+def _brings(files: Files, service: Service, path: str) -> bool:
+    if any(service.get(key) is not None for key in _BRINGING):
+        return True
+    over = (each for each in service.volumes if f"{path}/".startswith(f"{str(each.target).rstrip('/')}/"))
+    return any(_may_hold(files, service, each, path) for each in over)
 
 
 def _may_hold(files: Files, service: Service, volume: Volume, path: str) -> bool:

@@ -157,7 +157,8 @@ class NamedUnits:
         return related or self._nearly(name, manager) is not None or bool(self._template_or_longer(name, manager))
 
     def _template_or_longer(self, name: str, manager: str) -> list[Unit]:
-        """The units of the tree that are templates of this name, or of whose names it is the end."""
+        """The units of the tree that are templates of this name, or of whose names it is the end. One that names the
+        shorter name itself wraps a unit that a package brings."""
         stem, _, kind = name.rpartition(".")
         own = (unit for unit in self.all if (unit.manager, unit.type) == (manager, kind) and unit.fragment)
         if "@" in stem:
@@ -165,7 +166,8 @@ class NamedUnits:
         return [
             unit
             for unit in own
-            if unit.stem == f"{stem}@" or (len(stem) >= _SURE_STEM and unit.stem.endswith(stem) and "-" in stem)
+            if unit.stem == f"{stem}@"
+            or (len(stem) >= _SURE_STEM and "-" in stem and unit.stem.endswith(stem) and not _names(unit, name))
         ]
 
     def like(self, name: str, manager: str) -> list[Unit]:
@@ -262,6 +264,11 @@ def _apart(one: Unit, other: Unit) -> bool:
     """Whether two units lie in different overlays."""
     overlays = [overlay_of(unit.files[0].source) for unit in (one, other) if unit.files]
     return len(overlays) == 2 and None not in overlays and overlays[0] != overlays[1]
+
+
+def _names(unit: Unit, name: str) -> bool:
+    """Whether a unit speaks of another one, as what wraps or extends it does."""
+    return any(re.search(rf"(?<![\w.-]){re.escape(name)}\b", each.source.text) for each in unit.files)
 
 
 def _family(name: str) -> str:
