@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+import shutil
 from pathlib import Path
 
 import pytest
@@ -15,8 +16,16 @@ from bringup_lint.server.folder import State
 from tests.conftest import PROJECT
 
 ROBOTS = PROJECT / "fixtures/robots"
-GUIDE = ROBOTS / "guide/tree"
 EDITS = 6
+
+
+@pytest.fixture
+def top(request: pytest.FixtureRequest, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A copy of a robot: the configuration of the project excludes its fixtures."""
+    top = tmp_path / "robot"
+    shutil.copytree(ROBOTS / request.param / "tree", top, symlinks=True)
+    monkeypatch.chdir(top)
+    return top
 
 
 def edited(text: str, chance: random.Random) -> str:
@@ -34,16 +43,16 @@ def answer(folder: Folder, documents: dict[str, Document]) -> list[str]:
 
 
 @pytest.mark.parametrize(
-    ("robot", "seed"), [("guide", 1), ("crosslayer", 3), pytest.param("guide", 2, marks=pytest.mark.slow)]
+    ("top", "seed"),
+    [("guide", 1), ("crosslayer", 3), pytest.param("guide", 2, marks=pytest.mark.slow)],
+    indirect=["top"],
 )
-def test_edits_answer_as_from_nothing(robot: str, seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    top = ROBOTS / robot / "tree"
-    monkeypatch.chdir(top)
+def test_edits_answer_as_from_nothing(top: Path, seed: int) -> None:
     chance = random.Random(seed)
     registry = Registry.of()
     kept = Folder(str(top), registry, lambda config: frozenset())
     documents: dict[str, Document] = {}
-    answer(kept, documents)
+    assert answer(kept, documents)
     files = sorted(path for path in top.rglob("*") if path.suffix in (".service", ".yaml", ".xml", ".env", ".py"))
     for number in range(EDITS):
         path: Path = chance.choice(files)
@@ -54,10 +63,11 @@ def test_edits_answer_as_from_nothing(robot: str, seed: int, monkeypatch: pytest
         assert answer(kept, documents) == answer(cold, documents), path
 
 
-def test_the_second_run_loads_no_rule(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(GUIDE)
-    kept = Folder(str(GUIDE), Registry.of(), lambda config: frozenset())
+@pytest.mark.parametrize("top", ["guide"], indirect=True)
+def test_the_second_run_loads_no_rule(top: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    kept = Folder(str(top), Registry.of(), lambda config: frozenset())
     first = answer(kept, {})
+    assert first
 
     def load(path: Path, rule_id: str) -> None:
         raise AssertionError(rule_id)
