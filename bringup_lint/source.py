@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from bisect import bisect_right
 from collections.abc import Callable
 from collections.abc import Iterator
@@ -83,6 +84,14 @@ class Source:
         """What was made for all that ask in this run, which is made again for whoever asks later; None where there is
         nothing, or the source outlives the run."""
         return self._made.pop(key, None) if self._made else None
+
+    def matches(self, pattern: re.Pattern[str]) -> bool:
+        """Whether the text has a match of a pattern that a module holds; searched once for all that ask."""
+        return self.once(pattern, lambda: pattern.search(self.text) is not None)
+
+    def says(self, pattern: re.Pattern[str]) -> bool:
+        """As ``matches``, for the text without the comments that silence rules."""
+        return self.once((Source.says, pattern), lambda: pattern.search(self.said) is not None)
 
     @property
     def said(self) -> str:

@@ -114,7 +114,7 @@ class Files:
     def mentions(self, pattern: re.Pattern[str]) -> bool:
         """Whether the text of a judged file matches."""
         if pattern not in self._mentioned:
-            self._mentioned[pattern] = any(pattern.search(each.said) for each in self.sources if each.judged)
+            self._mentioned[pattern] = any(_says(each, pattern) for each in self.sources if each.judged)
         return self._mentioned[pattern]
 
     @cached_property
@@ -182,6 +182,13 @@ class Files:
 
         source = self.tree.find(robot_path)
         return next(iter(self.parsed(parse, [source])), None) if source else None
+
+
+def _says(source: Source, pattern: re.Pattern[str]) -> bool:
+    """Whether a text matches. The answer for a pattern that is compiled for one name is not kept: there may be many."""
+    if isinstance(pattern, re.Pattern):
+        return pattern.search(source.said) is not None
+    return source.says(pattern)
 
 
 def _model(parse: Callable[[Source], Model], source: Source) -> Model:

@@ -41,7 +41,6 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
-from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.compose import MissingFile
 from bringup_lint.api.compose import missing_files
@@ -92,4 +91,4 @@ def _severity(robot: Robot, missing: MissingFile) -> str | None:
 def _is_read(robot: Robot, missing: MissingFile) -> bool:
     """Whether something of the tree names a file below the folder in the container."""
     targets = [volume.target for volume in missing.service.volumes if volume.source is missing.path]
-    return any(target and robot.mentions(regex(re.escape(f"{target.rstrip('/')}/"))) for target in targets)
+    return any(target and robot.mentions(re.compile(re.escape(f"{target.rstrip('/')}/"))) for target in targets)

@@ -51,7 +51,7 @@ STARTS = regex(r"fastdds[\s\"',]+discovery|fast-discovery-server|discovery_serve
 def discovery_server_without_super_client(robot: Robot) -> Iterator[Finding]:
     files = robot.ros.login_files
     found = [(source, match) for source in files if source.judged for match in [SETS.search(source.said)] if match]
-    if found and not any(SEES.search(source.said) for source in files):
+    if found and not any(source.says(SEES) for source in files):
         places = [source.located(match.start(1), match.end(1)) for source, match in found]
         yield finding(
             places[0],
@@ -59,7 +59,7 @@ def discovery_server_without_super_client(robot: Robot) -> Iterator[Finding]:
             advice="also export ROS_SUPER_CLIENT=TRUE, or, up to Humble, a Fast DDS profile with SUPER_CLIENT",
             related=[note(other, "also here") for other in places[1:4]],
         )
-    if not robot.tree.complete or any(STARTS.search(source.said) for source in robot.sources):
+    if not robot.tree.complete or any(source.says(STARTS) for source in robot.sources):
         return
     for process in robot.ros.processes:
         server = process.environment.get(SERVER)

@@ -56,7 +56,7 @@ ROUTER = regex(r"zenohd\b|zenoh[-_]router")
     ],
 )
 def zenoh_router_missing(robot: Robot) -> Iterator[Finding]:
-    if at_least(robot.target.ros, "humble") is False or any(ROUTER.search(source.said) for source in robot.sources):
+    if at_least(robot.target.ros, "humble") is False or any(source.says(ROUTER) for source in robot.sources):
         return
     for process in robot.ros.processes:
         environment = process.environment

@@ -50,7 +50,7 @@ def rotation_missing(robot: Robot) -> Iterator[Finding]:
     if not robot.tree.complete or not robot.sros2.keystores or not robot.sros2.switched_on:
         return
     kinds = ("sros2-governance", "sros2-permissions", "sros2-key", "sros2-certificate")
-    if any(source.kind not in kinds and ROTATES.search(source.said) for source in robot.sources):
+    if any(source.kind not in kinds and source.says(ROTATES) for source in robot.sources):
         return
     for keystore in robot.sros2.keystores:
         keys = [key for key in robot.of_kind("sros2-key") if key.name.startswith(f"{keystore.name}/private/")]

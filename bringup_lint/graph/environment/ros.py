@@ -257,7 +257,7 @@ class RosEnvironment:
     @cached_property
     def _set_in_launch(self) -> bool:
         """Whether launch files have anything to do with variables of ROS."""
-        return any(OF_ROS.search(source.text) for source in self.files.of_kind(*LAUNCH))
+        return any(source.matches(OF_ROS) for source in self.files.of_kind(*LAUNCH))
 
     def _apart(self, launcher: RosProcess) -> Iterator[RosProcess]:
         """The launcher for all that has its environment, then those that have another one."""

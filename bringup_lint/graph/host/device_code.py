@@ -59,13 +59,13 @@ def _modules(files: Files) -> list[Source]:
             if not node.judged or match["package"] not in ("", package):
                 continue
             module = files.tree.beside(node, f"{match['module']}.py")
-            if module is not None and module.judged and module.kind == "" and _NAMES.search(module.text):
+            if module is not None and module.judged and module.kind == "" and module.matches(_NAMES):
                 found[module.name] = module
     return list(found.values())
 
 
 def _naming(files: Files, kind: str) -> list[Source]:
-    return [source for source in files.of_kind(kind) if source.judged and _NAMES.search(source.text)]
+    return [source for source in files.of_kind(kind) if source.judged and source.matches(_NAMES)]
 
 
 class _Given:

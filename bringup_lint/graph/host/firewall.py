@@ -16,5 +16,5 @@ _TOOLS = regex(r"\b(?:ufw|ip6?tables)\b")
 
 def load_firewalls(files: Files) -> list[Firewall]:
     """The judged rule files, and the scripts that call a firewall tool."""
-    scripts = [source for source in files.of_kind("shell-script") if _TOOLS.search(source.text)]
+    scripts = [source for source in files.of_kind("shell-script") if source.matches(_TOOLS)]
     return files.parsed(parse, [*files.of_kind("iptables-rules", "nftables"), *scripts])

@@ -148,9 +148,7 @@ class RosLogs:
     def _cleaners(self) -> list[Source]:
         """Sources that may clean up: tmpfiles, cron jobs, scripts and units."""
         kinds = ("tmpfiles", "cron", "shell-script", "systemd-unit", "systemd-dropin", "logrotate")
-        return [
-            source for source in self.sources.of_kind(*kinds) if _CLEANS.search(source.text) or _AGE.search(source.text)
-        ]
+        return [source for source in self.sources.of_kind(*kinds) if source.matches(_CLEANS) or source.matches(_AGE)]
 
     @staticmethod
     def _mentions(text: str, path: str) -> bool:

@@ -55,10 +55,10 @@ def join_installed(files: Files, scripts: Scripts) -> None:
     file system has the files themselves."""
     if files.tree.root is not None:
         return
-    installing = [source for source in files.of_kind(*KINDS) if _MARKS.search(source.text)][:MOST_SCRIPTS]
+    installing = [source for source in files.of_kind(*KINDS) if source.matches(_MARKS)][:MOST_SCRIPTS]
     known = {source.robot_path for source in files.sources}
     placed: dict[str, set[str]] = {}
-    provisioning = [source for source in files.of_kind(*PROVISIONING) if _MARKS.search(source.text)][:MOST_SCRIPTS]
+    provisioning = [source for source in files.of_kind(*PROVISIONING) if source.matches(_MARKS)][:MOST_SCRIPTS]
     for script in (*installing, *provisioning):
         try:
             made, copies = _read(files, script, scripts) if script.kind in KINDS else _provisioned(files, script)

@@ -19,7 +19,7 @@ _ROS2 = regex(r"\bros2[ \t]+(?:launch|run)\b")
 
 def runners(files: Files, layers: Layers) -> Iterator[Runner]:
     for source in files.of_kind("shell-script"):
-        if source.judged and not source.template and _ROS2.search(source.text):
+        if source.judged and not source.template and source.matches(_ROS2):
             yield _of(files, source)
 
 

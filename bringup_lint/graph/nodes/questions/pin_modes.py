@@ -29,5 +29,5 @@ def without_pin_mode(nodes: Nodes) -> Iterator[tuple[NodeSource, ast.Call]]:
         imported = nodes.imported(file)
         package = nodes.launch.workspace.owner(file.source)
         elsewhere = package is not None and mentions(nodes.files, package, "setmode")
-        if imported is not None and not elsewhere and not any(_SETS_MODE.search(each.source.text) for each in imported):
+        if imported is not None and not elsewhere and not any(each.source.matches(_SETS_MODE) for each in imported):
             yield file, calls[0]

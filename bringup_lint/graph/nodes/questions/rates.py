@@ -21,7 +21,7 @@ class EndlessRate(NamedTuple):
 
 def endless_rates(syntax: Syntax) -> Iterator[EndlessRate]:
     """The sleeps on rates of a file that runs in one thread; the first of each rate."""
-    if _THREADS.search(syntax.file.source.text) or not _makes_node(syntax):
+    if syntax.file.source.matches(_THREADS) or not _makes_node(syntax):
         return
     rates = [call for call in syntax.calls if _is_method(call, "create_rate")]
     first = _first_sleeps(syntax) if rates else {}

@@ -46,7 +46,7 @@ class Undefined(NamedTuple):
 def undefined(syntax: Syntax) -> Iterator[Undefined]:
     """The first use of each name that nothing binds where it is looked up."""
     file = syntax.file
-    if file.stars or _DYNAMIC.search(file.source.text):
+    if file.stars or file.source.matches(_DYNAMIC):
         return
     modules = {row["name"]: row["module"] for row in table("ros/names")}
     lazy = any(dotted == "__future__.annotations" for dotted in file.imports.values())

@@ -54,7 +54,7 @@ def unreached_stops(nodes: Nodes) -> Iterator[UnreachedStop]:
     """The first stop command after each spin that no ``try`` surrounds, where rclpy handles the signals."""
     for file in nodes.programs:
         ending = nodes.ending(file)
-        if not ending.spins or not default_signals(ending) or _LATER.search(file.source.text):
+        if not ending.spins or not default_signals(ending) or file.source.matches(_LATER):
             continue
         for spin in ending.spins:
             if not spin.loop and not any(isinstance(outer, ast.Try) for outer, _ in ending.syntax.within(spin.call)):

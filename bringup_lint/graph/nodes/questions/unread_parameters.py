@@ -39,7 +39,7 @@ def unread_parameters(nodes: Nodes, params: Params) -> Iterator[UnreadParameter]
         if ".declare_parameter(" not in file.source.text or nodes.launch.workspace.is_vendored(file.source):
             continue
         imported = nodes.imported(file)
-        if imported is None or any(_READS_OTHERS.search(each.source.text) for each in imported):
+        if imported is None or any(each.source.matches(_READS_OTHERS) for each in imported):
             continue
         text = "\n".join(each.source.text for each in imported)
         for name in _declared(nodes.syntax(file)):

@@ -77,7 +77,7 @@ def _is_true(call: ast.Call, keyword: str) -> bool:
 def _drives(nodes: Nodes, file: NodeSource) -> bool:
     """Whether the program publishes what moves the robot, and nothing in it speaks of a login."""
     imported = nodes.imported(file)
-    if imported is None or any(_LOGIN.search(each.source.said) for each in imported):
+    if imported is None or any(each.source.says(_LOGIN) for each in imported):
         return False
     endpoints = (endpoint for each in imported for node in each.classes for endpoint in node.endpoints)
     return any(endpoint.role == "publisher" and moves(endpoint) for endpoint in endpoints)

@@ -113,7 +113,7 @@ def _by_hand(node: LaunchedNode) -> bool:
 
 def has_stop_hardware(sources: Iterable[Source]) -> bool:
     """Whether sources, parameters or launch files speak of hardware that may stop the robot."""
-    return any(HARDWARE.search(source.text) for source in sources)
+    return any(source.matches(HARDWARE) for source in sources)
 
 
 def _who(node: LaunchedNode) -> object:

@@ -109,9 +109,7 @@ def _is_publisher(node: Started) -> bool:
 
 
 def _is_prefixed(topics: Topics) -> bool:
-    return any(
-        _PREFIX.search(source.text) for source in topics.files.of_kind("launch-python", "launch-xml", "launch-yaml")
-    )
+    return any(source.matches(_PREFIX) for source in topics.files.of_kind("launch-python", "launch-xml", "launch-yaml"))
 
 
 def _is_closed(topics: Topics) -> bool:

@@ -161,7 +161,7 @@ class ParameterNames:
     def _is_program(self, path: str) -> bool:
         """Whether a file is the main one of a program, or registers a component."""
         source = self._source(path) if not path.endswith(_HEADERS) else None
-        return source is not None and bool(_MAIN.search(source.text))
+        return source is not None and source.matches(_MAIN)
 
     def _with_included(self, package: Package, paths: list[str]) -> list[Source] | None:
         """Files, and those of the packages of the workspace that they include; None when others that they include may
@@ -270,7 +270,7 @@ def _is_plain_node(sources: list[Source]) -> bool:
     classes = [bases for source in sources for bases in source.once(_bases, partial(_bases, source))]
     bases = [_ACCESS.sub("", each) for text in classes for each in text.split(",")]
     odd = [base for base in bases if base.partition("<")[0].endswith("Node") and base not in _BASES]
-    return not odd and any(_NODE.search(source.text) for source in sources)
+    return not odd and any(source.matches(_NODE) for source in sources)
 
 
 def _hands_out(file: NodeSource, workspace: Workspace) -> bool:
