@@ -69,6 +69,11 @@ class Boot:
         kind = "unit" if near.manager == "system" else "user-unit"
         return self._named(near, name) in self._started(kind, near.manager)
 
+    @property
+    def components(self) -> list[set[Node]]:
+        """The sets of units that all wait for each other."""
+        return self._order.components
+
     @cached_property
     def _order(self) -> Reachability:
         return Reachability(

@@ -7,9 +7,7 @@ from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
 from functools import lru_cache
-from functools import partial
 
-from bringup_lint.graph.components import components
 from bringup_lint.graph.graph import Edge
 from bringup_lint.graph.graph import Graph
 from bringup_lint.graph.graph import Node
@@ -72,20 +70,16 @@ def _said(edge: Edge) -> str:
     return f"{edge.said}, {edge.where.source.basename}:{edge.where.line}" if edge.where else edge.said
 
 
-def ordering_cycles(graph: Graph, roots: Iterable[str] = ROOTS) -> Iterator[Cycle]:
+def ordering_cycles(graph: Graph, components: Iterable[set[Node]], roots: Iterable[str] = ROOTS) -> Iterator[Cycle]:
     """Shortest cycles of every strongly connected component of the ordering that the tree has a part in."""
     reachable = lru_cache(KEPT)(graph.reachable)
-    for nodes in sorted(components(graph.out, partial(_after, graph)), key=min):
+    for nodes in sorted(components, key=min):
         component = _Component(graph, nodes)
         for edges in component.covering_cycles():
             members = {edge.source for edge in edges}
             root = _common_root(graph, members, roots, reachable)
             required = reachable(root, HARD) if root else set()
             yield Cycle(edges, root, root is not None and members <= required, frozenset(members - required))
-
-
-def _after(graph: Graph, node: Node) -> Iterator[Node]:
-    return (edge.target for edge in graph.out.get(node, ()) if edge.kind == "orders")
 
 
 class _Component:

@@ -20,8 +20,13 @@ class Reachability:
 
     def __init__(self, nodes: Iterable[Node], following: Following) -> None:
         self._following = following
-        ordered = enumerate(in_order(nodes, following))
-        self._ranks = {node: rank for rank, members in ordered for node in members}
+        self._ranks: dict[Node, int] = {}
+        self.components: list[set[Node]] = []
+        """The sets of several nodes that all lead to each other."""
+        for rank, members in enumerate(in_order(nodes, following)):
+            self._ranks.update(dict.fromkeys(members, rank))
+            if len(members) > 1:
+                self.components.append(members)
 
     def leads(self, starts: Collection[Node], goal: Node) -> bool:
         """Whether one of the starts leads to a goal that is none of them."""

@@ -208,7 +208,7 @@ class Units(NamedUnits):
     @cached_property
     def cycles(self) -> list[Cycle]:
         default = self.alias_links.get(("system", "default.target"))
-        return list(ordering_cycles(self.graph, [default] if default else ROOTS))
+        return list(ordering_cycles(self.graph, self.boot.components, [default] if default else ROOTS))
 
     @cached_property
     def ros(self) -> list[Unit]:
