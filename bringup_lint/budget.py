@@ -21,10 +21,26 @@ RUN = 1200.0
 _SHORTEST = 0.001
 """CPU seconds for what has nothing left: a timer of none would never ring."""
 _active = 0
+_handled = 0
 
 
 class OutOfTime(BaseException):
     """A budget is spent. Not an ``Exception``, so that nothing that isolates failures takes it for one."""
+
+
+class handled:
+    """Look once whether the signal of the timer is ours, for all limits that follow each other inside."""
+
+    def __enter__(self) -> None:
+        global _handled
+        if _has_timers():
+            _take_signal()
+            _handled += 1
+
+    def __exit__(self, *_: object) -> None:
+        global _handled
+        if _has_timers():
+            _handled -= 1
 
 
 class limited:
@@ -38,11 +54,11 @@ class limited:
 
     def __enter__(self) -> None:
         global _active
-        self._is_set = hasattr(signal, "setitimer") and threading.current_thread() is threading.main_thread()
+        self._is_set = _has_timers()
         if not self._is_set:
             return
-        if not _active and signal.getsignal(signal.SIGPROF) is not _stop:
-            signal.signal(signal.SIGPROF, _stop)
+        if not _active and not _handled:
+            _take_signal()
         self._started = time.process_time()
         _active += 1
         seconds = self._seconds
@@ -56,6 +72,15 @@ class limited:
             left = self._outer and max(_SHORTEST, self._outer - (time.process_time() - self._started))
             signal.setitimer(signal.ITIMER_PROF, left)
             _active -= 1
+
+
+def _has_timers() -> bool:
+    return hasattr(signal, "setitimer") and threading.current_thread() is threading.main_thread()
+
+
+def _take_signal() -> None:
+    if signal.getsignal(signal.SIGPROF) is not _stop:
+        signal.signal(signal.SIGPROF, _stop)
 
 
 def _stop(number: int, frame: FrameType | None) -> None:

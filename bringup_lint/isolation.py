@@ -17,6 +17,7 @@ from types import TracebackType
 
 from bringup_lint import budget
 from bringup_lint.budget import OutOfTime
+from bringup_lint.budget import handled
 from bringup_lint.budget import limited
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
@@ -61,7 +62,8 @@ def check(
 ) -> Checked:
     """Run rules over a robot. Raises what ``between`` raises, which is called before each rule."""
     checked = Checked()
-    failed = _attempt(_with_pauses(rules, between), robot, purposes, checked.findings)
+    with handled():
+        failed = _attempt(_with_pauses(rules, between), robot, purposes, checked.findings)
     unknown: dict[str, Source] = {}
     names = {source.name for source in robot.sources}
     is_of_tree = robot.tree.is_file

@@ -89,8 +89,11 @@ class Tree:
     _placed: dict[str, list[Source]] = field(default_factory=dict)
     _named: dict[str, Source] = field(default_factory=dict)
     _there: dict[str, bool] = field(default_factory=dict)
+    _inside: dict[str, Path | None] = field(default_factory=dict)
     _texts: dict[str, Source] = field(default_factory=dict)
     """Path -> the file, as it was read first."""
+    _shared: dict[tuple[str, str, bool], Source] = field(default_factory=dict)
+    """Path, kind and whether it is judged -> the source that outlives the run."""
     _kept: int = 0
     _begun: Begun | None = None
     """The file of which the first bytes were asked for last: it is the next to be read."""
@@ -118,6 +121,7 @@ class Tree:
             _named={},
             _on_demand={},
             _by_reference={},
+            _shared={},
         )
 
     def judges(self, path: str) -> bool:
@@ -128,9 +132,12 @@ class Tree:
         """Whether a path lies in the tree, and no link on the way leads out of it."""
         folder = os.path.dirname(os.path.abspath(path))
         if folder not in self._held:
-            real = tuple(map(disk.realpath, self.tops))
-            self._held[folder] = is_below(folder, self.tops) and is_below(disk.realpath(folder), real)
+            self._held[folder] = is_below(folder, self.tops) and is_below(disk.realpath(folder), self._real_tops)
         return self._held[folder]
+
+    @cached_property
+    def _real_tops(self) -> tuple[str, ...]:
+        return tuple(map(disk.realpath, self.tops))
 
     def read(self, path: str, kind: str = "", judged: bool | None = None, *, is_walked: bool = False) -> Source | None:
         """Read a file. It is judged when the run was asked for it, unless the caller knows better. What is wrong with
@@ -139,6 +146,8 @@ class Tree:
         known = None if judged else self._texts.get(path)
         if known is not None:
             return replace(known, kind=kind, judged=False)
+        if not is_walked and (path, kind, judged) in self._shared:
+            return self._shared[path, kind, judged]
         source = Source(display_name(path), kind=kind, robot_path=self.robot_path(path), judged=judged)
         if source.name in self.unknown:
             return replace(source, kind="")
@@ -153,7 +162,7 @@ class Tree:
         if source.text or source.link is None:
             source.template = template_language(source.name, source.text)
         if self.held is not None:
-            source = self.held.shared(source)
+            source = self._shared[path, kind, judged] = self.held.shared(source)
         is_program = complaint == PROGRAM and source.kind in _PROGRAMS
         is_expected = is_program or source.kind in _ANY_ENCODING
         if complaint and source.judged and is_walked and not is_expected:
@@ -189,9 +198,15 @@ class Tree:
     def _link_target(self, path: str) -> Path | None:
         """The file behind a link, if it lies inside the tree."""
         if self.root is not None:
-            return resolve_inside(self.root, "/" + os.path.relpath(path, self.root))
+            return self.inside("/" + os.path.relpath(path, self.root))
         target = disk.realpath(path)
         return Path(target) if target in self._paths.get(os.path.basename(target), ()) else None
+
+    def inside(self, robot_path: str) -> Path | None:
+        """What a path leads to in the root file system, as ``resolve_inside``; None where there is none."""
+        if robot_path not in self._inside:
+            self._inside[robot_path] = resolve_inside(self.root, robot_path) if self.root is not None else None
+        return self._inside[robot_path]
 
     def robot_path(self, path: str) -> str | None:
         """Where the file lies on the robot: by the root, the deploy map, or an overlay that is shaped like one."""
@@ -219,7 +234,7 @@ class Tree:
         if known:
             return None
         if self.root is not None:
-            path = resolve_inside(self.root, robot_path)
+            path = self.inside(robot_path)
             return self._referred(str(path)) if path and disk.isfile(path) else None
         walked = self._by_suffix(robot_path)
         return None if walked is None else self._referred(walked)
@@ -306,7 +321,11 @@ class Tree:
 
     def is_file(self, path: str) -> bool:
         """Whether there is a file, or a link to one of the tree."""
-        return self.holds(path) and self.holds(disk.realpath(path)) and disk.isfile(path)
+        if not self.holds(path):
+            return False
+        if ".." not in path and not disk.islink(path):
+            return disk.isfile(path)
+        return self.holds(disk.realpath(path)) and disk.isfile(path)
 
     def is_link(self, path: str) -> bool:
         return self.holds(path) and disk.islink(path)
@@ -430,7 +449,7 @@ class Tree:
         """Whether a file, folder or link is there on the robot; None when the tree cannot tell."""
         if self.root is not None and self.complete:
             folder, _, name = robot_path.rstrip("/").rpartition("/")
-            inside = resolve_inside(self.root, folder)
+            inside = self.inside(folder)
             return inside is not None and disk.lexists(inside / name)
         return True if self.find(robot_path) is not None else None
 
@@ -450,7 +469,7 @@ class Tree:
         """The names in a folder of the robot, walked or not; None when the tree cannot tell."""
         if self.root is None or not self.complete:
             return None
-        path = resolve_inside(self.root, folder)
+        path = self.inside(folder)
         try:
             return disk.listdir(path) if path else []
         except OSError:

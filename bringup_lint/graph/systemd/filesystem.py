@@ -12,7 +12,6 @@ from itertools import islice
 from itertools import takewhile
 
 from bringup_lint.dataclass import dataclass
-from bringup_lint.discover.roots import resolve_inside
 from bringup_lint.facts import table
 from bringup_lint.folders import above
 from bringup_lint.graph.commands.wrappers import program_name
@@ -86,14 +85,14 @@ class Filesystem:
     def exists(self, path: str) -> bool | None:
         """What a root file system says of a path; None when it is not whole there, or the path lies on another
         mount."""
-        root = self.files.tree.root
-        if root is None or self._is_below_mount(path):
+        tree = self.files.tree
+        if tree.root is None or self._is_below_mount(path):
             return None
-        if resolve_inside(root, path) is not None:
+        if tree.inside(path) is not None:
             return True
         parts = path.split("/")
         top = "/".join(parts[:3]) if parts[1] == "home" else "/".join(parts[:2])
-        return False if path != top and resolve_inside(root, top) is not None else None
+        return False if path != top and tree.inside(top) is not None else None
 
     def shipped_sibling(self, path: str) -> str | None:
         """A file of one's own that the repository has for the same folder of the robot, when it ships and makes
