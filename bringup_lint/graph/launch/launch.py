@@ -85,6 +85,8 @@ _GENERAL = frozenset(("node", "server", "robot", "ros", "ros2", "lifecycle", "na
 _CODE = (".py", ".cpp", ".cc", ".cxx", ".hpp", ".h")
 _MOST_CODE = 200_000
 """Characters of a source that are looked at."""
+_SHARE = regex(r"(?i:package_?share|share_?directory)|ament_index|getSharePath")
+"""How a source asks for the folder of a package."""
 
 
 Kind = TypeVar("Kind", bound=Action)
@@ -354,6 +356,11 @@ class Launch:
         paths = (path for path in self._tree_files.tree.walked_below(folder) if path.endswith(_CODE))
         return "\n".join(self._tree_files.tree.head(path, _MOST_CODE) for path in paths)
 
+    @memo
+    def asks_for_share(self, folder: str) -> bool:
+        """Whether a source of a node below a folder asks for the folder of a package."""
+        return _SHARE.search(self.code_of(folder)) is not None
+
     @cached_property
     def all_names(self) -> frozenset[str]:
         """The bare names of all nodes that any launch file of the tree starts."""
@@ -514,7 +521,7 @@ class Launch:
 
     def looks_at_distribution(self, file: LaunchFile) -> bool:
         """Whether a file asks itself which distribution runs, or catches what another one raises."""
-        return bool(_LOOKS_AT_DISTRIBUTION.search(file.source.text))
+        return file.source.matches(_LOOKS_AT_DISTRIBUTION)
 
     def distribution(self, file: LaunchFile) -> str | None:
         """The distribution that a file is for, by its name, else that of the robot; None when it is not known."""

@@ -30,8 +30,6 @@ _LAUNCH = (".launch.py", "_launch.py", ".launch.xml", ".launch.yaml", ".launch.y
 _READ = (*_PARAMETERS, ".rviz", ".urdf", ".xacro", ".srdf", ".sdf", ".world", ".lua", ".json", ".pcd")
 _AS_GIVEN = frozenset(("nav2_map_server", "robot_state_publisher", "rviz2"))
 """Public packages whose programs open a path as they get it; others put a folder before it."""
-_SHARE = regex(r"(?i:package_?share|share_?directory)|ament_index|getSharePath")
-"""How a source asks for the folder of a package."""
 _FOLDER = regex(r"^[ \t]*WorkingDirectory[ \t]*=|\bworking_dir[ \t]*:|^[ \t]*WORKDIR[ \t]", re.M)
 
 
@@ -74,7 +72,7 @@ def _opens_as_given(launch: Launch, node: Started) -> bool:
     """Whether a program takes a path as it is, and does not look for it in a package or folder of its own."""
     name = str(literal_text(node.package))
     own = launch.workspace.packages.get(name)
-    return name in _AS_GIVEN if own is None else _SHARE.search(launch.code_of(own.folder)) is None
+    return name in _AS_GIVEN if own is None else not launch.asks_for_share(own.folder)
 
 
 def _whole(value: Value) -> Iterator[Value]:

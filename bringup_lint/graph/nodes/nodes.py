@@ -14,6 +14,7 @@ from bringup_lint.dataclass import dataclass
 from bringup_lint.finding import Related
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import literal_text
+from bringup_lint.graph.memo import memo
 from bringup_lint.graph.nodes.questions.threads import ends_thread
 from bringup_lint.graph.nodes.resolved.programs import Program
 from bringup_lint.graph.nodes.resolved.programs import made
@@ -37,12 +38,12 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch.launch import Launch
     from bringup_lint.graph.nodes.questions.message_types import MessageTypes
     from bringup_lint.graph.provenance import Provenance
-    from bringup_lint.graph.runners.launching import Launching
     from bringup_lint.graph.runners.runner import Runner
     from bringup_lint.graph.runners.runners import Runners
     from bringup_lint.graph.workspace import Package
     from bringup_lint.model.cpp_source import CppNode
     from bringup_lint.model.launch import Action
+    from bringup_lint.model.launch import LaunchFile
 
 _TIMERS = regex(r"\bcreate_(?:timer|rate|wall_timer)\b|\bTimer\(|\bcreate_task\b")
 _GATES = regex(
@@ -218,7 +219,8 @@ class Nodes:
         if not actions:
             return []
         launches = (each for each in self._runners().launches if each.runner.kind is not RunnerKind.SCRIPT)
-        return list(dict.fromkeys(each.runner for each in launches if actions & self._actions(each)))
+        files = ((each.runner, each.file) for each in launches if each.file is not None)
+        return list(dict.fromkeys(runner for runner, launched in files if actions & self._actions(launched)))
 
     def is_supervised(self, file: NodeSource) -> bool:
         """Whether a runner that is not a person runs a file as a program, by itself or through a launch file."""
@@ -255,11 +257,10 @@ class Nodes:
             found |= {program.file.source for program in programs if program is not None}
         return frozenset(found)
 
-    def _actions(self, launching: Launching) -> set[Action]:
-        """The actions of all nodes that a command starts."""
-        if launching.file is None:
-            return set()
-        return {node.action for node in self.launch.expansion(launching.file).nodes}
+    @memo
+    def _actions(self, file: LaunchFile) -> set[Action]:
+        """The actions of all nodes that a launch file starts."""
+        return {node.action for node in self.launch.expansion(file).nodes}
 
     def stopped_by(self, file: NodeSource) -> set[str]:
         """The signals with which runners stop a file that they start; empty when none does, or that is not known."""
@@ -339,7 +340,7 @@ class Nodes:
         """Whether firmware of the tree compares times, and so may stop motors for which no command comes."""
         paths = (path for path in self.files.tree.paths if path.endswith(_FIRMWARE))
         sources = (self.files.tree.read(path, "cpp-node", judged=False) for path in islice(paths, FIRMWARE))
-        return any(source is not None and _MILLIS.search(source.text) for source in sources)
+        return any(source is not None and source.matches(_MILLIS) for source in sources)
 
     def _servo_settings(self) -> Iterator[Source]:
         """MoveIt's own setting files hold no ``ros__parameters``: its launch files hand them over as dictionaries."""

@@ -65,9 +65,9 @@ def declared_in(files: Files, workspace: Workspace, package: Package) -> dict[st
     """Parameter -> type, for the names that a package declares with one type wherever it declares them."""
     found: dict[str, Declared | None] = {}
     for source in _sources(files, workspace, package):
-        if _LOOSE.search(source.text):
+        if source.matches(_LOOSE):
             return {}
-        for each in _of_python(source) if source.name.endswith(".py") else _of_cpp(source):
+        for each in _declarations(source):
             name = str(each.place)
             other = found.setdefault(name, each)
             if other is not None and other.type != each.type:
@@ -78,7 +78,12 @@ def declared_in(files: Files, workspace: Workspace, package: Package) -> dict[st
 def declarations_in(files: Files, workspace: Workspace, package: Package) -> Iterator[Declared]:
     """Every declaration in the sources of a package; the type is empty where it is not known."""
     for source in _sources(files, workspace, package):
-        yield from _of_python(source) if source.name.endswith(".py") else _of_cpp(source)
+        yield from _declarations(source)
+
+
+def _declarations(source: Source) -> tuple[Declared, ...]:
+    read = _of_python if source.name.endswith(".py") else _of_cpp
+    return source.once(read, lambda: tuple(read(source)))
 
 
 def mentions(files: Files, package: Package, word: str) -> bool:
@@ -98,7 +103,7 @@ def _sources(files: Files, workspace: Workspace, package: Package) -> Iterator[S
         count += 1
         source = files.tree.read(path, judged=False)
         if source is None or "declare_parameter" not in source.text:
-            if source is not None and _LOOSE.search(source.text):
+            if source is not None and source.matches(_LOOSE):
                 yield source
             continue
         if workspace.owner(source) is package:

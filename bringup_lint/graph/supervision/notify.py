@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.launch.started import literal_text
+from bringup_lint.graph.memo import memo
 from bringup_lint.graph.supervision.launched_by_unit import expansion_of
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
@@ -84,8 +85,21 @@ class _Programs(NamedTuple):
     """The packages that are not in the tree."""
 
 
-def _speaks(text: str) -> bool:
-    return any(word in text for word in _WORDS) and SPEAKS.search(text) is not None
+class _Module(NamedTuple):
+    """A Python file that talks to systemd."""
+
+    folder: str
+    """That of its package."""
+    name: str
+    """With ``.py``."""
+
+    @property
+    def stem(self) -> str:
+        return self.name.rpartition(".")[0]
+
+
+def _speaks(source: Source) -> bool:
+    return any(word in source.text for word in _WORDS) and source.matches(SPEAKS)
 
 
 @dataclass(eq=False)
@@ -103,7 +117,7 @@ class Notify:
         found = []
         for path in paths[:_FILES]:
             source = tree.read(path, judged=False)
-            if source is not None and _speaks(source.text):
+            if source is not None and _speaks(source):
                 found.append(source)
         return found
 
@@ -173,8 +187,9 @@ class Notify:
         """Where the code of a program talks to systemd."""
         for source in self.sources:
             owner = self._workspace.owner(source)
-            found = SPEAKS.search(source.text)
-            if owner is not None and owner.name == package and found and self._starts(source, [(package, executable)]):
+            is_own = owner is not None and owner.name == package
+            found = SPEAKS.search(source.text) if is_own and self._starts(source, [(package, executable)]) else None
+            if found is not None:
                 yield source.located(*found.span())
 
     def _programs(self, ros: Ros) -> _Programs | None:
@@ -215,28 +230,32 @@ class Notify:
         executables = {executable for name, executable in started if name == package.name}
         if not executables:
             return any(name != package.name and self._depends(name, package.name) for name, _ in started)
-        stem = os.path.basename(notifier.name).rpartition(".")[0]
         if not notifier.name.endswith(".py"):
             return True
-        return bool(executables & {stem, f"{stem}.py", *self._entry_points(package.folder, stem)}) or self._imported(
-            package.folder, stem, notifier
-        )
+        module = _Module(package.folder, notifier.basename)
+        return bool(executables & self._executables(module)) or self._is_imported(module)
 
     def _depends(self, name: str, other: str) -> bool:
         package = self._workspace.packages.get(name)
         return package is not None and package.depends_on(other)
 
-    def _entry_points(self, folder: str, stem: str) -> Iterator[str]:
+    @memo
+    def _executables(self, module: _Module) -> frozenset[str]:
+        """What a module may be called as a program, by its own name and the entry points of its package."""
+        names = {module.stem, module.name}
+        entry = re.compile(rf"([\w.-]+)\s*=\s*[\w.]*\b{re.escape(module.stem)}\s*:")
         for source in self.files.of_kind("setup-py", "setup-cfg"):
-            if os.path.dirname(os.path.abspath(source.name)) == folder:
-                yield from re.findall(rf"([\w.-]+)\s*=\s*[\w.]*\b{re.escape(stem)}\s*:", source.text)
+            if os.path.dirname(source.absolute) == module.folder:
+                names.update(entry.findall(source.text))
+        return frozenset(names)
 
-    def _imported(self, folder: str, stem: str, notifier: Source) -> bool:
-        """Whether another module of the package imports the notifier."""
-        uses = re.compile(rf"^\s*(?:from|import)\s[^\n]*\b{re.escape(stem)}\b", re.M)
-        for path in self.files.tree.walked_below(folder):
-            if path.endswith(".py") and os.path.basename(path) != notifier.basename:
+    @memo
+    def _is_imported(self, module: _Module) -> bool:
+        """Whether another module of the package imports this one."""
+        uses = re.compile(rf"^\s*(?:from|import)\s[^\n]*\b{re.escape(module.stem)}\b", re.M)
+        for path in self.files.tree.walked_below(module.folder):
+            if path.endswith(".py") and os.path.basename(path) != module.name:
                 source = self.files.tree.read(path, judged=False)
-                if source is not None and uses.search(source.text):
+                if source is not None and module.stem in source.text and uses.search(source.text):
                     return True
         return False
