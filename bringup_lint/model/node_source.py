@@ -13,6 +13,7 @@ from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
 from bringup_lint.dataclass import replace
 from bringup_lint.model.python import PlacedNode
+from bringup_lint.model.python import walk
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
@@ -246,6 +247,14 @@ class NodeClass:
     variable: str | None = None
     """For a node without a class: the variable that holds it."""
     node: ast.ClassDef | None = None
+    _inner: list[ast.AST] | None = field(default=None, init=False)
+
+    @property
+    def inner(self) -> list[ast.AST]:
+        """All syntax of the class, as ``walk`` gives it; nothing of a node without one."""
+        if self._inner is None:
+            self._inner = list(walk(self.node)) if self.node is not None else []
+        return self._inner
 
     @property
     def lineage(self) -> Iterator[NodeClass]:

@@ -99,7 +99,7 @@ def _made(statement: ast.Try) -> Iterator[ast.Attribute]:
 
 def _is_set_here_alone(node: NodeClass, statement: ast.Try, name: str) -> bool:
     inside = {id(part) for each in statement.body for part in walk(each)}
-    stores = (each for each in walk(node.node) if isinstance(each, ast.Attribute)) if node.node is not None else ()
+    stores = (each for each in node.inner if isinstance(each, ast.Attribute))
     return all(id(each) in inside for each in stores if each.attr == name and not isinstance(each.ctx, ast.Load))
 
 

@@ -82,9 +82,7 @@ def _set_by_messages(syntax: Syntax, node: NodeClass, foreign: set[str]) -> dict
 
 
 def _stores(node: NodeClass) -> Iterator[ast.Attribute]:
-    if node.node is None:
-        return
-    for each in walk(node.node):
+    for each in node.inner:
         if isinstance(each, ast.Attribute) and not isinstance(each.ctx, ast.Load):
             yield each
 

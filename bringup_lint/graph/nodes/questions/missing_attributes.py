@@ -110,7 +110,7 @@ def family_of(nodes: Nodes, node: NodeClass, heirs: Heirs) -> list[NodeClass] | 
         if each.base is None and plain[0] not in ROOTS:
             return None
     files = {nodes.file_of(each) for each in lineage}
-    if any(file.stars or _DYNAMIC.search(file.source.text) for file in files):
+    if any(file.stars or file.source.matches(_DYNAMIC) for file in files):
         return None
     named = heirs.get(node.name, ()) if node.name is not None else ()
     return [*lineage, *heirs.get(node, ()), *named]
@@ -132,7 +132,7 @@ def _names(node: NodeClass) -> Iterator[str]:
     if node.node is None:
         return
     yield from set_in_body(node.node)
-    for each in walk(node.node):
+    for each in node.inner:
         if isinstance(each, ast.Attribute) and not isinstance(each.ctx, ast.Load):
             yield each.attr
 
@@ -164,9 +164,7 @@ def set_elsewhere(nodes: Nodes) -> set[str]:
 
 def own_uses(syntax: Syntax, node: NodeClass) -> Iterator[ast.Attribute]:
     """``self.x`` in the methods of a class."""
-    if node.node is None:
-        return
-    for each in walk(node.node):
+    for each in node.inner:
         if isinstance(each, ast.Attribute) and isinstance(each.ctx, ast.Load) and _is_self(syntax, node, each):
             yield each
 
@@ -190,11 +188,8 @@ def _first(method: ast.FunctionDef | ast.AsyncFunctionDef) -> str | None:
 
 
 def _assignments(syntax: Syntax, node: NodeClass) -> Iterator[tuple[ast.Attribute, ast.expr]]:
-    if node.node is None:
-        return
-    for each in walk(node.node):
-        targets = each.targets if isinstance(each, ast.Assign) else [getattr(each, "target", None)]
+    for each in node.inner:
         if isinstance(each, (ast.Assign, ast.AnnAssign)) and each.value is not None:
-            for target in targets:
+            for target in each.targets if isinstance(each, ast.Assign) else (each.target,):
                 if isinstance(target, ast.Attribute) and _is_self(syntax, node, target):
                     yield target, each.value

@@ -7,7 +7,6 @@ import ast
 from bringup_lint.graph.nodes.questions.message_types import message_type
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.node_source import NodeClass
-from bringup_lint.model.python import walk
 
 
 def stored(syntax: Syntax, cls: NodeClass, attribute: ast.expr) -> list[ast.expr | None]:
@@ -16,7 +15,7 @@ def stored(syntax: Syntax, cls: NodeClass, attribute: ast.expr) -> list[ast.expr
         return []
     name = ast.unparse(attribute)
     found: list[ast.expr | None] = []
-    for each in walk(cls.node):
+    for each in cls.inner:
         if isinstance(each, ast.Attribute) and isinstance(each.ctx, ast.Store) and ast.unparse(each) == name:
             outer = next(syntax.above(each))[0]
             found.append(outer.value if isinstance(outer, (ast.Assign, ast.AnnAssign)) else None)

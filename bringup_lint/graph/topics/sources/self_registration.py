@@ -28,7 +28,7 @@ def registers_itself(node: NodeClass, file: NodeSource) -> bool:
     """Whether a class gives itself to a function or class that is not known."""
     if node.node is None:
         return True
-    for call in ast.walk(node.node):
+    for call in node.inner:
         if isinstance(call, ast.Call) and any(is_self(value) for value in _values(call)):
             name = file.qualified(call.func) or ""
             if not name.startswith(HARMLESS):
