@@ -63,6 +63,8 @@ class Absence:
         """Whether no file is called so, with whatever ending, and no build description has the word."""
         if self._is_open or name.partition(".")[0] in self._programs:
             return False
+        if name not in self._descriptions:
+            return True
         return not re.search(rf"(?<![\w.-]){re.escape(name)}(?![\w-])", self._descriptions)
 
     def of_file(self, path: str) -> bool:

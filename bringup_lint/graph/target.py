@@ -26,10 +26,12 @@ DEFAULT_SYSTEMD = 249
 _DISTROS = distros.supported()
 _DISTRO = "|".join(_DISTROS)
 _MENTIONS = regex(
-    rf"/opt/ros/({_DISTRO})\b|\bROS_DISTRO[=:]\s*[\"']?({_DISTRO})\b|\bros:({_DISTRO})\b|\bros-({_DISTRO})-"
+    rf"(?=[/Rri])(?:/opt/ros/({_DISTRO})\b|\bROS_DISTRO[=:]\s*[\"']?({_DISTRO})\b"
+    rf"|\bros:({_DISTRO})\b|\bros-({_DISTRO})-"
     rf"|\bimage:\s*[\"']?[\w./-]+:({_DISTRO})(?=[-.\s\"'@])"
-    rf"|[\w./]/[\w.-]*(?:l4t|ros2?|focal|jammy|noble)[\w.]*-({_DISTRO})(?=[:@\s\"'-])"
+    rf"|/(?<=[\w./]/)[\w.-]*(?:l4t|ros2?|focal|jammy|noble)[\w.]*-({_DISTRO})(?=[:@\s\"'-]))"
 )
+"""The look at the first character keeps the search from trying each way at each place."""
 
 
 def _named(text: str) -> Iterator[str]:

@@ -174,7 +174,11 @@ class Secrets:
 
 def _is_real(source: Source) -> bool:
     """Whether findings may be about a file, and it is no sample."""
-    return source.judged and not is_named_template(source.basename) and not is_example(source.name)
+    return source.judged and not source.once(_is_sample, lambda: _is_sample(source))
+
+
+def _is_sample(source: Source) -> bool:
+    return is_named_template(source.basename) or is_example(source.name)
 
 
 def secret(name: str, value: Located, holder: str) -> Secret | None:

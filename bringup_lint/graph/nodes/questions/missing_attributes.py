@@ -22,7 +22,9 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.nodes import Nodes
     from bringup_lint.model.node_source import NodeSource
 
-_DYNAMIC = regex(r"__getattr|\bsetattr\b|__dict__|\bvars\(|\bexec\(|__slots__|\bpatch\.object|__setattr__")
+_DYNAMIC = regex(
+    r"__(?:getattr|dict__|slots__|setattr__)|setattr(?<=\bsetattr)\b|(?:vars|exec)\((?<=\b.{5})|patch(?<=\bpatch)\.object"
+)
 _PLAIN_BASES = frozenset({"abc.ABC", "ABC", "object"})
 CAUGHT = frozenset({"AttributeError", "Exception", "BaseException"})
 _POOLS = ("concurrent.futures.ThreadPoolExecutor", "concurrent.futures.ProcessPoolExecutor")

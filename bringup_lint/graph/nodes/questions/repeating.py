@@ -36,12 +36,13 @@ _TYPES = frozenset({"Twist", "TwistStamped", "AckermannDrive", "AckermannDriveSt
 _SENDS = regex(r"(?i)(?:publish|write|send|set_?(?:motor|speed|velocity|pwm|wheel)\w*|drive)\Z")
 _NUMBERS = frozenset({"Float64MultiArray", "Float32MultiArray"})
 _TIMED = regex(
-    r"time_?out|watch_?dog|\bwdog|dead_?man|stale|expir|elapsed|heart_?beat|fail_?safe|deadline|\blease|since_?last"
-    r"|last_?\w{0,20}(?:time|stamp|recv|received|call)|(?:time|stamp)\w{0,20}last|no_?(?:cmd|command)|\bstamp\b|\bage\b"
-    r"|\bnow\s{0,3}-(?!>)|(?:now|time|monotonic|clock)\(\)[\w.()]{0,40}\s{0,3}-|-\s{0,3}(?:self\.|this->)?(?:last|prev)",
+    r"(?=[twdsehflnamc-])(?:time_?out|watch_?dog|\bwdog|dead_?man|stale|expir|elapsed|heart_?beat|fail_?safe|deadline"
+    r"|\blease|since_?last|last_?\w{0,20}(?:time|stamp|recv|received|call)|(?:time|stamp)\w{0,20}last|no_?(?:cmd|command)|\bstamp\b|\bage\b"
+    r"|\bnow\s{0,3}-(?!>)|(?:now|time|monotonic|clock)\(\)[\w.()]{0,40}\s{0,3}-|-\s{0,3}(?:self\.|this->)?(?:last|prev))",
     re.I,
 )
-"""What code that ends a motion by time has in it somewhere."""
+"""What code that ends a motion by time has in it somewhere. The look at the first character keeps the search from
+trying each way at each place."""
 _DRIVES = regex(r"(?i)motor|wheel|vtarget|throttle|thrust|pwm")
 _WRITES = regex(r"stop|halt|brake|set_|write|send|drive|motor|thr[ou]|pwm|speed|output|move|apply", re.I)
 """What a call is named that may end a motion."""
