@@ -50,7 +50,8 @@ class ProbableTypo(NamedTuple):
 
 
 def misspelt(topics: Topics) -> Iterator[Misspelt]:
-    """Each pair of places once, first where all topics of what runs together are known."""
+    """The topics whose names are probably misspelt, each pair of places once: first where all topics of what runs
+    together are known."""
     said: set[frozenset[Span]] = set()
     for running in sorted(topics.runs, key=lambda running: not running.complete):
         count = Counter(use.topic for use in running.uses)
