@@ -117,12 +117,14 @@ def _of_service(runner: Runner) -> tuple[Located | Span, Located | Span] | None:
 
 
 def _of_image(runner: Runner) -> tuple[Located, Located] | None:
-    """ENTRYPOINT and CMD of the same stage; an ENTRYPOINT takes the CMD of the image below away."""
+    """ENTRYPOINT and CMD of an image; an ENTRYPOINT takes the CMD of the image below away."""
     service = runner.service
     if runner.stage is None or (service is not None and (service.command or service.entrypoint)):
         return None
+    commands: list[Located] = []
     for stage in runner.stage.chain:
-        entrypoint, command = list(stage.all("ENTRYPOINT")), list(stage.all("CMD"))
-        if entrypoint:
-            return (entrypoint[-1].value, command[-1].value) if command else None
+        commands = commands or [each.value for each in stage.all("CMD")]
+        entrypoints = [each.value for each in stage.all("ENTRYPOINT")]
+        if entrypoints:
+            return (entrypoints[-1], commands[-1]) if commands else None
     return None
