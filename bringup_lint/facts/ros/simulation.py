@@ -27,6 +27,6 @@ def is_simulator(name: str) -> bool:
 
 
 def is_simulation(name: str) -> bool:
-    """Whether a part of a name, also of a file, a unit or a service, or of a command line is that of a simulator or a word
-    for what is simulated."""
+    """Whether a part of a name, also of a file, a unit or a service, or of a command line is that of a simulator, or a
+    word for what is simulated."""
     return _NAMED.search(name) is not None
