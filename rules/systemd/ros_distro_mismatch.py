@@ -27,10 +27,12 @@ ExecStart=/bin/bash -c 'source /opt/ros/${ROS_DISTRO}/setup.bash && exec ros2 la
 ```
 
 ## When to ignore it
-When the process is a bridge that uses two distributions on purpose, such as ros1_bridge.
+When the process is a bridge of your own that uses two distributions on purpose. Processes that run `ros1_bridge` are
+not reported: it needs ROS 1 and ROS 2, in this order.
 
 ## References
 - REP 2000, releases and target platforms
+- https://github.com/ros2/ros1_bridge, "Example 1: run the bridge and the example talker and listener"
 """
 
 from collections.abc import Iterator
@@ -47,6 +49,7 @@ from bringup_lint.api.systemd import Step
 from bringup_lint.api.systemd import Unit
 from bringup_lint.api.systemd import Variable
 
+BRIDGE = "ros1_bridge"
 DISTRO = regex(r"/opt/ros/([a-z]+)(?:/|$)")
 
 
@@ -55,6 +58,8 @@ def ros_distro_mismatch(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     for unit in units.services:
         for process in units.processes(unit):
+            if any(BRIDGE in step.command.words for step in process.steps):
+                continue
             named = units.environment(unit).get("ROS_DISTRO")
             chosen = (named.value, named.text) if named and named.text else None
             for step, word in paths(process):
