@@ -4,7 +4,8 @@
 Parameter files and included launch files with a relative path that no package or substitution leads to, and other
 files with one that exists in the package or above it, given to rviz2, map_server, robot_state_publisher and programs of
 the tree that do not ask for the folder of a package themselves. Silent where the file lies beside the launch file, or
-above the package and a unit or container chooses its working directory; and for launch files outside of packages.
+above the package and a unit, container or script chooses its working directory; and for launch files outside of
+packages.
 
 ## Why it matters on a robot
 The path counts from the folder in which `ros2 launch` was typed. Under systemd that is `/`: a node whose parameter

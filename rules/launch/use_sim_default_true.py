@@ -82,8 +82,9 @@ def _in_any_case(robot: Robot) -> Iterator[Finding]:
         first, *others = sorted(places, key=lambda each: not each.is_waiting)
         yield finding(
             first.where,
-            f"{first.label} gets a simulated clock in any case, and nothing of this tree simulates: "
-            + ("it never sees time pass, and does nothing" if first.is_waiting else "its time stays at zero"),
+            f"{first.label} gets a simulated clock in any case, and nothing of this tree simulates: its time stays at "
+            "zero"
+            + (", and what it does by that time, as to compare the age of transforms, goes wrong" * first.is_waiting),
             advice="write false, or leave it out",
             related=[note(each.where, f"{each.label} gets it here") for each in others],
             fix=fix("write false", *((each.where, FALSE[each.where.text]) for each in places), safe=False)

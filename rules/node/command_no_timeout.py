@@ -6,7 +6,8 @@ writes velocities to pins, to an I2C bus or to a motor driver, which keep what w
 types count by their names: `MotorSpeeds`, `ThrusterCommand`; numbers by that of their topic: `thruster/command`; and
 the axes of a joystick that a timer goes on with. The same for a callback that writes velocities to a serial port or a
 CAN bus, unless the firmware of the tree compares times or the controller is known to stop by itself (VESC, moteus,
-ros_arduino_bridge, ...). In all cases when nothing in the source looks at a
+ros_arduino_bridge, ...); where the tree holds no firmware, it is info. What turns a gimbal or a camera is left out. In
+all cases when nothing in the source looks at a
 time: no time-out, no stamp that is read, no difference of two times, and no count of the turns without a message.
 
 ## Why it matters on a robot
@@ -76,5 +77,7 @@ def command_no_timeout(robot: Robot) -> Iterator[Finding]:
             f"Velocities are written to {held.bus}, {keeps}: without new commands {end}",
             advice=ADVICE,
             related=[note(held.writer, "writes them")] if held.writer is not None else [],
-            severity=nodes.lowered(robot.nodes.purpose(held.source), "warning"),
+            severity="info"
+            if held.is_board and not robot.nodes.has_firmware
+            else nodes.lowered(robot.nodes.purpose(held.source), "warning"),
         )

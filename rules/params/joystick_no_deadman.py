@@ -1,8 +1,9 @@
 """A joystick drives the robot without a button that is held.
 
 ## What it finds
-`require_enable_button: false` for teleop_twist_joy (or a node with its parameters), in parameter files that something
-names.
+`require_enable_button: false` for teleop_twist_joy (or a node with its parameters and a name like `joy` or `teleop`),
+in parameter files that something names. It is info where a node of the tree hears the joystick, too, because it may ask
+for a button.
 
 ## Why it matters on a robot
 A gamepad that is dropped, sat on, tilted or lying in a bag moves the robot, and a stick that does not return to its
@@ -39,6 +40,7 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.nodes import Endpoint
 from bringup_lint.api.params import operator_problems
 
 
@@ -46,8 +48,18 @@ from bringup_lint.api.params import operator_problems
 def joystick_no_deadman(robot: Robot) -> Iterator[Finding]:
     for each in operator_problems(robot.params):
         if each.kind == "deadman":
+            heard = any(is_of_joystick(robot, endpoint) for endpoint in robot.topics.endpoints)
             yield finding(
                 each.where,
                 "No button has to be held: a touched or dropped gamepad moves the robot",
                 advice="set require_enable_button to true, and enable_button to a button of the gamepad",
+                severity="info" if heard else None,
             )
+
+
+def is_of_joystick(robot: Robot, endpoint: Endpoint) -> bool:
+    """Whether a node other than a copy of teleop_twist_joy hears the joystick."""
+    if endpoint.role != "subscription" or endpoint.type != "sensor_msgs/msg/Joy":
+        return False
+    owner = robot.launch.workspace.owner(endpoint.span.source)
+    return owner is None or owner.name != "teleop_twist_joy"

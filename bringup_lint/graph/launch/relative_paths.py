@@ -30,7 +30,12 @@ _LAUNCH = (".launch.py", "_launch.py", ".launch.xml", ".launch.yaml", ".launch.y
 _READ = (*_PARAMETERS, ".rviz", ".urdf", ".xacro", ".srdf", ".sdf", ".world", ".lua", ".json", ".pcd")
 _AS_GIVEN = frozenset(("nav2_map_server", "robot_state_publisher", "rviz2"))
 """Public packages whose programs open a path as they get it; others put a folder before it."""
-_FOLDER = regex(r"^[ \t]*WorkingDirectory[ \t]*=|\bworking_dir[ \t]*:|^[ \t]*WORKDIR[ \t]", re.M)
+_FOLDER = regex(
+    r"^[ \t]*WorkingDirectory[ \t]*=|\bworking_dir[ \t]*:|^[ \t]*WORKDIR[ \t]"
+    r"|^[ \t]*cd[ \t][^\n]{1,300}(?:\n[^\n]{0,300}){0,20}?\bros2[ \t]+launch\b",
+    re.M,
+)
+"""What chooses the folder in which ros2 launch runs."""
 
 
 class Relative(NamedTuple):

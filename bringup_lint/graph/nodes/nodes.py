@@ -338,9 +338,18 @@ class Nodes:
     @cached_property
     def firmware_looks_at_time(self) -> bool:
         """Whether firmware of the tree compares times, and so may stop motors for which no command comes."""
-        paths = (path for path in self.files.tree.paths if path.endswith(_FIRMWARE))
-        sources = (self.files.tree.read(path, "cpp-node", judged=False) for path in islice(paths, FIRMWARE))
+        paths = islice(self._firmware, FIRMWARE)
+        sources = (self.files.tree.read(path, "cpp-node", judged=False) for path in paths)
         return any(source is not None and source.matches(_MILLIS) for source in sources)
+
+    @property
+    def has_firmware(self) -> bool:
+        """Whether the tree holds firmware, so that what is not in it is known."""
+        return next(self._firmware, None) is not None
+
+    @property
+    def _firmware(self) -> Iterator[str]:
+        return (path for path in self.files.tree.paths if path.endswith(_FIRMWARE))
 
     def _servo_settings(self) -> Iterator[Source]:
         """MoveIt's own setting files hold no ``ros__parameters``: its launch files hand them over as dictionaries."""

@@ -34,6 +34,9 @@ _EMERGENCY = regex(r"(?:^|[_/])(?:e_?stop|emergency\w*?)(?:$|[_/])")
 _LOOP = regex(r"(?:^|[_/])loop(?:$|[_/])")
 """The lock of the sample of twist_mux that holds navigation back while the map closes a loop."""
 
+_JOYSTICK = regex(r"joy|tele|pad|\*")
+"""What a node is called that drives by a joystick, or what stands for any name."""
+
 
 class OperatorProblem(NamedTuple):
     kind: str
@@ -78,7 +81,11 @@ def _deadman(params: Params, file: ParameterFile, block: Block) -> Iterator[Oper
     moves = any(name.startswith("scale_") for name in named)
     if switch is None or switch.value.data is not False or not moves:
         return
-    if not params.loads(file) or params.effective(file, switch):
+    loads = params.loads(file)
+    is_teleop = any(literal_text(load.node.package) == "teleop_twist_joy" for load in loads)
+    if not is_teleop and _JOYSTICK.search(str(block.key)) is None:
+        return
+    if not loads or params.effective(file, switch):
         yield OperatorProblem("deadman", switch.span, "", "", "")
 
 

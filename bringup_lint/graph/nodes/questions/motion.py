@@ -38,15 +38,23 @@ _REPORT = regex(
     re.I,
 )
 
+_AIMED = regex(r"gimbal|pan_?tilt|turret|camera|(?:^|[/_])ptz(?=$|[/_])", re.I)
+"""What turns a camera or the like ends at its stop, and moves no robot."""
+
+
+def is_aimed(endpoint: Endpoint) -> bool:
+    """Whether a topic turns a camera or the like, by its name."""
+    return _AIMED.search(str(endpoint.name or "")) is not None
+
 
 def is_velocity(endpoint: Endpoint) -> bool:
     """Whether the messages are velocities by their type, however the topic is called."""
-    return endpoint.type in _VELOCITIES - _NUMBERS
+    return endpoint.type in _VELOCITIES - _NUMBERS and not is_aimed(endpoint)
 
 
 def moves(endpoint: Endpoint) -> bool:
     """Whether what is published here makes something move until it is told to stop."""
-    if endpoint.name is None or endpoint.type not in (None, *_VELOCITIES):
+    if endpoint.name is None or endpoint.type not in (None, *_VELOCITIES) or is_aimed(endpoint):
         return False
     if endpoint.type is None:
         return endpoint.name.rpartition("/")[2] == "cmd_vel"
@@ -66,4 +74,6 @@ def is_motor_command(endpoint: Endpoint) -> bool:
     package, _, kind = (endpoint.type or "").partition("/msg/")
     if endpoint.role != "subscription" or not kind or package in _COMMON or endpoint.type in _VELOCITIES:
         return False
-    return bool(_OF_MOTORS.search(kind)) and not _OTHER.search(kind) and not _REPORT.search(str(endpoint.name or ""))
+    if _OTHER.search(kind) or is_aimed(endpoint) or _REPORT.search(str(endpoint.name or "")):
+        return False
+    return bool(_OF_MOTORS.search(kind))

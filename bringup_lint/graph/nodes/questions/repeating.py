@@ -12,6 +12,7 @@ from bringup_lint.facts.ros.self_stopping import SELF_STOPPING
 from bringup_lint.graph.nodes.questions.callback_code import reached
 from bringup_lint.graph.nodes.questions.kept_commands import held_over
 from bringup_lint.graph.nodes.questions.kept_commands import loops
+from bringup_lint.graph.nodes.questions.motion import is_aimed
 from bringup_lint.graph.nodes.questions.motion import is_motor_command
 from bringup_lint.graph.nodes.questions.motion import moves
 from bringup_lint.graph.nodes.questions.with_header import with_header
@@ -113,7 +114,9 @@ def repeated(nodes: Nodes) -> Iterator[Repeated]:
 
 def _is_command(endpoint: Endpoint) -> bool:
     kind = (endpoint.type or "").rpartition("/")[2]
-    return endpoint.role == "subscription" and kind in _TYPES and (moves(endpoint) or "vel" in str(endpoint.name or ""))
+    if endpoint.role != "subscription" or kind not in _TYPES:
+        return False
+    return moves(endpoint) or ("vel" in str(endpoint.name or "") and not is_aimed(endpoint))
 
 
 def ignores_time(nodes: Nodes, file: NodeSource) -> bool:
