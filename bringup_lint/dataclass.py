@@ -1,6 +1,7 @@
 """Dataclasses whose methods are made with their first object. The modules of a run hold some hundred classes, of which
-most get no object in a small tree, and Python writes and compiles the methods of each when it is defined. Here only
-``__init__`` is compiled: ``dataclasses`` is not imported, which would load the modules that take Python code apart."""
+most get no object in a small tree, and few get many: Python writes and compiles the methods of each when it is defined.
+Here only ``__init__`` is compiled, once there are some objects: ``dataclasses`` is not imported, which would load the
+modules that take Python code apart."""
 
 from __future__ import annotations
 
@@ -19,6 +20,8 @@ else:
 
     _NOTHING = object()
     """The default of a field that has none."""
+    _FEW = 16
+    """Objects that are made before ``__init__`` is compiled, which takes as long as to make so many without."""
     _unfinished: dict[type, Callable[[], None]] = {}
     _lock = RLock()
 
@@ -106,7 +109,7 @@ else:
         for name, method in methods.items():
             if vars(cls).get(name) is None:
                 setattr(cls, name, method)
-        cls.__init__ = _init(cls, frozen=options.get("frozen", False))
+        cls.__init__ = _init_of_few(cls, frozen=options.get("frozen", False))
 
     @recursive_repr()
     def _repr(self: Any) -> str:
@@ -145,6 +148,35 @@ else:
         from dataclasses import FrozenInstanceError
 
         return FrozenInstanceError(f"cannot {what} field {name!r}")
+
+    def _init_of_few(cls: type, *, frozen: bool) -> Any:
+        """The method that takes the values of the first objects. It gives way to the compiled one after these, and
+        where the values do not fit, of which the compiled one complains."""
+        fields = cls.__fields__
+        positional = cls.__match_args__
+        taken = {name for name, each in fields.items() if each.init}
+        needed = {name for name in taken if fields[name].default is fields[name].default_factory is _NOTHING}
+        put = object.__setattr__ if frozen else setattr
+        has_more = hasattr(cls, "__post_init__")
+        left = _FEW
+
+        def __init__(self: Any, *values: Any, **named: Any) -> None:
+            nonlocal left
+            left -= 1
+            given = {**dict(zip(positional, values)), **named}
+            if left < 0 or len(given) < len(values) + len(named) or not needed <= given.keys() <= taken:
+                cls.__init__ = _init(cls, frozen=frozen)
+                cls.__init__(self, *values, **named)
+                return
+            for name, each in fields.items():
+                if name in given:
+                    put(self, name, given[name])
+                else:
+                    put(self, name, each.default if each.default_factory is _NOTHING else each.default_factory())
+            if has_more:
+                self.__post_init__()
+
+        return __init__
 
     def _init(cls: type, *, frozen: bool) -> Any:
         """The method that takes the values, written and compiled, as it is called most of all."""

@@ -80,7 +80,7 @@ def check(
         checked.findings += (each for each in found if not _concerns(each, unknown))
         checked.failures += unread(robot)
     for failure in failed:
-        checked.failures.append(internal(Source(failure.rule.path.name), f"rule {failure.rule.id}", failure.error))
+        checked.failures.append(internal(Source(failure.rule.file), f"rule {failure.rule.id}", failure.error))
     return checked
 
 
@@ -117,17 +117,18 @@ def _attempt(rules: Iterable[Rule], robot: Robot, purposes: Purposes, findings: 
     end = time.process_time() + budget.RUN
     for rule in rules:
         left = end - time.process_time()
-        place = Source(rule.path.name)
         own = purposes(rule.id)
         if left <= 0:
-            findings.append(too_slow(place, f"Not run: the rules before {rule.id}", budget.RUN))
+            findings.append(too_slow(Source(rule.file), f"Not run: the rules before {rule.id}", budget.RUN))
             continue
         try:
             with limited(min(left, budget.RULE)):
                 for found in rule.check(robot) or ():
                     _gather(rule, found, robot, own, findings, failed)
         except OutOfTime:
-            findings.append(too_slow(place, f"Not judged whole: the rule {rule.id}", min(left, budget.RULE)))
+            findings.append(
+                too_slow(Source(rule.file), f"Not judged whole: the rule {rule.id}", min(left, budget.RULE))
+            )
         except Exception as error:
             failed.append(_Failure(rule, error))
     return failed

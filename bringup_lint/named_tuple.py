@@ -1,5 +1,5 @@
 """Named tuples that are made quickly: ``typing`` compiles each annotation and the constructor of each class when it is
-defined. Here the constructor is compiled with the first object, and no annotation is."""
+defined. Here the constructor is compiled once there are some objects, and no annotation is."""
 
 from __future__ import annotations
 
@@ -12,6 +12,8 @@ else:
     from typing import Any
 
     _new = tuple.__new__
+    _FEW = 16
+    """Objects that are made before the constructor is compiled, which takes as long as to make so many without."""
 
     class _Kind(type):
         """Makes a class of tuples from the annotations in its body."""
@@ -24,12 +26,7 @@ else:
             getters = {field: _tuplegetter(at, field) for at, field in enumerate(fields)}
             known = {"__slots__": (), "_fields": fields, "_field_defaults": defaults, "__match_args__": fields}
             made = super().__new__(mcs, name, bases, {**body, **known, **getters})
-
-            def first(cls: type, *values: Any, **named: Any) -> Any:
-                made.__new__ = _constructor(name, fields, defaults)
-                return cls(*values, **named)
-
-            made.__new__ = first
+            made.__new__ = _of_few(made, fields, defaults)
             return made
 
     def _annotations(body: dict[str, Any]) -> Any:
@@ -37,6 +34,25 @@ else:
         if "__annotations__" in body:
             return body["__annotations__"]
         return body["__annotate_func__"](3) if "__annotate_func__" in body else {}
+
+    def _of_few(made: type, fields: tuple[str, ...], defaults: dict[str, Any]) -> Any:
+        """The constructor of the first objects. It gives way to the compiled one after these, and where the values do
+        not fit, of which the compiled one complains."""
+        names = set(fields)
+        left = _FEW
+
+        def __new__(cls: type, *values: Any, **named: Any) -> Any:
+            nonlocal left
+            left -= 1
+            given = {**dict(zip(fields, values)), **named}
+            is_clear = len(given) == len(values) + len(named)
+            given = {**defaults, **given}
+            if left < 0 or not is_clear or given.keys() != names:
+                made.__new__ = _constructor(made.__name__, fields, defaults)
+                return made.__new__(cls, *values, **named)
+            return _new(cls, map(given.__getitem__, fields))
+
+        return __new__
 
     def _constructor(name: str, fields: tuple[str, ...], defaults: dict[str, Any]) -> Any:
         """Written and compiled, as it is called most of all."""

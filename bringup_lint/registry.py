@@ -10,6 +10,7 @@ from __future__ import annotations
 import importlib.machinery
 import importlib.util
 import re
+from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
 from collections.abc import Mapping
@@ -55,13 +56,23 @@ class Rule:
     """A rule file, loaded or known from the index."""
 
     id: str
-    path: Path
-    meta: Metadata
+    folder: Path
+    file: str
     title: str
+    check: Check
+    metadata: Callable[[], Metadata]
     text: str | None = None
     """The documentation, where it is read already."""
     asks: frozenset[str] | None = None
     """What of the robot the file names; None where only the loaded file knows."""
+
+    @property
+    def path(self) -> Path:
+        return self.folder / self.file
+
+    @cached_property
+    def meta(self) -> Metadata:
+        return self.metadata()
 
     @cached_property
     def doc(self) -> str:
@@ -75,15 +86,11 @@ class Rule:
     @property
     def builtin(self) -> bool:
         """Whether the rule came with the package, not from a user's own folder."""
-        return builtin_folder() in self.path.parents
+        return self.folder.parent == builtin_folder()
 
     @property
     def severity(self) -> Severity:
         return self.meta.severity
-
-    @property
-    def check(self) -> Check:
-        return self.meta.check
 
 
 @dataclass(frozen=True)
@@ -216,7 +223,8 @@ def load(path: Path, rule_id: str) -> Rule:
     missing = [heading for heading in HEADINGS if f"\n## {heading}\n" not in doc]
     if missing:
         raise RuleError(f"{path}: the docstring lacks the heading {', '.join(missing)}")
-    return Rule(rule_id, path, rules[0], _title(doc), doc)
+    meta = rules[0]
+    return Rule(rule_id, path.parent, path.name, _title(doc), meta.check, lambda: meta, doc)
 
 
 def _title(doc: str) -> str:
@@ -228,22 +236,27 @@ def described(path: Path, rule_id: str) -> Rule:
     all rules takes a sixth of the time. A file of an unusual form is loaded. Raises RuleError as ``load`` does."""
     try:
         text = path.read_text("utf-8")
-        return _unloaded(path, rule_id, read_description(text), None, documentation(text))
+        return _unloaded(path.parent, path.name, rule_id, read_description(text), None, documentation(text))
     except (ValueError, TypeError, KeyError):
         return load(path, rule_id)
 
 
-def _unloaded(path: Path, rule_id: str, found: Described, needs: Any, doc: str | None = None) -> Rule:
+def _unloaded(folder: Path, file: str, rule_id: str, found: Described, needs: Any, doc: str | None = None) -> Rule:
     """A rule that is loaded when a robot has what it needs; all have where nothing is known of its needs."""
 
-    @cache
-    def loaded() -> Rule:
-        return load(path, rule_id)
+    loaded: list[Rule] = []
 
     def check(robot: Any) -> Iterator[Any]:
-        return loaded().check(robot) if needs is None or is_met(needs, robot) else iter(())
+        if needs is not None and not is_met(needs, robot):
+            return iter(())
+        if not loaded:
+            loaded.append(load(folder / file, rule_id))
+        return loaded[0].check(robot)
 
-    return Rule(rule_id, path, rule(found.severity, **found.options)(check), found.title, doc, frozenset(found.asks))
+    def metadata() -> Metadata:
+        return rule(found.severity, **found.options)(check)
+
+    return Rule(rule_id, folder, file, found.title, check, metadata, doc, frozenset(found.asks))
 
 
 def _docstring(path: Path) -> str:
@@ -295,15 +308,16 @@ class Registry:
         """A rule, always the same. One of the index is loaded when it is first run."""
         if rule_id not in self._loaded:
             family = self.family_of[rule_id]
-            path = family.path / family.files[rule_id]
-            self._loaded[rule_id] = self._from_index(family, path, rule_id) or load(path, rule_id)
+            found = self._from_index(family, rule_id)
+            self._loaded[rule_id] = found or load(family.path / family.files[rule_id], rule_id)
         return self._loaded[rule_id]
 
-    def _from_index(self, family: Family, path: Path, rule_id: str) -> Rule | None:
+    def _from_index(self, family: Family, rule_id: str) -> Rule | None:
         if self.index is None or family.indexed is None:
             return None
-        entry = self.index.entry(f"{family.path.name}/{family.files[rule_id]}")
-        return None if entry is None else _unloaded(path, rule_id, entry.described, entry.needs)
+        file = family.files[rule_id]
+        entry = self.index.entry(f"{family.path.name}/{file}")
+        return None if entry is None else _unloaded(family.path, file, rule_id, entry.described, entry.needs)
 
     def purposes(self, rule_id: str) -> Mapping[Purpose, Severity | None]:
         """What a purpose makes of the findings of a rule (``family.toml``: purpose)."""
@@ -336,7 +350,7 @@ class Registry:
             if family.path.parent != builtin:
                 yield load(path, rule_id)
             else:
-                yield self._from_index(family, path, rule_id) or described(path, rule_id)
+                yield self._from_index(family, rule_id) or described(path, rule_id)
 
 
 @cache

@@ -35,7 +35,10 @@ PASSED_OVER = frozenset(
 )
 """Folders of a root file system that hold programs, data and state; the vendor's configuration there is context."""
 
-_OVERLAY = regex(r"(?:^|/)((?:etc|usr/lib|usr/local|lib/systemd|lib/udev|run/systemd|opt|home|root|var/lib)/.*)")
+_OVERLAY = regex(
+    r"(?:^|/)((?:etc|usr/lib|usr/local|lib/systemd|lib/udev|run/systemd|opt|home|root|var/lib)/.*)",
+    hints="etc/ usr/ lib/ run/ opt/ home/ root/",
+)
 
 
 def is_root(folder: Path) -> bool:

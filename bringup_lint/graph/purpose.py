@@ -34,53 +34,76 @@ class Purpose(Enum):
     ARCHIVE = "archive"
 
 
-def _word(words: str) -> re.Pattern[str]:
+def _word(words: str, hints: str = "") -> re.Pattern[str]:
     """One of the words as a part of a path, between slashes, dots, dashes or underscores."""
-    return regex(rf"(?:^|[/_.-])(?:{words})(?=[/_.-]|$)", re.I)
+    return regex(rf"(?:^|[/_.-])(?:{words})(?=[/_.-]|$)", re.I, hints)
 
 
-def _folder(words: str) -> re.Pattern[str]:
-    return regex(rf"(?:^|/)(?:{words})/", re.I)
+def _folder(words: str, hints: str = "") -> re.Pattern[str]:
+    return regex(rf"(?:^|/)(?:{words})/", re.I, hints)
 
 
 SIMULATION = _word(
-    rf"{simulation.WORDS}|{simulation.SIMULATORS}|netem|loopback|mock|fake|replay|playback|rosbag2?|xil|sitl|hitl"
+    rf"{simulation.WORDS}|{simulation.SIMULATORS}|netem|loopback|mock|fake|replay|playback|rosbag2?|xil|sitl|hitl",
+    f"{simulation.HINTS} netem loopback mock fake replay playback rosbag xil sitl hitl",
 )
 """Words for simulators and for recorded or made-up data."""
 
 PATHS: tuple[tuple[Purpose, re.Pattern[str]], ...] = (
-    (Purpose.CI, _folder(r"\.github|\.gitlab|\.circleci|(?:[^/]*[._-])?ci|jenkins")),
-    (Purpose.CI, regex(r"[._-]ci(?=\.[a-z]+$|$)", re.I)),
-    (Purpose.CI, _folder(r"(?:self[_-]?hosted|actions|github|gitlab|ci)[_-]runners?")),
-    (Purpose.ARCHIVE, _folder(r"(?:[^/]+[_-])?(?:old|archived?|deprecated|obsolete|unused|attic|backups?)|legacy")),
-    (Purpose.ARCHIVE, regex(r"[_-](?:old|deprecated|archived)(?=(?:\.[a-z]+){0,3}$)|\.(?:old|bak|orig)$", re.I)),
+    (Purpose.CI, _folder(r"\.github|\.gitlab|\.circleci|(?:[^/]*[._-])?ci|jenkins", "github/ gitlab/ ci/ jenkins/")),
+    (Purpose.CI, regex(r"[._-]ci(?=\.[a-z]+$|$)", re.I, ".ci _ci -ci")),
+    (Purpose.CI, _folder(r"(?:self[_-]?hosted|actions|github|gitlab|ci)[_-]runners?", "runner")),
+    (
+        Purpose.ARCHIVE,
+        _folder(
+            r"(?:[^/]+[_-])?(?:old|archived?|deprecated|obsolete|unused|attic|backups?)|legacy",
+            "old archive deprecated obsolete unused attic backup legacy",
+        ),
+    ),
+    (
+        Purpose.ARCHIVE,
+        regex(
+            r"[_-](?:old|deprecated|archived)(?=(?:\.[a-z]+){0,3}$)|\.(?:old|bak|orig)$",
+            re.I,
+            "old deprecated archived .bak .orig",
+        ),
+    ),
     (
         Purpose.TEST,
         _folder(
-            r"tests?|testing|test_?data|test[_-][^/]*|[^/]*[_-]tests?|[^/]*fixtures?|fuzz(?:ing)?|e2e|unittests?|test(?:files|cases)[^/]*|attack[^/]*"
+            r"tests?|testing|test_?data|test[_-][^/]*|[^/]*[_-]tests?|[^/]*fixtures?|fuzz(?:ing)?|e2e|unittests?|test(?:files|cases)[^/]*|attack[^/]*",
+            "test fixture fuzz e2e attack",
         ),
     ),
-    (Purpose.TEST, regex(r"(?:^|/)(?:test[_-][^/]*|attack[^/]*|[^/]*[_.-](?:tests?|testing))\.[a-z.]+$", re.I)),
-    (Purpose.TEST, _word("mitm|attacker|adversary")),
+    (
+        Purpose.TEST,
+        regex(r"(?:^|/)(?:test[_-][^/]*|attack[^/]*|[^/]*[_.-](?:tests?|testing))\.[a-z.]+$", re.I, "test attack"),
+    ),
+    (Purpose.TEST, _word("mitm|attacker|adversary", "mitm attacker adversary")),
     (
         Purpose.ROBOT,
         regex(
             r"(?:^|/)\.devcontainer/(?:.*/)?(?:(?:release|deploy)[^/]*dockerfile|dockerfile[._-](?:release|deploy))$",
             re.I,
+            ".devcontainer/",
         ),
     ),
-    (Purpose.DEVELOPMENT, _folder(r"\.?devcontainer|\.vscode")),
-    (Purpose.DEVELOPMENT, _word("dev|devel|develop|development|devcontainer|laptop|workstation|wsl2?")),
-    (Purpose.DEVELOPMENT, _word("(?:docker|monitoring|operator|remote)[_-]pc")),
-    (Purpose.DEVELOPMENT, _folder(r"(?:[^/]*[_-])?train(?:ing)?(?:[_-][^/]*)?|(?:torch|onnx)2trt")),
-    (Purpose.DEVELOPMENT, regex(r"(?:^|/)docker/(?:[^/]*[_-])?pc(?:[_-][^/]*)?/", re.I)),
+    (Purpose.DEVELOPMENT, _folder(r"\.?devcontainer|\.vscode", "devcontainer/ .vscode/")),
+    (
+        Purpose.DEVELOPMENT,
+        _word("dev|devel|develop|development|devcontainer|laptop|workstation|wsl2?", "dev laptop workstation wsl"),
+    ),
+    (Purpose.DEVELOPMENT, _word("(?:docker|monitoring|operator|remote)[_-]pc", "-pc _pc")),
+    (Purpose.DEVELOPMENT, _folder(r"(?:[^/]*[_-])?train(?:ing)?(?:[_-][^/]*)?|(?:torch|onnx)2trt", "train 2trt")),
+    (Purpose.DEVELOPMENT, regex(r"(?:^|/)docker/(?:[^/]*[_-])?pc(?:[_-][^/]*)?/", re.I, "docker/")),
     (Purpose.SIMULATION, SIMULATION),
-    (Purpose.EXAMPLE, _word("examples?|demos?|tutorials?|samples?")),
-    (Purpose.EXAMPLE, _folder("docs?")),
+    (Purpose.EXAMPLE, _word("examples?|demos?|tutorials?|samples?", "example demo tutorial sample")),
+    (Purpose.EXAMPLE, _folder("docs?", "doc/ docs/")),
     (
         Purpose.EXAMPLE,
         _folder(
-            r"(?:[^/]*[_-])?(?:package|pkg|node|module|driver)[_-]template|template[_-](?:package|pkg|node|module)"
+            r"(?:[^/]*[_-])?(?:package|pkg|node|module|driver)[_-]template|template[_-](?:package|pkg|node|module)",
+            "template",
         ),
     ),
 )

@@ -12,10 +12,10 @@ from bringup_lint.pattern import regex
 _TYPES = "|".join(UNIT_TYPES)
 _TEMPLATE = r"(?:\.(?:in|j2|jinja|jinja2|em|m4|tmpl|tpl|template|erb))?"
 _UNIT = regex(rf"/[^/]+\.(?:{_TYPES}){_TEMPLATE}$")
-_DROPIN = regex(rf"/(?:[^/]*\.)?(?:{_TYPES})\.d/[^/]+$")
-_LINK = regex(r"\.(?:wants|requires|upholds)/[^/]+$")
+_DROPIN = regex(rf"/(?:[^/]*\.)?(?:{_TYPES})\.d/[^/]+$", 0, ".d/")
+_LINK = regex(r"\.(?:wants|requires|upholds)/[^/]+$", 0, ".wants/ .requires/ .upholds/")
 _SECTION = regex(r"^\ufeff?[^\S\n]*\[(?:Unit|Service|Install|Socket|Timer|Path|Mount|Automount|Swap|Slice)\]", re.M)
-_CONF = regex(rf"\.conf{_TEMPLATE}$")
+_CONF = regex(rf"\.conf{_TEMPLATE}$", 0, ".conf")
 _SERVICE = tuple(regex(rf"^[^\S\n]*{word}", re.M) for word in (r"\[Unit\]", r"\[Service\]", r"ExecStart\s*="))
 """What makes a service of a file with another name, in this order."""
 _BACKUP = regex(r"(?:~|\.(?:bak|orig|rej|swp|dpkg-\w+|rpm\w+|ucf-\w+))$")

@@ -14,11 +14,13 @@ SIMULATORS = (
     r"|pybullet|coppelia(?:sim)?"
 )
 WORDS = r"sim(?!_time)|sims|simulations?|simulators?|simulated"
+HINTS = "sim gazebo gz ign webots isaac mujoco carla stage_ros unity pybullet coppelia"
+"""Each simulator and each word holds one of these."""
 TOLD = r"gazebo|\bgz[ _-]|ros_gz|webots|isaac|mujoco|coppelia|airsim|carla|stage_ros|pybullet|simulat"
 """Anywhere in a text, these hardly mean anything else. Isaac alone may mean Isaac Sim."""
 
-_SIMULATOR = regex(rf"(?<![a-z0-9])(?:{SIMULATORS})(?![a-z0-9])", re.I)
-_NAMED = regex(rf"(?<![a-z0-9])(?:{SIMULATORS}|{WORDS})(?![a-z0-9])", re.I)
+_SIMULATOR = regex(rf"(?<![a-z0-9])(?:{SIMULATORS})(?![a-z0-9])", re.I, HINTS)
+_NAMED = regex(rf"(?<![a-z0-9])(?:{SIMULATORS}|{WORDS})(?![a-z0-9])", re.I, HINTS)
 
 
 def is_simulator(name: str) -> bool:

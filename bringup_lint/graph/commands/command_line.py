@@ -18,8 +18,16 @@ from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 
-_ROS1_TEXT = regex(r"/opt/ros/(?:noetic|melodic|kinetic|lunar|jade|indigo)\b|\b(?:roslaunch|rosrun|roscore)\b")
-_ROS_TEXT = regex(r"\bros2 |/opt/ros/|install/(?:local_)?setup\.(?:bash|sh)|component_container")
+_ROS1_TEXT = regex(
+    r"/opt/ros/(?:noetic|melodic|kinetic|lunar|jade|indigo)\b|\b(?:roslaunch|rosrun|roscore)\b",
+    0,
+    "/opt/ros/ roslaunch rosrun roscore",
+)
+_ROS_TEXT = regex(
+    r"\bros2 |/opt/ros/|install/(?:local_)?setup\.(?:bash|sh)|component_container",
+    0,
+    "ros2 /opt/ros/ install/ component_container",
+)
 _LAUNCH_TEXT = regex(r"\bros2\s+launch\b")
 _TERMINALS = ("tmux", "screen", "byobu")
 _ON_FILES = ("security", "pkg", "interface", "extensions", "extension_points")

@@ -14,8 +14,8 @@ from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
-_VNC = regex(r"(?:x0|X|tiger|tight)?vnc(?:server)?(?:\.\w+)?|x0tigervncserver|x0vncserver|Xvnc|Xtigervnc", re.I)
-_JUPYTER = regex(r"jupyter(?:-\w+)?")
+_VNC = regex(r"(?:x0|X|tiger|tight)?vnc(?:server)?(?:\.\w+)?|x0tigervncserver|x0vncserver|Xvnc|Xtigervnc", re.I, "vnc")
+_JUPYTER = regex(r"jupyter(?:-\w+)?", 0, "jupyter")
 _NO_TOKEN = regex(r"--(?:Notebook|Server|Lab|Identity)(?:App|Provider)\.token=?(?:''|\"\")?")
 _PASSWORD = regex(r"--\w+\.(?:hashed_)?password=.")
 

@@ -44,7 +44,11 @@ OF_ROS = regex(r"(?:ROS|RMW|CYCLONE|CYCLONE_?DDS|FAST_?RTPS|FAST_?DDS|RCUTILS|ZE
 """Names of variables that ROS 2 or its middleware reads, and such as are taken for them."""
 
 _LOGIN_NAMES = (".bashrc", ".bash_profile", ".profile", ".zshrc", "bash.bashrc")
-_LOGIN = regex(r"/(?:\.bashrc|\.(?:bash_)?profile|\.zshrc|bash\.bashrc)$|/profile\.d/[^/]+$|/etc/environment$")
+_LOGIN = regex(
+    r"/(?:\.bashrc|\.(?:bash_)?profile|\.zshrc|bash\.bashrc)$|/profile\.d/[^/]+$|/etc/environment$",
+    0,
+    "bash profile zshrc /etc/",
+)
 
 
 class Setting(NamedTuple):

@@ -5,8 +5,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from collections.abc import Iterator
+from functools import cache
 from functools import lru_cache
 
+from bringup_lint.facts import rows
 from bringup_lint.graph.graph import Edge
 from bringup_lint.graph.graph import Node
 from bringup_lint.graph.graph import Origin
@@ -36,19 +38,19 @@ def _edges(version: int, own: frozenset[str], anew: frozenset[str]) -> tuple[Edg
 
 
 def _of_release(version: int, own: frozenset[str], anew: frozenset[str]) -> Iterator[Edge]:
-    from bringup_lint.facts import table
-
-    shipped = {row["unit"]: row for row in table("systemd/units") if _ships(row, version) and not row["alias_of"]}
-    for row in table("systemd/unit_edges"):
-        name = row["unit"]
-        if name in anew and row["relation"] in INSTALLED:
+    shipped = {
+        name: (package, defaults == "yes")
+        for name, package, releases, alias_of, _, defaults in rows("systemd/units")[1]
+        if not alias_of and _ships(releases, version)
+    }
+    for name, relation, target, releases in rows("systemd/unit_edges")[1]:
+        if name in anew and relation in INSTALLED:
             continue
-        if name in shipped and name not in own and _ships(row, version):
-            for edge in _stated(row, optional=shipped[name]["package"] != "systemd"):
-                yield edge._replace(origin=Origin.DISTRIBUTION)
-    for name, row in shipped.items():
+        if name in shipped and name not in own and _ships(releases, version):
+            yield from _stated(name, relation, target, optional=shipped[name][0] != "systemd")
+    for name, (_, has_defaults) in shipped.items():
         if name not in own:
-            yield from default_edges(Node("unit", name), row["default_dependencies"] == "yes")
+            yield from default_edges(_node(name), has_defaults)
 
 
 def _own(units: Iterable[Unit]) -> set[str]:
@@ -69,20 +71,24 @@ def _installed_anew(units: Iterable[Unit]) -> Iterator[str]:
             yield unit.name
 
 
-def _stated(row: dict[str, str], *, optional: bool) -> Iterator[Edge]:
+def _stated(name: str, relation: str, target: str, *, optional: bool) -> Iterator[Edge]:
     """What a row of the table says. ``optional``: the unit is there only when its package is installed."""
-    name, relation = row["unit"], row["relation"]
-    here, there = Node("unit", name), Node("unit", shipped_units.aliases().get(row["target"], row["target"]))
-    why = f"{relation}= of the distribution's {name}"
+    here, there = _node(name), _node(shipped_units.aliases().get(target, target))
+    why, origin = f"{relation}= of the distribution's {name}", Origin.DISTRIBUTION
     if relation == "After":
-        yield Edge("orders", there, here, None, why)
+        yield Edge("orders", there, here, None, why, False, origin)
     elif relation == "Before":
-        yield Edge("orders", here, there, None, why, of_package=optional)
+        yield Edge("orders", here, there, None, why, optional, origin)
     elif relation in PULLS:
-        yield Edge(PULLS[relation], here, there, None, why)
+        yield Edge(PULLS[relation], here, there, None, why, False, origin)
     elif relation in INSTALLED:
-        yield Edge(INSTALLED[relation], there, here, None, why, of_package=True)
+        yield Edge(INSTALLED[relation], there, here, None, why, True, origin)
 
 
-def _ships(row: dict[str, str], version: int) -> bool:
-    return row["releases"] == "*" or str(version) in row["releases"].split(",")
+@cache
+def _node(name: str) -> Node:
+    return Node("unit", name)
+
+
+def _ships(releases: str, version: int) -> bool:
+    return releases == "*" or str(version) in releases.split(",")

@@ -35,7 +35,9 @@ USER_PATH = (
 )
 """Directories in the order in which they win (systemd.unit(5), "Unit File Load Path")."""
 
-_USER_FOLDER = regex(r"(?:^|/)(?:(?:systemd|units?|services?)[/_-]user|user[_-](?:systemd|units?|services?))(?:/|$)")
+_USER_FOLDER = regex(
+    r"(?:^|/)(?:(?:systemd|units?|services?)[/_-]user|user[_-](?:systemd|units?|services?))(?:/|$)", 0, "user"
+)
 
 
 class Place(NamedTuple):

@@ -13,14 +13,14 @@ from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
-_HOME = regex(r"/home/([^/]+)/")
-_INTERPRETER = regex(r"(?:python[0-9.]*|node|nodejs|ruby|perl|bash|sh|dash)$")
+_HOME = regex(r"/home/([^/]+)/", 0, "/home/")
+_INTERPRETER = regex(r"(?:python[0-9.]*|node|nodejs|ruby|perl|bash|sh|dash)$", 0, "python node ruby perl sh")
 _OF_DISTRIBUTION = ("/usr/lib/", "/usr/share/", "/usr/bin/", "/lib/")
 _RELAYS = frozenset(
     "socat nc ncat netcat websockify ttyd gunicorn uvicorn mjpg_streamer x0vncserver x0tigervncserver x11vnc jupyter "
     "jupyter-lab jupyter-notebook code-server foxglove_bridge node-red".split()
 )
-_OWN_PLACE = regex(r"/(?:opt|srv)/")
+_OWN_PLACE = regex(r"/(?:opt|srv)/", 0, "/opt/ /srv/")
 _NEEDS_ROOT = regex(
     r"\b(?:ip (?:-\S+ ){0,8}link|ifconfig|modprobe|insmod|mount|iptables|nft|sysctl|systemctl|nvpmodel|jetson_clocks"
     r"|slcand|hciconfig|rfkill|reboot|poweroff|shutdown|chown|setcap)\b"

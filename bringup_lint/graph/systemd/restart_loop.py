@@ -30,6 +30,7 @@ _RELAY = regex(
     r"(?:micro_?ros_agent|MicroXRCEAgent|rosbridge_\w+|foxglove_bridge|rmw_zenohd|zenohd|zenoh-bridge\S*|domain_bridge"
     r"|ptp4l|phc2sys|ser2net|autossh|frpc|cloudflared|mavproxy|mavlink-router\w*)(?:[.-]|$|_launch)",
     re.I,
+    "ros bridge xrce zenoh ptp4l phc2sys ser2net autossh frpc cloudflared mav",
 )
 """Programs that do nothing but connect to something, and that end when it is not there."""
 

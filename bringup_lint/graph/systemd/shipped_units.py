@@ -9,7 +9,8 @@ from bringup_lint.pattern import regex
 GENERATED = regex(
     r"\.(?:device|mount|automount|swap|slice|scope)$|^(?:getty|serial-getty|user|user-runtime-dir|modprobe|systemd-fsck"
     r"|systemd-backlight|systemd-growfs|systemd-cryptsetup|systemd-pcrphase|wpa_supplicant|dhcpcd|ifup|netplan-\w+"
-    r"|container-getty|autovt|systemd-[\w-]+)@|^(?:dbus-.*|netplan-.*|snap[.-].*|cloud-.*|nvargus-.*|nvidia-.*)\.\w+$"
+    r"|container-getty|autovt|systemd-[\w-]+)@|^(?:dbus-.*|netplan-.*|snap[.-].*|cloud-.*|nvargus-.*|nvidia-.*)\.\w+$",
+    hints=".device mount .swap .slice .scope @ dbus- netplan- snap cloud- nvargus- nvidia-",
 )
 """Names that the kernel, a generator or an installed package provides, so that nothing in a tree can prove
 them missing."""

@@ -25,7 +25,7 @@ from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.templates import final_name
 
-_LINK_FOLDER = regex(r"([^/]+)\.(wants|requires|upholds)$")
+_LINK_FOLDER = regex(r"([^/]+)\.(wants|requires|upholds)$", 0, ".wants .requires .upholds")
 _RELATION = {"wants": "Wants", "requires": "Requires", "upholds": "Upholds"}
 
 

@@ -14,7 +14,7 @@ from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 
-_OWN = regex(r"/(?:usr/local|opt|etc|home|root|srv|var|data)/.+")
+_OWN = regex(r"/(?:usr/local|opt|etc|home|root|srv|var|data)/.+", 0, "local/ opt/ etc/ home/ root/ srv/ var/ data/")
 """Where programs lie that no package of the distribution brings."""
 _MODE = regex(r"^[ \t-]*(?:permissions|mode)[\"']?[ \t]*:", re.M)
 _CHANGES = regex(r"\b(?:chmod|setfacl|install|cp|mv|rsync)\b[^\n]*")
