@@ -2,8 +2,8 @@
 
 ## What it finds
 `require_enable_button: false` for teleop_twist_joy (or a node with its parameters and a name like `joy` or `teleop`),
-in parameter files that something names. It is info where a node of the tree hears the joystick, too, because it may ask
-for a button.
+in parameter files that something names. Where it is only the name, and a node of the tree hears the joystick, it is
+info, because that node may ask for a button.
 
 ## Why it matters on a robot
 A gamepad that is dropped, sat on, tilted or lying in a bag moves the robot, and a stick that does not return to its
@@ -48,7 +48,7 @@ from bringup_lint.api.params import operator_problems
 def joystick_no_deadman(robot: Robot) -> Iterator[Finding]:
     for each in operator_problems(robot.params):
         if each.kind == "deadman":
-            heard = any(is_of_joystick(robot, endpoint) for endpoint in robot.topics.endpoints)
+            heard = not each.name and any(is_of_joystick(endpoint) for endpoint in robot.topics.endpoints)
             yield finding(
                 each.where,
                 "No button has to be held: a touched or dropped gamepad moves the robot",
@@ -57,9 +57,5 @@ def joystick_no_deadman(robot: Robot) -> Iterator[Finding]:
             )
 
 
-def is_of_joystick(robot: Robot, endpoint: Endpoint) -> bool:
-    """Whether a node other than a copy of teleop_twist_joy hears the joystick."""
-    if endpoint.role != "subscription" or endpoint.type != "sensor_msgs/msg/Joy":
-        return False
-    owner = robot.launch.workspace.owner(endpoint.span.source)
-    return owner is None or owner.name != "teleop_twist_joy"
+def is_of_joystick(endpoint: Endpoint) -> bool:
+    return endpoint.role == "subscription" and endpoint.type == "sensor_msgs/msg/Joy"

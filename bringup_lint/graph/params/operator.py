@@ -34,6 +34,7 @@ _EMERGENCY = regex(r"(?:^|[_/])(?:e_?stop|emergency\w*?)(?:$|[_/])")
 _LOOP = regex(r"(?:^|[_/])loop(?:$|[_/])")
 """The lock of the sample of twist_mux that holds navigation back while the map closes a loop."""
 
+_TELEOP = "teleop_twist_joy"
 _JOYSTICK = regex(r"joy|tele|pad|\*")
 """What a node is called that drives by a joystick, or what stands for any name."""
 
@@ -43,7 +44,7 @@ class OperatorProblem(NamedTuple):
     """``order``, ``never``, ``endless``, ``lock`` or ``deadman``."""
     where: Span
     name: str
-    """The input or lock of the multiplexer."""
+    """The input or lock of the multiplexer; for ``deadman`` the package, where it is known."""
     other: str
     """The input that gets through instead, or in spite of it."""
     detail: str
@@ -82,11 +83,11 @@ def _deadman(params: Params, file: ParameterFile, block: Block) -> Iterator[Oper
     if switch is None or switch.value.data is not False or not moves:
         return
     loads = params.loads(file)
-    is_teleop = any(literal_text(load.node.package) == "teleop_twist_joy" for load in loads)
-    if not is_teleop and _JOYSTICK.search(str(block.key)) is None:
+    sure = _TELEOP in str(block.key) or any(literal_text(load.node.package) == _TELEOP for load in loads)
+    if not sure and _JOYSTICK.search(str(block.key)) is None:
         return
     if not loads or params.effective(file, switch):
-        yield OperatorProblem("deadman", switch.span, "", "", "")
+        yield OperatorProblem("deadman", switch.span, _TELEOP if sure else "", "", "")
 
 
 def _is_mux(params: Params, file: ParameterFile, block: Block) -> bool:
