@@ -6,13 +6,17 @@ from collections.abc import Iterable
 from typing import TypeVar
 
 Word = TypeVar("Word", bound=str)
+_LONGEST = 255
+"""Characters of a name; what differs in more is no name that somebody misspelt."""
 
 
 def meant(name: str, known: Iterable[str]) -> str | None:
     """The known name that somebody meant: misspelt, or the last part of a path."""
     import difflib
 
-    known = list(known)
+    if len(name) > _LONGEST:
+        return None
+    known = [each for each in known if len(each) <= _LONGEST]
     ends = [each for each in known if each.endswith(f"/{name}")]
     near = ends if len(ends) == 1 else difflib.get_close_matches(name, known, 1, 0.8)
     return near[0] if near else None
@@ -49,6 +53,8 @@ def edits(one: str, other: str, limit: int) -> int:
     if abs(len(one) - len(other)) > limit:
         return limit + 1
     one, other = _different(one, other)
+    if max(len(one), len(other)) > _LONGEST:
+        return limit + 1
     before: list[int] = []
     row = list(range(len(other) + 1))
     for i, char in enumerate(one, 1):

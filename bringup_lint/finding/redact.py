@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections import defaultdict
 from collections.abc import Iterable
+from collections.abc import Set as AbstractSet
 from functools import cached_property
 
 from bringup_lint.dataclass import replace
@@ -12,6 +13,8 @@ from bringup_lint.finding import Edit
 from bringup_lint.finding import Finding
 from bringup_lint.finding import Fix
 from bringup_lint.finding import Related
+from bringup_lint.finding.common_words import is_common
+from bringup_lint.finding.common_words import parts_of_paths
 from bringup_lint.finding.place import inside
 from bringup_lint.finding.secrets import MERE_NAME
 from bringup_lint.finding.secrets import given_away
@@ -23,6 +26,8 @@ SHORTEST = 6
 """A secret of fewer characters is masked where it is marked, not in every text that happens to hold it."""
 
 
+NEAR = 3
+"""Lines around a secret in which it is masked though it is a common word: a code frame shows them beside it."""
 _WORD = regex(r"[A-Za-z]{1,11}")
 
 
@@ -33,7 +38,7 @@ def mask_of(findings: Iterable[Finding], sources: Iterable[Source] = ()) -> Mask
     shown = _shown(findings) | dict.fromkeys(sources)
     named = (span for source in shown for span in given_away(source))
     secrets = [span for span in (*marked, *named) if span.text.strip("* \t\r\n")]
-    return Mask(secrets) if secrets else None
+    return Mask(secrets, parts_of_paths(shown)) if secrets else None
 
 
 def _shown(findings: Iterable[Finding]) -> dict[Source, None]:
@@ -49,9 +54,9 @@ def _shown(findings: Iterable[Finding]) -> dict[Source, None]:
 
 def widened(mask: Mask | None, sources: Iterable[Source]) -> Mask | None:
     """The mask for what these files give away, besides what it hides already."""
-    named = mask_of((), sources)
-    secrets = [*(mask.secrets if mask else ()), *(named.secrets if named else ())]
-    return Mask(secrets) if secrets else None
+    known = [each for each in (mask, mask_of((), sources)) if each is not None]
+    secrets = [span for each in known for span in each.secrets]
+    return Mask(secrets, frozenset().union(*(each.parts for each in known))) if secrets else None
 
 
 def _anywhere(secret: str) -> str:
@@ -64,23 +69,49 @@ def _anywhere(secret: str) -> str:
 class Mask:
     """Replaces secrets, character by character, so that every offset and column stays true."""
 
-    def __init__(self, secrets: Iterable[Span]) -> None:
+    def __init__(self, secrets: Iterable[Span], parts: frozenset[str] = frozenset()) -> None:
+        """``parts``: the words of the paths that are shown."""
         self.secrets = tuple(secrets)
+        self.parts = parts
         self.sources: dict[Source, Source] = {}
         self.spans: dict[Source, list[Span]] = defaultdict(list)
         for span in self.secrets:
             self.spans[span.source].append(span)
 
     @cached_property
-    def pattern(self) -> re.Pattern[str] | None:
+    def _lines(self) -> frozenset[str]:
         lines = {line.strip() for span in self.secrets for line in span.text.splitlines()}
-        long = [line for line in lines if len(line) >= SHORTEST and not MERE_NAME.fullmatch(line)]
-        long.sort(key=lambda line: (-len(line), line))
-        return re.compile("|".join(map(_anywhere, long))) if long else None
+        return frozenset(line for line in lines if len(line) >= SHORTEST and not MERE_NAME.fullmatch(line))
 
-    def words(self, text: str) -> str:
-        """A message without the secrets that it quotes."""
-        return self.pattern.sub(lambda match: _stars(match[0]), text) if self.pattern else text
+    @cached_property
+    def common(self) -> frozenset[str]:
+        """The secrets that are common words: they are masked where they stand as a secret, and near there."""
+        return frozenset(line for line in self._lines if is_common(line, self.parts))
+
+    @cached_property
+    def pattern(self) -> re.Pattern[str] | None:
+        return _any_of(self._lines - self.common)
+
+    @cached_property
+    def _near(self) -> dict[Source, dict[int, set[str]]]:
+        """Source -> line -> the common words that are a secret near it."""
+        found: dict[Source, dict[int, set[str]]] = {}
+        for span in self.secrets:
+            if (word := span.text.strip()) in self.common:
+                lines = found.setdefault(span.source, {})
+                for line in range(span.line - NEAR, span.line + NEAR + 1):
+                    lines.setdefault(line, set()).add(word)
+        return found
+
+    def words(self, text: str, near: Iterable[Span] = ()) -> str:
+        """A text without the secrets that it quotes; ``near`` is what it is about."""
+        if self.pattern:
+            text = self.pattern.sub(lambda match: _stars(match[0]), text)
+        if self.common:
+            told = {span.text for span in given_away(Source("", text))}
+            told.update(*(self._near.get(span.source, {}).get(span.line, ()) for span in near))
+            text = _without(text, told & self.common)
+        return text
 
     def source(self, source: Source) -> Source:
         """The same file with its secrets masked."""
@@ -88,7 +119,12 @@ class Mask:
             text = list(source.text)
             for _, start, end in self.spans.get(source, ()):
                 text[start:end] = _stars(source.text[start:end])
-            masked = self.words("".join(text))
+            starts = [0, *source.line_starts, len(source.text)]
+            for line, words in self._near.get(source, {}).items():
+                start, end = starts[line : line + 2] if 0 < line < len(starts) - 1 else (0, 0)
+                text[start:end] = _without("".join(text[start:end]), words)
+            masked = "".join(text)
+            masked = self.pattern.sub(lambda match: _stars(match[0]), masked) if self.pattern else masked
             self.sources[source] = source if masked == source.text else replace(source, text=masked, masked=True)
         return self.sources[source]
 
@@ -97,26 +133,37 @@ class Mask:
 
     def finding(self, finding: Finding) -> Finding:
         silenced = finding.suppression
+        about = (finding.span, *finding.secrets, *(each.span for each in (*finding.related, *finding.chain)))
         return replace(
             finding,
-            message=self.words(finding.message),
+            message=self.words(finding.message, about),
             span=self.span(finding.span),
-            advice=self.words(finding.advice),
-            related=tuple(self.related(related) for related in finding.related),
-            chain=tuple(self.related(step) for step in finding.chain),
-            fix=finding.fix and self.fix(finding.fix),
+            advice=self.words(finding.advice, about),
+            related=tuple(self.related(related, about) for related in finding.related),
+            chain=tuple(self.related(step, about) for step in finding.chain),
+            fix=finding.fix and self.fix(finding.fix, about),
             hidden=tuple(self.span(span) for span in finding.hidden),
             secrets=tuple(self.span(span) for span in finding.secrets),
             suppression=silenced
-            and silenced._replace(span=self.span(silenced.span), reason=self.words(silenced.reason)),
+            and silenced._replace(span=self.span(silenced.span), reason=self.words(silenced.reason, about)),
         )
 
-    def related(self, related: Related) -> Related:
-        return Related(self.span(related.span), self.words(related.message))
+    def related(self, related: Related, about: Iterable[Span] = ()) -> Related:
+        return Related(self.span(related.span), self.words(related.message, about))
 
-    def fix(self, fix: Fix) -> Fix:
-        edits = tuple(Edit(self.span(edit.span), self.words(edit.text)) for edit in fix.edits)
-        return replace(fix, title=self.words(fix.title), edits=edits, codemod=None)
+    def fix(self, fix: Fix, about: Iterable[Span] = ()) -> Fix:
+        edits = tuple(Edit(self.span(edit.span), self.words(edit.text, (*about, edit.span))) for edit in fix.edits)
+        return replace(fix, title=self.words(fix.title, about), edits=edits, codemod=None)
+
+
+def _any_of(secrets: AbstractSet[str]) -> re.Pattern[str] | None:
+    ordered = sorted(secrets, key=lambda line: (-len(line), line))
+    return re.compile("|".join(map(_anywhere, ordered))) if ordered else None
+
+
+def _without(text: str, secrets: AbstractSet[str]) -> str:
+    pattern = _any_of(secrets)
+    return pattern.sub(lambda match: _stars(match[0]), text) if pattern else text
 
 
 def _stars(secret: str) -> str:

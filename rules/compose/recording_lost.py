@@ -51,7 +51,7 @@ from bringup_lint.api.compose import Service
 from bringup_lint.api.docker import recordings
 
 OPTIONS = ("-o", "--output")
-KNOWN = regex(r"/[\w./-]*[\w-]|(?P<folder>/[\w./-]*/)[^\s/]*[$`][^\n]*")
+KNOWN = regex(r"/[\w./-]*[\w-]|(?P<folder>/[\w./-]*/)[^\s/$`]*[$`][^\n]*")
 """A folder, also one whose last name is made anew each time."""
 TAKES = regex(r"\bdocker(?:-compose|[ \t]+compose)?[ \t]+cp\b|\bupload|\brclone\b|\brsync\b|\bs3\b", re.I)
 

@@ -54,12 +54,17 @@ ADDS = ("useradd", "adduser")
 
 @rule("warning", confidence="medium", silent="the script succeeds; only the user's shell lacks the lines")
 def root_home(robot: Robot) -> Iterator[Finding]:
+    has_user: bool | None = None
     for source in robot.of_kind("shell-script"):
         if not source.judged or source.template or OTHER_HOME.search(source.text):
             continue
         did = robot.scripts.done(source)
         written = [each for each in did if isinstance(each, Written) and LOGIN.match(each.path)]
-        if not written or not _is_root(source, did) or not _has_user(robot, did):
+        if not written or not _is_root(source, did):
+            continue
+        if has_user is None:
+            has_user = _has_user(robot)
+        if not has_user and not _adds_user(did):
             continue
         if robot.scripts.is_for_image(source):  # root is the only user there
             continue
@@ -100,9 +105,11 @@ def _is_etc(run: Run) -> bool:
     return run.arguments[-1].startswith("/etc/")
 
 
-def _has_user(robot: Robot, did: list[Run | Written]) -> bool:
-    """Whether somebody else than root works on the robot."""
-    if any(isinstance(each, Run) and each.name in ADDS and len(each.words) > 1 for each in did):
-        return True
+def _adds_user(did: list[Run | Written]) -> bool:
+    return any(isinstance(each, Run) and each.name in ADDS and len(each.words) > 1 for each in did)
+
+
+def _has_user(robot: Robot) -> bool:
+    """Whether a service runs as somebody else than root."""
     users = (unit.identity.user for unit in robot.units.services if unit.fragment is not None)
     return any(user is not None and user not in ("root", "0") for user in users)

@@ -41,6 +41,7 @@ from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.shell import Command
 from bringup_lint.api.shell import shell_commands
+from bringup_lint.api.systemd import Unit
 
 NAMES = ("LD_LIBRARY_PATH", "PYTHONPATH", "AMENT_PREFIX_PATH", "CMAKE_PREFIX_PATH", "ROS_PACKAGE_PATH", "DISPLAY")
 USE = regex(rf"(?<![\\'\w])\$(?:(?P<plain>{'|'.join(NAMES)})(?!\w)|\{{(?P<braced>{'|'.join(NAMES)})\}})")
@@ -52,6 +53,7 @@ DECLARES = ("export", "declare", "local", "readonly", "typeset", "read", "unset"
 
 @rule("error", confidence="medium", symptoms=["LD_LIBRARY_PATH: unbound variable", "PYTHONPATH: parameter not set"])
 def unset_variable(robot: Robot) -> Iterator[Finding]:
+    started: dict[str, list[Unit]] | None = None
     for source in robot.of_kind("shell-script"):
         if not source.judged or source.template or not any(name in source.text for name in NAMES):
             continue
@@ -59,7 +61,9 @@ def unset_variable(robot: Robot) -> Iterator[Finding]:
         if found is None:
             continue
         use, name, strict = found
-        if _starts_without(robot, source, name):
+        if started is None:
+            started = _started(robot)
+        if _starts_without(robot, source, name, started.get(source.basename, [])):
             yield finding(
                 use,
                 f"{name} is not set when this script starts: with 'set -u' it exits here",
@@ -106,7 +110,17 @@ def _after_set(command: Command, strict: Span | None) -> Span | None:
     return command.words[0].span if any(map(ON.fullmatch, words)) else strict
 
 
-def _starts_without(robot: Robot, source: Source, name: str) -> bool:
+def _started(robot: Robot) -> dict[str, list[Unit]]:
+    """The last part of each of the first words of a command -> the services that may start a file of that name."""
+    found: dict[str, list[Unit]] = {}
+    for unit in robot.units.services:
+        lines = (process.line for process in robot.units.processes(unit))
+        for name in {word.rpartition("/")[2] for line in lines for word in line.split(None, 2)[:2]}:
+            found.setdefault(name, []).append(unit)
+    return found
+
+
+def _starts_without(robot: Robot, source: Source, name: str, units: list[Unit]) -> bool:
     """Whether only system units start the script, as the first program, and one of them has no such variable."""
     own = re.escape(source.basename)
     if robot.scripts.is_for_image(source):
@@ -117,5 +131,5 @@ def _starts_without(robot: Robot, source: Source, name: str) -> bool:
         and not unit.has("PassEnvironment")
         and robot.units.environment(unit).defines(name) is False
         and any(direct.fullmatch(process.line) for process in robot.units.processes(unit))
-        for unit in robot.units.services
+        for unit in units
     )

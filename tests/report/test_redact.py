@@ -50,6 +50,31 @@ def test_value_that_repeats_its_name_leaves_prose_alone() -> None:
     assert "MQTT_PASSWORD=********" in text
 
 
+def test_common_word_is_masked_where_it_is_a_secret_and_near_there() -> None:
+    lines = "\n" * 9
+    text = report_on(f"KEY=1\nPASSWORD=jetson\n# it is jetson\n{lines}HOST=jetson\n", message="the jetson is slow")
+    assert "PASSWORD=******" in text
+    assert "it is jetson" not in text
+    assert "the ****** is slow" in text, "the finding is about a line near it"
+
+
+def test_common_word_stays_in_what_is_about_other_lines() -> None:
+    source = Source("etc/robots/panther.env", "PASSWORD=panther\n" + "\n" * 9 + "HOST=panther\n")
+    host = source.span(source.text.index("HOST"), len(source.text))
+    finding = Finding("panther is no address", host, "env/x", Severity.ERROR, advice="write password=panther")
+    text = render("text", Report((finding,)))
+    assert "HOST=panther" in text
+    assert "panther is no address" in text
+    assert "write password=*******" in text
+
+
+def test_word_that_no_path_has_is_masked_everywhere() -> None:
+    source = Source("etc/robots/rover.env", "PASSWORD=kestrel\n" + "\n" * 9 + "HOST=kestrel\n")
+    host = source.span(source.text.index("HOST"), len(source.text))
+    text = render("text", Report((Finding("kestrel is no address", host, "env/x", Severity.ERROR),)))
+    assert "kestrel" not in text
+
+
 def test_without_secrets_nothing_is_copied() -> None:
     finding = Finding("fine", Source("a", "b").whole, "env/x", Severity.INFO)
     assert mask_of([finding]) is None

@@ -89,10 +89,15 @@ class Images:
     @memo
     def _is_given(self, argument: str) -> bool:
         """Whether a compose file, a bake file or a build command gives a value to an ARG."""
-        if any(argument in service.build_arguments for file in self.compose_files for service in file.services):
+        if argument in self._build_arguments:
             return True
         given = re.compile(rf"\b{re.escape(argument)}[\"']?[ \t]*[:=]")
         return any("build" in text and "arg" in text and given.search(text) for text in self._build_texts)
+
+    @cached_property
+    def _build_arguments(self) -> frozenset[str]:
+        services = (service for file in self.compose_files for service in file.services)
+        return frozenset(name for service in services for name in service.build_arguments)
 
     @cached_property
     def _build_texts(self) -> list[str]:

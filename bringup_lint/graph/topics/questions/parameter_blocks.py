@@ -27,6 +27,8 @@ if TYPE_CHECKING:
 
 VALUES = ("nested-list", "mixed-list", "list-of-maps")
 """Problems of single values: the blocks around them are read all the same."""
+_MOST = 4_000
+"""Pairs of a block and a node that gets its file; with more, a file is not looked at."""
 _TELLING = 2
 """Parameters that say together for which program a block is."""
 
@@ -65,14 +67,18 @@ class _Matching:
 
     def unreached(self) -> Iterator[Mismatch]:
         for file, loads in _certain(self.params):
+            known = set(map(id, loads))
+            missed = [each for each in loads if not any(self._reaches(block, each) for block in file.blocks)]
+            if not missed:
+                continue
             for same in self._by_node(loads):
                 names = [self._name(load) for load in same]
                 if None in names or any(self._reaches(block, load) for block in file.blocks for load in same):
                     continue
                 others = [load for load in self.params.loads(file) if load.node.action is not same[0].node.action]
-                others = [load for load in others if load in loads or self._name(load) is not None]
+                others = [load for load in others if id(load) in known or self._name(load) is not None]
                 free = [block for block in file.blocks if not any(self._reaches(block, load) for load in others)]
-                yield from islice(self._mismatches(file, free, same[0], loads), 1)
+                yield from islice(self._mismatches(file, free, same[0], loads, missed), 1)
 
     def _by_node(self, loads: list[Load]) -> Iterator[list[Load]]:
         """The loads of each node; not those of files that another file includes, where there are others."""
@@ -83,14 +89,14 @@ class _Matching:
             yield [load for load in every if not self.params.is_included(load)] or every
 
     def _mismatches(
-        self, file: ParameterFile, blocks: list[Block], load: Load, loads: list[Load]
+        self, file: ParameterFile, blocks: list[Block], load: Load, loads: list[Load], missed: list[Load]
     ) -> Iterator[Mismatch]:
+        """``missed``: those of the loads that no block reaches."""
         name = str(self._name(load))
         kinds = [(block, _meant(block, name)) for block in blocks]
         yield from (Mismatch(file, block, load, name, kind) for block, kind in kinds if kind is not None)
-        unreached = [each for each in loads if not any(self._reaches(block, each) for block in file.blocks)]
         for block in blocks:
-            if _is_named_after(block, load, unreached) or self._is_declared(block, load, loads):
+            if _is_named_after(block, load, missed) or self._is_declared(block, load, loads):
                 yield Mismatch(file, block, load, name, True)
 
     def _is_declared(self, block: Block, load: Load, loads: list[Load]) -> bool:
@@ -139,7 +145,8 @@ def _certain(params: Params) -> Iterator[tuple[ParameterFile, list[Load]]]:
         loads = [load for load in params.loads(file) if not params.is_missing(load.node)]
         odd = any(sign in block.name for block in file.blocks for sign in "$<>{}%@")
         read = all(problem.code in VALUES for problem in file.problems)
-        if loads and read and not file.uncertain and not odd and all(map(_plain, loads)):
+        few = len(loads) * len(file.blocks) <= _MOST
+        if loads and few and read and not file.uncertain and not odd and all(map(_plain, loads)):
             yield file, loads
 
 
