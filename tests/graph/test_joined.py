@@ -337,3 +337,25 @@ def test_devices_in_parameter_files_belong_to_the_nodes_that_load_them(tmp_path:
         ("a.yaml", "names", "/dev/rover/lidar"),
         ("/dev/rover/lidar", "links", "70-rover.rules:1"),
     } <= said(drawn(tree(tmp_path, files)))
+
+
+def test_a_unit_that_runs_ros2_by_its_path_runs_the_launch_file_only(tmp_path: Path) -> None:
+    files = {
+        "launch/a.launch.xml": "<launch/>\n",
+        "a.service": "[Service]\nExecStart=/opt/ros/jazzy/bin/ros2 launch p a.launch.xml\n",
+    }
+    runs = {edge for edge in said(drawn(tree(tmp_path, files))) if edge[1] == "runs"}
+    assert runs == {("a.service", "runs", "a.launch.xml")}
+
+
+def test_a_keystore_at_a_path_of_the_robot_is_that_of_the_tree(tmp_path: Path) -> None:
+    permissions = (
+        PROJECT / "fixtures/robots/guide/tree/etc/heron/keystore/enclaves/heron/lidar/permissions.xml"
+    ).read_text()
+    files = {
+        "etc/rover/keystore/enclaves/heron/lidar/permissions.xml": permissions,
+        "etc/rover/rover.env": "ROS_SECURITY_KEYSTORE=/etc/rover/keystore\n",
+        "etc/systemd/system/a.service": "[Service]\nEnvironmentFile=/etc/rover/rover.env\nExecStart=/bin/true\n",
+    }
+    document = drawn(tree(tmp_path, files))
+    assert [node["label"] for node in document["nodes"] if node["kind"] == "keystore"] == ["keystore"]

@@ -116,6 +116,8 @@ not [1]
 'b' not in {'a': 1}
 None is None
 1 is not None
+1 < 2 < 3
+1 < 3 < 2
 True is True
 False is not True
 1 if 2 > 1 else 3

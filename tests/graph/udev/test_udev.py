@@ -76,6 +76,12 @@ def test_a_jump_into_the_guarded_lines_takes_its_knowledge_away() -> None:
     assert not after.subsystems
 
 
+def test_lines_that_only_one_jump_leads_to_have_its_conditions() -> None:
+    text = 'SUBSYSTEM=="tty", GOTO="tty"\n{}LABEL="tty"\nSYMLINK+="robot/imu"\nLABEL="end"\n'
+    assert rules(text.format('GOTO="end"\n'))[3].subsystems == {"tty"}
+    assert not rules(text.format('KERNEL=="x", GOTO="end"\n'))[3].subsystems
+
+
 def test_rules_behind_an_unconditional_jump_are_unreachable() -> None:
     assert [rule.is_unreachable for rule in rules('GOTO="end"\nSYMLINK+="a"\nLABEL="end"\n')] == [
         False,
