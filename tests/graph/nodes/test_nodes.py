@@ -101,6 +101,12 @@ def test_main_and_class_in_different_files(tmp_path: Path) -> None:
     assert [file.source.basename for file in found.nodes.makers(cls)] == ["driver.py", "start.py"]
 
 
+def test_main_that_another_file_has(tmp_path: Path) -> None:
+    found = robot(tmp_path, python_package("'run = arm.start:main'", driver=node(), start="from arm.driver import main\n"))
+    assert started_class(found) == "Arm"
+    assert found.nodes.program("arm", "run").file.source.basename == "driver.py"
+
+
 def test_two_nodes_in_one_program_are_not_one(tmp_path: Path) -> None:
     text = node() + "    rclpy.spin(Leg())\n\nclass Leg(Node):\n    pass\n"
     found = robot(tmp_path, python_package("'run = arm.driver:main'", driver=text))

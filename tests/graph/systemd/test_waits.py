@@ -59,6 +59,13 @@ def test_wait(tmp_path: Path, text: str, seconds: float) -> None:
     assert wait(tmp_path, text) == seconds
 
 
+def test_a_script_gets_the_arguments_of_its_caller(tmp_path: Path) -> None:
+    inner = tmp_path / "usr" / "local" / "bin" / "pause"
+    inner.parent.mkdir(parents=True)
+    inner.write_text("#!/bin/sh\nsleep $1\n")
+    assert wait(tmp_path, "/usr/local/bin/pause 6\n/usr/local/bin/pause $2", "early 3") == 9
+
+
 def test_a_limit_for_each_device(tmp_path: Path) -> None:
     script = """
 DEVICES=(
