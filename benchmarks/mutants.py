@@ -107,7 +107,8 @@ def reach(data: Path) -> dict[str, dict[int, set[str]]]:
 
 
 def judged(mutant: Mutant, reached: dict[str, dict[int, set[str]]]) -> Mutant:
-    """The mutant with its verdict."""
+    """The mutant with its verdict, and with the line where it is now."""
+    mutant = mutant._replace(line=place(mutant))
     lines = reached.get(mutant.path, {})
     if is_rule(mutant.path):
         tests = fixtures_of(mutant.path)
@@ -218,14 +219,20 @@ def load_instead(mutant: Mutant) -> None:
 
 
 def changed(mutant: Mutant) -> str:
-    """The text of a file with a mutant's line, which is looked for near where it was."""
+    """The text of a file with a mutant's line."""
     lines = (PROJECT / mutant.path).read_text("utf-8").split("\n")
-    places = [number for number, line in enumerate(lines) if line.strip() == mutant.was]
-    if not places:
-        raise ValueError(f"{mutant.path} has no line {mutant.was!r} anymore: take the mutant out of the record")
-    at = min(places, key=lambda number: abs(number + 1 - mutant.line))
+    at = place(mutant) - 1
     indent = lines[at][: len(lines[at]) - len(lines[at].lstrip())]
     return "\n".join([*lines[:at], indent + mutant.became, *lines[at + 1 :]])
+
+
+def place(mutant: Mutant) -> int:
+    """The line of a mutant, which is looked for near where it was."""
+    lines = (PROJECT / mutant.path).read_text("utf-8").split("\n")
+    places = [number for number, line in enumerate(lines, 1) if line.strip() == mutant.was]
+    if not places:
+        raise ValueError(f"{mutant.path} has no line {mutant.was!r} anymore: take the mutant out of the record")
+    return min(places, key=lambda number: abs(number - mutant.line))
 
 
 if __name__ == "__main__":

@@ -102,7 +102,8 @@ def test_main_and_class_in_different_files(tmp_path: Path) -> None:
 
 
 def test_main_that_another_file_has(tmp_path: Path) -> None:
-    found = robot(tmp_path, python_package("'run = arm.start:main'", driver=node(), start="from arm.driver import main\n"))
+    start = "from arm.driver import main\n"
+    found = robot(tmp_path, python_package("'run = arm.start:main'", driver=node(), start=start))
     assert started_class(found) == "Arm"
     assert found.nodes.program("arm", "run").file.source.basename == "driver.py"
 
