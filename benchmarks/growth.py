@@ -145,7 +145,7 @@ class Times(NamedTuple):
     seconds: list[float]
     """CPU time for each step of the size; infinite where it never ended."""
     is_told: bool
-    """Whether a finding says that a budget ended the last one."""
+    """Whether a budget of time ended the last one; an end after so many steps of work that the size allows is right."""
 
 
 def times(each: Combination, registry: Registry, largest: int, most: float, *, whole: bool = False) -> Times:
@@ -165,7 +165,7 @@ def times(each: Combination, registry: Registry, largest: int, most: float, *, w
             if size >= SCREENED and not (whole or is_suspicious(found, alone)):
                 break
             size *= STEP
-    return Times(found, told)
+    return Times(found, told and found[-1] >= most)
 
 
 @contextmanager
