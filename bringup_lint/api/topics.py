@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.topics.questions.dead_remappings import dead_remappings
     from bringup_lint.graph.topics.questions.misspelt import misspelt
     from bringup_lint.graph.topics.questions.misspelt import probable_typos
+    from bringup_lint.graph.topics.questions.monitored_velocities import unmonitored
     from bringup_lint.graph.topics.questions.namespaces import shared_by_namespaces
     from bringup_lint.graph.topics.questions.unmatched import without_publisher
     from bringup_lint.graph.topics.resolved.endpoint_use import LaunchedNode
@@ -46,5 +47,6 @@ __all__ = [
     "too_reliable",
     "types_differ",
     "ungated",
+    "unmonitored",
     "without_publisher",
 ]

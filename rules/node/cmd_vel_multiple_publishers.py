@@ -3,7 +3,8 @@
 ## What it finds
 Two or more nodes that run together and publish the same velocity topic (`cmd_vel`, `base_cmd_vel`, ...), when no
 multiplexer, gate, smoother or collision monitor is among them. If a node of this tree limits velocities, publishers
-that bypass it are also reported. Nodes that an argument must enable, or that exclude each other, do not count. The
+that bypass it are also reported. The same for a collision monitor of Nav2 whose `cmd_vel_out_topic` is a topic to which
+servers of Nav2 publish by themselves. Nodes that an argument must enable, or that exclude each other, do not count. The
 servers of Nav2 take turns and count as one.
 
 ## Why it matters on a robot
@@ -65,4 +66,26 @@ def cmd_vel_multiple_publishers(robot: Robot) -> Iterator[Finding]:
                     *(note(use.where, f"{use.node.label()} publishes it too") for use in others),
                     *(note(use.node.started.span, f"{use.node.label()} is started here") for use in rivals),
                 ],
+            )
+    yield from past_the_monitor(robot)
+
+
+def past_the_monitor(robot: Robot) -> Iterator[Finding]:
+    seen = set()
+    for running in robot.topics.runs:
+        for each in topics.unmonitored(robot.topics, running):
+            if each.where in seen:
+                continue
+            seen.add(each.where)
+            names = " and ".join(dict.fromkeys(use.node.label() for use in each.past))
+            yield finding(
+                each.where,
+                f"The collision monitor sends to {each.topic}, to which {names} publish{'es' * (len(each.past) < 2)} "
+                "directly: whoever listens there obeys what the monitor never sees",
+                advice="give the monitor their topic as cmd_vel_in_topic, and what drives the base the monitor's own",
+                related=[
+                    *(note(use.where, f"{use.node.label()} publishes to {each.topic}") for use in each.past),
+                    note(each.monitor.started.span, "the monitor is started here"),
+                ],
+                chain=robot.provenance.chain_to_node(each.monitor.started),
             )
