@@ -460,6 +460,17 @@ class Tree:
             self._in_order += sorted(path for known in self._paths.values() for path in known)
         return self._in_order
 
+    def like(self, pattern: re.Pattern[str]) -> list[str]:
+        """The walked paths in which a pattern is found."""
+        if pattern not in self._like:
+            self._like[pattern] = [path for path in self.paths if pattern.search(path)]
+        return self._like[pattern]
+
+    @cached_property
+    def _like(self) -> dict[re.Pattern[str], list[str]]:
+        """What ``like`` answered."""
+        return {}
+
     def under(self, folder: str) -> list[str]:
         """The paths on the robot of all walked files in a folder such as ``/etc/default``."""
         paths = (self.robot_path(path) for known in self._paths.values() for path in known)

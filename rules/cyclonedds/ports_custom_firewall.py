@@ -27,6 +27,7 @@ If DDS only has to work on the robot itself, and the open ports are for somethin
 """
 
 from collections.abc import Iterator
+from itertools import islice
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
@@ -35,6 +36,8 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.dds import Setting
 
+MOST = 5
+"""Firewalls that are compared with one configuration."""
 DEFAULTS = {
     "Base": 7400,
     "DomainGain": 250,
@@ -56,7 +59,7 @@ def ports_custom_firewall(robot: Robot) -> Iterator[Finding]:
         needed = _ports(given, number) if number is not None else []
         if not needed:
             continue
-        for firewall in robot.firewalls:
+        for firewall in islice(robot.firewalls, MOST):
             uncertain = any(not each.certain and each.protocol != "tcp" for each in firewall.openings)
             opened = [each for each in firewall.udp if each.first >= 1024]
             closed = [port for port in needed if not any(each.first <= port <= each.last for each in firewall.udp)]

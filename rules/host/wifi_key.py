@@ -49,7 +49,8 @@ from bringup_lint.api import rule
 from bringup_lint.api.templates import is_stand_in
 
 OPTION = regex(
-    r"^[ \t]*(?P<key>wpa_passphrase|wpa_psk|psk|ssid)=(?P<value>\"[^\"\n]*\"|[^\s#][^\n#]*?)(?=[ \t]*(?:#[^\n]*)?\r?$)",
+    r"^[ \t]*(?P<key>wpa_passphrase|wpa_psk|psk|ssid)=(?P<value>\"[^\"\n]*\"|[^\s#](?:[^\n#]*[^\s#])?)"
+    r"(?=[ \t\r]*(?:#[^\n]*)?$)",
     re.M,
 )
 HEX = regex(r"(?:[\da-fA-F]{2})+")

@@ -33,6 +33,7 @@ activation.
 """
 
 from collections.abc import Iterator
+from itertools import islice
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
@@ -40,6 +41,8 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
 
+MOST = 10
+"""Units of lower layers that a message names."""
 RANK = {"hardware": 0, "perception": 1, "application": 2}
 
 
@@ -53,11 +56,8 @@ def no_startup_order(robot: Robot) -> Iterator[Finding]:
             rank = RANK.get(layers.get(unit.name, ""), 0)
             if rank <= lowest:
                 continue
-            lower = [
-                other
-                for other in stack
-                if RANK.get(layers.get(other.name, ""), 9) < rank and not units.conflict(unit, other)
-            ]
+            below = (other for other in stack if RANK.get(layers.get(other.name, ""), 9) < rank)
+            lower = list(islice((other for other in below if not units.conflict(unit, other)), MOST))
             if not lower or unit.unsure_of("After", "Before"):
                 continue
             if any(units.ordered(unit, other.name) for other in stack if other is not unit):

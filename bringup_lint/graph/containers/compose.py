@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Callable
 from collections.abc import Iterator
@@ -118,6 +119,18 @@ class Compose:
         for service in self.services:
             users.setdefault(self.stage(service), []).append(service)
         return users
+
+    @cached_property
+    def build_folders(self) -> frozenset[str]:
+        """The folders of the Dockerfiles of which the tree makes images, and those that services build them from."""
+        built = [file for file in self.images.dockerfiles if not self.built_stages.isdisjoint(file.stages)]
+        found = {os.path.dirname(file.source.name) for file in built}
+        for service in (service for file in built for stage in file.stages for service in self.users(stage)):
+            if service.build is not None:
+                beside = os.path.dirname(service.source.name)
+                context = os.path.normpath(os.path.join(beside, str(service.build.context or ".")))
+                found.add(context.removeprefix("."))
+        return frozenset(found)
 
     @cached_property
     def built_stages(self) -> frozenset[Stage | None]:

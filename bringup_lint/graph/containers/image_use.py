@@ -112,24 +112,8 @@ def is_left_over(compose: Compose, file: Dockerfile) -> bool:
     """Whether nothing of the tree builds or names a Dockerfile, and another one is built in its place."""
     if _is_built(compose, file) or compose.images.is_named(file.source):
         return False
-    folder = os.path.dirname(file.source.name)
-    return any(
-        _is_built(compose, other) and folder in _folders(compose, other)
-        for other in compose.images.dockerfiles
-        if other is not file
-    )
+    return os.path.dirname(file.source.name) in compose.build_folders
 
 
 def _is_built(compose: Compose, file: Dockerfile) -> bool:
     return not compose.built_stages.isdisjoint(file.stages)
-
-
-def _folders(compose: Compose, file: Dockerfile) -> set[str]:
-    """The folder of a Dockerfile, and those that services build it from."""
-    found = {os.path.dirname(file.source.name)}
-    for service in (service for stage in file.stages for service in compose.users(stage)):
-        build = service.build
-        if build is not None:
-            beside = os.path.dirname(service.source.name)
-            found.add(os.path.normpath(os.path.join(beside, str(build.context or "."))).removeprefix("."))
-    return found

@@ -37,7 +37,7 @@ def is_named(files: Files, kind: str) -> bool:
 
 def is_chosen(files: Files, name: str) -> bool:
     """Whether something of the tree chooses a profile by its name, so that it needs not be the default."""
-    paths = [path for path in files.tree.paths if _CHOOSING.search(path)][:LIMIT]
+    paths = files.tree.like(_CHOOSING)[:LIMIT]
     for source in (files.tree.read(path, judged=False) for path in paths):
         text = source.text if source is not None else ""
         for match in re.finditer(rf"\b{re.escape(name)}\b", text):

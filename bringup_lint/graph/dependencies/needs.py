@@ -23,7 +23,6 @@ from bringup_lint.source import Located
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
-    from bringup_lint.discover.tree import Tree
     from bringup_lint.graph.files import Files
     from bringup_lint.graph.launch.launch import Launch
     from bringup_lint.graph.workspace import Package
@@ -80,6 +79,7 @@ def _is_installed(owner: Package, source: Source) -> bool:
 
 def of_nodes(files: Files, launch: Launch) -> Iterator[Need]:
     """The modules that the nodes of packages import whenever they start, and that are not in the tree."""
+    folders = {os.path.basename(os.path.dirname(path)) for path in files.tree.named("__init__.py")}
     for source in files.of_kind("python-node"):
         owner = launch.workspace.owner(source)
         if owner is None or not source.judged or files.purpose(source) is not Purpose.ROBOT:
@@ -88,14 +88,8 @@ def of_nodes(files: Files, launch: Launch) -> Iterator[Need]:
             continue
         for module in imported(source):
             name = module.partition(".")[0]
-            if not _is_own(files.tree, source, name):
+            if name not in folders and not any(files.tree.named(f"{name}.py")):
                 yield Need("module", Located(name, module.span), owner)
-
-
-def _is_own(tree: Tree, source: Source, name: str) -> bool:
-    if any(tree.named(f"{name}.py")):
-        return True
-    return any(os.path.basename(os.path.dirname(path)) == name for path in tree.named("__init__.py"))
 
 
 def of_builds(files: Files, launch: Launch) -> Iterator[Need]:

@@ -49,7 +49,7 @@ def may_make(tree: Tree, path: str) -> bool:
     by_list = rf"^{re.escape('/'.join(parts))}/?[ \t]*$"
     by_hand = rf"\b(?:mkdir|install|useradd|adduser)\b[^\n]{{0,200}}{re.escape(path)}(?![\w.-])"
     written = re.compile(f"{by_variable}|{by_list}|{by_hand}", re.M)
-    guides = (tree.head(each, _SIZE) for each in tree.paths if _GUIDE.search(each))
+    guides = (tree.head(each, _SIZE) for each in tree.like(_GUIDE))
     return any(parts[-1] in text and written.search(text) for text in guides) or any(
         map(written.search, scripts_of(tree))
     )
@@ -66,7 +66,5 @@ def starts(tree: Tree, unit: str) -> bool:
 
 def scripts_of(tree: Tree) -> Iterator[str]:
     """The texts of the scripts, recipes and plays of a tree."""
-    for at, path in enumerate(path for path in tree.paths if _SCRIPT.search(path)):
-        if at >= _COUNT:
-            return
+    for path in tree.like(_SCRIPT)[:_COUNT]:
         yield tree.head(path, _SIZE)

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.facts import table
+from bringup_lint.graph.memo import memo
 from bringup_lint.graph.udev.conditions import all_conditions
 from bringup_lint.graph.udev.matched_devices import subsystem_of_name
 from bringup_lint.graph.udev.matched_devices import usb_ids
@@ -253,6 +254,7 @@ class Udev:
     def _open_links(self) -> tuple[Link, ...]:
         return tuple(link for link in self.links if not link.is_fixed)
 
+    @memo
     def stable_names(self, path: str) -> list[Link]:
         """The links that may mean the device now found as ``/dev/ttyUSB0``, each once, in effective order."""
         name = path.removeprefix("/dev/")
