@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.params.qos_overrides import QosOverride
     from bringup_lint.graph.params.qos_overrides import qos_overrides
     from bringup_lint.graph.params.time import simulated
+    from bringup_lint.graph.params.time import waits_for_time
     from bringup_lint.graph.params.values import Item
     from bringup_lint.graph.params.wrong_types import wrong_types
     from bringup_lint.graph.plugins.joints import UnknownJoint
@@ -66,5 +67,6 @@ __all__ = [
     "unknown_to_public",
     "unreached",
     "unused",
+    "waits_for_time",
     "wrong_types",
 ]

@@ -43,12 +43,11 @@ from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.launch import Started
 from bringup_lint.api.params import simulated
+from bringup_lint.api.params import waits_for_time
 
 TIMERS = regex(r"\bcreate_(?:timer|rate)\s*\(|\bget_clock\(\)\s*(?:\.|->)\s*sleep_")
 NOW = regex(r"(?<!::)\bnow\s*\(\)")
 """The ROS time, and not that of a clock of C++."""
-WAITING = regex(r"nav2_|opennav_|robot_localization$|slam_toolbox$")
-"""Packages whose nodes compare the time with the stamps of transforms, or have timers in ROS time."""
 
 
 @rule("error", fix="unsafe", symptoms=["No clock received, using time argument instead!"])
@@ -71,7 +70,7 @@ def _severity(robot: Robot, node: Started) -> str | None:
     name = launch.literal_text(node.package) or ""
     package = robot.launch.workspace.packages.get(name)
     if package is None:
-        return None if WAITING.match(name) else "warning"
+        return None if waits_for_time(name) else "warning"
     sources = robot.files.of_kind("python-node", "cpp-node")
     own = (each for each in sources if robot.launch.workspace.owner(each) is package)
     texts = [each.text for each in own if node.label() in each.text]

@@ -10,6 +10,7 @@ from bringup_lint.facts.ros import simulation
 from bringup_lint.graph.launch.resolve import truth
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import literal_text
+from bringup_lint.graph.params.time import waits_for_time
 from bringup_lint.graph.workspace import place
 from bringup_lint.model.launch_values import DictValue
 from bringup_lint.model.launch_values import Literal
@@ -31,11 +32,6 @@ _SIMULATION = regex(
     re.I,
 )
 _WRITTEN_FALSE = regex(r"use_sim_time['\"]?\s*:\s*(?:false|no|off)\b", re.I)
-_WAITING = regex(
-    r"nav2_(?!map_server|lifecycle_manager|rviz|common)|opennav_|robot_localization$|slam_toolbox$|cartographer_ros$"
-    r"|rtabmap_"
-)
-"""Packages whose nodes compare the time with the stamps of transforms, or have timers in ROS time."""
 _PAGES = (".md", ".rst", ".txt")
 _MOST = 200_000
 """Characters of a page that are looked at."""
@@ -98,7 +94,7 @@ def _of_node(node: Started, files: Files) -> Literally | None:
             continue
         value = source.get(_NAME)
         if value is not None:
-            waits = _WAITING.match(literal_text(node.package) or "") is not None
+            waits = waits_for_time(literal_text(node.package) or "")
             where = _true(value)
             return Literally(where, waits, node.label()) if where is not None else None
     return None
@@ -111,7 +107,7 @@ def _of_include(include: Included) -> Literally | None:
     if value is None or include.conditions or include.target is not None or target is None:
         return None
     where = _true(value)
-    waits = _WAITING.match(target.package) is not None
+    waits = waits_for_time(target.package)
     return Literally(where, waits, target.package) if where is not None else None
 
 

@@ -26,6 +26,10 @@ if TYPE_CHECKING:
 
 NAME = "use_sim_time"
 _RECORDED = regex(r"(?:^|[^a-z])(?:bag|rosbag2?|replay|tests?)(?:[^a-z]|$)", re.I)
+_WAITING = regex(
+    r"nav2_(?!map_server|lifecycle_manager|rviz|common)|opennav_|robot_localization$|slam_toolbox$|cartographer_ros$"
+    r"|rtabmap_"
+)
 _HARDWARE = regex(r"(?:^|[^a-z])(?:bringup|hardware|drivers?|real|robot)(?:[^a-z]|$)", re.I)
 
 
@@ -82,3 +86,8 @@ def _simulates(expansion: Expansion) -> bool:
 def _gives_time(name: str) -> bool:
     """Whether a name is that of a simulation or a recording."""
     return is_simulation(name) or _RECORDED.search(name) is not None
+
+
+def waits_for_time(package: str) -> bool:
+    """Whether the nodes of a package compare the time with the stamps of transforms, or have timers in ROS time."""
+    return _WAITING.match(package) is not None
