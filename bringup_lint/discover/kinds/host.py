@@ -13,6 +13,8 @@ _FSTAB = regex(r"(?:^|/)fstab(?:\.(?!d/)[\w-]+)?$|\.fstab$")
 _CODE = regex(r"fstab\.(?:py|pyc|sh|bash|c|h|cpp|hpp|cc|rs|go|js|ts|rb|pl|lua|json|ya?ml|toml|xml|html|txt|rst)$")
 _BACKUP = regex(r"(?:~|\.(?:bak|orig|old|rej|swp|save|md|dpkg-\w+|rpm\w+|ucf-\w+))$")
 _CRON = regex(r"(?:^|/)(?:cron\.d/[^/]+|etc/crontab)$")
+_USER_CRON = regex(r"(?:^|/)(?:[\w-]+[._-])?crontab(?:\.txt|\.conf)?$|\.cron(?:tab)?$")
+_JOB = regex(r"^[ \t]*(?:@(?:reboot|hourly|daily|weekly|monthly)|[\d*/,-]+(?:[ \t]+[\w*/,-]+){4})[ \t]+\S", re.M)
 _AUDIT = regex(r"(?:^|/)audit/(?:rules\.d/[^/]+\.rules|audit\.rules)$")
 _APT = regex(r"(?:^|/)apt(?:\.conf\.d/[^/]+|/apt\.conf)$")
 _FAIL2BAN = regex(r"(?:^|/)fail2ban/(?:jail\.(?:conf|local)|jail\.d/[^/]+\.(?:conf|local))$")
@@ -37,6 +39,11 @@ def _is_cron(path: str, head: Head) -> bool:
     return bool(_CRON.search(path)) and not _BACKUP.search(path) and not name.startswith((".", "README"))
 
 
+def _is_user_cron(path: str, head: Head) -> bool:
+    """The crontab of a user, which `crontab FILE` installs: without a field for the user."""
+    return bool(_USER_CRON.search(path)) and not _CRON.search(path) and bool(_JOB.search(head()))
+
+
 def _is_limits(path: str, head: Head) -> bool:
     return bool(_LIMITS.search(path)) and ("/security/" in f"/{path}" or bool(_LIMIT_LINE.search(head())))
 
@@ -44,6 +51,7 @@ def _is_limits(path: str, head: Head) -> bool:
 KINDS = (
     Kind("fstab", _is_fstab),
     Kind("cron", _is_cron),
+    Kind("user-crontab", _is_user_cron),
     Kind("audit-rules", _named(_AUDIT)),
     Kind("apt-conf", _named(_APT)),
     Kind("fail2ban-jail", _named(_FAIL2BAN)),

@@ -1,0 +1,67 @@
+"""A service with a fixed container name is to run more than once.
+
+## What it finds
+`container_name:` beside `scale:` or `deploy: {replicas: ...}` of more than one.
+
+## Why it matters on a robot
+The names of containers are unique. Docker Compose refuses the whole file ("can't set container_name and ... as container
+name must be unique"), so that none of its services starts.
+
+## Bad
+```yaml
+recorder:
+  container_name: recorder
+  deploy: {replicas: 2}
+```
+
+## Good
+```yaml
+recorder:
+  deploy: {replicas: 2}
+```
+
+## When to ignore it
+When the file is for `docker stack deploy` only, which ignores the name. Silent where the tree has this command.
+
+## References
+- https://docs.docker.com/reference/compose-file/services/#container_name
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Located
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import regex
+from bringup_lint.api import rule
+from bringup_lint.api.compose import Service
+from bringup_lint.api.yaml import Mapping
+
+STACK = regex(r"\bdocker stack deploy\b")
+
+
+@rule("error", symptoms=["can't set container_name and * as container name must be unique"])
+def container_name_scaled(robot: Robot) -> Iterator[Finding]:
+    if robot.mentions(STACK):
+        return
+    for service in robot.compose.services:
+        name = service.scalar("container_name")
+        count = _count(service) if name is not None and service.source.judged else None
+        if name is not None and count is not None:
+            yield finding(
+                name,
+                f"'{name}' can be the name of one container only, and there are to be {count}: docker compose "
+                "refuses the file",
+                advice="leave container_name out",
+                related=[note(count, "the number of containers")],
+            )
+
+
+def _count(service: Service) -> Located | None:
+    """The number of containers, where it is more than one."""
+    deploy = service.get("deploy")
+    replicas = deploy.scalar("replicas") if isinstance(deploy, Mapping) else None
+    given = replicas.value if replicas is not None else service.scalar("scale")
+    return given if given is not None and given.isdigit() and int(given) > 1 else None

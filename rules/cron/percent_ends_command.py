@@ -1,0 +1,49 @@
+r"""A percent sign ends the command of a job.
+
+## What it finds
+A `%` without a backslash before it in the command of a crontab's job, most often in `date +%Y%m%d`.
+
+## Why it matters on a robot
+cron ends the command at the first `%` and gives the rest to its standard input. The shell gets an unfinished line,
+`unexpected EOF`, and the job does nothing: recordings are not packed, and the disk fills up.
+
+## Bad
+```
+0 3 * * * tar czf /data/backup_$(date +%Y%m%d).tgz /data/bags
+```
+
+## Good
+```
+0 3 * * * tar czf /data/backup_$(date +\%Y\%m\%d).tgz /data/bags
+```
+
+## When to ignore it
+When the command reads its standard input, and the `%` is meant to begin it.
+
+## References
+- crontab(5)
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import regex
+from bringup_lint.api import rule
+
+JOB = regex(r"(?m)^[ \t]*(?:@\w+|[\d*/,~-]+(?:[ \t]+[\w*/,~-]+){4})[ \t]+(?P<command>\S[^\n]*)$")
+PERCENT = regex(r"(?<!\\)%(?=[\w-])")
+
+
+@rule("error", symptoms=["unexpected EOF while looking for matching", "Syntax error: end of file unexpected"])
+def percent_ends_command(robot: Robot) -> Iterator[Finding]:
+    for source in robot.of_kind("cron", "user-crontab"):
+        for job in JOB.finditer(source.text):
+            found = PERCENT.search(source.text, job.start("command"), job.end("command"))
+            if found is not None and source.judged and not source.template:
+                yield finding(
+                    source.located(*found.span()),
+                    "cron ends the command at this '%': the shell gets an unfinished line",
+                    advice="write \\% for each percent sign",
+                )
