@@ -3,7 +3,8 @@
 ## What it finds
 `systemctl enable`, `reenable`, `start` and `restart`, and tasks of Ansible's systemd and service modules, of a unit
 that looks like one of the robot's own (the same first word as another unit of the tree, nearly the name or the end of
-one, or that of a template without an instance) and that neither a file of the tree nor a script provides.
+one, or that of a template without an instance) and that neither a file of the tree nor a script provides. Also a
+template of the tree that is named without an instance (`rover@.service`) and has no `DefaultInstance=`.
 
 Not reported: units of Debian and Ubuntu, names that a variable gives, and commands whose failure is expected (`||`,
 `2>/dev/null`, `if systemctl ...`).
@@ -70,12 +71,25 @@ class Named(NamedTuple):
 @rule(
     "warning",
     confidence="medium",
-    symptoms=["Failed to enable unit: Unit file * does not exist.", "Failed to start *: Unit * not found."],
+    symptoms=[
+        "Failed to enable unit: Unit file * does not exist.",
+        "destination unit * is a non-template unit",
+        "is missing the instance name",
+        "Failed to start *: Unit * not found.",
+    ],
 )
 def unit_missing(robot: Robot) -> Iterator[Finding]:
     found: dict[tuple[Source, str], list[Named]] = {}
     for source, run in robot.scripts.run("systemctl"):
         for named in _named(run):
+            template = _template(robot, named)
+            if template is not None:
+                yield finding(
+                    named.word,
+                    f"systemctl {named.verb} fails: {named.name} is a template, and no instance is named",
+                    advice=f"give the instance, for example {named.name.replace('@', '@1')}, or set DefaultInstance=",
+                    related=[note(template.where, "the template")],
+                )
             if robot.units.lacks(named.name, named.manager) and not robot.scripts.brings_unit(source, named.name):
                 found.setdefault((source, named.name), []).append(named)
     bringing: list[tuple[str, str]] | None = None
@@ -97,6 +111,18 @@ def unit_missing(robot: Robot) -> Iterator[Finding]:
                 *(note(unit.where, "a unit that the tree has") for unit in like[:2]),
             ],
         )
+
+
+def _template(robot: Robot, named: Named) -> Unit | None:
+    """The template of the tree that a command names without an instance, where it has no default."""
+    if "@." not in named.name:
+        return None
+    for unit in robot.units.candidates(named.name, named.manager):
+        wanted = [*unit.words("WantedBy", "Install"), *unit.words("RequiredBy", "Install")]
+        needs = named.verb not in ("enable", "reenable") or (wanted and not any("@" in word for word in wanted))
+        if needs and unit.fragment is not None and not unit.uncertain and not unit.has("DefaultInstance", "Install"):
+            return unit
+    return None
 
 
 def _of_plays(robot: Robot) -> Iterator[tuple[Source, Named]]:
