@@ -4,8 +4,8 @@
 `container_name:` beside `scale:` or `deploy: {replicas: ...}` of more than one.
 
 ## Why it matters on a robot
-The names of containers are unique. Docker Compose refuses the whole file ("can't set container_name and ... as container
-name must be unique"), so that none of its services starts.
+The names of containers are unique. Docker Compose refuses the whole file ("can't set container_name and ... as
+container name must be unique"), so that none of its services starts.
 
 ## Bad
 ```yaml

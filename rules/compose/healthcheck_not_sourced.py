@@ -1,12 +1,12 @@
 """A health check starts ros2 without its setup file.
 
 ## What it finds
-A `healthcheck:` whose test starts `ros2` and sources no setup file, for a service whose image is built in the tree (on an
-official image) or is an official image of ROS, and of whose variables none replaces the setup file.
+A `healthcheck:` whose test starts `ros2` and sources no setup file, for a service whose image is built in the tree
+(on an official image) or is an official image of ROS, and of whose variables none replaces the setup file.
 
 ## Why it matters on a robot
-Docker runs the test beside the entrypoint, not through it: what the entrypoint sources is not there. `ros2` is not found,
-the container is never healthy, and what waits for it with `service_healthy` never starts.
+Docker runs the test beside the entrypoint, not through it: what the entrypoint sources is not there. `ros2` is not
+found, the container is never healthy, and what waits for it with `service_healthy` never starts.
 
 ## Bad
 ```yaml
@@ -45,7 +45,9 @@ from bringup_lint.api.yaml import Scalar
 from bringup_lint.api.yaml import Sequence
 
 BARE = regex(r"(?:^|[;&|({]|!|-c[ \t]+['\"]?)[ \t]*(?:(?:exec|timeout[ \t]+[\w.]+)[ \t]+)*ros2(?=[ \t]|$)")
-MAY_SOURCE = regex(r"source|setup\.|entrypoint|AMENT|(?:^|[ \t;&])\.[ \t]|[ \t]-\w*[il]\w*c\b|--login|exit[ \t]+0|\|\|[ \t]*true")
+MAY_SOURCE = regex(
+    r"source|setup\.|entrypoint|AMENT|(?:^|[ \t;&])\.[ \t]|[ \t]-\w*[il]\w*c\b|--login|exit[ \t]+0|\|\|[ \t]*true"
+)
 SETS_UP = regex(r"bin/ros2\b|BASH_ENV|AMENT_PREFIX_PATH|SHELL[ \t]*\[[^\n\]]*-\w*[il]")
 REPLACES = ("AMENT_PREFIX_PATH", "PATH", "BASH_ENV", "ENV")
 
@@ -76,7 +78,9 @@ def _test(service: Service) -> Located | None:
         return None
     if MAY_SOURCE.search(" ".join(words)):
         return None
-    return next((word for at, word in enumerate(words) if BARE.search(word) and (not at or words[at - 1] == "-c")), None)
+    return next(
+        (word for at, word in enumerate(words) if BARE.search(word) and (not at or words[at - 1] == "-c")), None
+    )
 
 
 def _has_no_ros(robot: Robot, runner: Runner) -> bool:

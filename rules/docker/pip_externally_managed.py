@@ -48,8 +48,12 @@ from bringup_lint.api.docker import ubuntu_codename
 from bringup_lint.api.shell import unwrapped
 
 MANAGED = ("noble", "resolute")
-DEBIAN = regex(r"(?:docker\.io/)?(?:library/)?(?:(?:arm64v8|amd64|arm32v7)/)?debian:(?:12|13|bookworm|trixie)(?:[.-].*)?")
-ALLOWED = regex(r"break[-_]system[-_]packages|EXTERNALLY-MANAGED|venv|virtualenv|conda|mamba|pyenv|\buv\b|pip\.conf", re.I)
+DEBIAN = regex(
+    r"(?:docker\.io/)?(?:library/)?(?:(?:arm64v8|amd64|arm32v7)/)?debian:(?:12|13|bookworm|trixie)(?:[.-].*)?"
+)
+ALLOWED = regex(
+    r"break[-_]system[-_]packages|EXTERNALLY-MANAGED|venv|virtualenv|conda|mamba|pyenv|\buv\b|pip\.conf", re.I
+)
 PIP = regex(r"(?:/usr/bin/)?pip3?(?:\.\d+)?")
 PYTHON = regex(r"(?:/usr/bin/)?python3?(?:\.\d+)?")
 ELSEWHERE = regex(r"-t|--(?:target|prefix|root|dry-run|python|help)(?:=.*)?")

@@ -39,7 +39,7 @@ RANGE = regex(rf"\{{(?=\S*\$){END}\.\.{END}(?:\.\.{END})?\}}")
 OTHER = regex(r"#![^\n]*\b(?:zsh|ksh)\b")
 
 
-@rule("error", symptoms=["syntax error: operand expected (error token is \"{1..*}\")"])
+@rule("error", symptoms=['syntax error: operand expected (error token is "{1..*}")'])
 def brace_range(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("shell-script"):
         if source.judged and not source.template and ".." in source.text and not OTHER.match(source.text):
@@ -49,7 +49,7 @@ def brace_range(robot: Robot) -> Iterator[Finding]:
                         yield finding(
                             word,
                             f"Braces are expanded before variables: the loop runs once, with the text '{word}'",
-                            advice="write for ((i = 1; i <= n; i++)), or $(seq 1 \"$n\")",
+                            advice='write for ((i = 1; i <= n; i++)), or $(seq 1 "$n")',
                         )
 
 

@@ -1,11 +1,11 @@
 """A script installs a file under a name that nothing reads.
 
 ## What it finds
-Files that `cp`, `install`, `mv`, `ln`, `tee` or a redirection of a script puts into a folder of
-which a program reads the names of one ending only: `.conf` in `sysctl.d`, `modules-load.d`, `modprobe.d`, `tmpfiles.d`,
-`sysusers.d`, `limits.d`, `ld.so.conf.d`, `sshd_config.d`, `rsyslog.d`, NetworkManager's and systemd's `conf.d`; `.network`,
-`.netdev` and `.link` in `systemd/network`; `.list` and `.sources` in `sources.list.d`; `.sh` in `profile.d`; and names with
-a dot in `sudoers.d`, which sudo leaves out.
+Files that `cp`, `install`, `mv`, `ln`, `tee` or a redirection of a script puts into a folder of which a program reads
+the names of one ending only: `.conf` in `sysctl.d`, `modules-load.d`, `modprobe.d`, `tmpfiles.d`, `sysusers.d`,
+`limits.d`, `ld.so.conf.d`, `sshd_config.d`, `rsyslog.d`, NetworkManager's and systemd's `conf.d`; `.network`,
+`.netdev` and `.link` in `systemd/network`; `.list` and `.sources` in `sources.list.d`; `.sh` in `profile.d`; and
+names with a dot in `sudoers.d`, which sudo leaves out.
 
 Names for backups (`.bak`, `.disabled`, ...) are not reported, nor what a variable names.
 
@@ -67,7 +67,9 @@ COPIES = ("cp", "install", "mv", "ln")
 VALUED = ("-o", "-g", "-m", "-S", "--owner", "--group", "--mode")
 FOLDERS_TOO = regex(r"-[a-zA-Z]*[drRa][a-zA-Z]*|--(?:directory|recursive|archive)")
 PLAIN = regex(r"[\w.@+~:-]+")
-LEFTOVER = regex(r"~$|\.(?:bak|orig|rej|swp|save|old|disabled|off|example|sample|d|csh|dpkg-\w+)$|^(?:README|\.placeholder)", re.I)
+LEFTOVER = regex(
+    r"~$|\.(?:bak|orig|rej|swp|save|old|disabled|off|example|sample|d|csh|dpkg-\w+)$|^(?:README|\.placeholder)", re.I
+)
 
 
 @rule("error", silent="what reads the folder leaves the file out and does not say so")
@@ -95,9 +97,7 @@ def _put(did: Run | Written) -> Iterator[tuple[Located, str, str]]:
     if did.name not in COPIES or any(map(FOLDERS_TOO.fullmatch, did.words)):
         return
     words = [
-        word
-        for before, word in zip(did.words, did.words[1:])
-        if not word.startswith("-") and before not in VALUED
+        word for before, word in zip(did.words, did.words[1:]) if not word.startswith("-") and before not in VALUED
     ]
     if len(words) < 2:
         return

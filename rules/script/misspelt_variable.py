@@ -47,7 +47,9 @@ from bringup_lint.api.spelling import nearest
 
 USED = regex(r"[\"']?\$(?:\{(?P<braced>[A-Za-z_]\w*)\}|(?P<plain>[A-Za-z_]\w*))[\"']?/")
 RECURSIVE = regex(r"-[a-zA-Z]*[rR][a-zA-Z]*|--recursive")
-LEARNS = regex(r"(?m)^[ \t]*(?:source|\.|eval|set -[a-z]*u|set -o nounset)(?=[ \t\n])|[;&][ \t]*(?:source|\.|eval)[ \t]")
+LEARNS = regex(
+    r"(?m)^[ \t]*(?:source|\.|eval|set -[a-z]*u|set -o nounset)(?=[ \t\n])|[;&][ \t]*(?:source|\.|eval)[ \t]"
+)
 ASSIGNED = regex(r"[A-Za-z_]\w*(?==)")
 
 
@@ -75,7 +77,8 @@ def misspelt_variable(robot: Robot) -> Iterator[Finding]:
 def _may_be_set(robot: Robot, source: Source, name: str) -> bool:
     """Whether the name is anywhere but where its value is used, or in another file."""
     others = (each for each in robot.sources if each is not source)
-    set_here = re.search(rf"(?<![$\w{{]){name}\b|\$\{{[!#]?{name}[^\w}}]", source.text)
+    written = re.escape(name)
+    set_here = re.search(rf"(?<![$\w{{]){written}\b|\$\{{[!#]?{written}[^\w}}]", source.text)
     return set_here is not None or any(name in each.text for each in others)
 
 

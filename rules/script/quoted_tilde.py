@@ -48,7 +48,7 @@ EXPANDS = regex(r"\beval\b|~[^\n]{0,20}(?:\$\{?HOME|\$\(echo)|expanduser")
 PROGRAMS = ("cd", "pushd", "source", ".", "mkdir", "cp", "mv", "rm", "ls", "cat", "touch", "chmod", "chown", "tar")
 
 
-@rule("error", symptoms=["~/*: No such file or directory"])
+@rule("error", symptoms=["cd: ~/*: No such file or directory"])
 def quoted_tilde(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("shell-script"):
         if source.judged and QUOTED.search(source.text) and not EXPANDS.search(source.text):

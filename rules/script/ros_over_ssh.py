@@ -6,8 +6,9 @@
 Silent where a variable, another script or a login or interactive shell may do it.
 
 ## Why it matters on a robot
-ssh gives the command to a shell that is not interactive. Ubuntu's `.bashrc` returns at its start in such a shell, before
-the lines that source ROS: `ros2: command not found`. By hand it works, because an interactive login reads the whole file.
+ssh gives the command to a shell that is not interactive. Ubuntu's `.bashrc` returns at its start in such a shell,
+before the lines that source ROS: `ros2: command not found`. By hand it works, because an interactive login reads the
+whole file.
 
 ## Bad
 ```sh
@@ -41,10 +42,12 @@ BARE = regex(
     r"(?:^|&&|\|\||;)[ \t]*(?:(?:exec|nohup|timeout[ \t]+[\w.]+)[ \t]+)*ros2[ \t]+"
     r"(?:launch|run|topic|service|node|param|action|bag|lifecycle|daemon|control|doctor|pkg)\b"
 )
-MAY_SOURCE = regex(r"\bsource\b|setup\.|(?:^|[ \t;&])\.[ \t]|\bbash\b|\bsh\b|AMENT_|[$`/]|\b(?:docker|podman|distrobox|pixi)\b")
+MAY_SOURCE = regex(
+    r"\bsource\b|setup\.|(?:^|[ \t;&])\.[ \t]|\bbash\b|\bsh\b|AMENT_|[$`/]|\b(?:docker|podman|distrobox|pixi)\b"
+)
 
 
-@rule("warning", symptoms=["ros2: command not found"])
+@rule("warning", symptoms=["bash: ros2: command not found"])
 def ros_over_ssh(robot: Robot) -> Iterator[Finding]:
     for _, run in robot.scripts.run("ssh"):
         text = _bare(run)

@@ -5,8 +5,8 @@
 
 ## Why it matters on a robot
 These specifiers are about the user of the service manager, and `User=` does not change them: `%h` is /root, `%u` is
-root and `%U` is 0. A working directory there does not exist or may not be entered (200/CHDIR), and a program below it is
-not found.
+root and `%U` is 0. A working directory there does not exist or may not be entered (200/CHDIR), and a program below it
+is not found.
 
 ## Bad
 ```ini
