@@ -222,6 +222,9 @@ class Origin:
         return piece.end if after else piece.start
 
 
+_new = str.__new__
+
+
 class Located(str):
     """A string with its span. Where text and source differ (continued lines, removed quotes), ``pieces`` maps one
     to the other: pairs of (offset in the string, offset in the source), ascending."""
@@ -232,7 +235,7 @@ class Located(str):
     pieces: tuple[tuple[int, int], ...] | None
 
     def __new__(cls, text: str, span: Span, pieces: tuple[tuple[int, int], ...] | None = None) -> Located:
-        self = str.__new__(cls, text)
+        self = _new(cls, text)
         self.span = span
         self.pieces = pieces
         return self
@@ -256,7 +259,9 @@ class Located(str):
             return Located("", Span(source, at, at))
         text = self[start:end]
         if self.pieces is None and opens + end <= closes:
-            return Located(text, Span(source, opens + start, opens + end))
+            found = _new(Located, text)
+            found.span, found.pieces = Span(source, opens + start, opens + end), None
+            return found
         first = self.origin(start)
         last = self.origin(end - 1) + 1
         if self.pieces is None or last - first == end - start:

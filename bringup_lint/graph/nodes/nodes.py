@@ -373,17 +373,15 @@ class Nodes:
         """Whether all that a class builds on is known."""
         return node.name is None or node.base is not None or all(base in ROOTS for base in node.bases)
 
-    @property
-    def message_types(self) -> Iterator[MessageTypes]:
+    @cached_property
+    def message_types(self) -> list[MessageTypes]:
         """The types of the expressions of each program that imports messages."""
         from bringup_lint.graph.nodes.questions.message_fields import types_of
         from bringup_lint.graph.nodes.resolved.interface_fields import InterfaceFields
 
         interfaces = InterfaceFields(self.files.tree, self.launch.workspace)
-        for file in self.programs:
-            types = types_of(file, self.syntax(file), interfaces)
-            if types is not None:
-                yield types
+        found = (types_of(file, self.syntax(file), interfaces) for file in self.programs)
+        return [types for types in found if types is not None]
 
     def syntax(self, file: NodeSource) -> Syntax:
         return self.ending(file).syntax
@@ -391,7 +389,9 @@ class Nodes:
     def ending(self, file: NodeSource) -> Ending:
         """How the programs of a file end."""
         if file not in self._endings:
-            self._endings[file] = Ending(file.source.kept((Syntax, file), lambda: Syntax(file)), self.files.target.ros)
+            syntax = file.source.kept((Syntax, file), lambda: Syntax(file))
+            syntax.reached.clear()
+            self._endings[file] = Ending(syntax, self.files.target.ros)
         return self._endings[file]
 
     @cached_property

@@ -30,8 +30,15 @@ def code_of(ending: Ending, cls: NodeClass, callback: Callback) -> tuple[str, li
     return callback.name, statements_of(ending, ast.Name(callback.name), None)
 
 
-def reached(syntax: Syntax, body: list[ast.AST], cls: NodeClass) -> Iterator[ast.AST]:
+def reached(syntax: Syntax, body: list[ast.AST], cls: NodeClass) -> list[ast.AST]:
     """The syntax that a callback runs: its own, and that of the methods and functions of the file that it calls."""
+    key = (cls, *body)
+    if key not in syntax.reached:
+        syntax.reached[key] = list(_reached(syntax, body, cls))
+    return syntax.reached[key]
+
+
+def _reached(syntax: Syntax, body: list[ast.AST], cls: NodeClass) -> Iterator[ast.AST]:
     seen: set[ast.AST] = set()
     todo = [(body, 0)]
     while todo:

@@ -35,15 +35,13 @@ def loops(syntax: Syntax, node: NodeClass) -> Iterator[Loop]:
     for timer in node.timers:
         method = node.methods.get(timer.callback or "")
         if method is not None:
-            yield Loop(str(method.name), timer.span, list(reached(syntax, body_of(method.node), node)))
+            yield Loop(str(method.name), timer.span, reached(syntax, body_of(method.node), node))
     for name in _THREADS:
         for call in syntax.named.get(name, []):
             target = next((each.value for each in call.keywords if each.arg == "target"), None)
             method = node.methods.get(_own_attribute(target) or "")
             if method is not None:
-                yield Loop(
-                    str(method.name), syntax.file.span_of(call), list(reached(syntax, body_of(method.node), node))
-                )
+                yield Loop(str(method.name), syntax.file.span_of(call), reached(syntax, body_of(method.node), node))
 
 
 def _own_attribute(node: ast.AST | None) -> str | None:

@@ -89,7 +89,7 @@ def _in_class(nodes: Nodes, file: NodeSource, node: NodeClass, readings: list[En
 def _is_timed(syntax: Syntax, node: NodeClass, reading: Endpoint, mover: Loop) -> bool:
     """Whether a callback asks for the time, or counts, so that the mover can see how old the reading is."""
     method = node.methods.get(reading.callback or "")
-    code = list(reached(syntax, body_of(method.node), node)) if method is not None else []
+    code = reached(syntax, body_of(method.node), node) if method is not None else []
     calls = (each.func for each in code if isinstance(each, ast.Call))
     if any(getattr(each, "attr", getattr(each, "id", "")) in _CLOCKS for each in calls):
         return True
@@ -172,7 +172,7 @@ def _commanded(syntax: Syntax, node: NodeClass) -> Iterator[Loop]:
         method = node.methods.get(each.callback or "")
         kind = (each.type or "").rpartition("/")[2]
         if each.role == "subscription" and method is not None and kind in _VELOCITIES:
-            yield Loop(str(method.name), each.span, list(reached(syntax, body_of(method.node), node)))
+            yield Loop(str(method.name), each.span, reached(syntax, body_of(method.node), node))
 
 
 def _moves(call: ast.AST, node: NodeClass) -> bool:

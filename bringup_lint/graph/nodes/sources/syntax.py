@@ -23,6 +23,8 @@ class Syntax:
     def __init__(self, file: NodeSource) -> None:
         self.file = file
         self.calls: list[ast.Call] = []
+        self.reached: dict[tuple[object, ...], list[ast.AST]] = {}
+        """A class and statements of it -> the syntax that these run, in one run: other files have a part in it."""
         self._above: dict[ast.AST, tuple[ast.AST, str]] = {}
         stack: list[ast.AST] = [file.tree] if file.tree is not None else []
         while stack:
