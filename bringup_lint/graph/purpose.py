@@ -109,6 +109,13 @@ PATHS: tuple[tuple[Purpose, re.Pattern[str]], ...] = (
 )
 """The first pattern that a path matches decides."""
 
+_ANY = regex(
+    rf"(?:^|(?=[/_.-]))(?:{'|'.join(pattern.pattern for _, pattern in PATHS)})",
+    re.I,
+    " ".join(getattr(pattern, "hints", "") for _, pattern in PATHS),
+)
+"""One of them, all of which begin where a word may: most paths match none, which is found out sooner together."""
+
 SOURCES: tuple[tuple[Purpose, re.Pattern[str]], ...] = (
     (Purpose.TEST, regex(r"(?:^|[/_-])tests?(?:[/_.-]|$)|(?:^|/)(?:testing|integration_tests?)/", re.I)),
     (Purpose.EXAMPLE, regex(r"(?:^|[/_-])(?:examples?|demos?|tutorials?|samples?|benchmarks?)(?:[/_.-]|$)", re.I)),
@@ -130,6 +137,8 @@ def _version(name: str) -> tuple[int, ...]:
 
 def by_path(path: str) -> Purpose:
     """What the words of a path, relative to the top of the tree, say."""
+    if _ANY.search(path) is None:
+        return Purpose.ROBOT
     return next((purpose for purpose, pattern in PATHS if pattern.search(path)), Purpose.ROBOT)
 
 

@@ -5,9 +5,12 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from bringup_lint.config import PURPOSES
 from bringup_lint.discover.walk import discover
+from bringup_lint.graph.purpose import PATHS
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.graph.purpose import by_path
 from bringup_lint.registry import Registry
@@ -22,6 +25,15 @@ services:
     image: lab/drive:1.0
     privileged: true
 """
+
+
+WORDS = ("ci", ".github", "old", "test", "tests", "_test", "sim", "gz", "demo", "docs", "docker", "pc", "dev", "train")
+PARTS = (*WORDS, "/", "_", "-", ".", "robot", ".bak", ".devcontainer/", "Dockerfile")
+
+
+@given(st.lists(st.sampled_from(PARTS), max_size=8).map("".join))
+def test_a_path_is_for_the_first_pattern_that_it_matches(path: str) -> None:
+    assert by_path(path) == next((purpose for purpose, pattern in PATHS if pattern.search(path)), Purpose.ROBOT)
 
 
 @pytest.mark.parametrize(

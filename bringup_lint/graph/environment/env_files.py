@@ -34,7 +34,8 @@ class Reader(NamedTuple):
     value: Located
 
 
-_SOURCED = regex(r"(?:^|[\s;&'\"(])(?:source|\.)\s+[\"']?([^\s;&|\"']+)", re.M)
+_SOURCED = regex(r"(?:source(?<![^\s;&'\"(]source)|\.(?<![^\s;&'\"(]\.))\s+[\"']?([^\s;&|\"']+)")
+"""What is before the word comes after it: so the search jumps from word to word."""
 
 
 @dataclass(eq=False)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import os
 import re
 from collections.abc import Callable
@@ -28,6 +29,7 @@ from bringup_lint.graph.purpose import of_source
 from bringup_lint.graph.runners.runner import RunnerKind
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
+from bringup_lint.model.python import is_self
 from bringup_lint.parsers.python_node import parse
 from bringup_lint.parsers.python_node.classes import ROOTS
 from bringup_lint.pattern import regex
@@ -382,6 +384,12 @@ class Nodes:
         interfaces = InterfaceFields(self.files.tree, self.launch.workspace)
         found = (types_of(file, self.syntax(file), interfaces) for file in self.programs)
         return [types for types in found if types is not None]
+
+    @cached_property
+    def set_elsewhere(self) -> set[str]:
+        """Attributes that code of the tree sets on something else than ``self``."""
+        attributes = (each for file in self.sources for each in file.nodes if isinstance(each, ast.Attribute))
+        return {each.attr for each in attributes if isinstance(each.ctx, ast.Store) and not is_self(each.value)}
 
     def syntax(self, file: NodeSource) -> Syntax:
         return self.ending(file).syntax

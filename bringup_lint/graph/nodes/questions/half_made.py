@@ -11,7 +11,6 @@ from bringup_lint.graph.nodes.questions.late_attributes import is_certain
 from bringup_lint.graph.nodes.questions.missing_attributes import family_of
 from bringup_lint.graph.nodes.questions.missing_attributes import heirs_of
 from bringup_lint.graph.nodes.questions.missing_attributes import own_uses
-from bringup_lint.graph.nodes.questions.missing_attributes import set_elsewhere
 from bringup_lint.graph.nodes.questions.missing_attributes import set_in_body
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.node_source import NodeClass
@@ -38,7 +37,7 @@ class HalfMade(NamedTuple):
 
 
 def half_made(nodes: Nodes) -> Iterator[HalfMade]:
-    foreign = set_elsewhere(nodes)
+    foreign = nodes.set_elsewhere
     heirs = heirs_of(nodes)
     for file, node in nodes.with_callbacks:
         init = node.methods.get("__init__")

@@ -10,7 +10,6 @@ from bringup_lint.graph.nodes.questions.missing_attributes import CAUGHT
 from bringup_lint.graph.nodes.questions.missing_attributes import family_of
 from bringup_lint.graph.nodes.questions.missing_attributes import heirs_of
 from bringup_lint.graph.nodes.questions.missing_attributes import own_uses
-from bringup_lint.graph.nodes.questions.missing_attributes import set_elsewhere
 from bringup_lint.graph.nodes.questions.missing_attributes import set_in_body
 from bringup_lint.graph.nodes.sources.syntax import FUNCTIONS
 from bringup_lint.graph.nodes.sources.syntax import Syntax
@@ -44,7 +43,7 @@ class LateAttribute(NamedTuple):
 
 def late_attributes(nodes: Nodes) -> Iterator[list[LateAttribute]]:
     """Those of one method together, the first use of each attribute."""
-    foreign = set_elsewhere(nodes)
+    foreign = nodes.set_elsewhere
     heirs = heirs_of(nodes)
     for file, node in nodes.with_callbacks:
         family = family_of(nodes, node, heirs)

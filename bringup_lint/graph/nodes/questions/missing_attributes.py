@@ -11,7 +11,6 @@ from bringup_lint.facts import table
 from bringup_lint.graph.nodes.questions.undefined_names import is_idle
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.node_source import NodeClass
-from bringup_lint.model.python import is_self
 from bringup_lint.model.python import walk
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.python_node.classes import ROOTS
@@ -55,7 +54,7 @@ def missing_attributes(nodes: Nodes) -> Iterator[list[MissingAttribute]]:
     """The first use of each attribute that no code of the tree sets, of classes whose bases are all known; those of one
     method together."""
     of_ros = {row["name"] for row in table("ros/node_attributes")} | set(dir(object))
-    foreign = set_elsewhere(nodes)
+    foreign = nodes.set_elsewhere
     heirs = heirs_of(nodes)
     for file, node in nodes.with_callbacks:
         family = family_of(nodes, node, heirs)
@@ -152,16 +151,6 @@ def set_in_body(node: ast.ClassDef) -> Iterator[str]:
                 yield each.name
             elif isinstance(each, ast.alias):
                 yield each.asname or each.name
-
-
-def set_elsewhere(nodes: Nodes) -> set[str]:
-    """Attributes that code of the tree sets on something else than ``self``."""
-    found = set()
-    for file in nodes.sources:
-        for each in file.nodes:
-            if isinstance(each, ast.Attribute) and isinstance(each.ctx, ast.Store) and not is_self(each.value):
-                found.add(each.attr)
-    return found
 
 
 def own_uses(syntax: Syntax, node: NodeClass) -> Iterator[ast.Attribute]:
