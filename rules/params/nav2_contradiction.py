@@ -4,15 +4,17 @@
 In parameter files that something names: a `footprint` of a costmap that is no polygon, or has the same corner twice in
 a row; an `inflation_radius` below the inscribed radius of the robot; `observation_sources` of an obstacle layer without
 a section of their own, where no other file knows the name; a source that marks farther away than it clears; limits of
-`velocity_smoother` with the wrong sign; `min_particles` of amcl above `max_particles`; from Humble on the names that
-amcl's motion models had before; a local costmap that rolls in the frame that amcl corrects; and from Jazzy on
+`velocity_smoother` with the wrong sign or not one for each axis; `polygons` of the collision monitor without a section;
+`min_particles` of amcl above `max_particles`; an `initial_pose` without `set_initial_pose`; from Humble on the names
+that amcl's motion models had before; a local costmap that rolls in the frame that amcl corrects; and from Jazzy on
 libraries in `plugin_lib_names` that bt_navigator loads by itself.
 
 ## Why it matters on a robot
 A footprint that is refused leaves the robot with its radius, and the costmap lets it drive into what the corners touch.
 With inflation below the inscribed radius, the planner goes along walls where the robot does not fit. An obstacle beyond
 the range of clearing stays in the costmap after it left. In the frame of the map, every correction of amcl moves the
-robot against the obstacles that it has seen. A limit of the wrong sign, an old motion model, or a library that
+robot against the obstacles that it has seen. Without `set_initial_pose`, amcl waits for a pose and publishes no
+transform. A limit of the wrong sign or length, a polygon without a type, an old motion model, or a library that
 registers its nodes twice ends the server when it configures, and the lifecycle manager takes the whole navigation down.
 
 ## Bad
@@ -34,7 +36,7 @@ When a launch file writes another value over the one in the file.
 
 ## References
 - navigation2, array_parser.cpp, footprint.cpp, inflation_layer.cpp, obstacle_layer.cpp, velocity_smoother.cpp,
-  amcl_node.cpp, bt_navigator.cpp
+  collision_monitor_node.cpp, amcl_node.cpp, bt_navigator.cpp
 - https://docs.nav2.org/migration/Iron.html (Iron to Jazzy: standard libraries are loaded by default)
 - https://docs.nav2.org/configuration/
 """
@@ -49,6 +51,9 @@ from bringup_lint.api import rule
 from bringup_lint.api.params import NavigationProblem
 from bringup_lint.api.params import navigation_problems
 
+_ENDS = ("sign", "length", "polygon", "model", "footprint", "library")
+"""What a server refuses."""
+
 
 @rule(
     "warning",
@@ -57,6 +62,7 @@ from bringup_lint.api.params import navigation_problems
         "is smaller than the computed inscribed radius",
         "Positive values set of deceleration",
         "Negative values set of acceleration",
+        "Invalid setting of kinematic and/or deadband limits!",
         "You've set min_particles to be greater than max particles",
         "ID [*] already registered",
     ],
@@ -68,7 +74,7 @@ def nav2_contradiction(robot: Robot) -> Iterator[Finding]:
             _message(each),
             advice=_advice(each),
             related=[note(each.other, "compared with this")] if each.other is not None else [],
-            severity="error" if each.kind in ("sign", "model", "footprint", "library") else None,
+            severity="error" if each.kind in _ENDS else None,
         )
 
 
@@ -86,6 +92,12 @@ def _message(each: NavigationProblem) -> str:
             return f"The source '{each.name}' of {each.detail} has no section: the layer reads the topic '{each.name}'"
         case "sign":
             return f"{each.name} has the wrong sign ({each.detail}): the velocity smoother refuses it, or never stops"
+        case "length":
+            return f"{each.name} has {each.detail} numbers: the velocity smoother ends when it configures"
+        case "polygon":
+            return f"The polygon '{each.name}' has no section with a type: {each.detail} does not configure"
+        case "pose":
+            return f"{each.name} has no effect without set_initial_pose: amcl waits until something sends a pose"
         case "particles":
             return f"min_particles is above max_particles ({each.detail}): amcl raises the maximum"
         case "frame":
@@ -115,6 +127,12 @@ def _advice(each: NavigationProblem) -> str:
                 if each.name.startswith("max_") and "decel" not in each.name
                 else ("write 0 or negative numbers")
             )
+        case "length":
+            return "write one number for each axis: x, y and theta"
+        case "polygon":
+            return f"add a section {each.name}, or write the name of the one that is there"
+        case "pose":
+            return "add set_initial_pose: true"
         case "particles":
             return "swap the numbers"
         case "frame":

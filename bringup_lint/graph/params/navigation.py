@@ -34,6 +34,10 @@ _OBSTACLE, _RAYTRACE = 2.5, 3.0
 _OBSTACLE_LAYERS = ("nav2_costmap_2d::ObstacleLayer", "nav2_costmap_2d::VoxelLayer")
 _SIGNS = (("max_velocity", 1), ("min_velocity", -1), ("max_accel", 1), ("max_decel", -1))
 """Limits of the velocity smoother, and the sign that each number of them must have or be zero."""
+_LIMITS = (*(name for name, _ in _SIGNS), "deadband_velocity")
+_PLANAR, _SPATIAL = 3, 6
+"""Numbers of a limit: x, y and theta, or all six axes in newer releases (velocity_smoother.cpp)."""
+_COORDINATES = tuple(f"initial_pose.{each}" for each in ("x", "y", "z", "yaw"))
 _OLD_MODELS = {
     "differential": "nav2_amcl::DifferentialMotionModel",
     "omnidirectional": "nav2_amcl::OmniMotionModel",
@@ -46,8 +50,8 @@ _SINCE_HUMBLE = frozenset(("velocity_smoother", "behavior_server", "collision_mo
 
 class NavigationProblem(NamedTuple):
     kind: str
-    """``footprint``, ``corner``, ``inflation``, ``ranges``, ``source``, ``sign``, ``particles``, ``model``, ``frame``
-    or ``library``."""
+    """``footprint``, ``corner``, ``inflation``, ``ranges``, ``source``, ``sign``, ``length``, ``particles``, ``pose``,
+    ``model``, ``frame``, ``polygon`` or ``library``."""
     where: Span
     name: str
     """The parameter or observation source."""
@@ -236,10 +240,29 @@ def _smoother(params: Params, file: ParameterFile, block: Block) -> Iterator[Nav
         wrong = [f"{each:g}" for each in numbers if each * sign < 0]
         if wrong:
             yield NavigationProblem("sign", named[name].span, name, ", ".join(wrong))
+    counts = {name: len(numbers) for name in _LIMITS if (numbers := _numbers(named.get(name)))}
+    axes = _SPATIAL if _SPATIAL in counts.values() else _PLANAR
+    for name, count in counts.items():
+        if count != axes:
+            yield NavigationProblem("length", named[name].span, name, f"{count} of {axes}")
+
+
+def _monitor(params: Params, file: ParameterFile, block: Block) -> Iterator[NavigationProblem]:
+    """Polygons that are listed and have no section, in which their type must be given."""
+    listed = _named(block).get("polygons")
+    if listed is None or any("$" in item.text for item in items(listed)):
+        return
+    sections = {str(each.name).partition(".")[0] for every in file.blocks for each in every.parameters if each is not listed}
+    for item in items(listed):
+        if item.text not in sections and not params.named_elsewhere(item.text, {file.source}):
+            yield NavigationProblem("polygon", item.span, item.text, _name(block))
 
 
 def _amcl(params: Params, file: ParameterFile, block: Block) -> Iterator[NavigationProblem]:
     named = _named(block)
+    pose = [named[name] for name in _COORDINATES if name in named and _number(named[name])]
+    if pose and "set_initial_pose" not in named and not params.named_elsewhere("set_initial_pose", {file.source}):
+        yield NavigationProblem("pose", pose[0].span, str(pose[0].name), pose[0].text)
     least, most = (named.get(name) for name in ("min_particles", "max_particles"))
     if least is not None and most is not None:
         low, high = _number(least), _number(most)
@@ -274,5 +297,7 @@ _CHECKS: dict[str, Callable[[Params, ParameterFile, Block], Iterator[NavigationP
     "global_costmap": _costmap,
     "velocity_smoother": _smoother,
     "amcl": _amcl,
+    "collision_monitor": _monitor,
+    "collision_detector": _monitor,
     "bt_navigator": _navigator,
 }
