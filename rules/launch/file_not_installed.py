@@ -126,8 +126,11 @@ def _advice(package: Package, path: str) -> str:
 
 
 def _installation(package: Package, path: str) -> Related:
-    """The pattern that misses a file of its folder, or the description of the build."""
+    """The pattern that misses a file of its folder, the folders that are installed, or the description of the build."""
     beside = package.taking_others(path)
     if beside is None or os.path.basename(beside.source) == "package.xml":
-        return note(package.builds[0].source, "what the package installs")
+        folders = (each for build in package.builds for each in build.installs if each.tree)
+        folder = next(folders, None)
+        where = folder.where if folder is not None else package.builds[0].source
+        return note(where, "what the package installs")
     return note(beside.where, f"this does not match {os.path.basename(path)}")

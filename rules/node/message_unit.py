@@ -39,6 +39,7 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import nodes
+from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
@@ -49,6 +50,7 @@ def message_unit(robot: Robot) -> Iterator[Finding]:
             found.place,
             _message(found),
             advice="convert it to radians" if found.got == "degrees" else "use the range from 0 to 1",
+            related=[note(found.declared, "the limit is the default of this parameter")] if found.declared else [],
             severity=nodes.lowered(robot.nodes.purpose(found.place.source), "warning"),
         )
 

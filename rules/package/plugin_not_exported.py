@@ -44,9 +44,10 @@ def plugin_not_exported(robot: Robot) -> Iterator[Finding]:
             continue
         for each in robot.dependencies.unexported(package):
             base = each.base.rpartition("::")[0].partition("::")[0] or "BASE"
+            copied = [note(each.copied, "this only copies the description")] if each.copied is not None else []
             yield finding(
                 each.end,
                 f"{package.name} does not export {each.description.basename}: pluginlib finds no class {each.name}",
                 advice=f"add pluginlib_export_plugin_description_file({base} {each.path}) above",
-                related=[note(each.name, "this class is described")],
+                related=[note(each.name, "this class is described"), *copied],
             )

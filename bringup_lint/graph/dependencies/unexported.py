@@ -44,6 +44,8 @@ class Unexported(NamedTuple):
     """Of the description, relative to the package."""
     end: Span
     """``ament_package()``, above which the export belongs."""
+    copied: Span | None
+    """What installs the description as a file like others."""
 
 
 def unexported(files: Files, package: Package) -> Iterator[Unexported]:
@@ -64,7 +66,7 @@ def unexported(files: Files, package: Package) -> Iterator[Unexported]:
         place = found.get("name") or found.get("type")
         if place is not None:
             span, base = builds[0].source.span(*end.span(1)), str(found.get("base_class_type"))
-            yield Unexported(place, base, place.span.source, _below(path, package), span)
+            yield Unexported(place, base, place.span.source, _below(path, package), span, _copied(path, package))
 
 
 def _makes_plugins(files: Files, package: Package) -> bool:
@@ -75,6 +77,15 @@ def _makes_plugins(files: Files, package: Package) -> bool:
 
 def _below(path: str, package: Package) -> str:
     return os.path.relpath(path, package.folder)
+
+
+def _copied(path: str, package: Package) -> Span | None:
+    for build in package.builds:
+        folder = os.path.dirname(os.path.abspath(build.source.name))
+        for each in build.installs:
+            if os.path.normpath(os.path.join(folder, each.source)) == os.path.abspath(path):
+                return each.where
+    return None
 
 
 def _first_class(source: Source | None, targets: set[str]) -> Element | None:

@@ -14,6 +14,7 @@ from bringup_lint.graph.nodes.questions.wrong_unit import PERCENT
 from bringup_lint.graph.nodes.questions.wrong_unit import TELLS_APART
 from bringup_lint.graph.nodes.questions.wrong_unit import WrongUnit
 from bringup_lint.graph.nodes.sources.syntax import own_calls
+from bringup_lint.model.node_source import Parameter
 from bringup_lint.model.node_source import reports_joints
 from bringup_lint.pattern import regex
 from bringup_lint.source import Span
@@ -61,18 +62,19 @@ def _compared(nodes: Nodes, types: MessageTypes, node: ast.Compare) -> Iterator[
             continue
         limit, parameter = _limit(types, other)
         if _is_percentage(limit) and not _is_set(nodes, parameter) and not TELLS_APART.search(_text(types)):
-            yield WrongUnit(types.file.span_of(node), kind, FRACTIONS[kind], True, f"{limit:g}")
+            declared = parameter.span if parameter is not None else None
+            yield WrongUnit(types.file.span_of(node), kind, FRACTIONS[kind], True, f"{limit:g}", declared)
 
 
 def _is_percentage(value: object) -> bool:
     return isinstance(value, (int, float)) and not isinstance(value, bool) and PERCENT <= value <= 100
 
 
-def _limit(types: MessageTypes, node: ast.expr) -> tuple[object, str]:
+def _limit(types: MessageTypes, node: ast.expr) -> tuple[object, Parameter | None]:
     """The number that a value is compared with, and the parameter of which it is the default."""
     known = types.file.constant(node, types.syntax.function(node))
     if known is not None or not isinstance(node, ast.Attribute):
-        return known, ""
+        return known, None
     value = types.kept(node)
     while isinstance(value, ast.Attribute):
         value = value.value
@@ -80,15 +82,15 @@ def _limit(types: MessageTypes, node: ast.expr) -> tuple[object, str]:
     call = next((each for each in calls if _name(each.func).endswith("_parameter")), None)
     name = types.file.constant(call.args[0], types.syntax.function(call)) if call is not None and call.args else None
     found = [each.all_parameters[str(name)] for each in types.file.classes if name in each.all_parameters]
-    return (found[0].default, str(name)) if len(found) == 1 else (None, "")
+    return (found[0].default, found[0]) if len(found) == 1 else (None, None)
 
 
-def _is_set(nodes: Nodes, parameter: str) -> bool:
+def _is_set(nodes: Nodes, parameter: Parameter | None) -> bool:
     """Whether a file of the tree may set a parameter to something else than a percentage."""
-    if not parameter:
+    if parameter is None:
         return False
     kinds = ("params", "launch-python", "launch-xml", "launch-yaml")
-    named = re.compile(rf"\b{re.escape(parameter)}\b[\"']?(?:[ \t]*:[ \t]*(?P<number>\d+(?:\.\d*)?)\b)?")
+    named = re.compile(rf"\b{re.escape(parameter.name)}\b[\"']?(?:[ \t]*:[ \t]*(?P<number>\d+(?:\.\d*)?)\b)?")
     found = [each for source in nodes.files.of_kind(*kinds) for each in named.finditer(source.text)]
     return not all(each["number"] and float(each["number"]) >= PERCENT for each in found)
 

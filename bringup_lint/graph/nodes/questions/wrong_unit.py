@@ -23,3 +23,5 @@ class WrongUnit(NamedTuple):
     """A limit for a value that comes in; else the value that goes out."""
     got: str
     """``20`` for a percentage, empty where it is not known; ``degrees``."""
+    declared: Span | None = None
+    """The parameter of which a limit is the default."""
