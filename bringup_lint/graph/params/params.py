@@ -189,6 +189,8 @@ class Params:
         file = self._by_source.get(id(parameter.span.source))
         if file is None or not self.is_typed:
             return None
+        if not self.loads(file):
+            return self._declared_in_own(file, parameter)
         found = None
         for load in _for_named(parameter, self.effective(file, parameter)):
             each = self._declared_by(text_of(load.node.package) if load.node.package is not None else None).get(
@@ -198,6 +200,14 @@ class Params:
                 return None
             found = each
         return found
+
+    def _declared_in_own(self, file: ParameterFile, parameter: Parameter) -> Declared | None:
+        """How the package of a file declares a parameter for its program of the name of the block: a command line, as
+        in a unit or compose file, gives the program the file."""
+        owner = self._launch().workspace.owner(file.source)
+        if owner is None or parameter.block.name.strip("/") not in owner.executables or not self.is_used(file):
+            return None
+        return self._declared_by(owner.name).get(parameter.name)
 
     def declarations(self, name: str) -> list[Declared]:
         """Every declaration in the sources of a package of the workspace, in the order of the files."""
@@ -399,12 +409,13 @@ class Params:
         return {}
 
     def is_missing(self, node: Started) -> bool:
-        """Whether the package of a node, which is in the tree, surely has no such executable, so that it never runs."""
+        """Whether the package of a node, which is in the tree, surely has no such executable, so that it never runs. One
+        that is built and only not installed is meant to run."""
         package = self._launch().workspace.packages.get(literal_text(node.package) or "")
         executable = literal_text(node.executable)
         if package is None or executable is None:
             return False
-        return self._launch().workspace.lacks(package, executable)
+        return package.made(executable) is None and self._launch().workspace.lacks(package, executable)
 
     def proven(self, file: ParameterFile) -> str | None:
         """The severity of what ends the process that loads a file: a rule's own where a node of the tree loads it with

@@ -75,11 +75,14 @@ def _blocks(params: Params, launch: Launch) -> Iterator[PublicBlock]:
 
 
 def _node_of(loads: list[Load], block: Block) -> PublicNode | None:
-    """The one public node that a block is for: by what launch files start, else by its name."""
+    """The one public node that a block is for: by what launch files start, else by its name. A wildcard is for whatever
+    gets the file."""
     started = {
         (literal_text(load.node.package), literal_text(load.node.plugin) or literal_text(load.node.executable))
         for load in loads
-        if "*" not in block.name and load.node.fqn is not None and matches(block.name, load.node.fqn)
+        if block.name == "/**" or (
+            "*" not in block.name and load.node.fqn is not None and matches(block.name, load.node.fqn)
+        )
     }
     if not started:
         return node_called(str(block.key).rpartition("/")[2])

@@ -58,12 +58,22 @@ def time_uses(code: Code, callbacks: list[Callback]) -> Iterator[TimeUse]:
     bodies = Bodies(code)
     if "now" in bodies.functions:
         return
-    run = {body.id: each for each in callbacks if (body := bodies.of(each)) is not None}
+    run = {_method(bodies, body).id: each for each in callbacks if (body := bodies.of(each)) is not None}
     names = dict.fromkeys(found["right"] or found["left"] for found in _OPERAND.finditer(text))
     for name in list(names)[:NAMES]:
         found = _first_use(code, run, name)
         if found is not None:
             yield found
+
+
+def _method(bodies: Bodies, body: Node) -> Node:
+    """The method of the file that a lambda only calls; else the body itself."""
+    statements = body.child_by_field_name("body") if body.type == "lambda_expression" else None
+    calls = list(bodies.own(body)) if statements is not None and statements.named_child_count == 1 else []
+    inner = bodies.functions.get(calls[0].name, []) if calls else []
+    is_own = bool(calls) and calls[0].qualified in (calls[0].name, f"this->{calls[0].name}")
+    is_all = bool(calls) and calls[0].node.parent is not None and calls[0].node.parent.type == "expression_statement"
+    return inner[0] if is_own and is_all and len(inner) == 1 else body
 
 
 def _first_use(code: Code, run: dict[int, Callback], name: str) -> TimeUse | None:

@@ -66,7 +66,7 @@ def blocked(ending: Ending, node: ast.Call | ast.While, cls: NodeClass) -> Block
     found = _of_library(ending, node, name, cls) if name is not None else None
     if found is not None:
         return found
-    return _of_keyboard(ending, node) or _of_attribute(ending, node, cls)
+    return _of_keyboard(ending, node) or _of_local_rate(ending, node) or _of_attribute(ending, node, cls)
 
 
 def _loop(ending: Ending, node: ast.While, cls: NodeClass) -> Blocked | None:
@@ -205,6 +205,23 @@ def _of_attribute(ending: Ending, call: ast.Call, cls: NodeClass) -> Blocked | N
     if name in _RECEIVES and _waits_for_packet(ending, owner, call):
         return Blocked(f"{kept}.{name}()", UNTIL_PACKET)
     return None
+
+
+def _of_local_rate(ending: Ending, call: ast.Call) -> Blocked | None:
+    """``rate.sleep()`` on a variable that the same function makes with ``create_rate``."""
+    function, body = call.func, body_of(ending.syntax.function(call))
+    if not isinstance(function, ast.Attribute) or function.attr != "sleep" or not isinstance(function.value, ast.Name):
+        return None
+    name = function.value.id
+    stores = [each for each in own(body) if isinstance(each, ast.Name) and each.id == name]
+    stores = [each for each in stores if isinstance(each.ctx, ast.Store)]
+    made = [each for each, _ in (above for store in stores for above in _next(ending, store))]
+    return Blocked(f"{name}.sleep()", "") if made and all(_makes_rate(each) for each in made) else None
+
+
+def _makes_rate(statement: ast.AST) -> bool:
+    value = statement.value if isinstance(statement, ast.Assign) else None
+    return isinstance(value, ast.Call) and isinstance(value.func, ast.Attribute) and value.func.attr == "create_rate"
 
 
 def _is_rate(ending: Ending, attribute: str) -> bool:

@@ -74,7 +74,8 @@ class ParameterNames:
         """What is known of every program of the workspace."""
         for package in self._workspace.packages.values():
             components = {name for build in package.builds for name in build.components}
-            for program in sorted({*package.executables, *components}):
+            built = {name for build in package.builds for name in build.built}
+            for program in sorted({*package.executables, *built, *components}):
                 words = self.of_program(package.name, program)
                 if words is not None:
                     yield words
