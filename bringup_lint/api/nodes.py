@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.hardware_interfaces import zeroed_commands
     from bringup_lint.graph.nodes.questions.inactive_publishers import inactive_publishers
     from bringup_lint.graph.nodes.questions.late_attributes import late_attributes
+    from bringup_lint.graph.nodes.questions.loop_variables import late_bound
     from bringup_lint.graph.nodes.questions.making_loops import making_loops
     from bringup_lint.graph.nodes.questions.message_fields import NoField
     from bringup_lint.graph.nodes.questions.message_fields import consequence
@@ -41,6 +42,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.pipes import unread_pipes
     from bringup_lint.graph.nodes.questions.python_releases import not_there
     from bringup_lint.graph.nodes.questions.python_releases import python_of
+    from bringup_lint.graph.nodes.questions.quaternion_order import misordered_quaternions
     from bringup_lint.graph.nodes.questions.rates import endless_rates
     from bringup_lint.graph.nodes.questions.rejected_goals import stuck_flags
     from bringup_lint.graph.nodes.questions.repeating import guards_commands
@@ -62,6 +64,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.stopping import unhandled_shutdown
     from bringup_lint.graph.nodes.questions.time_clocks import ClockMix
     from bringup_lint.graph.nodes.questions.time_clocks import clock_mixes
+    from bringup_lint.graph.nodes.questions.transforms import early_lookups
     from bringup_lint.graph.nodes.questions.transforms import unhandled_transforms
     from bringup_lint.graph.nodes.questions.undefined_names import dict_ranges
     from bringup_lint.graph.nodes.questions.undefined_names import range_text
@@ -101,6 +104,7 @@ __all__ = [
     "converted",
     "dict_ranges",
     "double_shutdown",
+    "early_lookups",
     "early_results",
     "empty_defaults",
     "endless_rates",
@@ -115,9 +119,11 @@ __all__ = [
     "is_called_nowhere",
     "is_checked",
     "late_attributes",
+    "late_bound",
     "lowered",
     "making_loops",
     "misfits",
+    "misordered_quaternions",
     "misread_parameters",
     "missing_attributes",
     "missing_fields",

@@ -64,5 +64,8 @@ def lifecycle_node_unmanaged(robot: Robot) -> Iterator[Finding]:
                 f"{name} is never configured: the node runs but does nothing",
                 advice="add it to the node_names of a lifecycle manager, or emit ChangeState events for it",
                 chain=robot.provenance.chain_to_node(node),
-                related=[note(manager.names.name or manager.node.span, "this manager does not list it") for manager in managers[:3]],
+                related=[
+                    note(manager.names.name or manager.node.span, "this manager does not list it")
+                    for manager in managers[:3]
+                ],
             )

@@ -4,12 +4,13 @@
 `lookup_transform()` and `transform()` of a tf2 buffer in Python, and `lookupTransform()` in C++, in a callback of a
 subscription, timer, service or client, when no `try` surrounds the call and `can_transform()` is not asked before. In
 C++ only where the callback itself makes the call. Action servers of Python are left out: rclpy catches what their
-callbacks raise.
+callbacks raise. Also lookups in the constructor of a Python node whose `TransformListener` has no thread of its own.
 
 ## Why it matters on a robot
 Each start begins without transforms, and each transform arrives after the sensor data that it belongs to. tf2 raises
 LookupException, ConnectivityException or ExtrapolationException then. The exception leaves `spin()`, and the node
-ends: usually with the first message, later whenever localization is late once.
+ends: usually with the first message, later whenever localization is late once. While the constructor runs, nothing
+spins the node yet. The listener gets no transform, and the lookup fails at every start, whatever its timeout is.
 
 ## Bad
 ```python
@@ -65,6 +66,13 @@ def transform_unhandled(robot: Robot) -> Iterator[Finding]:
         if found:
             spans = [file.span_of(each.call) for each in found]
             yield _finding(robot, PYTHON, spans, found[0].callback, f"{found[0].name}()")
+        for call in nodes.early_lookups(robot.nodes.ending(file), node)[:1]:
+            yield finding(
+                file.span_of(call),
+                "The constructor looks up a transform before anything spins the node: none has arrived, at any start",
+                advice="look it up in the callback of a timer, and try again until it is there",
+                severity=nodes.lowered(robot.nodes.purpose(file.source), "error"),
+            )
     for source in robot.nodes.cpp:
         if source.lookups:
             callback = source.lookups[0].callback

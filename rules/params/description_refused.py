@@ -2,16 +2,16 @@
 
 ## What it finds
 In `.urdf` and `.xacro` files: joints of type `revolute` or `prismatic` without `<limit>`, limits of any joint without
-`effort` or `velocity`, a lower limit above the upper one, and limits of revolute joints in degrees (a warning). In
-`.urdf` files without xacro that no other description includes also: joints whose parent or child link does not exist,
-links and joints of the same name, and a second link without a parent. In files for xacro: joints outside of macros
-whose parent or child link no description of the tree has, when all that they include is in the tree. A file that no
-launch file and no other description names is reported as info.
+`effort` or `velocity`, a lower limit above the upper one, and limits of revolute joints and `rpy` of any origin in
+degrees (a warning). In `.urdf` files without xacro that no other description includes also: joints whose parent or
+child link does not exist, links and joints of the same name, and a second link without a parent. In files for xacro:
+joints outside of macros whose parent or child link no description of the tree has, when all that they include is in the
+tree. A file that no launch file and no other description names is reported as info.
 
 ## Why it matters on a robot
 urdfdom takes a description as a whole or not at all. robot_state_publisher ends at its start, the controller manager
 and MoveIt get no robot, and no frame of it exists. With reversed limits the file is read, and every goal is out of
-range.
+range. An origin in degrees is read as well, as many turns that end anywhere: what the sensor sees is in another place.
 
 ## Bad
 ```xml
@@ -76,7 +76,7 @@ def _severity(refused: Refused) -> str:
     """Info for a file that nothing loads."""
     if not refused.used:
         return "info"
-    return "warning" if refused.what in ("limits", "degrees") else "error"
+    return "warning" if refused.what in ("limits", "degrees", "turned") else "error"
 
 
 def _what(refused: Refused) -> str:
@@ -89,6 +89,8 @@ def _what(refused: Refused) -> str:
             return f"The lower limit of joint '{refused.name}' is above the upper one ({refused.detail})"
         case "degrees":
             return f"The limits of joint '{refused.name}' are {refused.detail} radians"
+        case "turned":
+            return f"The origin of {repr(refused.name) if refused.name else 'a shape'} is turned by {refused.detail} radians"
         case "no-link":
             return f"Joint '{refused.detail}' names the link '{refused.name}', which does not exist"
         case "twice":
@@ -101,6 +103,8 @@ def _consequence(refused: Refused) -> str:
         return "every goal is out of range"
     if refused.what == "degrees":
         return "many turns, which nothing keeps the joint from"
+    if refused.what == "turned":
+        return "many turns, so that it does not point where it should"
     return "robot_state_publisher refuses the whole description"
 
 
@@ -112,7 +116,7 @@ def _advice(refused: Refused) -> str:
             return f"add {refused.detail}"
         case "limits":
             return "swap them"
-        case "degrees":
+        case "degrees" | "turned":
             return "convert them from degrees, for example ${radians(90)}"
         case "no-link":
             return "add the link, or correct the name"

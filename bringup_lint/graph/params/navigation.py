@@ -252,7 +252,9 @@ def _monitor(params: Params, file: ParameterFile, block: Block) -> Iterator[Navi
     listed = _named(block).get("polygons")
     if listed is None or any("$" in item.text for item in items(listed)):
         return
-    sections = {str(each.name).partition(".")[0] for every in file.blocks for each in every.parameters if each is not listed}
+    sections = {
+        str(each.name).partition(".")[0] for every in file.blocks for each in every.parameters if each is not listed
+    }
     for item in items(listed):
         if item.text not in sections and not params.named_elsewhere(item.text, {file.source}):
             yield NavigationProblem("polygon", item.span, item.text, _name(block))

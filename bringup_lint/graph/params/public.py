@@ -80,9 +80,8 @@ def _node_of(loads: list[Load], block: Block) -> PublicNode | None:
     started = {
         (literal_text(load.node.package), literal_text(load.node.plugin) or literal_text(load.node.executable))
         for load in loads
-        if block.name == "/**" or (
-            "*" not in block.name and load.node.fqn is not None and matches(block.name, load.node.fqn)
-        )
+        if block.name == "/**"
+        or ("*" not in block.name and load.node.fqn is not None and matches(block.name, load.node.fqn))
     }
     if not started:
         return node_called(str(block.key).rpartition("/")[2])

@@ -30,7 +30,7 @@ _OUTER = frozenset({"ros2_control", "transmission", "gazebo", "state", "group_st
 class Refused(NamedTuple):
     where: Span
     what: str
-    """``no-limit``, ``no-attribute``, ``limits``, ``degrees``, ``no-link``, ``twice`` or ``roots``."""
+    """``no-limit``, ``no-attribute``, ``limits``, ``degrees``, ``turned``, ``no-link``, ``twice`` or ``roots``."""
     name: str
     detail: str = ""
     other: Span | None = None
@@ -46,7 +46,7 @@ def refused_descriptions(files: Files, packages: Container[str]) -> Iterator[lis
         if root is None or root.local != "robot":
             continue
         is_part = _is_named(files, source, "urdf")
-        found = [*_joints(root), *(_tree(root) if _is_plain(source) and not is_part else ())]
+        found = [*_joints(root), *_origins(root), *(_tree(root) if _is_plain(source) and not is_part else ())]
         lost = list(_lost(root)) if "xacro" in source.text and not found else []
         if lost:
             known = known or described(files.tree, packages)
@@ -58,7 +58,7 @@ def refused_descriptions(files: Files, packages: Container[str]) -> Iterator[lis
 
 def _is_read(refused: Refused) -> bool:
     """Whether urdfdom takes the description all the same."""
-    return refused.what in ("limits", "degrees")
+    return refused.what in ("limits", "degrees", "turned")
 
 
 def _is_named(files: Files, source: Source, *kinds: str) -> bool:
@@ -111,11 +111,22 @@ def _limit(limit: Element, name: str, turns: bool) -> Iterator[Refused]:
 
 
 def _is_in_degrees(limit: float) -> bool:
-    """Whether a limit of a revolute joint is a round number of degrees, and many turns in radians."""
+    """Whether an angle is a round number of degrees, and many turns in radians."""
     return _DEGREES[0] <= abs(limit) <= _DEGREES[1] and limit % 5 == 0
 
 
-def _number(text: Located | None) -> float | None:
+def _origins(root: Element) -> Iterator[Refused]:
+    """Places of joints, shapes and sensors that are turned by degrees."""
+    for origin in root.walk():
+        angles = origin.get("rpy") if origin.name == "origin" else None
+        numbers = [_number(each) for each in angles.split()] if angles is not None else []
+        if angles is not None and any(each is not None and _is_in_degrees(each) for each in numbers):
+            outer = origin.parent
+            name = (outer.get("name") if outer is not None else None) or ""
+            yield Refused(angles.span, "turned", str(name), str(angles))
+
+
+def _number(text: str | None) -> float | None:
     try:
         return float(text) if text is not None else None
     except ValueError:

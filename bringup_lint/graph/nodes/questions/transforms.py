@@ -1,4 +1,4 @@
-"""Transforms that a callback asks for without handling that there is none."""
+"""Transforms that a callback asks for without handling that there is none, or a constructor before any can come."""
 
 from __future__ import annotations
 
@@ -9,12 +9,21 @@ from bringup_lint.graph.nodes.questions.callback_code import code_of
 from bringup_lint.graph.nodes.sources.ending import Ending
 from bringup_lint.graph.nodes.sources.sending import called
 from bringup_lint.graph.nodes.sources.syntax import FUNCTIONS
+from bringup_lint.graph.nodes.sources.syntax import body_of
+from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import Callback
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.python import children
+from bringup_lint.model.python import is_self
 from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.pattern import regex
 
 DEPTH = 4
+_LISTENERS = ("tf2_ros.TransformListener", "tf2_ros.transform_listener.TransformListener")
+_RUNS = regex(
+    r"spin_thread|[Tt]hread|spin_once|spin_some|spin_until_future_complete|executor\.spin|concurrent\.futures"
+)
+"""What may run the subscriptions of a listener while the constructor goes on."""
 _LOOKUPS = frozenset({"lookup_transform", "lookup_transform_full"})
 _ASKS = frozenset({"can_transform", "wait_for_transform_async", "can_transform_full"})
 _ROLES = ("subscription", "timer", "service", "client")
@@ -39,6 +48,20 @@ def unhandled_transforms(ending: Ending, cls: NodeClass) -> Iterator[Unhandled]:
             if call not in seen:
                 seen.add(call)
                 yield Unhandled(call, callback, function)
+
+
+def early_lookups(ending: Ending, cls: NodeClass) -> list[ast.Call]:
+    """The lookups in the constructor of a node on whose own executor its listener depends."""
+    syntax, method = ending.syntax, cls.methods.get("__init__")
+    if method is None or _RUNS.search(ending.file.source.text):
+        return []
+    made = [call for name in _LISTENERS for call in syntax.named.get(name, [])]
+    given = [value for call in made for value in (*call.args[1:2], *(each.value for each in call.keywords))]
+    if not any(is_self(each) for each in given) or any(syntax.class_of(call) is not cls for call in made):
+        return []
+    calls = list(own_calls(body_of(method.node)))
+    asks = any(_method(each) in _ASKS for each in calls)
+    return [] if asks else [call for call in calls if _is_lookup(ending, call)]
 
 
 def _unguarded(
