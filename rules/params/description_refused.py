@@ -90,7 +90,8 @@ def _what(refused: Refused) -> str:
         case "degrees":
             return f"The limits of joint '{refused.name}' are {refused.detail} radians"
         case "turned":
-            return f"The origin of {repr(refused.name) if refused.name else 'a shape'} is turned by {refused.detail} radians"
+            whose = f"of '{refused.name}'" if refused.name else "of a shape"
+            return f"The origin {whose} is turned by {refused.detail} radians"
         case "no-link":
             return f"Joint '{refused.detail}' names the link '{refused.name}', which does not exist"
         case "twice":

@@ -409,8 +409,8 @@ class Params:
         return {}
 
     def is_missing(self, node: Started) -> bool:
-        """Whether the package of a node, which is in the tree, surely has no such executable, so that it never runs. One
-        that is built and only not installed is meant to run."""
+        """Whether the package of a node, which is in the tree, surely has no such executable, so that it never runs.
+        One that is built and only not installed is meant to run."""
         package = self._launch().workspace.packages.get(literal_text(node.package) or "")
         executable = literal_text(node.executable)
         if package is None or executable is None:

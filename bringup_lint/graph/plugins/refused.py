@@ -12,7 +12,6 @@ from bringup_lint.graph.plugins.described import Described
 from bringup_lint.graph.plugins.described import described
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.xml import parse
-from bringup_lint.source import Located
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:
