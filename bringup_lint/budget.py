@@ -7,7 +7,7 @@ budget becomes a finding of ``lint/time-budget``.
 from __future__ import annotations
 
 import signal
-import threading
+import sys
 import time
 from types import FrameType
 
@@ -75,7 +75,8 @@ class limited:
 
 
 def _has_timers() -> bool:
-    return hasattr(signal, "setitimer") and threading.current_thread() is threading.main_thread()
+    threading = sys.modules.get("threading")  # without it, there is no other thread
+    return hasattr(signal, "setitimer") and (not threading or threading.current_thread() is threading.main_thread())
 
 
 def _take_signal() -> None:

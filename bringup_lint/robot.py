@@ -23,7 +23,6 @@ from collections.abc import Iterable
 from collections.abc import Iterator
 from collections.abc import Mapping
 from contextlib import suppress
-from datetime import date
 from functools import cached_property
 from typing import TYPE_CHECKING
 from typing import Any
@@ -35,6 +34,8 @@ from bringup_lint.graph.files import Files
 from bringup_lint.graph.purpose import Purpose
 
 if TYPE_CHECKING:
+    from datetime import date
+
     from bringup_lint.discover.tree import Tree
     from bringup_lint.graph.containers.compose import Compose
     from bringup_lint.graph.dds.dds import Dds
@@ -110,7 +111,7 @@ class Robot:
         today: date | None = None,
         purposes: Mapping[str, str] | None = None,
     ) -> None:
-        self.files = Files(tree, configured_ros, configured_systemd, purposes or {}, today or date.today())
+        self.files = Files(tree, configured_ros, configured_systemd, purposes or {}, today)
         if self.files.of_kind("shell-script", "ansible", "cloud-init"):
             from bringup_lint.graph.installed.installed import join_installed
 
@@ -127,7 +128,7 @@ class Robot:
             files.tree.without(names),
             files.configured_ros,
             files.configured_systemd,
-            files.today,
+            files.configured_today,
             files.configured_purposes,
         )
         robot.launch_commands = self.launch_commands
@@ -410,21 +411,22 @@ class Robot:
 
     @cached_property
     def journald(self) -> list[Daemon]:
-        from bringup_lint.graph.systemd.daemons import load_daemons
-
-        return load_daemons(self.files, "journald")
+        return self._daemons("journald")
 
     @cached_property
     def system_conf(self) -> list[Daemon]:
-        from bringup_lint.graph.systemd.daemons import load_daemons
-
-        return load_daemons(self.files, "system")
+        return self._daemons("system")
 
     @cached_property
     def logind(self) -> list[Daemon]:
+        return self._daemons("logind")
+
+    def _daemons(self, name: str) -> list[Daemon]:
+        if not self.of_kind(f"{name}-conf"):
+            return []
         from bringup_lint.graph.systemd.daemons import load_daemons
 
-        return load_daemons(self.files, "logind")
+        return load_daemons(self.files, name)
 
     @cached_property
     def sshd(self) -> list[Sshd]:

@@ -9,7 +9,6 @@ import sys
 import time
 from collections.abc import Callable
 from collections.abc import Iterable
-from datetime import date
 from pathlib import Path
 from typing import TYPE_CHECKING
 from typing import Any
@@ -367,5 +366,4 @@ def read_robot(paths: tuple[str, ...], config: Config, options: dict[str, Any], 
         tree.excluded = met
     now = options.get("now")
     purposes = {display_name(str(config.folder / path)): name for path, name in config.purpose.items()}
-    today = now.date() if now else date.today()
-    return Robot(tree, config.target_ros, config.target_systemd, today, purposes)
+    return Robot(tree, config.target_ros, config.target_systemd, now.date() if now else None, purposes)

@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import os
 import sys
-import threading
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
+from typing import TYPE_CHECKING
 
 from bringup_lint.cli.streams import overwrite
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
+
+if TYPE_CHECKING:
+    from threading import Event
 
 PATIENCE = 1.0
 """Seconds until the first line."""
@@ -24,7 +27,6 @@ class Progress:
 
     what: str = "reading the files"
     rules: int = 0
-    done: threading.Event = field(default_factory=threading.Event)
     started: float = field(default_factory=time.monotonic)
 
     def rule(self) -> None:
@@ -35,10 +37,10 @@ class Progress:
     def line(self) -> str:
         return f"bringup-lint: {self.what} ({time.monotonic() - self.started:.0f} s)"
 
-    def show(self) -> None:
+    def show(self, done: Event) -> None:
         """Write the line until the run is done, then take it away."""
         shown = False
-        while not self.done.wait(PERIOD if shown else PATIENCE):
+        while not done.wait(PERIOD if shown else PATIENCE):
             overwrite(self.line())
             shown = True
         if shown:
@@ -52,10 +54,14 @@ def progress(wanted: bool) -> Iterator[Progress]:
     if not wanted or sys.stderr is None or not sys.stderr.isatty() or os.environ.get("TERM") == "dumb":
         yield state
         return
-    thread = threading.Thread(target=state.show, daemon=True)
+    from threading import Event
+    from threading import Thread
+
+    done = Event()
+    thread = Thread(target=state.show, args=(done,), daemon=True)
     thread.start()
     try:
         yield state
     finally:
-        state.done.set()
+        done.set()
         thread.join()

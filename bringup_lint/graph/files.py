@@ -7,7 +7,6 @@ import re
 from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Mapping
-from datetime import date
 from functools import cached_property
 from types import FunctionType
 from typing import TYPE_CHECKING
@@ -31,6 +30,8 @@ from bringup_lint.source import Source
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:
+    from datetime import date
+
     from bringup_lint.discover.tree import Tree
     from bringup_lint.model.env_file import EnvFile
 
@@ -59,8 +60,7 @@ class Files:
     configured_ros: str | None = None
     configured_systemd: int | None = None
     configured_purposes: Mapping[str, str] = field(default_factory=dict)
-    today: date = field(default_factory=date.today)
-    """The day for which validity dates are judged."""
+    configured_today: date | None = None
     failures: list[tuple[Source, Exception]] = field(default_factory=list)
     """Sources on which a parser failed inside."""
     unfinished: list[Source] = field(default_factory=list)
@@ -126,6 +126,13 @@ class Files:
     def problems(self) -> list[Problem]:
         """What could not be read at all: unreadable, oversized or binary files."""
         return self.tree.problems
+
+    @cached_property
+    def today(self) -> date:
+        """The day for which validity dates are judged."""
+        from datetime import date
+
+        return self.configured_today or date.today()
 
     @cached_property
     def target(self) -> Target:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import re
 from collections.abc import Iterator
 from collections.abc import Mapping
@@ -36,6 +35,8 @@ class Instruction:
         """The words of the JSON form; None for the shell form."""
         if not self.value.startswith("["):
             return None
+        import json
+
         try:
             words = json.loads(str(self.value))
         except ValueError:

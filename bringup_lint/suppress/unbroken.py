@@ -12,10 +12,6 @@ from collections.abc import Iterable
 from collections.abc import Iterator
 from functools import lru_cache
 
-from bringup_lint.model.yaml_node import Mapping
-from bringup_lint.model.yaml_node import Node
-from bringup_lint.model.yaml_node import Scalar
-from bringup_lint.model.yaml_node import Sequence
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.yaml_kinds import YAML_KINDS
 from bringup_lint.pattern import regex
@@ -136,6 +132,10 @@ def _past(text: str, what: str, at: int) -> int:
 
 def _yaml(source: Source) -> Lines:
     """Scalars that the parser sees, and what looks like a block scalar where it sees nothing."""
+    from bringup_lint.model.yaml_node import Mapping
+    from bringup_lint.model.yaml_node import Node
+    from bringup_lint.model.yaml_node import Scalar
+    from bringup_lint.model.yaml_node import Sequence
     from bringup_lint.parsers.yaml_nodes import parse
 
     file = parse(source, follow_aliases=False)

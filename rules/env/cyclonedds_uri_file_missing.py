@@ -27,15 +27,16 @@ When a script or unit generates the file before the nodes start.
 - https://github.com/suchetanrs/ORB-SLAM3-ROS2-Docker/issues/32
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
+from bringup_lint.api import docker
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api.docker import Runner
-from bringup_lint.api.docker import lacks
 
 
 @rule("error", symptoms=["can't open configuration file", "rmw_create_node: failed to create domain"])
@@ -73,7 +74,7 @@ def _paths(text: str | None) -> list[str]:
     return [path for path in paths if path.startswith("/")]
 
 
-def _is_written(runner: Runner, path: str) -> bool:
+def _is_written(runner: docker.Runner, path: str) -> bool:
     """Whether the container may make the file itself when it starts."""
     words = (word for each in runner.commands if each.name not in ("export", "test", "[", "[[") for word in each.words)
     targets = (str(redirect.target) for each in runner.commands for redirect in each.redirects)
@@ -87,7 +88,7 @@ def _of_containers(robot: Robot) -> Iterator[Finding]:
         uri = runner.environment.get("CYCLONEDDS_URI") if runner.in_container and runner.runs_ros else None
         if uri is None or runner.environment.text("RMW_IMPLEMENTATION") != "rmw_cyclonedds_cpp":
             continue
-        path = next((each for each in _paths(uri.text) if lacks(robot.files, runner, each)), None)
+        path = next((each for each in _paths(uri.text) if docker.lacks(robot.files, runner, each)), None)
         if path is not None and not _is_written(runner, path) and uri.value.span not in seen:
             seen.add(uri.value.span)
             yield finding(

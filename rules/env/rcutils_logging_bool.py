@@ -37,10 +37,11 @@ from bringup_lint.api.ros import LOGGING_SWITCHES
 WORDS = {"true": "1", "yes": "1", "on": "1", "false": "0", "no": "0", "off": "0"}
 
 
-SYMPTOMS = ["unexpected value [", "error initializing logging", "failed to configure logging"]
-
-
-@rule("error", fix="safe", symptoms=SYMPTOMS)
+@rule(
+    "error",
+    fix="safe",
+    symptoms=["unexpected value [", "error initializing logging", "failed to configure logging"],
+)
 def rcutils_logging_bool(robot: Robot) -> Iterator[Finding]:
     for setting in robot.ros.of(*LOGGING_SWITCHES):
         if setting.text in ("", "0", "1"):

@@ -32,10 +32,10 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
+from bringup_lint.api import docker
 from bringup_lint.api import finding
 from bringup_lint.api import regex
 from bringup_lint.api import rule
-from bringup_lint.api.docker import is_deployed
 from bringup_lint.api.ros import distro_end
 
 LOOKING = regex(r"\bros2 +(?:topic|node|param|service|action|interface|doctor|lifecycle)\b")
@@ -64,11 +64,11 @@ def _runs_robot(robot: Robot, place: Located) -> bool:
     if source.kind == "shell-script":
         return not LOOKING.search(source.said) or RUNNING.search(source.said) is not None
     image = next((file for file in robot.dockerfiles if file.source is source), None)
-    return image is None or is_deployed(robot.compose, image)
+    return image is None or docker.is_deployed(robot.compose, image)
 
 
 def _distros(robot: Robot) -> Iterable[str]:
     """The distribution of the tree; where it names none that is known, those before the first known one."""
     if robot.target.ros:
         return [robot.target.ros]
-    return [] if robot.target.ros_named else OLDER
+    return [] if robot.target.ros_named else [each for each in OLDER if any(robot.ros.mentions(each))]

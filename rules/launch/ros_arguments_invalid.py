@@ -26,6 +26,8 @@ When the program takes its arguments apart before it gives them to ROS.
 - rcl, `rcl_parse_arguments`
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding

@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 import re
-from datetime import date
 from functools import cache
+from typing import TYPE_CHECKING
 
 from bringup_lint.facts import table
 from bringup_lint.named_tuple import NamedTuple
 
+if TYPE_CHECKING:
+    from datetime import date
+
 
 class Distro(NamedTuple):
     name: str
-    end: date | None
-    """The last day with updates; None for rolling."""
+    end: str
+    """The last day with updates, as in ``2027-05-31``; empty for rolling."""
     codename: str
     """Of the Ubuntu release that it is built for."""
     systemd: int | None
@@ -29,7 +32,7 @@ def every() -> dict[str, Distro]:
     return {
         row["name"]: Distro(
             row["name"],
-            date.fromisoformat(row["end"]) if row["end"] else None,
+            row["end"],
             row["codename"],
             int(row["systemd"]) if row["systemd"] else None,
             row["cyclonedds"],
@@ -77,5 +80,7 @@ def at_least(distro: str | None, first: str) -> bool | None:
 
 def distro_end(distro: str | None) -> date | None:
     """The last day on which a distribution gets updates; None when it has no end or is not known."""
+    from datetime import date
+
     found = every().get(distro or "")
-    return found.end if found else None
+    return date.fromisoformat(found.end) if found and found.end else None

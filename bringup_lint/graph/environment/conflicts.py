@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING
 from bringup_lint.graph.commands.environment import Variable
 from bringup_lint.graph.environment.ros import RosEnvironment
 from bringup_lint.graph.environment.ros import RosProcess
-from bringup_lint.model.compose import Beside
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
@@ -75,6 +74,8 @@ def _different(values: list[list[Valued]]) -> Iterator[Different]:
 
 def _pair(users: list[Valued], usual: list[Valued]) -> Different | None:
     """The first two that run together; services of different profiles of compose never do."""
+    from bringup_lint.model.compose import Beside
+
     beside = Beside(other.process.service for other in usual)
     for one in users:
         first = beside.first(one.process.service)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 import posixpath
 import re
@@ -45,7 +44,11 @@ def words_of(instruction: Instruction | None) -> list[Located]:
 
 
 def _unescaped(word: Located) -> Located:
-    return Located(json.loads(f'"{word}"'), word.span) if "\\" in word else word
+    if "\\" not in word:
+        return word
+    import json
+
+    return Located(json.loads(f'"{word}"'), word.span)
 
 
 def container_line(words: list[Located], reads: Callable[[str], Source | None]) -> CommandLine | None:

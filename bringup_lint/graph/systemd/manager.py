@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 from typing import TypeVar
 
-from bringup_lint.graph.systemd.daemons import Daemon
 from bringup_lint.source import Located
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.systemd.daemons import Daemon
 
 Value = TypeVar("Value")
 

@@ -6,13 +6,13 @@ import re
 from collections.abc import Callable
 from collections.abc import Iterator
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.files import Files
 from bringup_lint.graph.graph import Node
 from bringup_lint.graph.memo import memo
 from bringup_lint.graph.systemd import shipped_units
-from bringup_lint.graph.systemd.daemons import Daemon
 from bringup_lint.graph.systemd.provision import makes
 from bringup_lint.graph.systemd.provision import starts
 from bringup_lint.graph.systemd.relations import PULLS
@@ -27,6 +27,9 @@ from bringup_lint.parsers.systemd_values import split_name
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.spelling import nearest
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.systemd.daemons import Daemon
 
 _USUAL_TARGETS = frozenset(
     {

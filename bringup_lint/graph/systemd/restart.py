@@ -9,11 +9,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 from typing import Any
 from typing import TypeVar
 
 from bringup_lint.dataclass import dataclass
-from bringup_lint.graph.systemd.daemons import Daemon
 from bringup_lint.graph.systemd.manager import manager_setting
 from bringup_lint.graph.systemd.settings import Setting
 from bringup_lint.graph.systemd.settings import count
@@ -21,6 +21,9 @@ from bringup_lint.graph.systemd.settings import one_of
 from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.parsers.systemd_values import parse_timespan
 from bringup_lint.source import Located
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.systemd.daemons import Daemon
 
 Value = TypeVar("Value")
 

@@ -6,10 +6,10 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.files import Files
-from bringup_lint.graph.systemd.daemons import Daemon
 from bringup_lint.graph.systemd.main_process import Main
 from bringup_lint.graph.systemd.main_process import main_process
 from bringup_lint.graph.systemd.manager import manager_setting
@@ -18,6 +18,9 @@ from bringup_lint.graph.systemd.settings import Setting
 from bringup_lint.graph.systemd.settings import one_of
 from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.parsers.systemd_values import parse_timespan
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.systemd.daemons import Daemon
 
 TYPES = frozenset("simple exec forking oneshot dbus notify notify-reload idle".split())
 ACCESS = frozenset(["none", "main", "exec", "all"])
