@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterable
 from collections.abc import Iterator
 
@@ -52,6 +51,8 @@ def path_of(name: str, root: str, cwd: str = "") -> str:
 
 def written(entries: Iterable[Entry]) -> str:
     """The text of a baseline file."""
+    import json
+
     findings = [entry._asdict() for entry in sorted(entries)]
     return json.dumps({"version": VERSION, "findings": findings}, indent=2) + "\n"
 
@@ -61,6 +62,8 @@ def read(text: str) -> tuple[Entry, ...]:
 
     Raises BaselineError with one clear line when the text is not a baseline of a known version.
     """
+    import json
+
     try:
         content = json.loads(text)
     except (ValueError, RecursionError) as error:

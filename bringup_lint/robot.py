@@ -186,6 +186,11 @@ class Robot:
         """The kinds of file in the tree."""
         return self.files.kinds
 
+    @property
+    def has_launch_files(self) -> bool:
+        """Whether ``launch`` has anything, so that it is worth loading."""
+        return bool(self.of_kind(*LAUNCH))
+
     def mentions(self, pattern: re.Pattern[str]) -> bool:
         """Whether the text of a judged file matches."""
         return self.files.mentions(pattern)

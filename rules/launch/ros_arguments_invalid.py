@@ -72,10 +72,11 @@ UNKNOWN = regex(r"[$`%*]")
     ],
 )
 def ros_arguments_invalid(robot: Robot) -> Iterator[Finding]:
-    judged = {id(file) for file in robot.launch.judged}
-    for node in robot.launch.nodes:
-        if id(node.file) in judged and node.is_node and not isinstance(node.action, launch.ComposableNode):
-            yield from of_node(node)
+    if robot.has_launch_files:
+        judged = {id(file) for file in robot.launch.judged}
+        for node in robot.launch.nodes:
+            if id(node.file) in judged and node.is_node and not isinstance(node.action, launch.ComposableNode):
+                yield from of_node(node)
     for runner in robot.runners.ros:
         for start in runner.starts:
             if start.ros.kind in ("run", "node"):

@@ -105,7 +105,7 @@ def timeout_stop_vs_launch(robot: Robot) -> Iterator[Finding]:
 
 def needs(robot: Robot, launches: list[Ros]) -> StopTime:
     """How long the launch files of a unit may take to stop, and the timeouts of nodes that set it."""
-    expansions = [expansion_of(found, robot.launch) for found in launches]
+    expansions = [expansion_of(found, robot.launch) for found in launches] if robot.has_launch_files else []
     known = [stop_time(expansion) if expansion is not None else None for expansion in expansions]
     usual = StopTime(USUAL, [])
     return max((each or usual for each in known), key=lambda each: each.seconds, default=usual)

@@ -23,7 +23,6 @@ from bringup_lint.graph.secrets.ros import indirect
 from bringup_lint.graph.secrets.ros import launch_words
 from bringup_lint.graph.secrets.ros import named_values
 from bringup_lint.named_tuple import NamedTuple
-from bringup_lint.parsers.dockerfile import assignments
 from bringup_lint.parsers.env_file import parse
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
@@ -129,7 +128,8 @@ class Secrets:
         return (each for each in found if _NAME.search(each.name) and _is_real(each.where.source))
 
     def _all(self) -> Iterator[Secret]:
-        yield from _of_images(self.dockerfiles())
+        if dockerfiles := self.dockerfiles():
+            yield from _of_images(dockerfiles)
         for runner in self.runners.all:
             yield from _of_environment(runner)
             yield from _of_commands(runner)
@@ -265,6 +265,8 @@ def is_private(source: Source) -> bool:
 
 def _of_images(dockerfiles: Iterable[Dockerfile]) -> Iterator[Secret]:
     """ENV and ARG stay in the layers of an image, those of the stages that are not run too."""
+    from bringup_lint.parsers.dockerfile import assignments
+
     for file in dockerfiles:
         for instruction in file.instructions:
             if instruction.name in ("ENV", "ARG"):

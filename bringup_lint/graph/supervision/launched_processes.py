@@ -4,9 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from bringup_lint.graph.launch.resolve import text_of
-from bringup_lint.graph.launch.resolve import truth
-from bringup_lint.model.launch import Process
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.shell import split
 from bringup_lint.pattern import regex
@@ -26,12 +23,16 @@ _SHELLS = ("bash", "sh", "dash", "zsh")
 
 def respawns(node: Started) -> bool | None:
     """Whether launch starts the process again; None when that is not known."""
+    from bringup_lint.graph.launch.resolve import truth
+
     value = node.options.get("respawn")
     return False if value is None else truth(value)
 
 
 def watched(node: Started, expansion: Expansion) -> bool:
     """Whether somebody reacts to the end of the process: an exit action or an event handler for it, or for any."""
+    from bringup_lint.model.launch import Process
+
     action = node.action
     if isinstance(action, Process) and (action.on_exit or action.open):
         return True
@@ -56,6 +57,8 @@ class StopTime(NamedTuple):
 
 def stop_time(expansion: Expansion) -> StopTime | None:
     """None when it is not known."""
+    from bringup_lint.graph.launch.resolve import text_of
+
     longest: StopTime | None = None
     for node in expansion.nodes:
         given = [node.options[name] for name in STEPS if name in node.options]
@@ -70,6 +73,9 @@ def stop_time(expansion: Expansion) -> StopTime | None:
 
 def check_of(node: Started) -> str | None:
     """What a process checks, when it is a check: ``test -e /dev/x``, a script called check or verify."""
+    from bringup_lint.graph.launch.resolve import text_of
+    from bringup_lint.model.launch import Process
+
     if not isinstance(node.action, Process) or node.is_node:
         return None
     words = [text_of(word) or "" for word in node.arguments]
