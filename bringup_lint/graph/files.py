@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import posixpath
 import re
 from collections.abc import Callable
@@ -84,11 +85,23 @@ class Files:
     def join(self, source: Source) -> None:
         """Take in a source that comes later, of a kind that nothing asked for before."""
         self._by_kind.setdefault(source.kind, []).append(source)
+        self.__dict__.pop("_by_folder", None)
         self.sources.append(source)
         self._mentioned.clear()
 
     def of_kind(self, *kinds: str) -> list[Source]:
         return [source for kind in kinds for source in self._by_kind.get(kind, ())]
+
+    def beside(self, source: Source) -> list[Source]:
+        """The other files in the folder of one."""
+        return [each for each in self._by_folder.get(os.path.dirname(source.name), ()) if each is not source]
+
+    @cached_property
+    def _by_folder(self) -> dict[str, list[Source]]:
+        by_folder: dict[str, list[Source]] = {}
+        for source in self.sources:
+            by_folder.setdefault(os.path.dirname(source.name), []).append(source)
+        return by_folder
 
     def parsed(self, parse: Callable[[Source], Model], sources: Iterable[Source]) -> list[Model]:
         """The models of the sources. A parser that fails costs its own source: it is noted in ``failures``, or in

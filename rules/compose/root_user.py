@@ -34,6 +34,7 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
@@ -46,8 +47,10 @@ IN_BOTH = 'add user: "1000:1000" here, or USER to the Dockerfile'
 
 @rule("warning", silent="root may do everything, so nothing fails", tags=["CWE-250"])
 def root_user(robot: Robot) -> Iterator[Finding]:
-    for file in robot.compose.files:
-        services = [service for service in robot.compose.whole_services if service.source is file.source]
+    by_file: dict[Source, list[Service]] = {}
+    for service in robot.compose.whole_services:
+        by_file.setdefault(service.source, []).append(service)
+    for services in by_file.values():
         own = [service for service in services if service.user is not None]
         yield from _chosen([service for service in own if _is_root(robot, service)])
         yield from _left_to_image(robot, [service for service in services if service.user is None])

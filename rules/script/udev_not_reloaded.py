@@ -52,8 +52,9 @@ def udev_not_reloaded(robot: Robot) -> Iterator[Finding]:
         target = run.text(run.words[-1]) if len(run.words) > 2 else ""
         if target.startswith(("/etc", "/lib", "/usr/lib")) and FOLDER in target:
             copied.setdefault(source, []).append(run.words[-1])
+    telling = [each for each in robot.sources if each.kind == "dockerfile" or TOLD.search(each.said)] if copied else []
     for source, (first, *others) in copied.items():
-        if TOLD.search(source.said) or _is_called(robot, source):
+        if TOLD.search(source.said) or _is_called(telling, source):
             continue
         yield finding(
             first,
@@ -63,7 +64,6 @@ def udev_not_reloaded(robot: Robot) -> Iterator[Finding]:
         )
 
 
-def _is_called(robot: Robot, source: Source) -> bool:
+def _is_called(telling: list[Source], source: Source) -> bool:
     """Whether another file that tells udev, or builds an image, names the script."""
-    named = (each for each in robot.sources if each is not source and source.basename in each.text)
-    return any(TOLD.search(each.said) or each.kind == "dockerfile" for each in named)
+    return any(each is not source and source.basename in each.text for each in telling)

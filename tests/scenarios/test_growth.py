@@ -145,6 +145,29 @@ def modules(folder: Path, count: int) -> None:
             (top / f"m{n}/f{k}.py").write_text("import os\n\n\ndef main():\n    print(os.getpid())\n")
 
 
+def projects(folder: Path, count: int) -> None:
+    """Compose files, each with its image and the script that its service starts."""
+    for n in range(count):
+        top = folder / f"d{n}"
+        top.mkdir()
+        (top / "Dockerfile").write_text(f'FROM ros:jazzy\nCOPY start_{n}.sh /\nUSER robot\nCMD ["/start_{n}.sh"]\n')
+        (top / f"start_{n}.sh").write_text(f"#!/bin/bash\nset -e\nexec ros2 run a n{n}\n")
+        (top / "compose.yaml").write_text(
+            f"services:\n  s{n}:\n    build: .\n    volumes: [./data:/data]\n    devices: [/dev/d{n}]\n"
+        )
+
+
+def installers(folder: Path, count: int) -> None:
+    """Scripts that install units and rules, each its own."""
+    for n in range(count):
+        (folder / f"robot-{n}.service").write_text(f"[Service]\nExecStart=/usr/bin/ros2 run a n{n}\n")
+        (folder / f"70-robot-{n}.rules").write_text(f'SUBSYSTEM=="tty", ATTRS{{serial}}=="A{n}", SYMLINK+="robot{n}"\n')
+        (folder / f"install_{n}.sh").write_text(
+            f"#!/bin/bash\nset -e\nsudo cp robot-{n}.service /etc/systemd/system/\n"
+            f"sudo cp 70-robot-{n}.rules /etc/udev/rules.d/\nsudo systemctl enable robot-{n}.service\n"
+        )
+
+
 MANIFEST = """\
 <package format="3">
   <name>{name}</name><version>0.0.1</version><description>A package.</description>
@@ -163,7 +186,18 @@ public:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("shape", "count"), [(rules, 100), (chain, 30), (images, 30), (packages, 10), (modules, 10)])
+@pytest.mark.parametrize(
+    ("shape", "count"),
+    [
+        (rules, 100),
+        (chain, 30),
+        (images, 30),
+        (packages, 10),
+        (modules, 10),
+        (projects, 15),
+        (installers, 15),
+    ],
+)
 def test_every_layer_grows_as_one_kind_of_file_does(
     shape: Callable[[Path, int], None], count: int, tmp_path: Path
 ) -> None:

@@ -121,6 +121,14 @@ class Compose:
         return users
 
     @cached_property
+    def by_folder(self) -> dict[str, list[ComposeFile]]:
+        """Folder -> its compose files."""
+        found: dict[str, list[ComposeFile]] = {}
+        for file in self.files:
+            found.setdefault(os.path.dirname(file.source.name), []).append(file)
+        return found
+
+    @cached_property
     def build_folders(self) -> frozenset[str]:
         """The folders of the Dockerfiles of which the tree makes images, and those that services build them from."""
         built = [file for file in self.images.dockerfiles if not self.built_stages.isdisjoint(file.stages)]

@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from bringup_lint.graph.containers.compose_projects import project_of
+from bringup_lint.graph.containers.compose_projects import Projects
 from bringup_lint.model.compose import ComposeFile
 from bringup_lint.model.compose import Service
 from bringup_lint.model.compose import is_variable
@@ -180,21 +180,16 @@ def _is_made(files: Files, path: str) -> bool:
 
 def undefined_names(compose: Compose) -> Iterator[UndefinedName]:
     """Volumes, networks and services that a project names and does not define."""
+    projects = Projects(compose)
     for file in _projects(compose):
-        project = project_of(compose, file)
-        if project is None or _has_parts(compose, project):
+        project = projects.of(file)
+        if project is None or projects.has_parts(project):
             continue
         defined = {kind: _defined(project, kind) for kind in ("volume", "network", "service")}
         for service in file.services:
             for found in _named(service):
                 if _is_own(service, found.name) and str(found.name) not in defined[found.kind]:
                     yield found
-
-
-def _has_parts(compose: Compose, project: list[ComposeFile]) -> bool:
-    """Whether other compose files are beside those of a project, which may define the rest."""
-    folders = {os.path.dirname(file.source.name) for file in project}
-    return any(os.path.dirname(other.source.name) in folders and other not in project for other in compose.files)
 
 
 def _named(service: Service) -> Iterator[UndefinedName]:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 from bringup_lint.model.compose import ComposeFile
@@ -19,46 +21,68 @@ if TYPE_CHECKING:
     from bringup_lint.source import Located
 
 
-def project_of(compose: Compose, file: ComposeFile) -> list[ComposeFile] | None:
-    """The file, those that ``include`` it or extend its services, and all that these include. None when an included
-    file is not known, which may define anything.
+class Projects:
+    """The projects of a tree, and which files load which."""
 
-    docker compose looks for what an included file names in the merged project: compose-go loads the file with
-    ``SkipConsistencyCheck``."""
-    loaders = _reached([file], lambda one: (other for other in compose.files if one in _loaded(compose, other)))
-    project: list[ComposeFile] = []
-    for each in _reached(loaders, lambda one: _found(compose, one)):
-        if None in _included(compose, each):
-            return None
-        project.append(each)
-    return project
+    def __init__(self, compose: Compose) -> None:
+        self._compose = compose
+
+    def of(self, file: ComposeFile) -> list[ComposeFile] | None:
+        """The file, those that ``include`` it or extend its services, and all that these include. None when an
+        included file is not known, which may define anything.
+
+        docker compose looks for what an included file names in the merged project: compose-go loads the file with
+        ``SkipConsistencyCheck``."""
+        loaders = _reached([file], lambda one: self._loaders.get(id(one), ()))
+        project: list[ComposeFile] = []
+        for each in _reached(loaders, self._found):
+            if None in self._included[id(each)]:
+                return None
+            project.append(each)
+        return project
+
+    def has_parts(self, project: list[ComposeFile]) -> bool:
+        """Whether other compose files are beside those of a project, which may define the rest."""
+        own = set(map(id, project))
+        folders = {os.path.dirname(file.source.name) for file in project}
+        return any(id(other) not in own for folder in folders for other in self._compose.by_folder[folder])
+
+    def _found(self, file: ComposeFile) -> Iterator[ComposeFile]:
+        return (other for other in self._included[id(file)] if other is not None)
+
+    @cached_property
+    def _included(self) -> dict[int, list[ComposeFile | None]]:
+        """``id`` of a file -> those that it includes, None for one that is not known."""
+        return {id(file): [self._at(file, path) for path in _included_paths(file)] for file in self._compose.files}
+
+    @cached_property
+    def _loaders(self) -> dict[int, list[ComposeFile]]:
+        """``id`` of a file -> those that include it or extend its services."""
+        found: dict[int, list[ComposeFile]] = {}
+        for file in self._compose.files:
+            extended = (self._at(file, path) for path in _extended_paths(file))
+            for other in {id(other) for other in (*self._included[id(file)], *extended) if other is not None}:
+                found.setdefault(other, []).append(file)
+        return found
+
+    @cached_property
+    def _whole(self) -> dict[int, ComposeFile]:
+        """``id`` of a source -> its file, where all of it can be read."""
+        return {id(file.source): file for file in self._compose.files if file.yaml.complete}
+
+    def _at(self, file: ComposeFile, path: Located) -> ComposeFile | None:
+        source = None if is_variable(path) else self._compose.tree.beside(file.source, path)
+        return None if source is None or source.template else self._whole.get(id(source))
 
 
 def _reached(start: list[ComposeFile], following: Callable[[ComposeFile], Iterable[ComposeFile]]) -> list[ComposeFile]:
-    reached = list(start)
-    for one in reached:
-        reached += [other for other in dict.fromkeys(following(one)) if other not in reached]
-    return reached
-
-
-def _loaded(compose: Compose, file: ComposeFile) -> list[ComposeFile | None]:
-    extended = [_at(compose, file, path) for path in _extended_paths(file)]
-    return [*_included(compose, file), *extended]
-
-
-def _found(compose: Compose, file: ComposeFile) -> Iterator[ComposeFile]:
-    return (other for other in _included(compose, file) if other is not None)
-
-
-def _included(compose: Compose, file: ComposeFile) -> list[ComposeFile | None]:
-    return [_at(compose, file, path) for path in _included_paths(file)]
-
-
-def _at(compose: Compose, file: ComposeFile, path: Located) -> ComposeFile | None:
-    source = None if is_variable(path) else compose.tree.beside(file.source, path)
-    if source is None or source.template:
-        return None
-    return next((other for other in compose.files if other.source is source and other.yaml.complete), None)
+    reached = {id(one): one for one in start}
+    waiting = list(start)
+    for one in waiting:
+        new = {id(other): other for other in following(one) if id(other) not in reached}
+        waiting += new.values()
+        reached |= new
+    return list(reached.values())
 
 
 def _included_paths(file: ComposeFile) -> Iterator[Located]:

@@ -89,13 +89,10 @@ def _overriding(compose: Compose, file: ComposeFile) -> list[ComposeFile]:
     stem = posixpath.splitext(file.source.basename)[0]
     if stem not in _DEFAULT:
         return []
-    folder = os.path.dirname(file.source.name)
     return [
         each
-        for each in compose.files
-        if os.path.dirname(each.source.name) == folder
-        and posixpath.splitext(each.source.basename)[0] == f"{stem}.override"
-        and not each.source.template
+        for each in compose.by_folder[os.path.dirname(file.source.name)]
+        if posixpath.splitext(each.source.basename)[0] == f"{stem}.override" and not each.source.template
     ]
 
 

@@ -133,12 +133,10 @@ def _beside(files: Files, service: Service) -> Iterator[Service]:
     """The services of this name in the files of its folder, which may be given together with its own."""
     from bringup_lint.parsers.compose import parse
 
-    folder = os.path.dirname(service.source.name)
-    for file in files.parsed(parse, files.of_kind("compose")):
-        if file.source is not service.source and os.path.dirname(file.source.name) == folder:
-            other = file.service(str(service.name))
-            if other is not None:
-                yield other
+    for file in files.parsed(parse, [each for each in files.beside(service.source) if each.kind == "compose"]):
+        other = file.service(str(service.name))
+        if other is not None:
+            yield other
 
 
 def _brings(files: Files, service: Service, path: str) -> bool:
