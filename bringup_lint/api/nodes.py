@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.hardware_interfaces import zeroed_commands
     from bringup_lint.graph.nodes.questions.inactive_publishers import inactive_publishers
     from bringup_lint.graph.nodes.questions.late_attributes import late_attributes
+    from bringup_lint.graph.nodes.questions.late_spins import late_spins
     from bringup_lint.graph.nodes.questions.loop_variables import late_bound
     from bringup_lint.graph.nodes.questions.making_loops import making_loops
     from bringup_lint.graph.nodes.questions.message_fields import NoField
@@ -36,6 +37,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.missing_attributes import missing_attributes
     from bringup_lint.graph.nodes.questions.missing_attributes import taken_attributes
     from bringup_lint.graph.nodes.questions.motion import moves
+    from bringup_lint.graph.nodes.questions.offboard_signals import rare_signals
     from bringup_lint.graph.nodes.questions.parameter_calls import empty_defaults
     from bringup_lint.graph.nodes.questions.parameter_calls import untyped_reads
     from bringup_lint.graph.nodes.questions.pin_modes import without_pin_mode
@@ -120,6 +122,7 @@ __all__ = [
     "is_checked",
     "late_attributes",
     "late_bound",
+    "late_spins",
     "lowered",
     "making_loops",
     "misfits",
@@ -133,6 +136,7 @@ __all__ = [
     "publish_after_deactivate",
     "python_of",
     "range_text",
+    "rare_signals",
     "relays",
     "repeated",
     "shell_commands",

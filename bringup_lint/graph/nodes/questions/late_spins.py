@@ -1,0 +1,53 @@
+"""Spins that come after a call which runs until the program ends."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+
+from bringup_lint.graph.nodes.sources.syntax import Syntax
+from bringup_lint.graph.nodes.sources.syntax import own_calls
+from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.pattern import regex
+
+_SERVERS = {
+    "flask.Flask": "run",
+    "http.server.HTTPServer": "serve_forever",
+    "http.server.ThreadingHTTPServer": "serve_forever",
+    "socketserver.TCPServer": "serve_forever",
+    "socketserver.UDPServer": "serve_forever",
+    "tkinter.Tk": "mainloop",
+}
+"""What makes a server or window, and the method that runs it until it is stopped."""
+_FUNCTIONS = frozenset({"uvicorn.run", "waitress.serve", "tkinter.mainloop"})
+_SPINS = frozenset({"rclpy.spin"})
+_OTHERS = regex(r"[Tt]hread\(|[Tt]hread\.|Process\(|spin_once|spin_some|executor\.spin|fork\(|run_in_executor")
+"""What may spin the node beside the server."""
+
+
+class LateSpin(NamedTuple):
+    spin: ast.Call
+    server: ast.Call
+
+
+def late_spins(syntax: Syntax) -> Iterator[LateSpin]:
+    """The first spin in the plain statements after each server."""
+    spins = {call for name in _SPINS for call in syntax.named.get(name, [])}
+    if not spins or _OTHERS.search(syntax.file.source.text):
+        return
+    for call in syntax.calls:
+        statement = next(syntax.above(call), (None, ""))[0]
+        if not isinstance(statement, ast.Expr) or not _runs_on(syntax, call):
+            continue
+        late = next((each for each in own_calls(list(syntax.after(statement))) if each in spins), None)
+        if late is not None:
+            yield LateSpin(late, call)
+
+
+def _runs_on(syntax: Syntax, call: ast.Call) -> bool:
+    if syntax.qualified(call) in _FUNCTIONS:
+        return True
+    if not isinstance(call.func, ast.Attribute):
+        return False
+    made = syntax.file.named(call.func.value, syntax.function(call)) or ""
+    return _SERVERS.get(made) == call.func.attr

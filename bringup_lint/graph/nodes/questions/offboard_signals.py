@@ -1,0 +1,48 @@
+"""Timers that send PX4 the signal for offboard control too rarely."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.named_tuple import NamedTuple
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.nodes.nodes import Nodes
+    from bringup_lint.model.node_source import NodeClass
+    from bringup_lint.model.node_source import NodeSource
+    from bringup_lint.model.node_source import Timer
+
+LONGEST = 0.5
+"""Seconds between two signals: PX4 wants more than two a second (PX4 guide, "Offboard Mode")."""
+_SIGNAL = "px4_msgs/msg/OffboardControlMode"
+
+
+class RareSignal(NamedTuple):
+    file: NodeSource
+    timer: Timer
+    period: float
+    sent: ast.Call
+
+
+def rare_signals(nodes: Nodes) -> Iterator[RareSignal]:
+    """The signals of nodes that a single timer sends, and nothing else."""
+    for file, node in nodes.with_callbacks:
+        kept = [each.attribute for each in node.all_endpoints if each.role == "publisher" and each.type == _SIGNAL]
+        sent = [call for call in nodes.syntax(file).calls if _publishes(call, kept)] if len(kept) == 1 else []
+        functions = {function for call in sent if (function := nodes.syntax(file).function(call)) is not None}
+        timer = _only_timer(node, functions.pop().name) if len(functions) == 1 else None
+        if timer is not None and timer.period is not None and timer.period > LONGEST:
+            yield RareSignal(file, timer, timer.period, sent[0])
+
+
+def _publishes(call: ast.Call, kept: list[str | None]) -> bool:
+    return isinstance(call.func, ast.Attribute) and call.func.attr == "publish" and ast.unparse(call.func.value) in kept
+
+
+def _only_timer(node: NodeClass, method: str) -> Timer | None:
+    """The one timer that runs a method which nothing else names."""
+    uses = [each for each in node.inner if isinstance(each, ast.Attribute) and each.attr == method]
+    timers = [each for each in node.all_timers if each.callback == method]
+    return timers[0] if len(timers) == 1 and len(uses) == 1 else None
