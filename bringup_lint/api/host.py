@@ -9,6 +9,7 @@ from bringup_lint.on_demand import on_demand
 if TYPE_CHECKING:
     from bringup_lint.graph.host.device_addresses import own_addresses
     from bringup_lint.graph.host.device_uses import DeviceUse
+    from bringup_lint.graph.host.dhcp import lost_ranges
     from bringup_lint.graph.host.options import option_of
     from bringup_lint.model.fstab import Mount
     from bringup_lint.parsers.sysctl import KernelParameter
@@ -19,6 +20,7 @@ __all__ = [
     "DeviceUse",
     "KernelParameter",
     "Mount",
+    "lost_ranges",
     "option_of",
     "own_addresses",
 ]
