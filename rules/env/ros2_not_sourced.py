@@ -1,7 +1,7 @@
 """ROS 2 is started without its setup file.
 
 ## What it finds
-Two mistakes in services, and one in Ansible:
+Two mistakes in services, and two in other shells:
 
 - A service starts `ros2` or an executable of a workspace, and nothing before it sources a setup file. Silent if a
   script that is not in the tree may source it, or if the environment sets `AMENT_PREFIX_PATH`.
@@ -9,6 +9,8 @@ Two mistakes in services, and one in Ansible:
   `ExecStartPre=`.
 - A task of Ansible starts `ros2` with `shell` or `command`, sources no setup file, and neither it nor its play
   sets an `environment:`. Ansible's shell is not interactive: Ubuntu's `.bashrc` returns before its last lines.
+- A line of a crontab, also one that a script adds, or a command that a script gives to `ssh` (a warning) starts `ros2`
+  in the same way.
 
 ## Why it matters on a robot
 `ros2` is a Python program that works only with the variables that `setup.bash` sets. Without them it exits at once
@@ -47,6 +49,7 @@ from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.shell import bare_shells
 from bringup_lint.api.systemd import NotSourced
 from bringup_lint.api.systemd import Process
 from bringup_lint.api.systemd import SourcedBefore
@@ -56,6 +59,10 @@ from bringup_lint.api.systemd import unsourced
 EXITS = "it exits with \"No module named 'ros2cli'\""
 FINDS_NOTHING = "it finds no ROS packages or libraries"
 IN_ONE_LINE = "start it with /bin/bash -c 'source /opt/ros/<distro>/setup.bash && exec ...'"
+SHELLS = {
+    "cron": "The shell of cron reads no login file",
+    "ssh": "The shell that ssh starts for a command is not interactive, so that Ubuntu's .bashrc returns at once",
+}
 TASK = regex(
     r"^[ \t]*(?:-[ \t]+)?(?:ansible\.builtin\.)?(?:shell|command):[ \t]*(?P<program>ros2)[ \t]+"
     r"(?:run|launch|topic|param|service|node|pkg|daemon|security)\b",
@@ -89,6 +96,14 @@ def ros2_not_sourced(robot: Robot) -> Iterator[Finding]:
                 advice=IN_ONE_LINE,
                 related=[note(each.sourcing[0].setup_files[0][1], "sourced here, for a process that exits at once")],
             )
+    for bare in bare_shells(robot.files, robot.scripts):
+        yield finding(
+            bare.program,
+            f"{SHELLS[bare.shell]}: without a setup file, ros2 is not found",
+            advice="write '. /opt/ros/<distro>/setup.sh && ros2 ...'",
+            severity="warning" if bare.shell == "ssh" else None,
+            confidence="medium",
+        )
     for source in robot.of_kind("ansible"):
         started = next((each for each in TASK.finditer(source.text) if source.judged and not _is_set(each)), None)
         if started is not None:
