@@ -45,6 +45,17 @@ class Firewall:
     opens_all: bool = False
     """A whole subnet or interface is let in, or everything."""
 
+    def opens(self, port: int) -> bool:
+        """Whether a rule lets in the port over TCP; one of an unknown port may."""
+        tcp = [each for each in self.openings if each.protocol != "udp"]
+        return any(each.first is None or each.last is None or each.first <= port <= each.last for each in tcp)
+
+    @property
+    def is_closed_ufw(self) -> bool:
+        """Whether a script enables ufw, and all that it lets in is known: single ports."""
+        unknown = any(each.first is None for each in self.openings)
+        return "ufw" in self.tools and self.drops and not self.opens_all and not unknown
+
     @property
     def udp(self) -> list[Ports]:
         """The ports that are open to UDP, where they are known."""

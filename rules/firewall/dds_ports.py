@@ -6,6 +6,9 @@ that the tree sets with `ROS_DOMAIN_ID`. These are 7400 + 250 × domain, +0 and 
 2p for participant p. Not reported: rules that admit a whole subnet or interface, trees with several domains, and
 robots whose processes all read a DDS file with its own ports.
 
+A script that enables ufw and opens no port for DDS is reported where a process of the robot is told of other machines:
+by `ROS_STATIC_PEERS`, peers of a Cyclone DDS file or initial peers of Fast DDS.
+
 ## Why it matters on a robot
 The firewall drops discovery: everything works on the robot itself, but other machines see no topics.
 
@@ -39,6 +42,7 @@ from bringup_lint.api import rule
 
 @rule("warning", symptoms=["[UFW BLOCK] * PROTO=UDP * DPT=74*"])
 def dds_ports(robot: Robot) -> Iterator[Finding]:
+    yield from _closed(robot)
     domain = robot.dds_domain
     if domain is None:
         return
@@ -61,6 +65,23 @@ def dds_ports(robot: Robot) -> Iterator[Finding]:
                 f"The firewall opens {opened}, but domain {number} needs {base} to {base + 11} and up",
                 advice=f"open {base}:{base + 99}/udp",
                 related=[note(place, "the domain is set here")],
+            )
+
+
+def _closed(robot: Robot) -> Iterator[Finding]:
+    """Firewalls that let nothing of DDS in, where a process is told of other machines."""
+    for firewall in robot.firewalls:
+        if not firewall.is_closed_ufw or any(each.last >= 7400 for each in firewall.udp):
+            continue
+        near = (each for each in robot.ros.processes if robot.same_robot(firewall.source, each.where.source))
+        direct = (each for each in near if each.environment.text("RMW_IMPLEMENTATION") != "rmw_zenoh_cpp")
+        peer = next((peer for process in direct for peer in robot.dds.machines_of(process)), None)
+        if peer is not None and uses_default_ports(robot):
+            yield finding(
+                firewall.tools["ufw"],
+                f"ufw lets in no UDP port of DDS: {peer} sees no topic of the robot",
+                advice=f"add: ufw allow from {peer} proto udp",
+                related=[note(peer, "the other machine is listed here")],
             )
 
 
