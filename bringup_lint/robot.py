@@ -497,6 +497,15 @@ class Robot:
         return found
 
     @property
+    def bare_jobs(self) -> Iterator[Located]:
+        """Where crontabs, and lines that scripts add to them, start ROS without a setup file."""
+        if not self.of_kind("cron", "shell-script"):
+            return iter(())
+        from bringup_lint.graph.runners.crontabs import in_crontabs
+
+        return in_crontabs(self.files, self.scripts)
+
+    @property
     def ssh_logins(self) -> Iterator[tuple[str, Located, str | None]]:
         """``ssh USER@HOST`` and scp in scripts: the user, the word, and the port when it is known."""
         from bringup_lint.graph.host.ssh_commands import ssh_logins

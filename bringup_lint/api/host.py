@@ -9,6 +9,7 @@ from bringup_lint.on_demand import on_demand
 if TYPE_CHECKING:
     from bringup_lint.graph.host.device_addresses import own_addresses
     from bringup_lint.graph.host.device_uses import DeviceUse
+    from bringup_lint.graph.host.dhcp import LostRange
     from bringup_lint.graph.host.dhcp import lost_ranges
     from bringup_lint.graph.host.options import option_of
     from bringup_lint.model.fstab import Mount
@@ -19,6 +20,7 @@ else:
 __all__ = [
     "DeviceUse",
     "KernelParameter",
+    "LostRange",
     "Mount",
     "lost_ranges",
     "option_of",

@@ -19,7 +19,6 @@ if TYPE_CHECKING:
     from bringup_lint.graph.installed.script import Written
     from bringup_lint.graph.installed.script_arguments import short_calls
     from bringup_lint.graph.installed.script_files import missing_files
-    from bringup_lint.graph.runners.bare_shells import bare_shells
     from bringup_lint.model.shell import Block
     from bringup_lint.model.shell import Command
     from bringup_lint.parsers.ansible_tasks import Task
@@ -41,7 +40,6 @@ __all__ = [
     "Task",
     "Written",
     "background_jobs",
-    "bare_shells",
     "missing_files",
     "missing_names",
     "plays",

@@ -9,8 +9,7 @@ Two mistakes in services, and two in other shells:
   `ExecStartPre=`.
 - A task of Ansible starts `ros2` with `shell` or `command`, sources no setup file, and neither it nor its play
   sets an `environment:`. Ansible's shell is not interactive: Ubuntu's `.bashrc` returns before its last lines.
-- A line of a crontab, also one that a script adds, or a command that a script gives to `ssh` (a warning) starts `ros2`
-  in the same way.
+- A line of a crontab, also one that a script adds, starts `ros2` in the same way.
 
 ## Why it matters on a robot
 `ros2` is a Python program that works only with the variables that `setup.bash` sets. Without them it exits at once
@@ -49,7 +48,6 @@ from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
-from bringup_lint.api.shell import bare_shells
 from bringup_lint.api.systemd import NotSourced
 from bringup_lint.api.systemd import Process
 from bringup_lint.api.systemd import SourcedBefore
@@ -59,10 +57,6 @@ from bringup_lint.api.systemd import unsourced
 EXITS = "it exits with \"No module named 'ros2cli'\""
 FINDS_NOTHING = "it finds no ROS packages or libraries"
 IN_ONE_LINE = "start it with /bin/bash -c 'source /opt/ros/<distro>/setup.bash && exec ...'"
-SHELLS = {
-    "cron": "The shell of cron reads no login file",
-    "ssh": "The shell that ssh starts for a command is not interactive, so that Ubuntu's .bashrc returns at once",
-}
 TASK = regex(
     r"^[ \t]*(?:-[ \t]+)?(?:ansible\.builtin\.)?(?:shell|command):[ \t]*(?P<program>ros2)[ \t]+"
     r"(?:run|launch|topic|param|service|node|pkg|daemon|security)\b",
@@ -96,12 +90,11 @@ def ros2_not_sourced(robot: Robot) -> Iterator[Finding]:
                 advice=IN_ONE_LINE,
                 related=[note(each.sourcing[0].setup_files[0][1], "sourced here, for a process that exits at once")],
             )
-    for bare in bare_shells(robot.files, robot.scripts):
+    for program in robot.bare_jobs:
         yield finding(
-            bare.program,
-            f"{SHELLS[bare.shell]}: without a setup file, ros2 is not found",
+            program,
+            "The shell of cron reads no login file: without a setup file, ros2 is not found",
             advice="write '. /opt/ros/<distro>/setup.sh && ros2 ...'",
-            severity="warning" if bare.shell == "ssh" else None,
             confidence="medium",
         )
     for source in robot.of_kind("ansible"):

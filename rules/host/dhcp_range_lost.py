@@ -38,6 +38,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.host import LostRange
 from bringup_lint.api.host import lost_ranges
 
 
@@ -47,15 +48,19 @@ from bringup_lint.api.host import lost_ranges
     symptoms=["no address range available for DHCP request via", "inconsistent DHCP range"],
 )
 def dhcp_range_lost(robot: Robot) -> Iterator[Finding]:
-    for lost in lost_ranges(robot.files, lambda: robot.netplan):
-        if lost.address is None:
-            yield finding(
-                lost.first, "The range ends below its start: dnsmasq does not start", advice="swap the two addresses"
-            )
-        else:
-            yield finding(
-                lost.first,
-                f"{lost.interface} has {lost.address}: dnsmasq gives nobody an address of this range there",
-                advice="take a range of the interface's network",
-                related=[note(lost.address, f"the address of {lost.interface}")],
-            )
+    for source in robot.of_kind("dnsmasq"):
+        if source.judged and not source.template:
+            yield from map(_finding, lost_ranges(robot.files, lambda: robot.netplan, source))
+
+
+def _finding(lost: LostRange) -> Finding:
+    if lost.address is None:
+        return finding(
+            lost.first, "The range ends below its start: dnsmasq does not start", advice="swap the two addresses"
+        )
+    return finding(
+        lost.first,
+        f"{lost.interface} has {lost.address}: dnsmasq gives nobody an address of this range there",
+        advice="take a range of the interface's network",
+        related=[note(lost.address, f"the address of {lost.interface}")],
+    )

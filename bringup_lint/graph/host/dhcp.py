@@ -33,7 +33,7 @@ _DHCPCD = regex(
 )
 
 
-class Lost(NamedTuple):
+class LostRange(NamedTuple):
     """A range from which nobody gets an address."""
 
     first: Located
@@ -42,27 +42,25 @@ class Lost(NamedTuple):
     """That of the interface; None where the range itself is upside down."""
 
 
-def lost_ranges(files: Files, netplan: Callable[[], Netplan]) -> Iterator[Lost]:
-    for source in files.of_kind("dnsmasq"):
-        if source.judged and not source.template:
-            for match in _RANGE.finditer(source.text):
-                first = source.located(*match.span("first"))
-                start, end = (addresses.parse_address(match[name]) for name in ("first", "last"))
-                if isinstance(start, IPv4Address) and isinstance(end, IPv4Address):
-                    if start > end:
-                        yield Lost(first, "", None)
-                    elif len(re.findall(r"^[ \t]*interface=", source.text, re.M)) == 1:
-                        yield from _outside(files, netplan, source, first, start)
+def lost_ranges(files: Files, netplan: Callable[[], Netplan], source: Source) -> Iterator[LostRange]:
+    for match in _RANGE.finditer(source.text):
+        first = source.located(*match.span("first"))
+        start, end = (addresses.parse_address(match[name]) for name in ("first", "last"))
+        if isinstance(start, IPv4Address) and isinstance(end, IPv4Address):
+            if start > end:
+                yield LostRange(first, "", None)
+            elif len(re.findall(r"^[ \t]*interface=", source.text, re.M)) == 1:
+                yield from _outside(files, netplan, source, first, start)
 
 
 def _outside(
     files: Files, netplan: Callable[[], Netplan], source: Source, first: Located, start: IPv4Address
-) -> Iterator[Lost]:
+) -> Iterator[LostRange]:
     interface = option_of(source, "interface")
     known = list(_addresses(files, netplan, str(interface)))
     networks = [found.network for _, found in known]
     if known and not any(start in network for network in networks) and not _is_used(files, source, start):
-        yield Lost(first, str(interface), known[0][0])
+        yield LostRange(first, str(interface), known[0][0])
 
 
 def _addresses(
