@@ -32,7 +32,6 @@ When only programs on the robot use the bridge.
 - https://github.com/RobotWebTools/rosbridge_suite, https://github.com/foxglove/ros-foxglove-bridge
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -40,9 +39,17 @@ from bringup_lint.api import Robot
 from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-PORTS = {"rosbridge_server": 9090, "foxglove_bridge": 8765}
+FORWARDED = (
+    r"(?:localhost|127\.0\.0\.1|proxy_pass|ProxyPass|-L|-R)[^\s:]{0,80}[ \t]?[^\s:]{0,80}(?::[^\s:]{0,80}){0,3}:"
+)
+PORTS = {
+    "rosbridge_server": (9090, regex(rf"{FORWARDED}9090\b")),
+    "foxglove_bridge": (8765, regex(rf"{FORWARDED}8765\b")),
+}
+"""The default port of each, and how another program of the computer hands connections on to it."""
 
 
 @rule(
@@ -57,12 +64,8 @@ def bridge_port(robot: Robot) -> Iterator[Finding]:
     bridges = {each.name: each.where for each in robot.open_services if each.kind == "bridge" and _is_usual(each.where)}
     for firewall in closed:
         for name, where in bridges.items():
-            port = PORTS[name]
-            if (
-                firewall.opens(port)
-                or _is_forwarded(robot, port)
-                or not robot.same_robot(firewall.source, where.source)
-            ):
+            port, forwarded = PORTS[name]
+            if firewall.opens(port) or robot.mentions(forwarded) or not robot.same_robot(firewall.source, where.source):
                 continue
             yield finding(
                 firewall.tools["ufw"],
@@ -77,8 +80,3 @@ def _is_usual(where: Span) -> bool:
     text = where.source.text
     line = text[text.rfind("\n", 0, where.start) + 1 : max(where.end, text.find("\n", where.end))]
     return "port" not in line.replace("import", "") and where.source.kind not in ("compose", "dockerfile")
-
-
-def _is_forwarded(robot: Robot, port: int) -> bool:
-    """Whether another program of the computer may hand connections on."""
-    return robot.mentions(re.compile(rf"(?:localhost|127\.0\.0\.1|proxy_pass|ProxyPass|-L|-R)\S* ?\S*:{port}\b"))
