@@ -1,4 +1,4 @@
-"""Connection profiles of NetworkManager (keyfiles)."""
+"""Connection profiles of NetworkManager (keyfiles), and its own settings about Wi-Fi."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from bringup_lint.discover.kinds import Kind
 from bringup_lint.pattern import regex
 
 _FOLDER = regex(r"/NetworkManager/system-connections/[^/]+$")
+_POWER_SAVE = regex(r"^[ \t]*wifi\.powersave[ \t]*=", re.M)
 _SECTION = regex(r"^\[connection\]", re.M)
 
 
@@ -18,4 +19,11 @@ def _is_profile(path: str, head: Head) -> bool:
     return bool(_FOLDER.search(f"/{path}")) and bool(_SECTION.search(head()))
 
 
-KINDS = (Kind("networkmanager", _is_profile),)
+def _is_wifi_setting(path: str, head: Head) -> bool:
+    return path.endswith(".conf") and _POWER_SAVE.search(head()) is not None
+
+
+KINDS = (
+    Kind("networkmanager", _is_profile),
+    Kind("networkmanager-wifi", _is_wifi_setting),
+)
