@@ -70,7 +70,7 @@ def user_unit_no_linger(robot: Robot) -> Iterator[Finding]:
 
 def _of_scripts(robot: Robot) -> Iterator[Finding]:
     """The units that scripts enable for a user who may never log in."""
-    if robot.mentions(LOGS_IN):
+    if not robot.of_kind("shell-script") or robot.mentions(LOGS_IN):
         return
     for _, run in robot.scripts.run("systemctl"):
         if "--user" not in run.words or "enable" not in run.words:

@@ -10,6 +10,7 @@ from bringup_lint.pattern import regex
 
 _FOLDER = regex(r"/NetworkManager/system-connections/[^/]+$")
 _POWER_SAVE = regex(r"^[ \t]*wifi\.powersave[ \t]*=", re.M)
+_WIFI_FILE = regex(r"(?:networkmanager|wi-?fi|wlan|power-?save)[^\n]*\.conf$", re.I)
 _SECTION = regex(r"^\[connection\]", re.M)
 
 
@@ -20,7 +21,7 @@ def _is_profile(path: str, head: Head) -> bool:
 
 
 def _is_wifi_setting(path: str, head: Head) -> bool:
-    return path.endswith(".conf") and _POWER_SAVE.search(head()) is not None
+    return _WIFI_FILE.search(path) is not None and _POWER_SAVE.search(head()) is not None
 
 
 KINDS = (
