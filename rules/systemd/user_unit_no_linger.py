@@ -4,9 +4,6 @@
 An enabled unit of a user manager in a root file system, when lingering is off (no file in
 `/var/lib/systemd/linger`): for that user, if the unit is in a home, and otherwise for all users.
 
-Outside of a root file system, `systemctl --user enable` in a script, of a unit of the tree for `default.target`, where
-no file of the tree has to do with lingering or logs somebody in by itself.
-
 ## Why it matters on a robot
 The user manager starts at the first login and stops after the last logout. On the bench, somebody is always
 logged in. In the field nobody is, and the service does not run, or stops when the SSH connection drops.
@@ -30,7 +27,6 @@ enable-linger`.
 - loginctl(1), "enable-linger"
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -39,18 +35,15 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
-from bringup_lint.api.systemd import Unit
 
 HOME = regex(r"/home/([^/]+)/")
 LINGER = "/var/lib/systemd/linger"
-LOGS_IN = regex(r"linger|auto-?login|AutomaticLogin", re.I)
 
 
 @rule("warning", symptoms=["Failed to connect to bus: $DBUS_SESSION_BUS_ADDRESS and $XDG_RUNTIME_DIR not defined"])
 def user_unit_no_linger(robot: Robot) -> Iterator[Finding]:
     lingering = robot.tree.entries(LINGER)
     if lingering is None:
-        yield from _of_scripts(robot)
         return
     for link in robot.units.links:
         own = [unit for unit in robot.units.candidates(link.name, "user") if unit.judged and unit.fragment]
@@ -66,28 +59,3 @@ def user_unit_no_linger(robot: Robot) -> Iterator[Finding]:
             advice=f"run loginctl enable-linger {home[1] if home else 'USER'}, or use a system unit with User=",
             related=[note(own[0].where, "the unit")],
         )
-
-
-def _of_scripts(robot: Robot) -> Iterator[Finding]:
-    """The units that scripts enable for a user who may never log in."""
-    if not robot.of_kind("shell-script") or robot.mentions(LOGS_IN):
-        return
-    for _, run in robot.scripts.run("systemctl"):
-        if "--user" not in run.words or "enable" not in run.words:
-            continue
-        for word in run.words[1:]:
-            unit = _at_login(robot, str(word))
-            if unit is not None:
-                yield finding(
-                    word,
-                    f"{unit.name} starts only when its user logs in, and stops after the last logout",
-                    advice="run loginctl enable-linger USER, or use a system unit with User=",
-                    related=[note(unit.where, "the unit")],
-                    confidence="medium",
-                )
-
-
-def _at_login(robot: Robot, word: str) -> Unit | None:
-    """The unit of the tree with this name, where the first login starts it."""
-    named = (unit for unit in robot.units.services if word in (unit.name, unit.stem) and unit.fragment is not None)
-    return next((unit for unit in named if "default.target" in unit.words("WantedBy", "Install")), None)
