@@ -65,7 +65,9 @@ def bridge_port(robot: Robot) -> Iterator[Finding]:
     for firewall in closed:
         for name, where in bridges.items():
             port, forwarded = PORTS[name]
-            if firewall.opens(port) or robot.mentions(forwarded) or not robot.same_robot(firewall.source, where.source):
+            if firewall.opens(port) or not robot.same_robot(firewall.source, where.source):
+                continue
+            if any(forwarded.search(each.text) and robot.same_robot(each, where.source) for each in robot.sources):
                 continue
             yield finding(
                 firewall.tools["ufw"],

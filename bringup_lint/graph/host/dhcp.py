@@ -88,4 +88,4 @@ def _is_used(files: Files, source: Source, start: IPv4Address) -> bool:
     near = re.compile(rf"(?<![\d.]){re.escape(prefix)}\.\d")
     folder = os.path.dirname(source.name)
     others = (each for each in files.sources if each is not source and os.path.dirname(each.name) != folder)
-    return any(near.search(each.text) for each in others)
+    return any(near.search(each.text) and files.same_robot(source, each) for each in others)
