@@ -17,9 +17,10 @@ Several threads (`MultiThreadedExecutor`) run the callbacks of other groups in t
 action server executes a goal: rclpy does that outside all callback groups.
 
 In C++ the same for `sleep_for`, `sleep`, `system`, `wait_for_service()` without a timeout, `wait` of a condition
-variable, `while (rclcpp::ok())`, loops that wait for a flag, `rclcpp::spin` and `rclcpp::spin_until_future_complete`,
-in files that make no executor with several threads and no callback groups; and for `get()` and `wait()` of the answer
-to a client in the callback group that the callback blocks, however many threads there are.
+variable, reads of a socket without a timeout, `while (rclcpp::ok())`, loops that wait for a flag, `rclcpp::spin` and
+`rclcpp::spin_until_future_complete`, in files that make no executor with several threads and no callback groups; and
+for `get()` and `wait()` of the answer to a client in the callback group that the callback blocks, however many threads
+there are.
 
 ## Why it matters on a robot
 A single-threaded executor runs one callback after the other. While one blocks, no timer fires and no message is

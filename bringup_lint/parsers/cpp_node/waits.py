@@ -15,6 +15,9 @@ from bringup_lint.model.node_source import Callback
 from bringup_lint.parsers.cpp_node.awaited import LEAVES
 from bringup_lint.parsers.cpp_node.awaited import Partners
 from bringup_lint.parsers.cpp_node.endpoints import seconds
+from bringup_lint.parsers.cpp_node.sockets import UNTIL_PACKET
+from bringup_lint.parsers.cpp_node.sockets import receives
+from bringup_lint.parsers.cpp_node.sockets import waiting_sockets
 from bringup_lint.parsers.cpp_node.syntax import Call
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.pattern import regex
@@ -108,6 +111,7 @@ def waits(code: Code, callbacks: list[Callback]) -> Iterator[Waiting]:
     bodies = Bodies(code)
     partners = Partners(code, {each.span.start: body for each in callbacks if (body := bodies.of(each)) is not None})
     locks = frozenset(match["name"] for match in _LOCK.finditer(code.source.text))
+    sockets = waiting_sockets(code)
     told: list[Span] = []
     reached: set[int] = set()
     for callback in callbacks:
@@ -117,6 +121,8 @@ def waits(code: Code, callbacks: list[Callback]) -> Iterator[Waiting]:
         reached.add(body.id)
         for each in bodies.reached(body):
             found = _waiting(code, each, locks, partners, callback)
+            if found is None and isinstance(each, Call) and receives(code, each, sockets):
+                found = Waiting(code.span(each.node), f"{each.name}()", UNTIL_PACKET, callback)
             if found is not None and not any(span.start <= found.span.start < span.end for span in told):
                 told.append(found.span)
                 yield found

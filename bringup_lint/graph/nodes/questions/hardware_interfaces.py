@@ -10,6 +10,9 @@ from bringup_lint.facts.ros import simulation
 from bringup_lint.graph.nodes.questions.with_header import with_header
 from bringup_lint.model.cpp_source import COMMENT
 from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.parsers.cpp_node.sockets import KNOWN_CALLS
+from bringup_lint.parsers.cpp_node.sockets import OPENS
+from bringup_lint.parsers.cpp_node.sockets import WAITS_NOT
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 from bringup_lint.source import Span
@@ -34,18 +37,6 @@ _SIMULATED = regex(rf"(?i){simulation.TOLD}|\bfake|\bmock")
 _RECEIVES = regex(
     r"(?<![\w.>])(?:::)?(?P<name>read|recv|recvfrom|recvmsg)\s{0,4}\(\s{0,4}\w{0,40}(?:sock|fd|can|port|serial|bus)"
 )
-_OPENS = regex(r"\b(?P<kept>[A-Za-z]\w{0,80})\s{0,4}=\s{0,4}(?P<call>(?:::)?socket\s{0,4}\(\s{0,4}(?:PF|AF)_)")
-_WAITS_NOT = regex(
-    r"O_NONBLOCK|SOCK_NONBLOCK|SO_RCVTIMEO|MSG_DONTWAIT|FIONBIO|FIONREAD|O_NDELAY|\b[ep]?poll\s{0,2}\(|\be?p?select\s{0,2}\("
-    r"|epoll_wait|std::j?thread|boost::thread|pthread_create|\basync\b"
-)
-_KNOWN_CALLS = frozenset(
-    (
-        *("socket", "bind", "connect", "listen", "setsockopt", "ioctl", "close", "shutdown", "if", "while", "return"),
-        *("read", "recv", "recvfrom", "recvmsg", "write", "send", "sendto", "sendmsg"),
-    )
-)
-"""What may be called with a socket that keeps waiting for packets all the same."""
 
 
 class ZeroedCommand(NamedTuple):
@@ -115,9 +106,9 @@ def blocking_reads(nodes: Nodes) -> Iterator[BlockingRead]:
     for source, plain, bodies in _hardware(nodes):
         body = bodies.get("read")
         found = _RECEIVES.search(plain, *body) if body is not None else None
-        if found is None or _WAITS_NOT.search(with_header(nodes, source)):
+        if found is None or WAITS_NOT.search(with_header(nodes, source)):
             continue
-        opened = _OPENS.search(plain)
+        opened = OPENS.search(plain)
         if opened is not None and not _is_handed_on(plain, opened["kept"]):
             place = Span(source, found.start("name"), found.end("name"))
             yield BlockingRead(source, place, found["name"], Span(source, *opened.span("call")))
@@ -128,7 +119,7 @@ def _is_handed_on(plain: str, kept: str) -> bool:
     call = re.compile(
         rf"\b(?P<name>\w{{1,80}})\s{{0,4}}\((?:[^;(){{}}]{{0,200}},)?\s{{0,40}}&?{re.escape(kept)}\s{{0,4}}[,)]"
     )
-    return any(found["name"] not in _KNOWN_CALLS for found in call.finditer(plain))
+    return any(found["name"] not in KNOWN_CALLS for found in call.finditer(plain))
 
 
 def _hardware(nodes: Nodes) -> Iterator[tuple[Source, str, dict[str, tuple[int, int]]]]:
