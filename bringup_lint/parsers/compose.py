@@ -37,6 +37,8 @@ def parse(source: Source) -> ComposeFile:
             file.services.append(Service(name.value, body, _words))
     for service in file.services:
         _extend(service, file)
+    for service in [each for each in file.services if _is_too_deep(each)]:
+        service.base = None
     return file
 
 
@@ -69,6 +71,17 @@ def _twice(yaml: YamlFile) -> Iterator[Problem]:
             merges = [key for key, _ in node.entries if key.value == "<<" and not key.style]
             for again in merges[1:]:
                 yield Problem("duplicate", again.value, str(merges[0].value.span.line))
+
+
+_DEEPEST = 50
+"""Services that extend one another in a row."""
+
+
+def _is_too_deep(service: Service) -> bool:
+    chain: Service | None = service
+    for _ in range(_DEEPEST):
+        chain = chain.base if chain is not None else None
+    return chain is not None
 
 
 def _extend(service: Service, file: ComposeFile) -> None:

@@ -154,3 +154,10 @@ def test_no_text_raises(one, other):
     for service in read(f"services: {{a: {one}, b: {other}}}").services:
         for name in READ:
             getattr(service, name)
+
+
+def test_services_that_extend_very_many_others_stay_unknown() -> None:
+    chain = "".join(f"  s{at}: {{extends: s{at + 1}}}\n" for at in range(3_000))
+    file = parse(Source("compose.yaml", f"services:\n{chain}  s3000: {{image: robot}}\n"))
+    assert file.services[0].image is None
+    assert file.services[2_990].image == "robot"
