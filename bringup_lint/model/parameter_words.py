@@ -33,6 +33,10 @@ class ParameterWords:
     """Parameters that are declared without a default and used all the same: not given, they raise an exception."""
     open: bool = False
     """Names of parameters may come from somewhere else."""
+    helpers: frozenset[str] = frozenset()
+    """Functions that declare a parameter under a name that they are given."""
+    handed: frozenset[str] = frozenset()
+    """Functions that are given a name which is not written in the source."""
 
     def __or__(self, other: ParameterWords) -> ParameterWords:
         return ParameterWords(
@@ -41,7 +45,14 @@ class ParameterWords:
             self.asked + other.asked,
             self.unset + other.unset,
             self.open or other.open,
+            self.helpers | other.helpers,
+            self.handed | other.handed,
         )
+
+    @property
+    def is_open(self) -> bool:
+        """Whether names of parameters may come from elsewhere, also through a helper of another source."""
+        return self.open or not self.helpers.isdisjoint(self.handed)
 
     def name(self, parameter: str) -> bool:
         """Whether the texts may name a parameter, as a whole, by its last part, or put together."""

@@ -33,6 +33,12 @@ _MACRO = regex(r"^(?<!\\\n)[ \t]*#[ \t]*define\b(?:\\\n|[^\n])*parameter", re.M)
 _OWN = regex(r"(?:(?:this|self|\w{0,64}node\w{0,64})(?:->|\.))?get_parameter\w*\Z", re.I)
 _OWN_DECLARING = regex(r"(?:(?:this|self|\w{0,64}node\w{0,64})(?:->|\.))?declare_parameter\Z", re.I)
 _TYPE = regex(r"(?:rclcpp::)?(?:ParameterType::)?PARAMETER_[A-Z_]+\Z")
+_HELPER = regex(r"\w*(?:param|declare)\w*", re.I)
+"""The name of a function that may declare parameters for others."""
+_CALLED = regex(r"(?:param|declare)\w{0,64}\s*[<(]", re.I)
+_FUNCTION = regex(r"(\w+)\s*\(")
+_WORD = regex(r'"[^"\n]*\w[^"\n]*"')
+"""A text that says something: one that only joins two names does not."""
 _LOOPS = frozenset({"for_range_loop", "for_statement", "while_statement"})
 
 
@@ -44,7 +50,7 @@ def parse(source: Source) -> ParameterWords:
     found = list(_texts(text))
     texts = frozenset(each for each, _ in found)
     pieces = frozenset(each for each, joined in found if joined)
-    if "_parameter" not in text:
+    if "_parameter" not in text and not _CALLED.search(text):
         return ParameterWords(texts, pieces)
     if LOOSE.search(text) or _MACRO.search(text):
         return ParameterWords(texts, pieces, open=True)
@@ -53,7 +59,8 @@ def parse(source: Source) -> ParameterWords:
     code = Code(source)
     asked = tuple(_asked(code))
     unset = tuple(_unset(code, {str(each.name) for each in asked if each.required}))
-    return ParameterWords(texts, pieces, asked, unset, any(_is_open(code, call) for call in code.calls))
+    opened = any(_is_open(code, call) for call in code.calls)
+    return ParameterWords(texts, pieces, asked, unset, opened, frozenset(_helpers(code)), frozenset(_handed(code)))
 
 
 def _texts(text: str) -> Iterator[tuple[str, bool]]:
@@ -100,7 +107,7 @@ def _is_open(code: Code, call: Call) -> bool:
 def _is_written(code: Code, node: Node) -> bool:
     """Whether a text, a constant, or the parameter of a helper gives the name."""
     text = code.text(node)
-    if '"' in text:
+    if _WORD.search(text):
         return True
     name = text.strip()
     if not re.fullmatch(r"[A-Za-z_]\w*(?:\.c_str\(\))?", name):
@@ -111,19 +118,42 @@ def _is_written(code: Code, node: Node) -> bool:
 def _is_constant(code: Code, name: str) -> bool:
     for made in code.written.get("made", ()):
         declared = code.text(made.child_by_field_name("declarator")).lstrip("*& ").removesuffix("[]")
-        if declared == name and '"' in code.text(made.child_by_field_name("value")):
+        if declared == name and _WORD.search(code.text(made.child_by_field_name("value"))):
             return True
     return False
 
 
+def _helpers(code: Code) -> Iterator[str]:
+    """The functions that hand a name which they are given to a declaration, or to a function that may declare."""
+    for call in code.calls:
+        if call.arguments and (call.name in DECLARING or _HELPER.fullmatch(call.name)):
+            header = _giving(code, call.arguments[0], code.text(call.arguments[0]).removesuffix(".c_str()"))
+            named = _FUNCTION.search(header)
+            if named is not None:
+                yield named[1]
+
+
+def _handed(code: Code) -> Iterator[str]:
+    """The functions that may declare parameters, and are given a name which comes from somewhere else."""
+    for call in code.calls:
+        if call.arguments and _HELPER.fullmatch(call.name) and call.name not in DECLARING:
+            if not any(_is_written(code, each) for each in call.arguments[:2]):
+                yield call.name
+
+
 def _is_of_helper(code: Code, node: Node, name: str) -> bool:
     """Whether a name is a parameter of the function around it, which is not gone through in a loop."""
+    return bool(_giving(code, node, name))
+
+
+def _giving(code: Code, node: Node, name: str) -> str:
+    """The head of the function around a name that is one of its parameters; empty where it is none."""
     written = re.escape(name)
     for outer in code.above(node):
         if outer.type in _LOOPS and re.search(rf"\b{written}\b", code.text(outer).partition("{")[0]):
-            return False
+            return ""
         if outer.type in ("lambda_expression", "function_definition"):
             header = code.text(outer).partition("{")[0]
             if re.search(rf"\b(?:string|string_view|char)\b[\s&*]*{written}\b|\bauto\b[\s&*]*{written}\b", header):
-                return True
-    return False
+                return header
+    return ""

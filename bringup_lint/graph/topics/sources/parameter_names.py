@@ -258,7 +258,7 @@ def _owner(path: str, folders: set[str]) -> str | None:
 
 def _joined(words: Iterable[ParameterWords]) -> ParameterWords | None:
     found = reduce(or_, words, ParameterWords())
-    return None if found.open else found
+    return None if found.is_open else found
 
 
 def _bases(source: Source) -> list[str]:
