@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.topics.questions.command_sources import ungated
     from bringup_lint.graph.topics.questions.compatibility import conflicts_of
     from bringup_lint.graph.topics.questions.compatibility import types_differ
+    from bringup_lint.graph.topics.questions.dead_remappings import DeadRemapping
     from bringup_lint.graph.topics.questions.dead_remappings import dead_remappings
     from bringup_lint.graph.topics.questions.misspelt import misspelt
     from bringup_lint.graph.topics.questions.misspelt import probable_typos
@@ -30,6 +31,7 @@ else:
     __getattr__ = on_demand(globals())
 
 __all__ = [
+    "DeadRemapping",
     "LaunchedNode",
     "Use",
     "conflicts_of",

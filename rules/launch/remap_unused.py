@@ -41,6 +41,7 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
+from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import launch
@@ -76,31 +77,38 @@ def remap_unused(robot: Robot) -> Iterator[Finding]:
 
 
 def of_other_names(robot: Robot) -> Iterator[Finding]:
+    """One finding for the names that a node does not have, and one for each that it has in another namespace."""
+    without: dict[Span, list[topics.DeadRemapping]] = {}
     for each in topics.dead_remappings(robot.topics):
-        started = each.node.started
-        package = launch.literal_text(started.package) or ""
+        package = launch.literal_text(each.node.started.package) or ""
         if package not in robot.launch.workspace.packages and robot.dependencies.is_forked(package):
             continue
-        chain = robot.provenance.chain_to_node(started)
-        if each.used:
-            yield finding(
-                each.source,
-                f"{each.node.label()} uses {each.used}, which is another name than '{each.source}' in the namespace "
-                f"{each.node.namespace}: the remapping has no effect",
-                advice=f"remap '{each.used}'",
-                related=[note(each.used, "the name in the source")],
-                chain=chain,
-                confidence="medium",
-            )
+        if each.used is None:
+            without.setdefault(each.node.started.span, []).append(each)
             continue
-        program = launch.literal_text(started.plugin) or launch.literal_text(started.executable)
-        names = ", ".join(each.instead[:6])
         yield finding(
             each.source,
-            f"{each.node.label()} ({program} of {package}) has no topic or service '{each.source}': the remapping has "
-            "no effect",
-            advice=f"remap what the node has ({names})" if names else "remap a name of its source, or remove this",
-            chain=chain,
-            severity="info" if each.harmless else None,
+            f"{each.node.label()} uses {each.used}, which is another name than '{each.source}' in the namespace "
+            f"{each.node.namespace}: the remapping has no effect",
+            advice=f"remap '{each.used}'",
+            related=[note(each.used, "the name in the source")],
+            chain=robot.provenance.chain_to_node(each.node.started),
             confidence="medium",
         )
+    yield from (not_there(robot, *group) for group in without.values())
+
+
+def not_there(robot: Robot, first: topics.DeadRemapping, *others: topics.DeadRemapping) -> Finding:
+    started = first.node.started
+    program = launch.literal_text(started.plugin) or launch.literal_text(started.executable)
+    names = ", ".join(first.instead[:6])
+    return finding(
+        first.source,
+        f"{first.node.label()} ({program} of {launch.literal_text(started.package)}) has no topic or service "
+        f"'{first.source}': the remapping has no effect",
+        advice=f"remap what the node has ({names})" if names else "remap a name of its source, or remove this",
+        related=[note(each.source, f"it has no '{each.source}' either") for each in others],
+        chain=robot.provenance.chain_to_node(started),
+        severity="info" if all(each.harmless for each in (first, *others)) else None,
+        confidence="medium",
+    )
