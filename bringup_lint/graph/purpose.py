@@ -44,7 +44,7 @@ def _folder(words: str, hints: str = "") -> re.Pattern[str]:
 
 
 SIMULATION = _word(
-    rf"{simulation.WORDS}|{simulation.SIMULATORS}|netem|loopback|mock|fake|replay|playback|rosbag2?|xil|sitl|hitl",
+    rf"sim|{simulation.WORDS}|{simulation.SIMULATORS}|netem|loopback|mock|fake|replay|playback|rosbag2?|xil|sitl|hitl",
     f"{simulation.HINTS} netem loopback mock fake replay playback rosbag xil sitl hitl",
 )
 """Words for simulators and for recorded or made-up data."""
