@@ -27,6 +27,9 @@ _ESCAPES = {"n": "\n", "t": "\t", "r": "\r", "\\": "\\", '"': '"', "a": "", "b":
 _ESCAPE = regex(r"\\(.)")
 _FORMAT = regex(r"%(?P<kind>[s%dib])")
 
+_LONGEST = 4096
+"""Characters of a value that is filled in: variables made of others twice would double without end."""
+
 Values = Mapping[str, str | None]
 """The variables of a script; None where a value is not known."""
 
@@ -202,7 +205,7 @@ def _value(match: re.Match[str], values: Values) -> str:
     if name is None:
         return "{{ command }}"
     known = values.get(name)
-    if known is not None:
+    if known is not None and len(known) <= _LONGEST:
         return known
     found = _NAME.match(name)
     return f"{{{{ {found[0] if found else 'argument'} }}}}"
