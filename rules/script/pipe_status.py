@@ -3,7 +3,7 @@
 ## What it finds
 - `$?` right after a pipeline that ends with `tee`, `sed`, `cat`, `ts` or another command that only passes on what it
   reads, in a script without `pipefail`;
-- a test of `$?` right after `echo`, `printf` or `sleep`.
+- a test of `$?` right after `echo`, `printf` or `sleep` that write to no file.
 
 ## Why it matters on a robot
 The status of a pipeline is that of its last command, and `$?` that of the command right before. `tee` and `echo`
@@ -102,6 +102,8 @@ def _after_report(blocks: tuple[Block, ...]) -> Iterator[Finding]:
         asks = next(iter(block.condition), block).command
         if report is None or asks is None or report.name not in REPORTS or report.ends not in ("\n", ";"):
             continue
+        if any(each.writes for each in report.redirects):
+            continue  # the file may not be writable
         status = _status(asks) if asks.name in TESTS and block.kind in ("command", "branches") else None
         if status is not None:
             yield finding(
