@@ -93,7 +93,7 @@ def _message(each: NavigationProblem) -> str:
         case "sign":
             return f"{each.name} has the wrong sign ({each.detail}): the velocity smoother refuses it, or never stops"
         case "length":
-            return f"{each.name} has {each.detail} numbers: the velocity smoother ends when it configures"
+            return f"{each.name} has {each.detail}: the velocity smoother ends when it configures"
         case "polygon":
             return f"The polygon '{each.name}' has no section with a type: {each.detail} does not configure"
         case "pose":

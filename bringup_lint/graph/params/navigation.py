@@ -66,7 +66,19 @@ def navigation_problems(params: Params) -> Iterator[NavigationProblem]:
             for block in file.blocks:
                 check = _CHECKS.get(_name(block))
                 if check is not None:
-                    yield from check(params, file, block)
+                    found = check(params, file, block)
+                    yield from (each for each in found if not _is_replaced(params, file, block, each))
+
+
+def _is_replaced(params: Params, file: ParameterFile, block: Block, problem: NavigationProblem) -> bool:
+    """Whether every node that gets the file gets another value for one of the two sides."""
+    places = [problem.where, *([problem.other] if problem.other is not None else [])]
+    named = (each for each in block.parameters if any(_covers(each.span, place) for place in places))
+    return any(params.is_replaced(file, each) for each in named)
+
+
+def _covers(outer: Span, inner: Span) -> bool:
+    return outer.start <= inner.start and inner.end <= outer.end
 
 
 def _costmap(params: Params, file: ParameterFile, block: Block) -> Iterator[NavigationProblem]:
@@ -241,10 +253,11 @@ def _smoother(params: Params, file: ParameterFile, block: Block) -> Iterator[Nav
         if wrong:
             yield NavigationProblem("sign", named[name].span, name, ", ".join(wrong))
     counts = {name: len(numbers) for name in _LIMITS if (numbers := _numbers(named.get(name)))}
-    axes = _SPATIAL if _SPATIAL in counts.values() else _PLANAR
+    spatial = [count for count in counts.values() if count == _SPATIAL]
+    axes = _SPATIAL if 2 * len(spatial) > len(counts) else _PLANAR
     for name, count in counts.items():
         if count != axes:
-            yield NavigationProblem("length", named[name].span, name, f"{count} of {axes}")
+            yield NavigationProblem("length", named[name].span, name, f"{count} numbers instead of {axes}")
 
 
 def _monitor(params: Params, file: ParameterFile, block: Block) -> Iterator[NavigationProblem]:

@@ -392,6 +392,10 @@ class Params:
         found = self._reached(file, parameter)
         return [load for load, names in found if names is not None and parameter.name not in names]
 
+    def is_replaced(self, file: ParameterFile, parameter: Parameter) -> bool:
+        """Whether each node that gets a value from a file may get another one later."""
+        return bool(self._reached(file, parameter)) and not self.effective(file, parameter)
+
     def _reached(self, file: ParameterFile, parameter: Parameter) -> list[tuple[Load, frozenset[str] | None]]:
         """The loads for whose nodes the block of a parameter may be, each with the names that are set again later."""
         block = parameter.block.name

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import re
 from collections.abc import Iterator
 
 from bringup_lint.graph.nodes.sources.syntax import Syntax
@@ -21,8 +22,17 @@ _SERVERS = {
 """What makes a server or window, and the method that runs it until it is stopped."""
 _FUNCTIONS = frozenset({"uvicorn.run", "waitress.serve", "tkinter.mainloop"})
 _SPINS = frozenset({"rclpy.spin"})
-_OTHERS = regex(r"[Tt]hread\(|[Tt]hread\.|Process\(|spin_once|spin_some|executor\.spin|fork\(|run_in_executor")
+_OTHERS = regex(
+    r"[Tt]hread\(|[Tt]hread\.|\bTimer\(|Process\(|spin_once|spin_some|(?<!\brclpy)\.spin\b|\.spin\b(?!\s*\()|fork\(|run_in_executor|submit\("
+    r"|create_task|ensure_future|call_soon"
+)
 """What may spin the node beside the server."""
+
+
+_STARTS = regex(r"spin|start|run|ros|background|loop", re.I)
+"""Names of functions that may spin a node which they are given."""
+_ENDS = regex(r"(?<!\brclpy)\.(?:destroy|quit|shutdown)\b")
+"""What ends a server or window while the program goes on."""
 
 
 class LateSpin(NamedTuple):
@@ -33,15 +43,25 @@ class LateSpin(NamedTuple):
 def late_spins(syntax: Syntax) -> Iterator[LateSpin]:
     """The first spin in the plain statements after each server."""
     spins = {call for name in _SPINS for call in syntax.named.get(name, [])}
-    if not spins or _OTHERS.search(syntax.file.source.text):
+    text = syntax.file.source.text
+    if not spins or _OTHERS.search(text) or _ENDS.search(text):
         return
     for call in syntax.calls:
         statement = next(syntax.above(call), (None, ""))[0]
         if not isinstance(statement, ast.Expr) or not _runs_on(syntax, call):
             continue
         late = next((each for each in own_calls(list(syntax.after(statement))) if each in spins), None)
-        if late is not None:
+        if late is not None and not _may_start(syntax, late):
             yield LateSpin(late, call)
+
+
+def _may_start(syntax: Syntax, spin: ast.Call) -> bool:
+    """Whether the node is given to another function that may spin it in a thread."""
+    node = ast.unparse(spin.args[0]) if spin.args else ""
+    return any(
+        call is not spin and _STARTS.search(ast.unparse(call.func)) and node in map(ast.unparse, call.args)
+        for call in syntax.calls
+    )
 
 
 def _runs_on(syntax: Syntax, call: ast.Call) -> bool:

@@ -21,8 +21,9 @@ _KEEPS = frozenset(
     "add_on_set_parameters_callback ActionServer send_goal_async".split()
 )
 """Functions of rclpy and message_filters that call what they are handed when the loop has ended."""
-_LEAVES = (ast.Break, ast.Return, ast.Raise, ast.Await, ast.Yield, ast.YieldFrom)
-_MAY_CALL = regex(r"spin|sleep|wait|join|result")
+_LEAVES = (ast.Break, ast.Continue, ast.Return, ast.Raise, ast.Await, ast.Yield, ast.YieldFrom)
+_SEVERAL = 2
+_MAY_CALL = regex(r"spin|sleep|wait|join|result|run")
 
 
 class LateBound(NamedTuple):
@@ -57,6 +58,8 @@ def _variables(syntax: Syntax, call: ast.Call) -> Iterator[tuple[str, ast.Name]]
             return
         if isinstance(outer, (ast.If, ast.IfExp)) and field != "test":
             conditions.append(outer.test)
+        if isinstance(outer, ast.Match):
+            conditions.append(outer.subject)
         if isinstance(outer, ast.For) and field == "body":
             found = dict(_of_loop(outer))
         elif isinstance(outer, (ast.ListComp, ast.SetComp, ast.DictComp)):
@@ -69,7 +72,7 @@ def _variables(syntax: Syntax, call: ast.Call) -> Iterator[tuple[str, ast.Name]]
 
 
 def _of_loop(loop: ast.For) -> Iterator[tuple[str, ast.Name]]:
-    if isinstance(loop.iter, (ast.List, ast.Tuple)) and len(loop.iter.elts) < 2:
+    if _ends_at_once(loop.iter):
         return
     inside = list(own(list(loop.body)))
     waits = any(_MAY_CALL.search(ast.unparse(each.func)) for each in own_calls(list(loop.body)))
@@ -80,6 +83,19 @@ def _of_loop(loop: ast.For) -> Iterator[tuple[str, ast.Name]]:
         if isinstance(each, ast.Assign) and _uses(each.value, set(found)):
             found |= {name: target for part in each.targets for name, target in _names(part)}
     yield from found.items()
+
+
+def _ends_at_once(values: ast.expr) -> bool:
+    """Whether there is one turn at most: ``["front"]``, ``range(1)``, ``{"front": 1}.items()``, ``names[:1]``."""
+    if isinstance(values, ast.Call):
+        values = values.func.value if isinstance(values.func, ast.Attribute) else next(iter(values.args), values)
+    if isinstance(values, ast.Subscript) and isinstance(values.slice, ast.Slice):
+        return True
+    if isinstance(values, ast.Dict):
+        return len(values.keys) < _SEVERAL
+    if isinstance(values, (ast.List, ast.Tuple)):
+        return len(values.elts) < _SEVERAL
+    return isinstance(values, ast.Constant) and values.value == 1
 
 
 def _names(target: ast.expr) -> Iterator[tuple[str, ast.Name]]:

@@ -19,6 +19,10 @@ LONGEST = 0.5
 _SIGNAL = "px4_msgs/msg/OffboardControlMode"
 
 
+_RESET = "timer_period_ns"
+"""What gives a timer another period."""
+
+
 class RareSignal(NamedTuple):
     file: NodeSource
     timer: Timer
@@ -32,6 +36,8 @@ def rare_signals(nodes: Nodes) -> Iterator[RareSignal]:
         kept = [each.attribute for each in node.all_endpoints if each.role == "publisher" and each.type == _SIGNAL]
         sent = [call for call in nodes.syntax(file).calls if _publishes(call, kept)] if len(kept) == 1 else []
         functions = {function for call in sent if (function := nodes.syntax(file).function(call)) is not None}
+        if not sent or _RESET in file.source.text or _named(node, kept) > len(sent) or any(map(_repeats, functions)):
+            continue
         timer = _only_timer(node, functions.pop().name) if len(functions) == 1 else None
         if timer is not None and timer.period is not None and timer.period > LONGEST:
             yield RareSignal(file, timer, timer.period, sent[0])
@@ -39,6 +45,19 @@ def rare_signals(nodes: Nodes) -> Iterator[RareSignal]:
 
 def _publishes(call: ast.Call, kept: list[str | None]) -> bool:
     return isinstance(call.func, ast.Attribute) and call.func.attr == "publish" and ast.unparse(call.func.value) in kept
+
+
+def _named(node: NodeClass, kept: list[str | None]) -> int:
+    """How often a class reads its publisher."""
+    return sum(
+        isinstance(each, ast.Attribute) and isinstance(each.ctx, ast.Load) and ast.unparse(each) in kept
+        for each in node.inner
+    )
+
+
+def _repeats(function: ast.AST) -> bool:
+    """Whether a function may send several times in one turn."""
+    return any(isinstance(each, (ast.For, ast.While)) for each in ast.walk(function))
 
 
 def _only_timer(node: NodeClass, method: str) -> Timer | None:

@@ -97,12 +97,28 @@ def _taken(syntax: Syntax, call: ast.Call) -> tuple[ast.expr, str] | None:
         matches = [_LETTER.match(ast.unparse(each).replace(".", "_")) for each in target.elts]
         found = _order(each[1] if each is not None else "?" for each in matches)
         return (target, found) if found is not None else None
-    if not isinstance(target, ast.Name) or len(_stores(syntax, target)) != 1:
+    if not isinstance(target, ast.Name) or len(_stores(syntax, target)) != 1 or _is_changed(syntax, target):
         return None
     places = dict(_fields(syntax, target))
     letters = sorted(places, key=lambda letter: places[letter][1])
     found = _order(letters) if [places[each][1] for each in letters] == list(range(4)) else None
     return (places[letters[0]][0], found) if found is not None else None
+
+
+def _is_changed(syntax: Syntax, quaternion: ast.Name) -> bool:
+    """Whether single numbers are written, or a statement hands the whole to what may put them into another order."""
+    for node in own(body_of(syntax.function(quaternion))):
+        if isinstance(node, ast.Subscript) and isinstance(node.ctx, ast.Store) and _is(node.value, quaternion):
+            return True
+        if isinstance(node, ast.Expr) and isinstance(node.value, ast.Call):
+            method = node.value.func.value if isinstance(node.value.func, ast.Attribute) else None
+            if any(_is(each, quaternion) for each in (*node.value.args, method)):
+                return True
+    return False
+
+
+def _is(node: ast.expr | None, name: ast.Name) -> bool:
+    return isinstance(node, ast.Name) and node.id == name.id
 
 
 def _fields(syntax: Syntax, quaternion: ast.Name) -> Iterator[tuple[str, tuple[ast.expr, int]]]:

@@ -21,9 +21,10 @@ from bringup_lint.pattern import regex
 DEPTH = 4
 _LISTENERS = ("tf2_ros.TransformListener", "tf2_ros.transform_listener.TransformListener")
 _RUNS = regex(
-    r"spin_thread|[Tt]hread|spin_once|spin_some|spin_until_future_complete|executor\.spin|concurrent\.futures"
+    r"spin_thread|[Tt]hread|spin_once|spin_some|spin_until|(?<!\brclpy)\.spin\b|concurrent\.futures|\bset_transform"
 )
-"""What may run the subscriptions of a listener while the constructor goes on."""
+"""What may run the subscriptions of a listener while the constructor goes on, or fill its buffer in another way."""
+_WAITS = regex(r"wait|spin")
 _LOOKUPS = frozenset({"lookup_transform", "lookup_transform_full"})
 _ASKS = frozenset({"can_transform", "wait_for_transform_async", "can_transform_full"})
 _ROLES = ("subscription", "timer", "service", "client")
@@ -61,7 +62,8 @@ def early_lookups(ending: Ending, cls: NodeClass) -> list[ast.Call]:
         return []
     calls = list(own_calls(body_of(method.node)))
     asks = any(_method(each) in _ASKS for each in calls)
-    return [] if asks else [call for call in calls if _is_lookup(ending, call)]
+    waits = any(_WAITS.search(ast.unparse(each.func)) for each in calls)
+    return [] if asks or waits else [call for call in calls if _is_lookup(ending, call)]
 
 
 def _unguarded(

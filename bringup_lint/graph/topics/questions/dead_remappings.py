@@ -98,8 +98,14 @@ def _of_public(topics: Topics, node: LaunchedNode, source: Located, match: str) 
 
 
 def _is_value(node: LaunchedNode, name: str) -> bool:
-    """Whether a parameter of the node holds a name."""
-    return node.given is not None and any(name in str(each.value) for each in node.given.values.values())
+    """Whether a parameter of the node holds a name, or what is called a topic has a value that is not known."""
+    if node.given is None:
+        return False
+    return any(
+        name in (each.where.text if each.value is None else str(each.value))
+        or (each.value is None and "topic" in parameter)
+        for parameter, each in node.given.values.items()
+    )
 
 
 def _says_all_names(node: LaunchedNode, code: Code) -> bool:
