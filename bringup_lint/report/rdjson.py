@@ -78,7 +78,20 @@ def _suggestion(finding: Finding) -> dict[str, Any] | None:
     whole = inside(Span(finding.source, edits[0].span.start, max(edit.span.end for edit in edits)))
     if whole.end_position.line - whole.line > LONGEST:
         return None
-    return {"range": _range(whole), "text": _edited(whole, edits)}
+    stretch, text = _on_lines(whole, _edited(whole, edits))
+    return {"range": _range(stretch), "text": text}
+
+
+def _on_lines(whole: Span, text: str) -> tuple[Span, str]:
+    """The same edit without the line break that it ends with: reviewdog refuses a line after the last."""
+    source, start, end = whole
+    before, ending = source.text, "\r\n" if source.text.endswith("\r\n", 0, end) else "\n"
+    if before.endswith(ending, start, end) and text.endswith(ending):
+        return Span(source, start, end - len(ending)), text.removesuffix(ending)
+    at_end = end == len(before) and before.endswith(ending) and before.endswith(ending, 0, start)
+    if at_end and (not text or text.endswith(ending)):
+        return Span(source, start - len(ending), end - len(ending)), f"{ending}{text}".removesuffix(ending)
+    return whole, text
 
 
 def _by_start(edit: Edit) -> tuple[int, int]:

@@ -132,6 +132,35 @@ def test_a_suggestion_holds_all_edits() -> None:
     assert suggestion["range"] == {"start": {"line": 3, "column": 1}, "end": {"line": 3, "column": 21}}
 
 
+@pytest.mark.parametrize("ending", ["\n", "\r\n"])
+@pytest.mark.parametrize(
+    ("start", "end", "text"),
+    [
+        ("", "", "d\n"),
+        ("c\n", "", ""),
+        ("c\n", "", "d\n"),
+        ("b\nc\n", "", "d\n"),
+        ("b\nc\n", "c\n", ""),
+        ("b\nc\n", "c\n", "d\n"),
+        ("b\nc\n", "b\nc\n", "d\n"),
+        ("b\nc\n", "\nc\n", "d"),
+    ],
+)
+def test_a_suggestion_needs_no_line_after_the_last(start: str, end: str, text: str, ending: str) -> None:
+    """Reviewdog puts the text between what is before and after it on its first and last line."""
+    source = Source("a.service", "a\nb\nc\n".replace("\n", ending))
+    first, last = (len(source.text) - len(tail.replace("\n", ending)) for tail in (start, end))
+    edit = Edit(source.span(first, last), text.replace("\n", ending))
+    report = Report((replace(FINDINGS[0], span=source.span(0, 1), fix=Fix("edit", (edit,))),))
+    (diagnostic,) = json.loads(render("rdjson", report))["diagnostics"]
+    (suggestion,) = diagnostic["suggestions"]
+    lines = source.text.removesuffix(ending).split(ending)
+    at, until = suggestion["range"]["start"], suggestion["range"]["end"]
+    before, after = lines[at["line"] - 1][: at["column"] - 1], lines[until["line"] - 1][until["column"] - 1 :]
+    made = [*lines[: at["line"] - 1], before + suggestion["text"] + after, *lines[until["line"] :]]
+    assert ending.join((*made, "")) == source.text[:first] + edit.text + source.text[last:]
+
+
 def test_edits_of_other_files_are_no_suggestion() -> None:
     other = Source("other.service", "a\n")
     finding = replace(FINDINGS[0], fix=Fix("both", (Edit(other.span(0, 1), "b"), *FINDINGS[0].fix.edits)))
