@@ -44,8 +44,6 @@ def keystore_layout(robot: Robot) -> Iterator[Finding]:
     for keystore in robot.sros2.keystores:
         for enclave in keystore.enclaves.values():
             where = robot.sros2.anchor(enclave.folder)
-            if not where.judged:
-                continue
             dangling = enclave.broken_links(robot.tree)
             missing = [name for name in enclave.missing() if whole or name != "key.pem"]
             if dangling:
