@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 OPENS = regex(r"\b(?P<kept>[A-Za-z]\w{0,80})\s{0,4}=\s{0,4}(?P<call>(?:::)?socket\s{0,4}\(\s{0,4}(?:PF|AF)_)")
 WAITS_NOT = regex(
     r"O_NONBLOCK|SOCK_NONBLOCK|SO_RCVTIMEO|MSG_DONTWAIT|FIONBIO|FIONREAD|O_NDELAY|\b[ep]?poll\s{0,2}\((?!\s{0,4}\))|\be?p?select\s{0,2}\("
-    r"|epoll_wait|std::j?thread|boost::thread|pthread_create|\basync\b"
+    r"|epoll_wait|std::j?thread|boost::thread|pthread_create|\basync\b|\btimeval\b"
 )
 KNOWN_CALLS = frozenset(
     (
@@ -23,7 +23,8 @@ KNOWN_CALLS = frozenset(
 )
 """What may be called with a socket that keeps waiting for packets all the same."""
 UNTIL_PACKET = "until a packet arrives"
-_RECEIVES = frozenset({"read", "recv", "recvfrom", "recvmsg"})
+_RECEIVES = {"read": 0, "recv": 4, "recvfrom": 4, "recvmsg": 3}
+"""Function -> which of its arguments has flags; 0 without any."""
 
 
 def waiting_sockets(code: Code) -> frozenset[str]:
@@ -37,5 +38,7 @@ def waiting_sockets(code: Code) -> frozenset[str]:
 
 
 def receives(code: Code, call: Call, sockets: frozenset[str]) -> bool:
-    is_read = call.qualified.removeprefix("::") in _RECEIVES
-    return is_read and bool(call.arguments) and code.text(call.arguments[0]) in sockets
+    flags = _RECEIVES.get(call.qualified.removeprefix("::"))
+    if flags is None or not call.arguments or code.text(call.arguments[0]) not in sockets:
+        return False
+    return flags == 0 or [code.text(each) for each in call.arguments[flags - 1 : flags]] == ["0"]

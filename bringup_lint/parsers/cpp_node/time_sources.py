@@ -27,6 +27,8 @@ _UNSET = regex(r"(?:(?:rclcpp::)?Time)?(?:[({](?:0(?:,0)?)?[)}])?\Z")
 """A default that leaves the clock ``RCL_SYSTEM_TIME`` (rclcpp, time.hpp)."""
 _COMPARED = frozenset({"-", "<", ">", "<=", ">="})
 """Operators that throw for times of different clocks (rclcpp, time.cpp)."""
+_HELD = regex(r"->\s{0,4}cancel\s{0,4}\(")
+"""What holds a timer back until a message starts it."""
 _LEAVES = regex(r"\b(?:return|throw|continue)\b")
 _BODIES = ("function_definition", "lambda_expression")
 _CHOOSES = frozenset({"if_statement", "while_statement", "conditional_expression"})
@@ -58,12 +60,26 @@ def time_uses(code: Code, callbacks: list[Callback]) -> Iterator[TimeUse]:
     bodies = Bodies(code)
     if "now" in bodies.functions:
         return
-    run = {_method(bodies, body).id: each for each in callbacks if (body := bodies.of(each)) is not None}
+    run = dict(_run_alone(code, bodies, callbacks))
     names = dict.fromkeys(found["right"] or found["left"] for found in _OPERAND.finditer(text))
     for name in list(names)[:NAMES]:
         found = _first_use(code, run, name)
         if found is not None:
             yield found
+
+
+def _run_alone(code: Code, bodies: Bodies, callbacks: list[Callback]) -> Iterator[tuple[int, Callback]]:
+    """The bodies that nothing runs but a callback; not those of timers that messages start."""
+    known = [(each, body) for each in callbacks if (body := bodies.of(each)) is not None]
+    heard = [code.span(body) for each, body in known if each.role == "subscription"]
+    for each, body in known:
+        method = _method(bodies, body)
+        name = (code.defined_name(method) or "").rpartition("::")[2]
+        calls = sum(call.name == name for call in code.calls)
+        if calls > (method != body):
+            continue
+        if each.role != "timer" or not any(span.start <= each.span.start < span.end for span in heard):
+            yield method.id, each
 
 
 def _method(bodies: Bodies, body: Node) -> Node:
@@ -72,7 +88,8 @@ def _method(bodies: Bodies, body: Node) -> Node:
     calls = list(bodies.own(body)) if statements is not None and statements.named_child_count == 1 else []
     inner = bodies.functions.get(calls[0].name, []) if calls else []
     is_own = bool(calls) and calls[0].qualified in (calls[0].name, f"this->{calls[0].name}")
-    is_all = bool(calls) and calls[0].node.parent is not None and calls[0].node.parent.type == "expression_statement"
+    outer = calls[0].node.parent if calls else None
+    is_all = outer is not None and outer.type == "expression_statement" and outer.parent == statements
     return inner[0] if is_own and is_all and len(inner) == 1 else body
 
 
@@ -148,6 +165,8 @@ def _unset(code: Code, run: dict[int, Callback], name: str, use: Node, stores: l
         return None
     others = [each for each in stores if _body(code, each) != body]
     if any(each.start_byte < use.end_byte for each in stores if each not in others):
+        return None
+    if others and _HELD.search(code.source.text):
         return None
     if others and not (callback.role == "timer" and _comes_later(code, run, others) and not _leaves(code, body, use)):
         return None
