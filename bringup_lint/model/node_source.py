@@ -53,6 +53,10 @@ def _unread(*_: object) -> Any:
     return None
 
 
+LINEAGE = 100
+"""Classes that build on one another; more are read as if the last one built on nothing."""
+
+
 @dataclass(frozen=True, slots=True)
 class Qos:
     """A profile as far as it is known. None: not known. Policies by the names of ``rclpy.qos``: ``RELIABLE``,
@@ -258,10 +262,10 @@ class NodeClass:
 
     @property
     def lineage(self) -> Iterator[NodeClass]:
-        """The class itself, then those it builds on as far as they are known."""
+        """The class itself, then those it builds on as far as they are known; no more than ``LINEAGE``."""
         seen: set[int] = set()
         current: NodeClass | None = self
-        while current is not None and id(current) not in seen:
+        while current is not None and id(current) not in seen and len(seen) < LINEAGE:
             seen.add(id(current))
             yield current
             current = current.base

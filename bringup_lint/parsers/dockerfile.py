@@ -49,11 +49,20 @@ _FLAG = regex(r"--[a-z][\w-]*(?:=(?:\"[^\"]*\"|\S*))?(?:\s+|$)")
 _HEREDOC = regex(r"(?<![<\w$(])<<(?P<dash>-?)(?P<quote>[\"']?)(?P<word>\w+)(?P=quote)")
 
 
+LAYERS = 127
+"""Stages that build on one another: Docker mounts no image of more layers, and fails with "max depth exceeded"."""
+STAGES = 1_000
+
+
 def parse(source: Source) -> Dockerfile:
-    """Read a Dockerfile. Problems: ``unknown-instruction``, ``no-stage`` and ``unterminated-heredoc``."""
+    """Read a Dockerfile. Problems: ``unknown-instruction``, ``no-stage``, ``unterminated-heredoc``, and ``too-large``
+    from where it has more stages than an image can have."""
     file = Dockerfile(source)
     for instruction in _instructions(file):
         if instruction.name == "FROM":
+            if file.stages and _is_too_large(file):
+                file.problems.append(Problem("too-large", instruction.keyword))
+                break
             _add_stage(file, instruction)
         elif file.stages:
             file.stages[-1].instructions.append(instruction)
@@ -64,6 +73,10 @@ def parse(source: Source) -> Dockerfile:
         else:
             file.problems.append(Problem("no-stage", instruction.keyword))
     return file
+
+
+def _is_too_large(file: Dockerfile) -> bool:
+    return len(file.stages) >= STAGES or sum(1 for _ in file.stages[-1].chain) > LAYERS
 
 
 def _add_stage(file: Dockerfile, instruction: Instruction) -> None:

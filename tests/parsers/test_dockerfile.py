@@ -4,6 +4,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from bringup_lint.model.dockerfile import Dockerfile
+from bringup_lint.parsers.dockerfile import LAYERS
+from bringup_lint.parsers.dockerfile import STAGES
 from bringup_lint.parsers.dockerfile import parse
 from bringup_lint.parsers.dockerfile_variables import last_user
 from bringup_lint.parsers.dockerfile_variables import variables
@@ -134,3 +136,11 @@ def test_the_user_of_an_image():
         "heron:dialout"
     )
     assert user("FROM ros\nUSER $WHO") == "$WHO"
+
+
+def test_more_stages_than_an_image_can_have_are_not_read():
+    text = "FROM ros:jazzy AS s0\n" + "".join(f"FROM s{n} AS s{n + 1}\n" for n in range(300))
+    file = read(text)
+    assert [problem.code for problem in file.problems] == ["too-large"]
+    assert len(file.stages) == LAYERS + 1
+    assert len(read("FROM $IMAGE\n" * 3_000).stages) == STAGES

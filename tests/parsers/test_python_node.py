@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 
 from bringup_lint.discover.kinds import kind_of
 from bringup_lint.model.node_source import INFINITE
+from bringup_lint.model.node_source import LINEAGE
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
@@ -397,3 +398,9 @@ def test_transforms_are_published_in_every_state() -> None:
 def test_a_depth_that_is_set_later_counts() -> None:
     found = qos("profile", lines="profile = QoSProfile(depth=1)\nprofile.depth = 7\nprofile.label = 'wheels'")
     assert found is not None and found.depth == 7
+
+
+def test_a_long_line_of_classes_is_followed_as_far_as_a_robot_may_have_one() -> None:
+    classes = "\n".join(f"class C{n}(C{n - 1}): pass" for n in range(1, 300))
+    last = read(f"class C0(Node): pass\n{classes}\n").classes[-1]
+    assert len(list(last.lineage)) == LINEAGE
