@@ -44,7 +44,7 @@ from bringup_lint.api.yaml import Mapping
 from bringup_lint.api.yaml import Scalar
 from bringup_lint.api.yaml import Sequence
 
-BARE = regex(r"(?:^|[;&|({]|!|-c[ \t]+['\"]?)[ \t]*(?:(?:exec|timeout[ \t]+[\w.]+)[ \t]+)*ros2(?=[ \t]|$)")
+BARE = regex(r"(?:^|[;&|({]|!|-c[ \t]+(?![ \t])['\"]?)[ \t]*(?:(?:exec|timeout[ \t]+[\w.]+)[ \t]+)*ros2(?=[ \t]|$)")
 MAY_SOURCE = regex(
     r"source|setup\.|entrypoint|AMENT|(?:^|[ \t;&])\.[ \t]|[ \t]-\w*[il]\w*c\b|--login|exit[ \t]+0|\|\|[ \t]*true"
 )

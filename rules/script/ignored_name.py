@@ -65,7 +65,7 @@ FOLDERS = {
 }
 COPIES = ("cp", "install", "mv", "ln")
 VALUED = ("-o", "-g", "-m", "-S", "--owner", "--group", "--mode")
-FOLDERS_TOO = regex(r"-[a-zA-Z]*[drRa][a-zA-Z]*|--(?:directory|recursive|archive)")
+FOLDERS_TOO = regex(r"-[bce-qs-zA-QS-Z]*[adrR][a-zA-Z]*|--(?:directory|recursive|archive)")
 PLAIN = regex(r"[\w.@+~:-]+")
 LEFTOVER = regex(
     r"~$|\.(?:bak|orig|rej|swp|save|old|disabled|off|example|sample|d|csh|dpkg-\w+)$|^(?:README|\.placeholder)", re.I

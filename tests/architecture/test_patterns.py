@@ -57,6 +57,7 @@ SHORT = {
     r"([^/]+)\.(wants": "paths",
     r"(?:^|/)": "paths",
     r"(?:^|[/._-])compose": "paths",
+    r"(?:^|(?=[/_.-]))": "paths",
     r"(?:[._-]launch": "paths",
     r"[._-]launch": "paths",
 }

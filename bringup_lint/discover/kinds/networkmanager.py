@@ -10,7 +10,7 @@ from bringup_lint.pattern import regex
 
 _FOLDER = regex(r"/NetworkManager/system-connections/[^/]+$")
 _POWER_SAVE = regex(r"^[ \t]*wifi\.powersave[ \t]*=", re.M)
-_WIFI_FILE = regex(r"(?:networkmanager|wi-?fi|wlan|power-?save)[^\n]*\.conf$", re.I)
+_WIFI_FILE = regex(r"(?:networkmanager|wi-?fi|wlan|power-?save)[^\n]{0,200}\.conf$", re.I)
 _SECTION = regex(r"^\[connection\]", re.M)
 
 

@@ -27,7 +27,7 @@ _RANGE = regex(
     re.M,
 )
 _DHCPCD = regex(
-    rf"^interface[ \t]+(?P<name>[\w.-]+)[^\n]*\n(?:(?!interface\b|profile\b|ssid\b)[^\n]*\n){{0,20}}?"
+    rf"^interface[ \t]+(?P<name>[\w.-]+)(?![\w.-])[^\n]*\n(?:(?!interface\b|profile\b|ssid\b)[^\n]*\n){{0,20}}?"
     rf"[ \t]*static[ \t]+ip_address=(?P<address>{_QUAD}(?:/\d+)?)",
     re.M,
 )

@@ -16,8 +16,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.installed.scripts import Scripts
     from bringup_lint.source import Located
 
-_WHEN = r"(?:@[a-z]+|[\d*/,-]+(?:[ \t]+[\d*/,-]+){4})[ \t]+"
-_JOB = regex(rf"^[ \t]*{_WHEN}[a-z_][\w-]*[ \t]+(?P<command>[^\n]*\bros2[ \t][^\n]*)", re.M)
+_WHEN = r"(?:@[a-z]+|[\d*/,-]+(?:[ \t]+[\d*/,-]+){4})[ \t]+(?=\S)"
+_JOB = regex(rf"^[ \t]*{_WHEN}[a-z_][\w-]*[ \t]+(?=\S)(?P<command>[^\n]*\bros2[ \t][^\n]*)", re.M)
 _ADDED = regex(rf"^{_WHEN}(?P<command>[^\n]*\bros2[ \t][^\n]*)", re.M)
 """A line that a script adds to the crontab of its user, where no user is named."""
 _SET = regex(r"AMENT_PREFIX_PATH|BASH_ENV")

@@ -33,10 +33,10 @@ _MACRO = regex(r"^(?<!\\\n)[ \t]*#[ \t]*define\b(?:\\\n|[^\n])*parameter", re.M)
 _OWN = regex(r"(?:(?:this|self|\w{0,64}node\w{0,64})(?:->|\.))?get_parameter\w*\Z", re.I)
 _OWN_DECLARING = regex(r"(?:(?:this|self|\w{0,64}node\w{0,64})(?:->|\.))?declare_parameter\Z", re.I)
 _TYPE = regex(r"(?:rclcpp::)?(?:ParameterType::)?PARAMETER_[A-Z_]+\Z")
-_HELPER = regex(r"\w*(?:param|declare)\w*", re.I)
+_HELPER = regex(r"(?=\w+\Z)\w*(?:param|declare)\w*", re.I)
 """The name of a function that may declare parameters for others."""
 _CALLED = regex(r"(?:param|declare)\w{0,64}\s*[<(]", re.I)
-_FUNCTION = regex(r"(\w+)\s*\(")
+_FUNCTION = regex(r"\b(\w+)\s*\(")
 _WORD = regex(r'"[^"\n]*\w[^"\n]*"')
 """A text that says something: one that only joins two names does not."""
 _LOOPS = frozenset({"for_range_loop", "for_statement", "while_statement"})
