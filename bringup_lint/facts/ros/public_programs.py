@@ -28,6 +28,8 @@ class PublicPackage(NamedTuple):
     programs: tuple[Program, ...]
     """Empty when they are not known."""
     instead: str
+    repository: str = ""
+    """The repository with its sources, when it has another name."""
 
     def is_gone(self, distro: str | None) -> bool:
         return self.last == ROS1 or _is_after(distro, self.last)
@@ -55,7 +57,11 @@ def public_package(name: str) -> PublicPackage | None:
 def _all() -> dict[str, PublicPackage]:
     return {
         row["package"]: PublicPackage(
-            row["package"], row["last"], tuple(map(_program, row["programs"].split())), row["instead"]
+            row["package"],
+            row["last"],
+            tuple(map(_program, row["programs"].split())),
+            row["instead"],
+            row["repository"],
         )
         for row in table("ros/public_programs")
     }
