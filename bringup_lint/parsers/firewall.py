@@ -17,6 +17,8 @@ from bringup_lint.source import Source
 IPTABLES = frozenset(("iptables", "ip6tables", "iptables-legacy", "iptables-nft"))
 _PORTS = regex(r"(?P<first>.+?)(?:[:-](?P<last>.+))?\Z")
 _UFW_PORTS = regex(r"(?P<ports>[^/\s]+)(?:/(?P<protocol>tcp|udp))?\Z")
+_SERVICES = frozenset("ssh openssh http https www ntp domain ftp smtp imap pop3 mdns samba cups telnet vnc rdp".split())
+"""Names of ufw's profiles and of services(5); another profile may be one for ROS."""
 _NFT_UDP = regex(
     r"(?P<protocol>udp|tcp)\s+dport\s+(?:\{(?P<set>[^{}]*)\}|(?P<one>[\w-]+))(?P<rest>[^\n;}]{0,400})\baccept\b"
 )
@@ -143,6 +145,8 @@ def _ufw_rule(firewall: Firewall, words: list[Located], variables: Variables) ->
     simple = _UFW_PORTS.match(words[0]) if port is None and len(words) == 1 else None
     if simple is not None:
         if simple["ports"].isalpha():
+            if simple["ports"].lower() not in _SERVICES:
+                firewall.openings.append(Opening(words[0], "", None, None, certain=False))
             return
         port, protocol = words[0].part(0, len(simple["ports"])), simple["protocol"] or ""
     if port is None:

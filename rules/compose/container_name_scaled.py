@@ -21,7 +21,8 @@ recorder:
 ```
 
 ## When to ignore it
-When the file is for `docker stack deploy` only, which ignores the name. Silent where the tree has this command.
+When the file is for `docker stack deploy` only, which ignores the name. Silent where the tree has this command,
+or the service a `placement:`.
 
 ## References
 - https://docs.docker.com/reference/compose-file/services/#container_name
@@ -40,6 +41,7 @@ from bringup_lint.api.compose import Service
 from bringup_lint.api.yaml import Mapping
 
 STACK = regex(r"\bdocker stack deploy\b")
+KEYS = ("container_name", "scale", "deploy")
 
 
 @rule("error", symptoms=["can't set container_name and * as container name must be unique"])
@@ -48,8 +50,8 @@ def container_name_scaled(robot: Robot) -> Iterator[Finding]:
         return
     for service in robot.compose.services:
         name = service.scalar("container_name")
-        count = _count(service) if name is not None and service.source.judged else None
-        if name is not None and count is not None:
+        count = _count(service) if name not in (None, "", "null", "~") and service.source.judged else None
+        if name is not None and count is not None and not _is_changed(robot, service):
             yield finding(
                 name,
                 f"'{name}' can be the name of one container only, and there are to be {count}: docker compose "
@@ -62,6 +64,14 @@ def container_name_scaled(robot: Robot) -> Iterator[Finding]:
 def _count(service: Service) -> Located | None:
     """The number of containers, where it is more than one."""
     deploy = service.get("deploy")
+    if isinstance(deploy, Mapping) and deploy.get("placement") is not None:
+        return None
     replicas = deploy.scalar("replicas") if isinstance(deploy, Mapping) else None
     given = replicas.value if replicas is not None else service.scalar("scale")
     return given if given is not None and given.isdigit() and int(given) > 1 else None
+
+
+def _is_changed(robot: Robot, service: Service) -> bool:
+    """Whether another file gives the service another name or number."""
+    others = (each for each in robot.compose.services if each.name == service.name and each is not service)
+    return any(each.get(key) is not None for each in others for key in KEYS)

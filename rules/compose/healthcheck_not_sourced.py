@@ -44,9 +44,10 @@ from bringup_lint.api.yaml import Mapping
 from bringup_lint.api.yaml import Scalar
 from bringup_lint.api.yaml import Sequence
 
-BARE = regex(r"(?:^|[;&|({]|!|-c[ \t]+(?![ \t])['\"]?)[ \t]*(?:(?:exec|timeout[ \t]+[\w.]+)[ \t]+)*ros2(?=[ \t]|$)")
+BARE = regex(r"(?:^|[;&({]|-c[ \t]+(?![ \t])['\"]?)[ \t]*(?:(?:exec|timeout[ \t]+[\w.]+)[ \t]+)*ros2(?=[ \t]|$)")
 MAY_SOURCE = regex(
-    r"source|setup\.|entrypoint|AMENT|(?:^|[ \t;&])\.[ \t]|[ \t]-\w*[il]\w*c\b|--login|exit[ \t]+0|\|\|[ \t]*true"
+    r"source|setup\.|entrypoint|AMENT|(?:^|[ \t;&])\.[ \t]|sh(?:[ \t]+-\w+){0,3}[ \t]+-\w*[il]|--login|exit[ \t]+0"
+    r"|(?:\|\||;)[ \t]*(?:true|:)(?![\w.])|\|\|[ \t]*ros2"
 )
 SETS_UP = regex(r"bin/ros2\b|BASH_ENV|AMENT_PREFIX_PATH|SHELL[ \t]*\[[^\n\]]*-\w*[il]")
 REPLACES = ("AMENT_PREFIX_PATH", "PATH", "BASH_ENV", "ENV")
@@ -55,7 +56,8 @@ REPLACES = ("AMENT_PREFIX_PATH", "PATH", "BASH_ENV", "ENV")
 @rule("error", confidence="medium", symptoms=["dependency failed to start: container * is unhealthy"])
 def healthcheck_not_sourced(robot: Robot) -> Iterator[Finding]:
     for runner in robot.runners.all:
-        word = _test(runner.service) if runner.service is not None else None
+        service = runner.service
+        word = _test(service) if service is not None and not _is_changed(robot, service) else None
         if word is not None and _has_no_ros(robot, runner):
             yield finding(
                 word,
@@ -66,10 +68,16 @@ def healthcheck_not_sourced(robot: Robot) -> Iterator[Finding]:
             )
 
 
+def _is_changed(robot: Robot, service: Service) -> bool:
+    """Whether another file gives the service a health check of its own."""
+    others = (each for each in robot.compose.services if each.name == service.name and each is not service)
+    return any(each.get("healthcheck") is not None for each in others)
+
+
 def _test(service: Service) -> Located | None:
     """The word of the test that starts ros2 without a setup file."""
     check = service.get("healthcheck")
-    test = check.get("test") if isinstance(check, Mapping) else None
+    test = check.get("test") if isinstance(check, Mapping) and check.get("disable") is None else None
     if isinstance(test, Scalar):
         words = [test.value]
     elif isinstance(test, Sequence):

@@ -52,6 +52,7 @@ from bringup_lint.api.shell import Command
 ACCOUNTS = ("useradd", "groupadd", "usermod", "adduser", "addgroup")
 SYSTEM = regex(r"/(?:etc|usr|opt|root)/")
 OF_ROOT = regex(r"/root/\S")
+OF_ROBOT = regex(r"/opt/(?!ros/)[^/]+")
 OPENS = ("chown", "chmod", "setfacl")
 MAKES = ("mkdir", "touch", "tee")
 
@@ -75,7 +76,8 @@ def _judged(stage: Stage) -> Iterator[Finding]:
             continue
         commands = list(commands_of_run(instruction))
         opened = opened or any(command.name in OPENS for command in commands)
-        bad = next((each for command in commands if (each := _needs_root(command, opened))), None)
+        found = (each for command in commands if (each := _needs_root(command, opened)))
+        bad = next((each for each in found if not _is_given(stage, instruction.value, each)), None)
         if user is not None and bad is not None:
             yield _finding(bad, user, hidden=_hidden(commands))
         elif user is not None and not opened and (build := unowned.get(instruction)):
@@ -121,6 +123,13 @@ def _needs_root(command: Command, opened: bool) -> Located | None:
     made = words[1:] if command.name in MAKES else ()
     found = next((path for path in writes if SYSTEM.match(path)), None)
     return found or next((word for word in made if OF_ROOT.match(word)), None)
+
+
+def _is_given(stage: Stage, run: str, path: Located) -> bool:
+    """Whether a folder below /opt is spoken of before, so that it may belong to the user."""
+    folder = OF_ROBOT.match(path)
+    others = (each for one in stage.chain for each in one.instructions if each.value is not run)
+    return folder is not None and any(folder[0] in str(each.value) for each in others)
 
 
 def _hidden(commands: list[Command]) -> bool:

@@ -1,8 +1,8 @@
 """A variable of an image begins with a tilde that nothing expands.
 
 ## What it finds
-`ENV NAME=~/...`. Docker puts in variables, and leaves the tilde as it is. `ROS_HOME` and `ROS_LOG_DIR`, of which ROS
-expands the tilde itself, are left out.
+`ENV NAME=~/...`. Docker puts in variables, and leaves the tilde as it is. Variables of which the program that reads
+them expands the tilde itself, such as `ROS_HOME`, `ROS_LOG_DIR` and `TORCH_HOME`, are left out.
 
 ## Why it matters on a robot
 The shell does not expand a tilde that comes out of a variable either: programs look for a folder that is called `~`,
@@ -34,8 +34,8 @@ from bringup_lint.api import finding
 from bringup_lint.api import rule
 from bringup_lint.api.docker import assignments
 
-EXPANDED = ("ROS_HOME", "ROS_LOG_DIR")
-"""rcl_logging_interface and launch expand the tilde of these."""
+EXPANDED = ("ROS_HOME", "ROS_LOG_DIR", "TORCH_HOME", "HF_HOME", "KERAS_HOME", "PIP_CACHE_DIR")
+"""rcl_logging_interface, launch, PyTorch, huggingface_hub, Keras and pip expand the tilde of these."""
 
 
 @rule("warning", silent="the folder is called ~")

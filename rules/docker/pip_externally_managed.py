@@ -52,20 +52,26 @@ DEBIAN = regex(
     r"(?:docker\.io/)?(?:library/)?(?:(?:arm64v8|amd64|arm32v7)/)?debian:(?:12|13|bookworm|trixie)(?:[.-].*)?"
 )
 ALLOWED = regex(
-    r"break[-_]system[-_]packages|EXTERNALLY-MANAGED|venv|virtualenv|conda|mamba|pyenv|\buv\b|pip\.conf", re.I
+    r"break[-_]system[-_]packages|EXTERN|venv|virtualenv|conda|mamba|pyenv|\buv\b|pip\.conf|deadsnakes|altinstall"
+    r"|python\.org/ftp|PIP_(?:TARGET|PREFIX|ROOT|PYTHON|CONFIG_FILE)\b|^ENV[ \t]+PATH\b"
+    r"|^(?:COPY|ADD)[ \t][^\n]*[ \t]/(?:etc|root|usr|usr/local)?/?[ \t]*$",
+    re.I | re.M,
 )
-PIP = regex(r"(?:/usr/bin/)?pip3?(?:\.\d+)?")
-PYTHON = regex(r"(?:/usr/bin/)?python3?(?:\.\d+)?")
+PIP = regex(r"(?:/usr/bin/)?pip3?")
+PYTHON = regex(r"(?:/usr/bin/)?python3?")
+SCRIPT = regex(r"(?!/usr/bin/|/bin/)[^=]*/.*|.*\.(?:ba)?sh")
 ELSEWHERE = regex(r"-t|--(?:target|prefix|root|dry-run|python|help)(?:=.*)?")
 
 
 @rule("error", symptoms=["error: externally-managed-environment", "This environment is externally managed"])
 def pip_externally_managed(robot: Robot) -> Iterator[Finding]:
     for file in robot.dockerfiles:
-        if "pip" not in file.source.text or ALLOWED.search(file.source.text):
+        if "pip" not in file.source.text:
             continue
         for stage in file.stages:
             if not _is_managed(stage) or robot.compose.images.is_chosen(stage, tag=True):
+                continue
+            if any(ALLOWED.search(each.start.value.span.source.text) for each in stage.chain):
                 continue
             word = next(_installs(stage), None)
             if word is not None:
@@ -84,11 +90,24 @@ def _is_managed(stage: Stage) -> bool:
 
 def _installs(stage: Stage) -> Iterator[Located]:
     """The steps that surely run pip for the system's Python."""
+    before = ""
     for command in commands_of(stage):
         words = unwrapped(command.words)
+        if _may_prepare(words):
+            return
         if len(words) > 2 and PYTHON.fullmatch(words[0]) and words[1:3] == ("-m", "pip"):
             words = words[2:]
-        if command.depth or command.ends == "||" or len(words) < 2 or words[1] != "install":
+        may_fail = command.depth or "||" in (before, command.ends) or command.ends == "|"
+        before = command.ends
+        asked = next((word for word in words[1:] if not word.startswith("-")), None)
+        if may_fail or asked != "install":
             continue
         if PIP.fullmatch(words[0]) and not any(map(ELSEWHERE.fullmatch, words)):
             yield words[0]
+
+
+def _may_prepare(words: tuple[Located, ...]) -> bool:
+    """Whether a command is a script, which may let pip through, or enters an environment."""
+    if words and words[0] in (".", "source"):
+        return "/setup." not in words[-1]
+    return any(SCRIPT.fullmatch(word) for word in words[: 2 if words and words[0] in ("sh", "bash") else 1])

@@ -32,10 +32,12 @@ When only programs on the robot use the bridge.
 - https://github.com/RobotWebTools/rosbridge_suite, https://github.com/foxglove/ros-foxglove-bridge
 """
 
+import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -50,6 +52,10 @@ PORTS = {
     "foxglove_bridge": (8765, regex(rf"{FORWARDED}8765\b")),
 }
 """The default port of each, and how another program of the computer hands connections on to it."""
+
+FIREWALL = regex(r"\b(?:ufw|iptables|nft|firewalld|firewall-cmd)\b")
+REACHED = regex(r"\btailscale\b|DEFAULT_INPUT_POLICY")
+"""Tailscale lets in what comes through it; the policy of ufw may be another one."""
 
 
 @rule(
@@ -67,7 +73,8 @@ def bridge_port(robot: Robot) -> Iterator[Finding]:
             port, forwarded = PORTS[name]
             if firewall.opens(port) or not robot.same_robot(firewall.source, where.source):
                 continue
-            if any(forwarded.search(each.text) and robot.same_robot(each, where.source) for each in robot.sources):
+            near = (each for each in robot.sources if robot.same_robot(each, where.source))
+            if any(_lets_in(each, firewall.source, port, forwarded) for each in near):
                 continue
             yield finding(
                 firewall.tools["ufw"],
@@ -75,6 +82,15 @@ def bridge_port(robot: Robot) -> Iterator[Finding]:
                 advice=f"add: ufw allow {port}/tcp",
                 related=[note(where, "starts it")],
             )
+
+
+def _lets_in(source: Source, script: Source, port: int, forwarded: re.Pattern[str]) -> bool:
+    """Whether a file hands connections on to the port, or one beside the script may open it."""
+    text = source.text
+    if REACHED.search(text):
+        return True
+    may_open = source is not script and str(port) in text and FIREWALL.search(text) is not None
+    return may_open or forwarded.search(text) is not None
 
 
 def _is_usual(where: Span) -> bool:

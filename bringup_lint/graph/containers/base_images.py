@@ -30,6 +30,18 @@ _OF_CUDA = regex(r"(?:CUDA|CUDNN|NV|NCCL|LD_|LIBRARY_)")
 """Begins the names of the variables of NVIDIA's images."""
 _BARE = regex(rf"{_LIBRARY}(?:ubuntu|debian)(?:[:@].*)?")
 _UNLISTED = regex(rf"{_LIBRARY}(?:ros|ubuntu|debian|python|osrf/ros2?)(?::[^@]*)?|{_OF_NVIDIA}")
+_BUILD_TOOLS = (
+    r"build-essential|g\+\+|gcc|make|cmake|dpkg-dev|git|ca-certificates|gnupg2?|dirmngr|lsb-release|tzdata|locales"
+)
+_IN_ROS = regex(
+    rf"(?:{_BUILD_TOOLS})|python3(?!-pip$).*|lib.*|ros-[a-z]+-(?:ros-(?:core|base|workspace)|ament-.*|rmw-.*|rcl.*"
+    r"|rosidl-.*|ros2[a-z]+|tf2.*|launch.*|.*-msgs|common-interfaces|geometry2|robot-state-publisher|rosbag2.*|urdf.*"
+    r"|kdl-parser.*|fast.*|cyclonedds.*|sros2.*|pluginlib|class-loader|message-filters)"
+)
+"""What the images of ros-core and ros-base have; with them their many libraries."""
+_IN_PYTHON = regex(rf"{_BUILD_TOOLS}|lib.*|python3.*|curl|wget|openssh-client|unzip|xz-utils|bzip2|patch|procps")
+"""What the images of buildpack-deps have."""
+_LARGE = regex(r"desktop|perception|simulation")
 _OTHER_SYSTEM = regex(r"alpine|ubi\d|rocky|centos|windows")
 _UNCHECKED = regex(
     rf"{_LIBRARY}(?:ros|ubuntu|debian|osrf/ros2?|alpine|busybox|eclipse-mosquitto|httpd|influxdb|memcached|mongo|mysql"
@@ -78,6 +90,15 @@ def ubuntu_codename(image: str) -> str:
 def has_no_package_lists(image: str) -> bool:
     """Whether an image is published without the package lists of apt."""
     return _UNLISTED.fullmatch(image) is not None
+
+
+def may_have_package(image: str, package: str) -> bool:
+    """Whether an image may come with a package of apt, so that installing it needs no list."""
+    if _ROS.fullmatch(image):
+        return (_LARGE.search(image) is not None and package.startswith("ros-")) or bool(_IN_ROS.fullmatch(package))
+    if _CUDA.fullmatch(image):
+        return package.startswith(("cuda", "lib")) or package == "build-essential"
+    return _BARE.fullmatch(image) is None and _IN_PYTHON.fullmatch(package) is not None
 
 
 def has_dash(image: str) -> bool:

@@ -57,12 +57,16 @@ def _entries(files: Files, project: list[ComposeFile]) -> list[tuple[Service, Pu
     """What the services of a project publish, each with the file that says what it runs."""
     found: dict[tuple[object, ...], tuple[Service, Published]] = {}
     named: dict[str, Service] = {}
+    without = {str(each.name) for file in project for each in file.services if not _publishes(files, each)}
     for service in (each for file in project for each in file.services):
         name = str(service.name)
         known = named.setdefault(name, service)
+        if service.profiles and not known.profiles:
+            known = named[name] = service
+            found = {key: (service if key[0] == name else each[0], each[1]) for key, each in found.items()}
         if _is_replaced(service):
             found = {key: each for key, each in found.items() if key[0] != name}
-        if _publishes(files, service) and _publishes(files, known):
+        if name not in without:
             for each in published(service):
                 if each.host:
                     found.setdefault((name, each.address, each.host, each.inside, each.protocol), (known, each))
@@ -74,8 +78,9 @@ def _publishes(files: Files, service: Service) -> bool:
     deploy = service.get("deploy")
     replicas = deploy.scalar("replicas") if isinstance(deploy, Mapping) else None
     is_off = service.scalar("scale") == "0" or (replicas is not None and replicas.value == "0")
+    is_placed = isinstance(deploy, Mapping) and deploy.get("placement") is not None
     own = service.network_mode in (None, "bridge") and not is_off
-    return own and files.purpose(service.name, str(service.name)) is Purpose.ROBOT
+    return own and not is_placed and files.purpose(service.name, str(service.name)) is Purpose.ROBOT
 
 
 def _is_replaced(service: Service) -> bool:
@@ -98,7 +103,10 @@ def _overriding(compose: Compose, file: ComposeFile) -> list[ComposeFile]:
 
 def _common(first: Published, second: Published) -> int | None:
     """The lowest port of the host that both ask for on one address."""
-    alike = first.address == second.address or is_wildcard(first.address) or is_wildcard(second.address)
+    alike = first.address == second.address or (
+        (is_wildcard(first.address) or is_wildcard(second.address))
+        and ("" in (first.address, second.address) or (":" in first.address) == (":" in second.address))
+    )
     if first.protocol != second.protocol or not alike:
         return None
     port = max(first.host.start, second.host.start)
@@ -112,5 +120,8 @@ def _start_together(files: Files, one: Service, other: Service) -> bool:
     if one.profiles and other.profiles and not one.profiles & other.profiles:
         return False
     names = "|".join(re.escape(str(each.name)) for each in (one, other))
-    alone = re.compile(rf"\bcompose\b[^\n]{{0,200}} (?:up|run|start|create)\b[^\n]{{0,200}} (?:{names})(?![\w-])")
-    return not any(alone.search(source.text) for source in files.sources)
+    alone = re.compile(
+        rf"\bcompose\b[^\n]{{0,200}}[ \"'](?:up|run|start|create)\b[^\n]{{0,200}}[ \"'](?:\$|(?:{names})(?![\w-]))"
+    )
+    said = (each for each in files.sources if alone.search(each.text))
+    return not any(files.same_robot(each, one.source) for each in said)

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from bringup_lint.graph.commands.wrappers import program_name
 from bringup_lint.graph.commands.wrappers import unwrapped
 from bringup_lint.graph.containers.base_images import has_no_package_lists
+from bringup_lint.graph.containers.base_images import may_have_package
 from bringup_lint.model.dockerfile import Stage
 from bringup_lint.model.shell import Command
 from bringup_lint.named_tuple import NamedTuple
@@ -50,11 +51,13 @@ def first_unlisted(stage: Stage) -> Unlisted | None:
     for each in reversed(list(stage.chain)[1:]):
         for command in _commands(each):
             lists = _after(lists, command)
+    before = None
     for command in _commands(stage):
-        word = _installed(command) if lists.missing else None
+        needed = lists.missing and (before is None or before.ends != "||")
+        word = _installed(command, stage.origin) if needed else None
         if word is not None and (word != "rosdep" or lists.removed is None):
             return Unlisted(word, lists.removed)
-        lists = _after(lists, command)
+        lists, before = _after(lists, command), command
     return None
 
 
@@ -77,7 +80,7 @@ def _after(lists: _Lists, command: Command | None) -> _Lists:
     name = program_name(words[0]) if words else ""
     if name in _PROGRAMS and "update" in words:
         return _Lists()
-    if name in _UPDATES or (words and "/" in words[0] and name not in _PROGRAMS):
+    if name in _UPDATES or (words and ("/" in words[0] or "$" in words[0]) and name not in _PROGRAMS):
         return _Lists()
     if name == "rm" and not command.depth and command.ends != "||":
         removed = next((word for word in words[1:] if _LISTS.fullmatch(word)), None)
@@ -85,9 +88,9 @@ def _after(lists: _Lists, command: Command | None) -> _Lists:
     return lists
 
 
-def _installed(command: Command | None) -> Located | None:
+def _installed(command: Command | None, image: str) -> Located | None:
     """The first package that a command takes from the lists, where its failure stops the build; ``rosdep`` itself,
-    which takes those of the manifests."""
+    which takes those of the manifests. What the image may have already needs no list."""
     if command is None or command.depth or command.ends in ("||", "|"):
         return None
     words = unwrapped(command.words)
@@ -98,4 +101,5 @@ def _installed(command: Command | None) -> Located | None:
     plain = [word for at, word in enumerate(words) if at and not word.startswith("-") and words[at - 1] not in _VALUED]
     if not plain or plain[0] != "install" or any("$" in word for word in plain):
         return None
-    return next((word for word in plain[1:] if "/" not in word and not word.endswith(".deb")), None)
+    asked = (word for word in plain[1:] if "/" not in word and not word.endswith(".deb"))
+    return next((word for word in asked if not may_have_package(image, word)), None)

@@ -24,19 +24,20 @@ if TYPE_CHECKING:
     from bringup_lint.source import Located
 
 _SERVERS = {
-    "rosbridge_server": ("rosbridge", 9090),
-    "foxglove_bridge": ("foxglove_bridge", 8765),
-    "web_video_server": ("web_video_server", 8080),
+    "rosbridge_server": ("rosbridge", 9090, ("rosbridge_websocket_launch.xml", "rosbridge_websocket")),
+    "foxglove_bridge": ("foxglove_bridge", 8765, ("foxglove_bridge_launch.xml", "foxglove_bridge")),
+    "web_video_server": ("web_video_server", 8080, ("web_video_server",)),
 }
-"""Packages of servers of one TCP port, which their argument or parameter ``port`` sets: the name, and the port without
-it. Source: rosbridge_websocket_launch.xml, foxglove_bridge_launch.xml, web_video_server.cpp."""
+"""Packages of servers of one TCP port, which their argument or parameter ``port`` sets: the name, the port without
+it, and the launch file and executable. Source: rosbridge_websocket_launch.xml, foxglove_bridge_launch.xml,
+web_video_server.cpp."""
 _KNOWN = frozenset("source . export set cd sleep echo printf test [ [[ mkdir true : trap wait ulimit umask".split()) | {
     *SHELLS,
     "ros_entrypoint.sh",
 }
 """Listen on nothing themselves; what shells run are steps of their own."""
 _PORT = regex(r"[1-9]\d{0,4}")
-_FILES = ("--params-file", "--config")
+_FILES = ("--params-file", "--config", "--port")
 _AGENTS = ("micro_ros_agent", "micro-ros-agent", "MicroXRCEAgent")
 _TRANSPORTS = ("udp4", "udp6", "tcp4", "tcp6")
 """Also the first word that the image microros/micro-ros-agent is given."""
@@ -107,9 +108,9 @@ def _listener(command: Command, words: tuple[Located, ...]) -> Listener | None:
         return _agent(words)
     ros = ros_command(command)
     server = _SERVERS.get(str(ros.package)) if ros is not None else None
-    if ros is None or server is None or ros.kind not in ("launch", "run"):
+    if ros is None or server is None or ros.kind not in ("launch", "run") or str(ros.target) not in server[2]:
         return None
-    return _server(ros, *server)
+    return _server(ros, *server[:2])
 
 
 def _server(ros: Ros, name: str, port: int) -> Listener | None:
