@@ -1,11 +1,12 @@
 """Reviewdog's diagnostic format, with related places, and with fixes as suggestions for the reviewer.
 
-Its columns count bytes of UTF-8, from 1; ends are exclusive.
+Its columns count bytes of UTF-8, from 1; ends are exclusive. Messages are Markdown in reviews, and plain text in logs.
 """
 
 from __future__ import annotations
 
 import json
+import re
 from typing import Any
 
 from bringup_lint.finding import Edit
@@ -13,6 +14,9 @@ from bringup_lint.finding import Finding
 from bringup_lint.finding import Severity
 from bringup_lint.finding.place import inside
 from bringup_lint.finding.place import is_whole_file
+from bringup_lint.pattern import regex
+from bringup_lint.report.columns import plain_starts
+from bringup_lint.report.columns import printable
 from bringup_lint.report.model import Report
 from bringup_lint.report.unicode import harmless
 from bringup_lint.report.unicode import sound
@@ -23,6 +27,12 @@ HOME = "https://github.com/bringup-lint/bringup-lint"
 SEVERITIES = {Severity.ERROR: "ERROR", Severity.WARNING: "WARNING", Severity.INFO: "INFO"}
 LONGEST = 20
 """Lines between the first and the last edit of a suggestion; a longer one would hide what changes."""
+_MARKUP = regex(
+    r"[^\s<]*(?:<[a-z/!?][^<>]*>[^\s<]*)+(?<![,.:;])"  # a tag, which GitHub drops
+    r"|(?<!\S)[@_]\S+(?<![,.:;])"  # a mention, emphasis
+    r"|\S*(?:\*|]\()\S*(?<![,.:;])",  # emphasis, a link
+    re.I,
+)
 
 
 def render(report: Report) -> str:
@@ -35,7 +45,7 @@ def render(report: Report) -> str:
 
 def _diagnostic(finding: Finding, report: Report) -> dict[str, Any]:
     made: dict[str, Any] = {
-        "message": f"{finding.message}\n{finding.advice}".strip(),
+        "message": "\n".join((_said(finding.message), *map(_line, finding.advice.splitlines()))),
         "location": _location(finding.span),
         "severity": SEVERITIES[finding.severity],
         "code": {"value": finding.rule},
@@ -45,12 +55,21 @@ def _diagnostic(finding: Finding, report: Report) -> dict[str, Any]:
         made["code"]["url"] = rule.uri
     if finding.related:
         made["related_locations"] = [
-            {"message": related.message, "location": _location(related.span)} for related in finding.related
+            {"message": _said(related.message), "location": _location(related.span)} for related in finding.related
         ]
     suggestion = _suggestion(finding)
     if suggestion:
         made["suggestions"] = [suggestion]
     return made
+
+
+def _said(text: str) -> str:
+    return _line(" ".join(text.split()))
+
+
+def _line(text: str) -> str:
+    """A line that is no command for a CI runner, with words in backticks that Markdown would hide or change."""
+    return _MARKUP.sub(r"`\g<0>`", plain_starts(printable(text)).replace("`", "'"))
 
 
 def _location(span: Span) -> dict[str, Any]:

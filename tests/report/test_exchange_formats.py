@@ -124,6 +124,35 @@ def test_reviewdog_counts_bytes() -> None:
     assert diagnostic["location"]["range"] == {"start": {"line": 2, "column": 1}, "end": {"line": 2, "column": 7}}
 
 
+@pytest.mark.parametrize(
+    ("said", "shown"),
+    [
+        ("add <id>142</id>, and sign it", "add `<id>142</id>`, and sign it"),
+        ("source /opt/ros/<distro>/setup.bash first", "source `/opt/ros/<distro>/setup.bash` first"),
+        ('write <NetworkInterface name="eth0"/>.', 'write `<NetworkInterface name="eth0"/>`.'),
+        ("list /var/log/*.log, not **: 1 < 2", "list `/var/log/*.log`, not `**`: 1 < 2"),
+        ("no __init__.py of @robot, but a@b and robot_a", "no `__init__.py` of `@robot`, but a@b and robot_a"),
+        ("a `b` c", "a 'b' c"),
+        ("see ![i](j) and #1", "see `![i](j)` and #1"),
+        ("::error::one", "∷error::one"),
+        ("wait_\x1b[1m", "wait_␛[1m"),
+    ],
+)
+def test_a_review_shows_each_word_of_a_message(said: str, shown: str) -> None:
+    related = Related(ODD.whole, said)
+    report = Report((replace(FINDINGS[0], message=said, advice=f"add:\n{said}", related=(related,)),))
+    (diagnostic,) = json.loads(render("rdjson", report))["diagnostics"]
+    told = diagnostic["message"].splitlines()
+    assert (told[0], told[-1], diagnostic["related_locations"][0]["message"]) == (shown, shown, shown)
+
+
+def test_what_reviewdog_writes_to_a_log_is_no_command() -> None:
+    (diagnostic,) = json.loads(render("rdjson", HOSTILE_REPORT))["diagnostics"]
+    for line in diagnostic["message"].splitlines():
+        assert parsed(line) is None, line
+        assert "##[" not in line
+
+
 def test_a_suggestion_holds_all_edits() -> None:
     """Each suggestion is accepted by itself, so one is made of all edits."""
     (first, *_) = json.loads(render("rdjson", sample()))["diagnostics"]
