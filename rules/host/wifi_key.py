@@ -53,6 +53,7 @@ OPTION = regex(
     r"(?=[ \t\r]*(?:#[^\n]*)?$)",
     re.M,
 )
+PLACEHOLDER = regex(r"__\w+__|<[^>]*>|[xX]+|\*+|\.+|-+|")
 HEX = regex(r"(?:[\da-fA-F]{2})+")
 
 
@@ -70,7 +71,8 @@ def wifi_key(robot: Robot) -> Iterator[Finding]:
         if source.judged and not source.template:
             judge = _of_access_point if source.kind == "hostapd" else _of_client
             for key, value in _options(source):
-                if not is_stand_in(value):
+                plain = value.strip('"')
+                if not is_stand_in(plain) and not PLACEHOLDER.fullmatch(plain):
                     yield from judge(key, value)
 
 
@@ -88,16 +90,16 @@ def _of_access_point(key: str, value: Located) -> Iterator[Finding]:
             severity="warning",
             secrets=[value] if key != "ssid" else (),
         )
-    elif key == "wpa_passphrase" and not 8 <= len(value) <= 63:
-        yield _length(value, len(value), "hostapd")
+    elif key == "wpa_passphrase" and not 8 <= _bytes(value) <= 63:
+        yield _length(value, _bytes(value), "hostapd")
     elif key == "wpa_psk" and not _is_key(value):
         yield _no_key(value, "write the passphrase as wpa_passphrase=")
 
 
 def _of_client(key: str, value: Located) -> Iterator[Finding]:
     quoted = value.startswith('"')
-    if key == "psk" and quoted and not 8 <= len(value) - 2 <= 63:
-        yield _length(value, len(value) - 2, "wpa_supplicant")
+    if key == "psk" and quoted and not 8 <= _bytes(value[1:-1]) <= 63:
+        yield _length(value, _bytes(value[1:-1]), "wpa_supplicant")
     elif key == "psk" and not quoted and not value.startswith("ext:") and not _is_key(value):
         yield _no_key(value, "put the passphrase into quotes")
     elif key == "ssid" and not quoted and not value.startswith('P"') and not HEX.fullmatch(value):
@@ -106,6 +108,11 @@ def _of_client(key: str, value: Located) -> Iterator[Finding]:
             f"Without quotes, ssid= is hexadecimal, and '{value}' is not: wpa_supplicant refuses the file",
             advice="put the name into quotes",
         )
+
+
+def _bytes(text: str) -> int:
+    """The length that the daemons count."""
+    return len(text.encode("utf-8", "replace"))
 
 
 def _is_key(value: str) -> bool:

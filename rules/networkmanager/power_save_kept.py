@@ -1,7 +1,7 @@
 """A file that is to switch off the power saving of Wi-Fi leaves it on.
 
 ## What it finds
-`wifi.powersave=3` in a file for NetworkManager whose name, or a comment that speaks of nothing else, says that power
+`wifi.powersave=3` in a file for NetworkManager whose name, or a comment that begins with it, says that power
 saving is off or disabled.
 
 ## Why it matters on a robot
@@ -38,11 +38,12 @@ from bringup_lint.api import finding
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-VALUE = regex(r"(?m)^[ \t]*wifi\.powersave[ \t]*=[ \t]*(?P<value>3)\b")
-OFF = regex(r"(?m)(?:^|[\W_])(?:off|disabled?|no)(?:$|[\W_])|\b(?:disables?|turns? off|switch(?:es)? off)\b")
+VALUE = regex(r"(?m)^[ \t]*wifi\.powersave[ \t]*=[ \t]*(?P<value>\w+)")
+OFF = regex(r"(?m)(?:^|[\W_])(?:off|disabled?|no)(?:$|[\W_])")
+ORDER = regex(r"[#\s]*(?:disables?|turns? off|switch(?:es)? off)\b(?:(?! if | when | unless |\.[ \t])[^\n])*$")
 SAVING = regex(r"power[ _-]?sav")
-EXPLAINS = regex(r"\d|enabl|\bon\b")
-"""A comment on the values, or on the opposite."""
+EXPLAINS = regex(r"\d|enabl|\bon\b|\bto\b|=")
+"""A comment on the values, on the opposite, or on what would be done."""
 
 
 @rule("error", silent="NetworkManager does what the value says")
@@ -50,9 +51,10 @@ def power_save_kept(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("networkmanager-wifi"):
         comments = [line for line in source.text.lower().splitlines() if line.lstrip().startswith("#")]
         names = [source.basename.lower(), (source.robot_path or "").rpartition("/")[2].lower()]
-        texts = [*names, *(each for each in comments if not EXPLAINS.search(each))]
-        value = VALUE.search(source.text)
-        if value and source.judged and any(SAVING.search(text) and OFF.search(text) for text in texts):
+        orders = [each for each in comments if ORDER.match(each) and not EXPLAINS.search(each)]
+        texts = [*(each for each in names if OFF.search(each)), *orders]
+        value = next(reversed(list(VALUE.finditer(source.text))), None)
+        if value and value["value"] == "3" and source.judged and any(map(SAVING.search, texts)):
             yield finding(
                 source.located(*value.span("value")),
                 "This file is to switch power saving off, and 3 enables it",

@@ -57,9 +57,12 @@ def _outside(
     files: Files, netplan: Callable[[], Netplan], source: Source, first: Located, start: IPv4Address
 ) -> Iterator[LostRange]:
     interface = option_of(source, "interface")
-    known = list(_addresses(files, netplan, str(interface)))
-    networks = [found.network for _, found in known]
-    if known and not any(start in network for network in networks) and not _is_used(files, source, start):
+    found = list(_addresses(files, netplan, str(interface)))
+    known = [each for each in found if files.same_robot(source, each[0].span.source)]
+    networks = [each.network for _, each in known]
+    starts = [addresses.parse_address(match["first"]) for match in _RANGE.finditer(source.text)]
+    fits = any(isinstance(each, IPv4Address) and each in network for each in starts for network in networks)
+    if known and not fits and not _is_used(files, source, start):
         yield LostRange(first, str(interface), known[0][0])
 
 
