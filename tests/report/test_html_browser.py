@@ -15,8 +15,10 @@ from bringup_lint.source import Source
 from tests.conftest import PROJECT
 from tests.lint import lint
 from tests.report.html_picture import crowd
+from tests.report.html_picture import document
 from tests.report.html_picture import hostile
 from tests.report.html_picture import mower
+from tests.report.html_picture import node
 from tests.report.sample import clean
 from tests.report.sample import sample
 from tests.report.test_html import hostile_report
@@ -207,6 +209,18 @@ def test_small_labels_are_left_out(opened) -> None:
     for _ in range(12):
         tab.keyboard.press("+")
     assert tab.locator(".node .label >> visible=true").count() == 100
+
+
+def test_the_mark_of_a_short_name_leaves_its_kind_free(opened) -> None:
+    boxed = [node("parameters", "parameter-file", "a", findings=(0,)), node("boot", "unit", "b", 0, (0,))]
+    tab = unfolded(opened(page(document(boxed, [], mower()["findings"]), sample())))
+    gaps = tab.eval_on_selector_all(
+        ".node",
+        """found => found.map(one => one.querySelector(".icon").getBoundingClientRect().left
+            - one.querySelector(".kind").getBoundingClientRect().right)""",
+    )
+    assert len(gaps) == 2
+    assert min(gaps) > 0
 
 
 def test_a_layer_folds_and_unfolds(opened) -> None:

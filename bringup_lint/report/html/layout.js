@@ -6,7 +6,7 @@
    runs through a box; links of one hub share their tracks. The same graph in the same room gives the same drawing. */
 
 const SIZE = {
-  letter: 7.25, padding: 20, badge: 20, narrow: 72, wide: 290,
+  letter: 7.25, small: 5.3, padding: 20, badge: 20, narrow: 72, wide: 290,
   low: 24, high: 38, roomy: 60, gap: 8, track: 7,
   margin: 14, between: 12, corridor: 42, crowd: 1.1, broad: 150, arrow: 7, rank: 16, bow: 30,
   names: 7, line: 16,
@@ -90,7 +90,7 @@ function worth(groups, nodes, room) {
   for (const columns of groups) {
     width += 2 * SIZE.margin + SIZE.between - SIZE.corridor;
     for (const column of columns) {
-      width += Math.max(SIZE.narrow, ...column.items.map((item) => widthOf(nodes[item.index]))) + SIZE.corridor * 1.4;
+      width += Math.max(SIZE.narrow, ...column.items.map((item) => widthOf(nodes[item.index], item.height))) + SIZE.corridor * 1.4;
       rows = Math.max(rows, column.items.length);
       odd += column.shared + column.split;
     }
@@ -294,17 +294,18 @@ function spread(columns, nodes, layers) {
     }
     if (column.items.some((item) => item.beside.length)) x += SIZE.bow;
     column.x = x;
-    column.width = Math.max(SIZE.narrow, ...column.items.filter((item) => item.index >= 0).map((item) => widthOf(nodes[item.index])));
+    column.width = Math.max(SIZE.narrow, ...column.items.filter((item) => item.index >= 0).map((item) => widthOf(nodes[item.index], item.height)));
     x += column.width;
   }
   if (bands.length) bands.at(-1).width = x - bands.at(-1).x + SIZE.margin;
   return bands;
 }
 
-function widthOf(node) {
+function widthOf(node, height) {
   const extra = (node.worst ? SIZE.badge : 0) + (node.rank != null && node.kind !== "folded" ? SIZE.rank : 0);
   const longest = Math.max(node.label.length, ...namesOf(node).map((name) => name.length));
-  return Math.min(SIZE.wide, longest * SIZE.letter + SIZE.padding + extra);
+  const above = height > SIZE.low ? kindOf(node).length * SIZE.small : 0;
+  return Math.min(SIZE.wide, Math.max(longest * SIZE.letter, above) + SIZE.padding + extra);
 }
 
 function heightOf(node, high) {
@@ -312,12 +313,18 @@ function heightOf(node, high) {
   return names ? SIZE.high + names * SIZE.line + SIZE.gap / 2 : high;
 }
 
+/* What a box that is not low says above its label. */
+function kindOf(node) {
+  if (node.kind !== "folded") return node.kind;
+  return node.findings.length ? counted(node.findings.length, "finding") : "folded";
+}
+
 /* The names that a folded layer shows in its box. */
 const namesOf = (node) => node.names ?? [];
 
 /* A narrow room: boxes one below the other, and lines at their left. */
 function stacked(nodes, links) {
-  const width = Math.max(SIZE.narrow, ...nodes.map(widthOf));
+  const width = Math.max(SIZE.narrow, ...nodes.map((node) => widthOf(node, SIZE.high)));
   const column = { x: 2 * SIZE.bow, width, number: 0 };
   const items = nodes.map((node, index) => ({ column, y: index * (SIZE.high + 2 * SIZE.gap) + SIZE.high / 2 }));
   return {

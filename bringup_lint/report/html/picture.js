@@ -231,7 +231,7 @@ function boxFor(node, { x, y, width, height }, index) {
     make("title", {}, about.join("\n")),
     make("rect", { class: "box", width, height, rx: 4 }),
     make("rect", { class: "hue", width: 4, height, rx: 2 }),
-    low ? null : make("text", { "aria-hidden": true, class: "kind", x: start, y: 14 }, node.kind === "folded" ? (node.findings.length ? counted(node.findings.length, "finding") : "folded") : node.kind),
+    low ? null : make("text", { "aria-hidden": true, class: "kind", x: start, y: 14 }, kindOf(node)),
     ranked ? make("text", { "aria-hidden": true, class: "rank", x: 10, y: low ? 16 : 29 }, String(node.rank)) : null,
     label,
     ...namesOf(node).map((name, row) => make("text", { "aria-hidden": true, class: "name", x: start, y: SIZE.high + 12 + row * SIZE.line }, name)),
