@@ -43,8 +43,8 @@ class LateSpin(NamedTuple):
 def late_spins(syntax: Syntax) -> Iterator[LateSpin]:
     """The first spin in the plain statements after each server."""
     spins = {call for name in _SPINS for call in syntax.named.get(name, [])}
-    text = syntax.file.source.text
-    if not spins or _OTHERS.search(text) or _ENDS.search(text):
+    source = syntax.file.source
+    if not spins or source.matches(_OTHERS) or source.matches(_ENDS):
         return
     for call in syntax.calls:
         statement = next(syntax.above(call), (None, ""))[0]

@@ -10,6 +10,7 @@ from bringup_lint.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from bringup_lint.graph.nodes.nodes import Nodes
+    from bringup_lint.graph.nodes.sources.syntax import Syntax
     from bringup_lint.model.node_source import NodeClass
     from bringup_lint.model.node_source import NodeSource
     from bringup_lint.model.node_source import Timer
@@ -32,10 +33,16 @@ class RareSignal(NamedTuple):
 
 def rare_signals(nodes: Nodes) -> Iterator[RareSignal]:
     """The signals of nodes that a single timer sends, and nothing else."""
+    published: dict[int, dict[str | None, list[ast.Call]]] = {}
     for file, node in nodes.with_callbacks:
         kept = [each.attribute for each in node.all_endpoints if each.role == "publisher" and each.type == _SIGNAL]
-        sent = [call for call in nodes.syntax(file).calls if _publishes(call, kept)] if len(kept) == 1 else []
-        functions = {function for call in sent if (function := nodes.syntax(file).function(call)) is not None}
+        if len(kept) != 1:
+            continue
+        syntax = nodes.syntax(file)
+        if id(file) not in published:
+            published[id(file)] = _published(syntax)
+        sent = published[id(file)].get(kept[0], [])
+        functions = {function for call in sent if (function := syntax.function(call)) is not None}
         if not sent or _RESET in file.source.text or _named(node, kept) > len(sent) or any(map(_repeats, functions)):
             continue
         timer = _only_timer(node, functions.pop().name) if len(functions) == 1 else None
@@ -43,8 +50,13 @@ def rare_signals(nodes: Nodes) -> Iterator[RareSignal]:
             yield RareSignal(file, timer, timer.period, sent[0])
 
 
-def _publishes(call: ast.Call, kept: list[str | None]) -> bool:
-    return isinstance(call.func, ast.Attribute) and call.func.attr == "publish" and ast.unparse(call.func.value) in kept
+def _published(syntax: Syntax) -> dict[str | None, list[ast.Call]]:
+    """Publisher -> the calls of a file that publish by it."""
+    found: dict[str | None, list[ast.Call]] = {}
+    for call in syntax.calls:
+        if isinstance(call.func, ast.Attribute) and call.func.attr == "publish":
+            found.setdefault(ast.unparse(call.func.value), []).append(call)
+    return found
 
 
 def _named(node: NodeClass, kept: list[str | None]) -> int:

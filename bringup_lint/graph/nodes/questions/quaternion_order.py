@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterable
 from collections.abc import Iterator
+from itertools import islice
 
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import body_of
@@ -26,6 +27,10 @@ _TAKES = frozenset("quat2euler quat2mat quat2axangle euler_from_quaternion quate
 _LETTER = regex(r"(?:.*_)?q?_?([wxyz])\Z")
 
 
+_MOST = 12
+"""Calls of a library in one file that are looked at."""
+
+
 class Misordered(NamedTuple):
     place: ast.expr
     function: str
@@ -40,14 +45,14 @@ def misordered_quaternions(syntax: Syntax) -> Iterator[Misordered]:
     text = syntax.file.source.text
     if not any(library in text for library in _LIBRARIES):
         return
-    for call in syntax.calls:
-        function, order = _of_library(syntax, call)
+    known = ((call, *_of_library(syntax, call)) for call in syntax.calls)
+    for call, function, order in islice((each for each in known if each[-1]), _MOST):
         name = function.rpartition(".")[2]
         if name in _TAKES and call.args:
             found = _given(syntax, call.args[0])
-            if found is not None and order and found != order:
+            if found is not None and found != order:
                 yield Misordered(call.args[0], name, order, found)
-        elif name in _MAKES and order:
+        elif name in _MAKES:
             taken = _taken(syntax, call)
             if taken is not None and taken[1] != order:
                 yield Misordered(taken[0], name, order, taken[1])

@@ -54,7 +54,7 @@ def unhandled_transforms(ending: Ending, cls: NodeClass) -> Iterator[Unhandled]:
 def early_lookups(ending: Ending, cls: NodeClass) -> list[ast.Call]:
     """The lookups in the constructor of a node on whose own executor its listener depends."""
     syntax, method = ending.syntax, cls.methods.get("__init__")
-    if method is None or _RUNS.search(ending.file.source.text):
+    if method is None or ending.file.source.matches(_RUNS):
         return []
     made = [call for name in _LISTENERS for call in syntax.named.get(name, [])]
     given = [value for call in made for value in (*call.args[1:2], *(each.value for each in call.keywords))]
