@@ -1,7 +1,7 @@
 """A range in braces has a variable.
 
 ## What it finds
-`for i in {1..$n}` in a script of bash or sh.
+`for i in {1..$n}` in a script of bash or sh that does not use `eval`.
 
 ## Why it matters on a robot
 Bash expands braces before variables: the loop runs once, with the text `{1..4}`. One robot, wheel or camera of four is
@@ -34,15 +34,15 @@ from bringup_lint.api import rule
 from bringup_lint.api.shell import Block
 from bringup_lint.api.shell import shell_blocks
 
-END = r"(?:-?\d+|\$\{?\w+\}?|\$\([^()]*\))"
-RANGE = regex(rf"\{{(?=\S*\$){END}\.\.{END}(?:\.\.{END})?\}}")
-OTHER = regex(r"#![^\n]*\b(?:zsh|ksh)\b")
+END = r"(?:-?\d+|\$\{?\w+\}?|\$\{#\w+\[[@*]\]\}|\$\([^()]*\)|\$\(\([^()]*\)\))"
+RANGE = regex(rf"\{{(?=[^$]*\$){END}\.\.{END}(?:\.\.{END})?\}}")
+OTHER = regex(r"\A#![^\n]*\b(?:zsh|ksh)\b|\beval\b")
 
 
 @rule("error", symptoms=['syntax error: operand expected (error token is "{1..*}")'])
 def brace_range(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("shell-script"):
-        if source.judged and not source.template and ".." in source.text and not OTHER.match(source.text):
+        if source.judged and not source.template and ".." in source.text and not OTHER.search(source.text):
             for block in _loops(shell_blocks(source)):
                 for word in block.items:
                     if RANGE.fullmatch(word.span.text):

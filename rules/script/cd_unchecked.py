@@ -1,8 +1,8 @@
 """A script deletes everything in a folder that it may not have entered.
 
 ## What it finds
-`rm -r` of `*`, `./*` or `.`, or `find . ... -delete`, after a `cd` whose failure nothing notices: no `set -e`, no `||`
-and no `&&`.
+`rm -r` of `*` or `./*`, or `find . ... -delete`, after a `cd` whose failure nothing notices: no `set -e`, no `||`, no
+`&&` and no test. Silent where the script makes the folder or tests for it, and for folders that are always there.
 
 ## Why it matters on a robot
 Where the folder is missing or named otherwise, `cd` fails, the script goes on, and deletes what is in the folder in
@@ -34,36 +34,41 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.shell import STRICT
 from bringup_lint.api.shell import Block
 from bringup_lint.api.shell import Command
 from bringup_lint.api.shell import shell_blocks
 from bringup_lint.api.shell import unwrapped
 
-ALL = ("*", "./*", ".", "./")
+ALL = ("*", "./*")
 RECURSIVE = regex(r"-[a-zA-Z]*[rR][a-zA-Z]*|--recursive")
-STRICT = regex(r"\bset -\w*e|\berrexit\b|^#![^\n]* -\w*e", re.M)
+CHECKED = regex(rf"{STRICT}|\btrap\b[^\n]*\bERR\b", re.M)
+SURE = regex(r"[./~-]*|/(?:tmp|home|var|var/log|etc|opt|root|usr)/?|\$\{?HOME\}?/?|.*[`*(%].*", re.S)
+"""Folders that are there, and those that a command finds."""
+TESTS = ("[", "[[", "test")
 
 
 @rule("warning", symptoms=["cd: *: No such file or directory"])
 def cd_unchecked(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("shell-script"):
-        if source.judged and not source.template and "cd " in source.text and not STRICT.search(source.text):
-            yield from _of(shell_blocks(source))
+        if source.judged and not source.template and not CHECKED.search(source.text):
+            yield from _of(source, shell_blocks(source))
 
 
-def _of(blocks: tuple[Block, ...]) -> Iterator[Finding]:
+def _of(source: Source, blocks: tuple[Block, ...]) -> Iterator[Finding]:
     entered: Located | None = None
     for block in blocks:
         command = block.command
-        if command is not None and command.name in ("cd", "pushd"):
-            checked = command.ends in ("||", "&&") or len(command.words) < 2
-            entered = None if checked else command.words[1]
-        deleted = _deleted(command) if command is not None and entered is not None else None
-        if deleted is not None and entered is not None:
+        if command is None or command.name in TESTS:
+            entered = None
+        elif command.name in ("cd", "pushd"):
+            entered = _entered(source, command)
+        elif entered is not None and (deleted := _deleted(command)) is not None:
             yield finding(
                 deleted,
                 f"Where there is no {entered}, this deletes what is in the folder in which the script was started",
@@ -72,7 +77,17 @@ def _of(blocks: tuple[Block, ...]) -> Iterator[Finding]:
             )
             entered = None
         for body in block.bodies:
-            yield from _of(body)
+            yield from _of(source, body)
+
+
+def _entered(source: Source, command: Command) -> Located | None:
+    """The folder that a command enters, where it may fail and nothing notices."""
+    folder = next((word for word in command.words[1:] if not word.startswith("-")), None)
+    if folder is None or command.ends in ("||", "&&") or SURE.fullmatch(folder):
+        return None
+    name = re.escape(folder.rstrip("/").rpartition("/")[2].strip("${}"))
+    made = rf"(?:\b(?:mkdir|clone|test|for|install)|\[)[ \t][^\n]*\b{name}\b|\b{name}=[^\n]*[`(%]"
+    return folder if re.search(made, source.text) is None else None
 
 
 def _deleted(command: Command) -> Located | None:

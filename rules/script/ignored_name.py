@@ -7,7 +7,8 @@ the names of one ending only: `.conf` in `sysctl.d`, `modules-load.d`, `modprobe
 `.netdev` and `.link` in `systemd/network`; `.list` and `.sources` in `sources.list.d`; `.sh` in `profile.d`; and
 names with a dot in `sudoers.d`, which sudo leaves out.
 
-Names for backups (`.bak`, `.disabled`, ...) are not reported, nor what a variable names.
+Names for backups (`.bak`, `.disabled`, ...) are not reported, nor what a variable names, files that were in the folder
+before, and files that the script moves, removes, sources or includes by that name.
 
 ## Why it matters on a robot
 The file is there, and nothing reads it or says so: the buffers are small, the interface has no address, the limits are
@@ -38,6 +39,7 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import regex
 from bringup_lint.api import rule
@@ -68,7 +70,8 @@ VALUED = ("-o", "-g", "-m", "-S", "--owner", "--group", "--mode")
 FOLDERS_TOO = regex(r"-[bce-qs-zA-QS-Z]*[adrR][a-zA-Z]*|--(?:directory|recursive|archive)")
 PLAIN = regex(r"[\w.@+~:-]+")
 LEFTOVER = regex(
-    r"~$|\.(?:bak|orig|rej|swp|save|old|disabled|off|example|sample|d|csh|dpkg-\w+)$|^(?:README|\.placeholder)", re.I
+    r"~$|\.(?:bak|orig|rej|swp|save|old|new|tmp|gpg|asc|zsh|fish|disabled|off|example|sample|d|csh|dpkg-\w+)$|^(?:README|\.placeholder)",
+    re.I,
 )
 
 
@@ -79,7 +82,7 @@ def ignored_name(robot: Robot) -> Iterator[Finding]:
             continue
         for did in robot.scripts.done(source):
             for word, folder, name in _put(did):
-                if _is_ignored(folder, name):
+                if _is_ignored(folder, name) and not _is_used(source, f"{folder}/{name}"):
                     yield finding(
                         word,
                         f"Nothing reads {folder}/{name}: " + _because(folder),
@@ -103,7 +106,7 @@ def _put(did: Run | Written) -> Iterator[tuple[Located, str, str]]:
         return
     target = did.text(words[-1])
     folder, _, name = target.rpartition("/")
-    if folder in FOLDERS and name:
+    if folder in FOLDERS and name and not did.text(words[0]).startswith(f"{folder}/"):
         yield words[-1], folder, name
     elif target.rstrip("/") in FOLDERS:
         for word in words[:-1]:
@@ -115,6 +118,15 @@ def _is_ignored(folder: str, name: str) -> bool:
         return False
     endings = FOLDERS[folder]
     return "." in name if endings == ("",) else not name.endswith(endings)
+
+
+def _is_used(source: Source, path: str) -> bool:
+    """Whether the script moves, removes, sources or includes the file by this name."""
+    written = re.escape(path)
+    moves = rf"\b(?:mv|cp|ln)[ \t][^\n;&|]{{0,200}}{written}[\"']?[ \t]+[\"']?[\w/$.]"
+    removes = rf"\brm[ \t][^\n;&|]{{0,200}}{written}(?![\w.-])"
+    reads = rf"(?:\bsource|include|[ \t;&\"']\.)[ \t]+{written}(?![\w.-])"
+    return re.search(f"{moves}|{removes}|{reads}", source.text) is not None
 
 
 def _because(folder: str) -> str:

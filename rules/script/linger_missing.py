@@ -2,7 +2,7 @@
 
 ## What it finds
 `systemctl --user enable` of a unit of the tree for `default.target`, where no file of the tree has to do with lingering
-or logs somebody in by itself.
+or with what logs somebody in by itself.
 
 ## Why it matters on a robot
 The user manager starts at the first login and stops after the last logout. On the bench, somebody is always
@@ -37,7 +37,10 @@ from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.systemd import Unit
 
-LOGS_IN = regex(r"linger|auto-?login", re.I)
+LOGS_IN = regex(
+    r"linger|auto-?(?:matic-?)?login|do_boot_behaviour|initial_session|\b(?:nodm|gdm3?|lightdm|sddm|greetd)\b|PAMName=|\buser@",
+    re.I,
+)
 
 
 @rule("warning", confidence="medium", silent="nothing runs that could say so until somebody logs in")

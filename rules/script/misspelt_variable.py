@@ -4,7 +4,8 @@
 `$NAME` or `${NAME}` before a `/` in `rm -r`, where neither the script nor any other file of the tree sets NAME, and
 the script sets a variable whose name is nearly the same.
 
-Silent where the script sources files, reads variables with `read` or `eval`, or runs under `set -u`.
+Silent where the script sources files, reads variables with `read`, `eval` or `export $(...)`, tests whether NAME is
+set, or runs under `set -u`.
 
 ## Why it matters on a robot
 The shell puts nothing in the place of a variable that is not set: `rm -rf $LOGDIR/*` becomes `rm -rf /*`, and as root
@@ -48,8 +49,11 @@ from bringup_lint.api.spelling import nearest
 USED = regex(r"[\"']?\$(?:\{(?P<braced>[A-Za-z_]\w*)\}|(?P<plain>[A-Za-z_]\w*))[\"']?/")
 RECURSIVE = regex(r"-[a-zA-Z]*[rR][a-zA-Z]*|--recursive")
 LEARNS = regex(
-    r"(?m)^[ \t]*(?:source|\.|eval|set -[a-z]*u|set -o nounset)(?=[ \t\n])|[;&][ \t]*(?:source|\.|eval)[ \t]"
+    r"(?m)(?:^|[;&|({]|\b(?:then|do|else))[ \t]*(?:source|\.|eval)[ \t]|^#![^\n]*[ \t]-[a-z]*u|\bnounset\b"
+    r"|^[ \t]*set[ \t][^\n]*-[a-z]*u|\b(?:export|declare|readonly)[ \t]+[\"']?[$`]"
 )
+GIVEN = frozenset("HOME PWD OLDPWD USER TMPDIR DESTDIR WORKSPACE TARGET_DIR ROOTFS_DIR ROS_HOME ROS_LOG_DIR".split())
+"""Variables that a login, a build or ROS gives."""
 ASSIGNED = regex(r"[A-Za-z_]\w*(?==)")
 
 
@@ -61,7 +65,7 @@ def misspelt_variable(robot: Robot) -> Iterator[Finding]:
         for word in run.words[1:]:
             used = USED.match(word.span.text)
             name = (used["braced"] or used["plain"]) if used else ""
-            if not name or word.span.text.startswith("'") or _may_be_set(robot, source, name):
+            if not name or name in GIVEN or word.span.text.startswith("'") or _may_be_set(robot, source, name):
                 continue
             assigned = _assigned(robot, source)
             meant = nearest(name, assigned)
@@ -78,8 +82,9 @@ def _may_be_set(robot: Robot, source: Source, name: str) -> bool:
     """Whether the name is anywhere but where its value is used, or in another file."""
     others = (each for each in robot.sources if each is not source)
     written = re.escape(name)
-    set_here = re.search(rf"(?<![$\w{{]){written}\b|\$\{{[!#]?{written}[^\w}}]", source.text)
-    return set_here is not None or any(name in each.text for each in others)
+    set_here = rf"(?<![$\w{{]){written}\b|\$\{{[!#]?{written}[^\w}}]"
+    tested = rf"(?:\[|\btest)[ \t][^\n]*\$\{{?{written}\b[^\n]*(?:\]|&&|\|\|)"
+    return re.search(f"{set_here}|{tested}", source.text) is not None or any(name in each.text for each in others)
 
 
 def _assigned(robot: Robot, source: Source) -> dict[str, Located]:

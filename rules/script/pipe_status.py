@@ -30,13 +30,10 @@ When the status of the last command is what counts.
 """
 
 from collections.abc import Iterator
-from itertools import islice
-from itertools import pairwise
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
-from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
@@ -44,7 +41,6 @@ from bringup_lint.api import rule
 from bringup_lint.api.shell import Block
 from bringup_lint.api.shell import Command
 from bringup_lint.api.shell import shell_blocks
-from bringup_lint.api.shell import shell_commands
 
 PASSES = (
     "tee",
@@ -70,42 +66,34 @@ TESTS = ("[", "[[", "test")
 STATUS = regex(r"\$\?|\$\{\?\}")
 
 
+SOURCES = regex(r"(?m)(?:^|[;&])[ \t]*(?:source|\.)[ \t]")
+PIPEFAIL = regex(r"\bpipefail\b")
+
+
 @rule("warning", silent="the command counts as successful")
 def pipe_status(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("shell-script"):
         if source.judged and not source.template and "$?" in source.text:
-            yield from _after_report(shell_blocks(source))
-            if "pipefail" not in source.text:
-                yield from _of(source)
+            strict = "pipefail" in source.text or (SOURCES.search(source.text) and robot.mentions(PIPEFAIL))
+            yield from _of(shell_blocks(source), bool(strict))
 
 
-def _of(source: Source) -> Iterator[Finding]:
-    commands = list(shell_commands(source))
-    threes = zip(commands, islice(commands, 1, None), islice(commands, 2, None))
-    for first, last, asks in threes:
-        if first.ends != "|" or last.ends not in ("", "\n", ";") or last.name not in PASSES or first.name in MAKES:
-            continue
-        status = _status(asks)
-        if status is not None:
-            yield finding(
-                status,
-                f"This is the status of {last.name}, which succeeds also when {first.name} fails",
-                advice="write set -o pipefail, or ask for ${PIPESTATUS[0]}",
-                related=[note(first.words[0], "its status is lost in the pipe")],
-            )
-
-
-def _after_report(blocks: tuple[Block, ...]) -> Iterator[Finding]:
-    """Tests of a status that is always 0."""
-    for before, block in pairwise(blocks):
-        report = before.command
+def _of(blocks: tuple[Block, ...], strict: bool) -> Iterator[Finding]:
+    for first, last, block in zip((None, *blocks), blocks, blocks[1:]):
         asks = next(iter(block.condition), block).command
-        if report is None or asks is None or report.name not in REPORTS or report.ends not in ("\n", ";"):
+        status = _status(asks) if asks is not None and block.kind in ("command", "branches") else None
+        before, report = first.command if first is not None else None, last.command
+        if status is None or asks is None or report is None:
             continue
-        if any(each.writes for each in report.redirects):
-            continue  # the file may not be writable
-        status = _status(asks) if asks.name in TESTS and block.kind in ("command", "branches") else None
-        if status is not None:
+        if before is not None and before.ends == "|":
+            if not strict and _passes_on(before, report) and asks.name != "trap":
+                yield finding(
+                    status,
+                    f"This is the status of {report.name}, which succeeds also when {before.name} fails",
+                    advice="write set -o pipefail, or ask for ${PIPESTATUS[0]}",
+                    related=[note(before.words[0], "its status is lost in the pipe")],
+                )
+        elif _only_reports(report) and asks.name in TESTS and (before is None or before.ends not in ("&&", "||")):
             yield finding(
                 status,
                 f"This is the status of {report.name}, which succeeds whatever the command before it did",
@@ -114,7 +102,18 @@ def _after_report(blocks: tuple[Block, ...]) -> Iterator[Finding]:
             )
     for block in blocks:
         for body in block.bodies:
-            yield from _after_report(body)
+            yield from _of(body, strict)
+
+
+def _passes_on(first: Command, last: Command) -> bool:
+    return last.ends in ("", "\n", ";") and last.name in PASSES and bool(first.words) and first.name not in MAKES
+
+
+def _only_reports(command: Command) -> bool:
+    """Whether a command writes to the terminal or waits, so that it does not fail."""
+    plain = command.name == "echo" or not any("$" in word or word == "-v" for word in command.words)
+    shown = all(each.operator == ">&" and each.target == "2" for each in command.redirects)
+    return command.name in REPORTS and command.ends in ("\n", ";") and plain and shown
 
 
 def _status(command: Command) -> Located | None:

@@ -4,7 +4,8 @@
 A path that begins with a quoted `~/`, in a command that opens it (`cd`, `source`, `mkdir`, `cp`, ...), or in a variable
 that such a command uses later.
 
-Silent where the script itself puts the home in place of the tilde (`${NAME/#\\~/$HOME}`, `eval`).
+Silent where the script itself puts the home in place of the tilde (`${NAME/#\\~/$HOME}`, `eval`). Silent, too, where
+the variable may be set anew (a sourced file, a `for`, another function), and where a file called `~` is removed.
 
 ## Why it matters on a robot
 The shell looks for a folder that is called `~`. The workspace is not sourced and its packages are unknown, or `mkdir`
@@ -29,6 +30,7 @@ When a folder really has that name.
 - bash(1), "Tilde Expansion"
 """
 
+import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -42,6 +44,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.shell import Run
 
 QUOTED = regex(r"[\"']~(?:/|[\"'])")
+NAMED_SO = regex(r"[\"']~/?[\"']")
 ASSIGNED = regex(r"(?P<name>[A-Za-z_]\w*)=[\"']~(?:/|[\"'])")
 USED = regex(r"[\"']?\$\{?(?P<name>[A-Za-z_]\w*)\b(?![^}/\"']*[:/#%,^-][^}]*\})")
 EXPANDS = regex(r"\beval\b|~[^\n]{0,20}(?:\$\{?HOME|\$\(echo)|expanduser")
@@ -62,7 +65,7 @@ def _of_script(robot: Robot, source: Source) -> Iterator[Finding]:
             continue
         for word in (*run.command.assignments, *run.words[1:]):
             assigned.pop(word.partition("=")[0], None)
-            if given := ASSIGNED.match(word.span.text):
+            if (given := ASSIGNED.match(word.span.text)) and not _is_set_elsewhere(source, run, given["name"]):
                 assigned[given["name"]] = word
         if run.name not in PROGRAMS:
             continue
@@ -76,9 +79,17 @@ def _of_script(robot: Robot, source: Source) -> Iterator[Finding]:
                     advice="write $HOME, which is expanded in double quotes",
                     related=[note(word, "used here")],
                 )
-            elif QUOTED.match(word.span.text):
+            elif QUOTED.match(word.span.text) and not (run.name in ("rm", "mv") and NAMED_SO.fullmatch(word.span.text)):
                 yield finding(
                     word,
                     f"The shell does not expand the quoted '~': {run.name} looks for a folder of that name",
                     advice="write $HOME, which is expanded in double quotes",
                 )
+        if run.name in ("source", ".") and not any("setup." in word for word in run.words):
+            assigned.clear()
+
+
+def _is_set_elsewhere(source: Source, run: Run, name: str) -> bool:
+    """Whether a ``for`` sets the variable, too, or it is local to a function and another place sets it."""
+    others = re.search(rf"\bfor[ \t]+{name}\b", source.text)
+    return others is not None or (run.name == "local" and len(re.findall(rf"\b{name}=", source.text)) > 1)

@@ -1,8 +1,8 @@
 """A loop starts ROS again without a pause.
 
 ## What it finds
-`while true` (or `:`) whose body runs `ros2 launch` or `ros2 run` in the foreground, and neither waits with `sleep` or
-`read` nor leaves the loop.
+`while true` (or `:`) whose body runs `ros2 launch` or `ros2 run` in the foreground, and otherwise
+only commands that surely do not wait and do not leave the loop (`echo`, `source`, `rm`, ...).
 
 ## Why it matters on a robot
 Where a device is missing or a setup file is wrong, the launch ends at once and starts again, several times a second:
@@ -45,7 +45,10 @@ from bringup_lint.api.shell import shell_blocks
 from bringup_lint.api.shell import unwrapped
 
 ENDLESS = ("true", ":")
-PAUSES = ("sleep", "read", "break", "exit", "return", "wait", "inotifywait", "exec")
+QUICK = frozenset(
+    "echo printf : true source . export unset set date cd [ [[ test logger rm mkdir pkill killall kill tee".split()
+)
+"""Commands that do not wait and do not leave the loop."""
 
 
 @rule("warning", silent="the launch starts again at once")
@@ -65,7 +68,7 @@ def _loops(blocks: tuple[Block, ...]) -> Iterator[Located]:
         if block.kind == "loop" and _is_endless(block):
             inside = list(_commands(block.bodies[0]))
             started = next((found for each in inside if (found := _started(each))), None)
-            if started is not None and not any(each.name in PAUSES for each in inside):
+            if started is not None and all(map(_is_quick, inside)):
                 yield started
         else:
             for body in block.bodies:
@@ -83,6 +86,13 @@ def _commands(blocks: tuple[Block, ...]) -> Iterator[Command]:
             yield block.command
         for body in (block.condition, *block.bodies):
             yield from _commands(body)
+
+
+def _is_quick(command: Command) -> bool:
+    words = unwrapped(command.words)
+    if any("$(" in each.span.text or "`" in each.span.text for each in (*command.assignments, *words)):
+        return False
+    return not words or words[0] in QUICK or _started(command) is not None
 
 
 def _started(command: Command) -> Located | None:

@@ -3,7 +3,8 @@
 ## What it finds
 `ssh HOST 'ros2 ...'` in a script, where nothing before `ros2` in the remote command sources a setup file.
 
-Silent where a variable, another script or a login or interactive shell may do it.
+Silent where a variable, another script, a login or interactive shell or an environment of conda may do it, and where a
+file of the tree sets up the environment of such shells (`BASH_ENV`, `/etc/environment`, ...).
 
 ## Why it matters on a robot
 ssh gives the command to a shell that is not interactive. Ubuntu's `.bashrc` returns at its start in such a shell,
@@ -43,15 +44,19 @@ BARE = regex(
     r"(?:launch|run|topic|service|node|param|action|bag|lifecycle|daemon|control|doctor|pkg)\b"
 )
 MAY_SOURCE = regex(
-    r"\bsource\b|setup\.|(?:^|[ \t;&])\.[ \t]|\bbash\b|\bsh\b|AMENT_|[$`/]|\b(?:docker|podman|distrobox|pixi)\b"
+    r"\bsource\b|setup\.|(?:^|[ \t;&])\.[ \t]|^[;&|]|sh\b|AMENT_|[$`/\"']|activate\b"
+    r"|\b(?:docker|podman|distrobox|pixi|nix|direnv)\b"
 )
+
+SETS_UP = regex(r"\bBASH_ENV\b|/etc/environment|\bzshenv|UserEnvironment|\.ssh/environment|/bin/ros2\b|sed -i [\"']?1")
+EARLIER = regex(r"\bsource\b|setup\.|[;&]$|^-o|=")
 
 
 @rule("warning", symptoms=["bash: ros2: command not found"])
 def ros_over_ssh(robot: Robot) -> Iterator[Finding]:
     for _, run in robot.scripts.run("ssh"):
         text = _bare(run)
-        if text is not None:
+        if text is not None and not robot.mentions(SETS_UP):
             yield finding(
                 text,
                 "The shell of an ssh command is not interactive and has no ROS environment: ros2 is not found",
@@ -62,10 +67,11 @@ def ros_over_ssh(robot: Robot) -> Iterator[Finding]:
 
 def _bare(run: Run) -> Located | None:
     """The word of a remote command that starts ros2 before anything may have sourced a setup file."""
-    if run.words[2:3] == ("ros2",):
+    if run.words[2:3] == ("ros2",) and not run.words[1].startswith("-"):
         return run.words[2]
     for word in run.words[1:]:
         found = BARE.search(word)
         if found is not None:
-            return word if not MAY_SOURCE.search(word[: found.end()]) else None
+            earlier = any(map(EARLIER.search, run.words[1 : run.words.index(word)]))
+            return word if not earlier and not MAY_SOURCE.search(word[: found.end()]) else None
     return None

@@ -83,7 +83,7 @@ def unit_missing(robot: Robot) -> Iterator[Finding]:
     for source, run in robot.scripts.run("systemctl"):
         for named in _named(run):
             template = _template(robot, named)
-            if template is not None:
+            if template is not None and "DefaultInstance" not in source.text:
                 yield finding(
                     named.word,
                     f"systemctl {named.verb} fails: {named.name} is a template, and no instance is named",
@@ -117,10 +117,13 @@ def _template(robot: Robot, named: Named) -> Unit | None:
     """The template of the tree that a command names without an instance, where it has no default."""
     if "@." not in named.name:
         return None
-    for unit in robot.units.candidates(named.name, named.manager):
+    candidates = list(robot.units.candidates(named.name, named.manager))
+    if any(unit.has("DefaultInstance", "Install") for unit in candidates):
+        return None
+    for unit in candidates:
         wanted = [*unit.words("WantedBy", "Install"), *unit.words("RequiredBy", "Install")]
         needs = named.verb not in ("enable", "reenable") or (wanted and not any("@" in word for word in wanted))
-        if needs and unit.fragment is not None and not unit.uncertain and not unit.has("DefaultInstance", "Install"):
+        if needs and unit.fragment is not None and not unit.uncertain:
             return unit
     return None
 

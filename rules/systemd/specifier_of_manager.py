@@ -1,7 +1,7 @@
 """%h in a system service is the home of root, not of its user.
 
 ## What it finds
-`%h`, `%u` and `%U` in a system service with a `User=` other than root.
+`%h`, `%u` and `%U` in a system service with a `User=` other than root, except in commands that run as root (`+`, `!`).
 
 ## Why it matters on a robot
 These specifiers are about the user of the service manager, and `User=` does not change them: `%h` is /root, `%u` is
@@ -37,8 +37,12 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Assignment
 
 SPECIFIER = regex(r"(?<!%)(?:%%)*(?P<written>%(?P<letter>[huU]))")
+PLAIN = regex(r"[a-z][a-z\d_-]*")
+BY_ROOT = regex(r"[@:|-]*[+!]")
+SINGLE = ("WorkingDirectory", "RootDirectory", "StandardOutput", "StandardError", "PIDFile")
 MEANS = {"h": "/root", "u": "root", "U": "0"}
 
 
@@ -46,11 +50,12 @@ MEANS = {"h": "/root", "u": "root", "U": "0"}
 def specifier_of_manager(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         user = unit.identity.user
-        if unit.manager != "system" or user is None or "%" in user or unit.identity.is_root is not False:
+        if unit.manager != "system" or user is None or not PLAIN.fullmatch(user) or unit.identity.is_root is not False:
             continue
-        for assignment in (each for file in unit.files for each in file.assignments):
+        assignments = [each for file in unit.files for each in file.assignments]
+        for at, assignment in enumerate(assignments):
             found = SPECIFIER.search(assignment.value)
-            if found is not None and assignment.key not in ("Description", "Documentation"):
+            if found is not None and not _is_other(assignment) and not _is_replaced(assignment, assignments[at + 1 :]):
                 letter = found["letter"]
                 yield finding(
                     assignment.value.part(*found.span("written")),
@@ -58,3 +63,17 @@ def specifier_of_manager(robot: Robot) -> Iterator[Finding]:
                     advice="write what it is for the user of the service",
                     related=[note(user, "the user of the service")],
                 )
+
+
+def _is_other(assignment: Assignment) -> bool:
+    """Whether no program of the user gets the value."""
+    key = assignment.key
+    return (
+        key in ("Description", "Documentation") or key.startswith("X-") or BY_ROOT.match(assignment.value) is not None
+    )
+
+
+def _is_replaced(assignment: Assignment, later: list[Assignment]) -> bool:
+    """Whether a later line takes the place of this one."""
+    same = (each for each in later if each.key == assignment.key)
+    return any(assignment.key in SINGLE or not each.value for each in same)

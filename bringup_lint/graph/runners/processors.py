@@ -29,7 +29,7 @@ _FETCHERS = frozenset("wget curl dpkg gdebi apt apt-get pip pip3 tar unzip aria2
 _LISTS = frozenset(("echo", "printf", "add-apt-repository"))
 _CHOOSES = regex(
     r"\buname\b|\bdpkg --print|\bTARGET(?:ARCH|PLATFORM)\b|\bBUILDPLATFORM\b|\$\(arch\)|\blscpu\b|\bHOSTTYPE\b"
-    r"|--add-architecture|\bqemu|\bcross|\bdebootstrap\b|\bbinfmt|\bARCH\b"
+    r"|/device-tree/model|/proc/cpuinfo|--add-architecture|\bqemu|\bcross|\bdebootstrap\b|\bbinfmt|\bARCH\b"
 )
 """The file asks for the processor, or works for another one on purpose."""
 _PLATFORM = regex(r"(?:--platform=)?linux/(?P<name>amd64|x86_64|arm64|aarch64|arm)\b")
@@ -40,6 +40,11 @@ _OF_BOARD = regex(
     r"|/etc/nv_boot_control|\brpi-eeprom-\w+|\blinux-(?:modules-extra-)?raspi\b"
 )
 """What only a script on a Raspberry Pi or a Jetson does."""
+
+_ELSEWHERE = ("[", "[[", "test", "ssh", "sshpass")
+"""Commands that ask where they are, or tell another computer."""
+_NOT_RUN = regex(r"\.img\b|sysroot|rootfs|firmware|\.bin$")
+"""What is for another computer also where its processor is the same."""
 
 
 class Foreign(NamedTuple):
@@ -56,7 +61,8 @@ def foreign_programs(files: Files, compose: Compose) -> Iterator[Foreign]:
     for source in files.of_kind("shell-script"):
         if source.judged and not source.template and not _CHOOSES.search(source.text):
             commands = shell_commands(source)
-            board = next((word for each in commands for word in each.words if _OF_BOARD.search(word)), None)
+            here = (each for each in commands if each.name not in _ELSEWHERE)
+            board = next((word for each in here for word in each.words if _OF_BOARD.search(word)), None)
             if board is not None:
                 yield from _fetched(commands, "arm", board)
     for file in compose.images.dockerfiles:
@@ -83,7 +89,7 @@ def _fetched(commands: Iterable[Command | Added], own: str, why: Located) -> Ite
         for word in words[1:]:
             named = list(_NAMED.finditer(word))
             is_list = word.startswith("deb [")
-            if named and _ARTIFACT.search(word) and is_list == (name in _LISTS):
+            if named and _ARTIFACT.search(word) and not _NOT_RUN.search(word) and is_list == (name in _LISTS):
                 processors = {str(each.lastgroup) for each in named}
                 if own not in processors:
                     yield Foreign(word, processors.pop(), why)
