@@ -68,9 +68,8 @@ def specifier_of_manager(robot: Robot) -> Iterator[Finding]:
 def _is_other(assignment: Assignment) -> bool:
     """Whether no program of the user gets the value."""
     key = assignment.key
-    return (
-        key in ("Description", "Documentation") or key.startswith("X-") or BY_ROOT.match(assignment.value) is not None
-    )
+    unread = key in ("Description", "Documentation") or key.startswith("X-") or assignment.section.startswith("X-")
+    return unread or BY_ROOT.match(assignment.value) is not None
 
 
 def _is_replaced(assignment: Assignment, later: list[Assignment]) -> bool:
