@@ -47,7 +47,7 @@ from bringup_lint.api.shell import unwrapped
 
 ALL = ("*", "./*")
 RECURSIVE = regex(r"-[a-zA-Z]*[rR][a-zA-Z]*|--recursive")
-CHECKED = regex(rf"{STRICT}|\btrap\b[^\n]*\bERR\b", re.M)
+CHECKED = regex(rf"{STRICT}|\btrap\b[^\n]{{0,200}}\bERR\b", re.M)
 SURE = regex(r"[./~-]*|/(?:tmp|home|var|var/log|etc|opt|root|usr)/?|\$\{?HOME\}?/?|.*[`*(%].*", re.S)
 """Folders that are there, and those that a command finds."""
 TESTS = ("[", "[[", "test")
@@ -86,7 +86,7 @@ def _entered(source: Source, command: Command) -> Located | None:
     if folder is None or command.ends in ("||", "&&") or SURE.fullmatch(folder):
         return None
     name = re.escape(folder.rstrip("/").rpartition("/")[2].strip("${}"))
-    made = rf"(?:\b(?:mkdir|clone|test|for|install)|\[)[ \t][^\n]*\b{name}\b|\b{name}=[^\n]*[`(%]"
+    made = rf"(?:\b(?:mkdir|clone|test|for|install)|\[)[ \t][^\n]{{0,200}}\b{name}\b|\b{name}=[^\n]{{0,200}}[`(%]"
     return folder if re.search(made, source.text) is None else None
 
 

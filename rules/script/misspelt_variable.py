@@ -49,8 +49,8 @@ from bringup_lint.api.spelling import nearest
 USED = regex(r"[\"']?\$(?:\{(?P<braced>[A-Za-z_]\w*)\}|(?P<plain>[A-Za-z_]\w*))[\"']?/")
 RECURSIVE = regex(r"-[a-zA-Z]*[rR][a-zA-Z]*|--recursive")
 LEARNS = regex(
-    r"(?m)(?:^|[;&|({]|\b(?:then|do|else))[ \t]*(?:source|\.|eval)[ \t]|^#![^\n]*[ \t]-[a-z]*u|\bnounset\b"
-    r"|^[ \t]*set[ \t][^\n]*-[a-z]*u|\b(?:export|declare|readonly)[ \t]+[\"']?[$`]"
+    r"(?m)(?:^|[;&|({]|\b(?:then|do|else))[ \t]*(?:source|\.|eval)[ \t]|^#![^\n]{0,80}[ \t]-[a-z]{0,8}u|\bnounset\b"
+    r"|^[ \t]*set[ \t][^\n]{0,60}-[a-z]{0,8}u|\b(?:export|declare|readonly)[ \t]+[\"']?[$`]"
 )
 GIVEN = frozenset("HOME PWD OLDPWD USER TMPDIR DESTDIR WORKSPACE TARGET_DIR ROOTFS_DIR ROS_HOME ROS_LOG_DIR".split())
 """Variables that a login, a build or ROS gives."""
@@ -83,7 +83,7 @@ def _may_be_set(robot: Robot, source: Source, name: str) -> bool:
     others = (each for each in robot.sources if each is not source)
     written = re.escape(name)
     set_here = rf"(?<![$\w{{]){written}\b|\$\{{[!#]?{written}[^\w}}]"
-    tested = rf"(?:\[|\btest)[ \t][^\n]*\$\{{?{written}\b[^\n]*(?:\]|&&|\|\|)"
+    tested = rf"(?:\[|\btest)[ \t][^\n]{{0,100}}\$\{{?{written}\b[^\n]{{0,100}}(?:\]|&&|\|\|)"
     return re.search(f"{set_here}|{tested}", source.text) is not None or any(name in each.text for each in others)
 
 
