@@ -91,5 +91,6 @@ def _of_script(robot: Robot, source: Source) -> Iterator[Finding]:
 
 def _is_set_elsewhere(source: Source, run: Run, name: str) -> bool:
     """Whether a ``for`` sets the variable, too, or it is local to a function and another place sets it."""
-    others = re.search(rf"\bfor[ \t]+{name}\b", source.text)
-    return others is not None or (run.name == "local" and len(re.findall(rf"\b{name}=", source.text)) > 1)
+    written = re.escape(name)
+    others = re.search(rf"\bfor[ \t]+{written}\b", source.text)
+    return others is not None or (run.name == "local" and len(re.findall(rf"\b{written}=", source.text)) > 1)
