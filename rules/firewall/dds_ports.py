@@ -35,9 +35,15 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.environment import RosProcess
+
+REACHED = regex(r"\btailscale\b|DEFAULT_INPUT_POLICY")
+RULES = regex(r"\b(?:ufw|iptables|nft|firewall-cmd)\b(?s:.){0,400}?\b(?:udp|7[4-9]\d\d)\b")
 
 
 @rule("warning", symptoms=["[UFW BLOCK] * PROTO=UDP * DPT=74*"])
@@ -74,7 +80,9 @@ def _closed(robot: Robot) -> Iterator[Finding]:
         if not firewall.is_closed_ufw or any(each.last >= 7400 for each in firewall.udp):
             continue
         near = (each for each in robot.ros.processes if robot.same_robot(firewall.source, each.where.source))
-        direct = (each for each in near if each.environment.text("RMW_IMPLEMENTATION") != "rmw_zenoh_cpp")
+        if any(_may_open(each, firewall.source) and robot.same_robot(firewall.source, each) for each in robot.sources):
+            continue
+        direct = (each for each in near if not _is_apart(each))
         peer = next((peer for process in direct for peer in robot.dds.machines_of(process)), None)
         if peer is not None and uses_default_ports(robot):
             yield finding(
@@ -83,6 +91,18 @@ def _closed(robot: Robot) -> Iterator[Finding]:
                 advice=f"add: ufw allow from {peer} proto udp",
                 related=[note(peer, "the other machine is listed here")],
             )
+
+
+def _is_apart(process: RosProcess) -> bool:
+    """Whether a process speaks to the machines that are listed in another way, or not at all."""
+    text = process.environment.text
+    return text("RMW_IMPLEMENTATION") == "rmw_zenoh_cpp" or text("ROS_AUTOMATIC_DISCOVERY_RANGE") == "OFF"
+
+
+def _may_open(source: Source, script: Source) -> bool:
+    """Whether a file lets packets in beside the script: a tunnel, another policy, or rules for UDP of its own."""
+    text = source.text
+    return REACHED.search(text) is not None or (source is not script and RULES.search(text) is not None)
 
 
 def uses_default_ports(robot: Robot) -> bool:
