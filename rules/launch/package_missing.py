@@ -74,9 +74,8 @@ def package_missing(robot: Robot) -> Iterator[Finding]:
 def _gone(robot: Robot) -> Iterator[Finding]:
     """Packages of ROS 1, and of older distributions."""
     for each in launch.gone_packages(robot.launch):
-        if any(map(robot.dependencies.is_fetched, filter(None, (each.name, each.package.repository)))):
-            continue
-        if robot.launch.meant(each.name) is not None:
+        fetched = any(map(robot.dependencies.is_fetched, filter(None, (each.name, each.package.repository))))
+        if fetched or robot.launch.meant(each.name) is not None:
             continue
         why = f"{each.distro.capitalize()} no longer has it" if each.distro else "ROS 2 does not have it"
         yield finding(
