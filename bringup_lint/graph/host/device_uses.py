@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 
 _ADDRESS = regex(r"(?:.*[._])?(?:ip|ip_?addr(?:ess)?|host(?:_?name)?)", re.I)
 _HOST = regex(r"[A-Za-z][\w-]*(?:\.[\w-]+)+")
+_GIVEN = regex(r"(?:^|^[ \t]*[-\w.]+[ \t]*[:=][ \t]*[\"']?)(?P<path>/dev/[\w./:+-]+)[\"']?[ \t]*$", re.M)
+"""A path that is a whole value, or that of a key in a file which is written as one."""
 _PATH = regex(r"(?<![\w./$}])/dev/[A-Za-z][\w.+-]*(?:/[\w.:+-]+)*")
 
 
@@ -201,4 +203,5 @@ def of_variables(files: Files) -> Iterator[DeviceUse]:
         certainty: Certainty = "argument" if "/defaults/" in file.source.name else "literal"
         for node in file.nodes:
             if isinstance(node, Scalar) and "/dev/" in node.value:
-                yield from uses_in(node.value, "a variable of Ansible", certainty)
+                for given in _GIVEN.finditer(node.value):
+                    yield from uses_in(node.value.part(*given.span("path")), "a variable of Ansible", certainty)

@@ -43,25 +43,29 @@ class LostRange(NamedTuple):
 
 
 def lost_ranges(files: Files, netplan: Callable[[], Netplan], source: Source) -> Iterator[LostRange]:
+    """Each range that is upside down; the first of the others where none is of the interface's network."""
+    starts: dict[Located, IPv4Address] = {}
     for match in _RANGE.finditer(source.text):
         first = source.located(*match.span("first"))
         start, end = (addresses.parse_address(match[name]) for name in ("first", "last"))
         if isinstance(start, IPv4Address) and isinstance(end, IPv4Address):
             if start > end:
                 yield LostRange(first, "", None)
-            elif len(re.findall(r"^[ \t]*interface=", source.text, re.M)) == 1:
-                yield from _outside(files, netplan, source, first, start)
+            else:
+                starts[first] = start
+    if starts and len(re.findall(r"^[ \t]*interface=", source.text, re.M)) == 1:
+        yield from _outside(files, netplan, source, starts)
 
 
 def _outside(
-    files: Files, netplan: Callable[[], Netplan], source: Source, first: Located, start: IPv4Address
+    files: Files, netplan: Callable[[], Netplan], source: Source, starts: dict[Located, IPv4Address]
 ) -> Iterator[LostRange]:
     interface = option_of(source, "interface")
     found = list(_addresses(files, netplan, str(interface)))
     known = [each for each in found if files.same_robot(source, each[0].span.source)]
-    networks = [each.network for _, each in known]
-    starts = [addresses.parse_address(match["first"]) for match in _RANGE.finditer(source.text)]
-    fits = any(isinstance(each, IPv4Address) and each in network for each in starts for network in networks)
+    networks = {each.network for _, each in known}
+    fits = any(start in network for start in starts.values() for network in networks)
+    first, start = next(iter(starts.items()))
     if known and not fits and not _is_used(files, source, start):
         yield LostRange(first, str(interface), known[0][0])
 
