@@ -30,6 +30,7 @@ When the folder is surely there.
 
 import re
 from collections.abc import Iterator
+from itertools import islice
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
@@ -51,6 +52,12 @@ CHECKED = regex(rf"{STRICT}|\btrap\b[^\n]{{0,200}}\bERR\b", re.M)
 SURE = regex(r"[./~-]*|/(?:tmp|home|var|var/log|etc|opt|root|usr)/?|\$\{?HOME\}?/?|.*[`*(%].*", re.S)
 """Folders that are there, and those that a command finds."""
 TESTS = ("[", "[[", "test")
+MAKES = regex(r"(?:\b(?:mkdir|clone|test|for|install)|\[)[ \t]")
+ASKED = regex(r"=[^\n]{0,200}[`(%]")
+NEAR = 200
+"""Characters before a name."""
+MENTIONS = 100
+"""Places of a name that are looked at."""
 
 
 @rule("warning", symptoms=["cd: *: No such file or directory"])
@@ -85,9 +92,18 @@ def _entered(source: Source, command: Command) -> Located | None:
     folder = next((word for word in command.words[1:] if not word.startswith("-")), None)
     if folder is None or command.ends in ("||", "&&") or SURE.fullmatch(folder):
         return None
-    name = re.escape(folder.rstrip("/").rpartition("/")[2].strip("${}"))
-    made = rf"(?:\b(?:mkdir|clone|test|for|install)|\[)[ \t][^\n]{{0,200}}\b{name}\b|\b{name}=[^\n]{{0,200}}[`(%]"
-    return folder if re.search(made, source.text) is None else None
+    name = folder.rstrip("/").rpartition("/")[2].strip("${}")
+    return None if name and _is_made(source, name) else folder
+
+
+def _is_made(source: Source, name: str) -> bool:
+    """Whether the script makes or looks for a folder, or asks a command for it, a little before its name."""
+    for match in islice(re.finditer(rf"\b{re.escape(name)}\b", source.text), MENTIONS):
+        line = source.text.rfind("\n", 0, match.start()) + 1
+        before = source.text[max(line, match.start() - NEAR) : match.start()]
+        if MAKES.search(before) or ASKED.match(source.text, match.end()):
+            return True
+    return False
 
 
 def _deleted(command: Command) -> Located | None:
