@@ -127,7 +127,12 @@ class Files:
     def mentions(self, pattern: re.Pattern[str]) -> bool:
         """Whether the text of a judged file matches."""
         if pattern not in self._mentioned:
-            self._mentioned[pattern] = any(_says(each, pattern) for each in self.sources if each.judged)
+            texts = (each for each in self.sources if each.judged)
+            # The answer for a pattern that is compiled for one name is not kept: there may be many.
+            if isinstance(pattern, re.Pattern):
+                self._mentioned[pattern] = any(pattern.search(each.said) for each in texts)
+            else:
+                self._mentioned[pattern] = any(each.says(pattern) for each in texts)
         return self._mentioned[pattern]
 
     @cached_property
@@ -202,13 +207,6 @@ class Files:
 
         source = self.tree.find(robot_path)
         return next(iter(self.parsed(parse, [source])), None) if source else None
-
-
-def _says(source: Source, pattern: re.Pattern[str]) -> bool:
-    """Whether a text matches. The answer for a pattern that is compiled for one name is not kept: there may be many."""
-    if isinstance(pattern, re.Pattern):
-        return pattern.search(source.said) is not None
-    return source.says(pattern)
 
 
 def _model(parse: Callable[[Source], Model], source: Source) -> Model:

@@ -73,5 +73,5 @@ def _count(service: Service) -> Located | None:
 
 def _is_changed(robot: Robot, service: Service) -> bool:
     """Whether another file gives the service another name or number."""
-    others = (each for each in robot.compose.services if each.name == service.name and each is not service)
+    others = (each for each in robot.compose.services_called(service.name) if each is not service)
     return any(each.get(key) is not None for each in others for key in KEYS)

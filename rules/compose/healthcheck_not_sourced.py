@@ -70,7 +70,7 @@ def healthcheck_not_sourced(robot: Robot) -> Iterator[Finding]:
 
 def _is_changed(robot: Robot, service: Service) -> bool:
     """Whether another file gives the service a health check of its own."""
-    others = (each for each in robot.compose.services if each.name == service.name and each is not service)
+    others = (each for each in robot.compose.services_called(service.name) if each is not service)
     return any(each.get("healthcheck") is not None for each in others)
 
 

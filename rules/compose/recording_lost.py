@@ -66,7 +66,7 @@ def recording_lost(robot: Robot) -> Iterator[Finding]:
             continue
         seen.add(folder.span)
         memory = _covers(service.tmpfs, folder)
-        parts = [each for each in robot.compose.services if each.name == service.name]
+        parts = robot.compose.services_called(service.name)
         if (memory or not any(_is_kept(each, folder) for each in parts)) and not robot.mentions(TAKES):
             yield finding(
                 folder,

@@ -52,7 +52,7 @@ DEBIAN = regex(
     r"(?:docker\.io/)?(?:library/)?(?:(?:arm64v8|amd64|arm32v7)/)?debian:(?:12|13|bookworm|trixie)(?:[.-].*)?"
 )
 ALLOWED = regex(
-    r"break[-_]system[-_]packages|EXTERN|venv|virtualenv|conda|mamba|pyenv|\buv\b|pip\.conf|deadsnakes|altinstall"
+    r"break[-_]system[-_]packages|(?<!pip-)EXTERNALLY|venv|virtualenv|conda|mamba|pyenv|\buv\b|pip\.conf|deadsnakes|altinstall"
     r"|python\.org/ftp|PIP_(?:TARGET|PREFIX|ROOT|PYTHON|CONFIG_FILE)\b|^ENV[ \t]+PATH\b"
     r"|^(?:COPY|ADD)[ \t][^\n]*[ \t]/(?:etc|root|usr|usr/local)?/?[ \t]*$",
     re.I | re.M,

@@ -46,6 +46,17 @@ class Compose:
             if not file.source.template:
                 yield from file.services
 
+    def services_called(self, name: str) -> list[Service]:
+        """The services of one name: those of several files may be one that is put together."""
+        return self._by_name.get(name, [])
+
+    @cached_property
+    def _by_name(self) -> dict[str, list[Service]]:
+        found: dict[str, list[Service]] = {}
+        for service in self.services:
+            found.setdefault(str(service.name), []).append(service)
+        return found
+
     @property
     def whole_services(self) -> Iterator[Service]:
         """The services that say what they run: only of these can something be missing."""

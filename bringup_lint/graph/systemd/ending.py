@@ -27,7 +27,7 @@ _READERS = ("cat", "tail", "head", "grep", "awk", "sed", "logger")
 _LOOPS = regex(
     r"\b(?:while|until)\b|\bfor[ \t]*\(\([ \t]*;|\btail[ \t]+-[fF]|\bmonitor\b|\binfinity\b|\bsleep[ \t]+\d{4}"
     r"|\b(?:subscribe|event|wfi)\b|--(?:follow|wait|mode=|stream)|\bslcand\b[^\n;&|]*[ \t]-\w*F",
-    hints="while until for tail monitor infinity sleep subscribe event wfi --wait --mode --stream slcand",
+    hints="while until for tail monitor infinity sleep subscribe event wfi --follow --wait --mode --stream slcand",
 )
 
 
