@@ -13,12 +13,14 @@ from hypothesis import strategies
 from bringup_lint.pattern import Uncompiled
 from bringup_lint.pattern import regex
 from tests.architecture.test_patterns import modules
+from tests.architecture.test_patterns import of_rules
 
 MANY = 40
 
 
 def hinted() -> dict[str, Uncompiled]:
-    values = (value for module in modules() for value in list(vars(module).values()))
+    spaces = [*map(vars, modules()), *of_rules()]
+    values = (value for space in spaces for value in list(space.values()))
     flat = (each for value in values for each in (value if isinstance(value, tuple) else (value,)))
     flat = (each for value in flat for each in (value if isinstance(value, tuple) else (value,)))
     return {each.pattern: each for each in flat if isinstance(each, Uncompiled) and each.hints}
@@ -32,8 +34,19 @@ def test_what_holds_no_hint_does_not_match() -> None:
         assert pattern.match("a.d/", 1) is None
 
 
+def test_a_long_text_without_a_hint_is_not_searched() -> None:
+    pattern = regex(r"\bspin(?:_once)?\b", hints="spin")
+    for text in ("import rclpy\n" * MANY, "°" * 500):
+        assert [pattern.search(text), *pattern.finditer(text), *pattern.findall(text)] == [None]
+        assert pattern.search(text + "spin_once")[0] == "spin_once"
+        assert [each[0] for each in pattern.finditer(text + " spin")] == pattern.findall(text + " spin") == ["spin"]
+        assert pattern.search(text + " spin", len(text)) and not pattern.search(text + " spin", 0, len(text))
+
+
 def test_a_text_of_other_letters_is_searched() -> None:
-    assert regex("wifi", re.I, "wifi").search("wıfi") is not None
+    for text in ("wıfi", "wıfi" * 200):
+        assert regex("wifi", re.I, "wifi").search(text) is not None
+    assert regex("wifi", re.I, "wifi").search("é WiFi" * 200) is not None
 
 
 @pytest.mark.slow

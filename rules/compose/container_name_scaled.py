@@ -40,7 +40,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.compose import Service
 from bringup_lint.api.yaml import Mapping
 
-STACK = regex(r"\bdocker stack deploy\b")
+STACK = regex(r"\bdocker stack deploy\b", hints="deploy")
 KEYS = ("container_name", "scale", "deploy")
 
 

@@ -45,6 +45,7 @@ from bringup_lint.api.ros import is_simulation
 CALLS = regex(
     r"^[^#\n]{0,200}\bdocker(?:-compose|[ \t]+compose)\b(?![^\n]{0,200}\s(?:-d|--detach)(?:\s|$))[^\n]{0,200}\bup\b",
     re.M,
+    hints="compose",
 )
 """Commands that start containers and stay with them."""
 BRINGUP = regex(r"bring_?up|robot\.launch", re.I)

@@ -27,6 +27,7 @@ When the command reads its standard input, and the `%` is meant to begin it.
 - crontab(5)
 """
 
+import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -38,7 +39,7 @@ from bringup_lint.api import rule
 JOB = regex(r"(?m)^[ \t]*(?:@\w+|[\d*/,~-]+(?:[ \t]+[\w*/,~-]+){4})[ \t]+(?P<command>\S[^\n]*)$")
 PERCENT = regex(r"(?<!\\)%(?=[\w-])")
 
-OTHER_CRON = regex(r"(?mi)^FROM[ \t][^\n]*alpine|\bsupercronic\b|\bbusybox\b")
+OTHER_CRON = regex(r"^FROM[ \t][^\n]*alpine|\bsupercronic\b|\bbusybox\b", re.M | re.I, "alpine supercronic busybox")
 QUOTED = regex(r"'[^']*'|\"[^\"]*\"|`[^`]*`|\$\([^()]*\)")
 OPEN = regex(r"[\"'`]|\$\(|\+$")
 

@@ -49,6 +49,7 @@ ADDED = regex(
     r"(?P<setup>[^\s\"';&|]{1,200}?setup\.(?:ba|z)?sh)[\"']?[ \t]*>>[ \t]*"
     r"(?P<file>[^\s\"';&|]{0,100}\.(?:bash|zsh)rc)\b",
     re.M,
+    hints="setup.",
 )
 """A line that a command adds to the file of a login shell."""
 

@@ -64,7 +64,7 @@ ANSWERED = regex(
     r"-[a-zA-Z]*y[a-zA-Z]*|-[a-zA-Z]*qq[a-zA-Z]*|--(?:assume-)?yes|--force-yes|--assume-no|--quiet=[2-9]|-q=[2-9]"
     r"|-s|--simulate|--dry-run|--just-print|--no-act|--recon|--print-uris|-h|--help"
 )
-CONFIGURED = regex(r"APT::Get::Assume-Yes", re.I)
+CONFIGURED = regex(r"APT::Get::Assume-Yes", re.I, hints="apt::get::assume-yes")
 PIPED = regex(r"\|[ \t]*(?:sudo[ \t]+(?:-\w+[ \t]+)*)?(?:\w+=\S*[ \t]+)*$")
 STOPS = regex(STRICT, re.M)
 COPIES = ("cp", "install", "ln", "tee")

@@ -36,7 +36,7 @@ from bringup_lint.api.shell import shell_blocks
 
 END = r"(?:-?\d+|\$\{?\w+\}?|\$\{#\w+\[[@*]\]\}|\$\([^()]*\)|\$\(\([^()]*\)\))"
 RANGE = regex(rf"\{{(?=[^$]*\$){END}\.\.{END}(?:\.\.{END})?\}}")
-OTHER = regex(r"\A#![^\n]*\b(?:zsh|ksh)\b|\beval\b")
+OTHER = regex(r"\A#![^\n]*\b(?:zsh|ksh)\b|\beval\b", hints="zsh ksh eval")
 
 
 @rule("error", symptoms=['syntax error: operand expected (error token is "{1..*}")'])

@@ -40,6 +40,7 @@ from bringup_lint.api.systemd import Unit
 LOGS_IN = regex(
     r"linger|auto-?(?:matic-?)?login|do_boot_behaviour|initial_session|\b(?:nodm|gdm3?|lightdm|sddm|greetd)\b|PAMName=|\buser@",
     re.I,
+    hints="linger login do_boot_behaviour initial_session nodm gdm lightdm sddm greetd pamname= user@",
 )
 
 

@@ -43,7 +43,7 @@ from bringup_lint.api.shell import Run
 SERVERS = ("roscore", "zenohd", "MicroXRCEAgent", "micro-xrce-dds-agent", "ds4drv", "mosquitto", "rosbridge_websocket")
 DETACHED = regex(r"--daemon|-d|-h|--help|--version|-V")
 LIMITED = regex(r"(?:^|/)(?:timeout|nohup|setsid|tmux|screen|systemd-run|start-stop-daemon)$")
-TRAP = regex(r"\btrap [\"'\w]")
+TRAP = regex(r"\btrap [\"'\w]", hints="trap")
 SETS_UP = ("cp", "install", "systemctl", "apt", "apt-get", "pip", "pip3", "python3", "roslaunch", "rosrun", "docker")
 
 

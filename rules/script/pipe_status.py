@@ -67,7 +67,7 @@ STATUS = regex(r"\$\?|\$\{\?\}")
 
 
 SOURCES = regex(r"(?m)(?:^|[;&])[ \t]*(?:source|\.)[ \t]")
-PIPEFAIL = regex(r"\bpipefail\b")
+PIPEFAIL = regex(r"\bpipefail\b", hints="pipefail")
 
 
 @rule("warning", silent="the command counts as successful")

@@ -58,7 +58,7 @@ UNLOADED = ("v4l2loopback", "i2c-dev", "i2c_dev", "slcan", "snd-aloop", "snd_alo
 LOADED = regex(r"/etc/modules|modules-load\.d")
 STARTS = regex(r"(?m)^[ \t]*(?:exec[ \t]+)?(?:ros2[ \t]+(?:launch|run)[ \t]|\"?\$@)")
 """The script sets the parameter at each start of the robot's software."""
-CHANGES = regex(r"\b(?:sysctl|iptables|modprobe)\b|/proc/sys/")
+CHANGES = regex(r"\b(?:sysctl|iptables|modprobe)\b|/proc/sys/", hints="sysctl iptables modprobe /proc/sys/")
 INSTALLERS = ("apt", "apt-get", "pip", "pip3", "dpkg")
 
 

@@ -41,6 +41,7 @@ from bringup_lint.api import rule
 TOLD = regex(
     r"udevadm|udev\s+(?:restart|reload)|(?:restart|reload)\s+\S*udev|\breboot\b|\bchroot\b|shutdown\s+-r",
     re.I,
+    hints="udev reboot chroot shutdown",
 )
 FOLDER = "/udev/rules.d"
 

@@ -54,7 +54,8 @@ UNSIGNED = regex(
     r"\bdeb \[[^\]\n]{0,200}\b(?P<trusted>trusted=yes)\b[^\]\n]{0,200}\]"
     rf"(?! *(?:file:|copy:|cdrom:|\.?/|[\"']?\$|https?://{OWN_NETWORK}))"
     r"|(?P<option>(?:APT::Get::AllowUnauthenticated|Acquire::AllowInsecureRepositories)(?==(?:true|1|yes)\b))"
-    r"|\bapt(?:-get)?\b[^\n|;&]{0,200}?(?P<asked>--allow-unauthenticated|--force-yes)\b"
+    r"|\bapt(?:-get)?\b[^\n|;&]{0,200}?(?P<asked>--allow-unauthenticated|--force-yes)\b",
+    hints="trusted=yes AllowUnauthenticated AllowInsecureRepositories --allow-unauthenticated --force-yes",
 )
 UNCHECKED = regex(
     r"\b(?:wget\b[^\n|;&]{0,200}?(?P<wget>--no-check-certificate)|curl\b[^\n|;&]{0,200}? (?P<curl>-k|--insecure) )"

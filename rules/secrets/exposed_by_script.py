@@ -42,7 +42,9 @@ from bringup_lint.api import rule
 
 NAME = r"\w*(?:PASS(?:WORD|WD|PHRASE)?|PSK|TOKEN|SECRET|_PAT)\w{0,3}"
 IN_URL = regex(
-    rf"\b(?:git|curl|wget)\b[^\n|;&#]{{0,300}}?(?P<where>https?://(?:[^\s/@\"']{{0,80}}:)?\$\{{?{NAME}\}}?@)", re.I
+    rf"\b(?:git|curl|wget)\b[^\n|;&#]{{0,300}}?(?P<where>https?://(?:[^\s/@\"']{{0,80}}:)?\$\{{?{NAME}\}}?@)",
+    re.I,
+    hints="http",
 )
 SHOWN = regex(
     rf"^[ \t]*(?:\w+=|echo\b|printf\b|logger\b)[^\n|]{{0,300}}?"

@@ -76,6 +76,12 @@ def modules() -> Iterator[Any]:
             yield importlib.import_module(info.name)
 
 
+def of_rules() -> Iterator[dict[str, Any]]:
+    """What the module of each rule holds."""
+    for rule_id, path in Registry.of().paths.items():
+        yield load(path, rule_id).meta.check.__globals__
+
+
 class Use(NamedTuple):
     """A pattern, and the method by which it is asked."""
 
@@ -86,10 +92,8 @@ class Use(NamedTuple):
 @functools.cache
 def uses() -> dict[str, Use]:
     """The patterns of all modules and rules, each with the methods that its name is asked for anywhere."""
-    spaces = [vars(module) for module in modules()]
-    spaces += [load(path, rule_id).meta.check.__globals__ for rule_id, path in Registry.of().paths.items()]
     found = {}
-    for space in spaces:
+    for space in (*map(vars, modules()), *of_rules()):
         asked = methods(space["__file__"])
         for name, value in list(space.items()):
             pattern = compiled(value)

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.environment.ros import RosEnvironment
     from bringup_lint.graph.files import Files
 
-_DOMAIN = regex(r"^[^#\n]*?\bROS_DOMAIN_ID[\"']?[ \t]*[=:][ \t]*[\"']?(\d{1,3})\b", re.M)
+_DOMAIN = regex(r"^[^#\n]*?\bROS_DOMAIN_ID[\"']?[ \t]*[=:][ \t]*[\"']?(\d{1,3})\b", re.M, hints="ROS_DOMAIN_ID")
 
 
 def agreed_domain(files: Files, ros: RosEnvironment) -> tuple[int, Located] | None:

@@ -26,6 +26,7 @@ _MODULE = regex(
     r"^[ \t-]*(?:group|user):[ \t]*(?:\{[^}\n]{0,80}?\bname:[ \t]*[\"']?([\w-]+)[^\n]*$"
     r"|(?:name=(\S+)[ \t]*)?$(?:\n[ \t]+name:[ \t]*[\"']?([\w-]+))?)",
     re.M,
+    hints="group: user:",
 )
 _SCRIPT = regex(
     r"\.(?:sh|bash|mk|ya?ml|md|rst|txt|cmake|service|conf|in)$|^(?:pre|post)(?:inst|rm)|^(?:Docker|Make|Contain)file"

@@ -26,7 +26,7 @@ _OPENING = frozenset({"serial.Serial", "cv2.VideoCapture", "open", "evdev.InputD
 _CAMERA = "cv2.VideoCapture"
 _GIVING = (*STARTING, "params", "env-file", "launch-python", "launch-xml", "launch-yaml")
 _IMPORT = regex(r"^from (?P<package>\w*)\.(?P<module>\w+) import ", re.M)
-_NAMES = regex(r"/dev/|VideoCapture")
+_NAMES = regex(r"/dev/|VideoCapture", hints="/dev/ VideoCapture")
 
 
 def of_sources(files: Files) -> Iterator[DeviceUse]:

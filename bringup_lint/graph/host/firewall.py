@@ -11,7 +11,7 @@ from bringup_lint.pattern import regex
 if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
 
-_TOOLS = regex(r"\b(?:ufw|ip6?tables)\b")
+_TOOLS = regex(r"\b(?:ufw|ip6?tables)\b", hints="ufw iptables ip6tables")
 
 
 def load_firewalls(files: Files) -> list[Firewall]:

@@ -70,7 +70,7 @@ _SWITCHES = regex(r"\blifecycle[\"',\s]+set\b|\blifecycle_bringup\b|\bChangeStat
 """Commands and service clients that configure the nodes which their file names."""
 _SWITCH_WORDS = ("lifecycle", "ChangeState", "change_state")
 """One of them is in each text that the pattern matches."""
-_LOOKS_AT_DISTRIBUTION = regex(r"(?i)ros_?distro|except TypeError")
+_LOOKS_AT_DISTRIBUTION = regex(r"ros_?distro|except TypeError", re.I, "ros_distro rosdistro typeerror")
 PUBLIC = ("nav2_", "ros2_", "ros_", "rclcpp_", "tf2_", "launch_", "image_", "joint_", "moveit_", "rviz", "controller_")
 """How packages of ROS itself begin."""
 _LAUNCH_FILE = regex(r"(?<![\w.-])(?:[\w.-]+\.launch(?:\.(?:py|xml|ya?ml))?|[\w.-]+_launch\.py)")
@@ -85,7 +85,11 @@ _GENERAL = frozenset(("node", "server", "robot", "ros", "ros2", "lifecycle", "na
 _CODE = (".py", ".cpp", ".cc", ".cxx", ".hpp", ".h")
 _MOST_CODE = 200_000
 """Characters of a source that are looked at."""
-_SHARE = regex(r"(?i:package_?share|share_?directory)|ament_index|getSharePath")
+_SHARE = regex(
+    r"package_?share|share_?directory|ament_index|getSharePath",
+    re.I,
+    "package_share packageshare share_directory sharedirectory ament_index getsharepath",
+)
 """How a source asks for the folder of a package."""
 
 

@@ -47,10 +47,11 @@ if TYPE_CHECKING:
     from bringup_lint.model.launch import Action
     from bringup_lint.model.launch import LaunchFile
 
-_TIMERS = regex(r"\bcreate_(?:timer|rate|wall_timer)\b|\bTimer\(|\bcreate_task\b")
+_TIMERS = regex(r"\bcreate_(?:timer|rate|wall_timer)\b|\bTimer\(|\bcreate_task\b", hints="create_ Timer(")
 _GATES = regex(
     r"\b(?:cmd_vel_timeout|reference_timeout|diff_drive_controller|mecanum_drive_controller|ackermann_steering_controller"
-    r"|tricycle_controller|twist_mux|velocity_smoother|collision_monitor|create3)\b"
+    r"|tricycle_controller|twist_mux|velocity_smoother|collision_monitor|create3)\b",
+    hints="cmd_vel_timeout reference_timeout _controller twist_mux velocity_smoother collision_monitor create3",
 )
 """Parameters, controllers and filters that end a motion when no command comes."""
 FIRMWARE = 100

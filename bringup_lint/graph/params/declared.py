@@ -23,7 +23,10 @@ SUFFIXES = (".py", ".cpp", ".cc", ".cxx", ".hpp", ".hh", ".h")
 FILES = 600
 """Source files of one package that are read."""
 _TESTS = regex(r"(?:^|/)(?:tests?|examples?|build|install)/")
-_LOOSE = regex(r"automatically_declare_parameters_from_overrides|allow_undeclared_parameters")
+_LOOSE = regex(
+    r"automatically_declare_parameters_from_overrides|allow_undeclared_parameters",
+    hints="automatically_declare_parameters_from_overrides allow_undeclared_parameters",
+)
 _DYNAMIC = "dynamic_typing"
 _PYTHON_TYPES = {bool: "bool", int: "integer", float: "double", str: "string"}
 _CPP_TYPES = {

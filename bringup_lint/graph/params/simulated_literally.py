@@ -31,7 +31,7 @@ _SIMULATION = regex(
     r"|\bbag\s+play|rosbag|/clock\b|(?:^|[^a-z])sim(?:[^a-z_]|$)|_sim(?![a-z_])|(?<![a-z_])sim_|\bhil\b|in-the-loop",
     re.I,
 )
-_WRITTEN_FALSE = regex(r"use_sim_time['\"]?\s*:\s*(?:false|no|off)\b", re.I)
+_WRITTEN_FALSE = regex(r"use_sim_time['\"]?\s*:\s*(?:false|no|off)\b", re.I, hints="use_sim_time")
 _PAGES = (".md", ".rst", ".txt")
 _MOST = 200_000
 """Characters of a page that are looked at."""

@@ -29,7 +29,9 @@ _FETCHERS = frozenset("wget curl dpkg gdebi apt apt-get pip pip3 tar unzip aria2
 _LISTS = frozenset(("echo", "printf", "add-apt-repository"))
 _CHOOSES = regex(
     r"\buname\b|\bdpkg --print|\bTARGET(?:ARCH|PLATFORM)\b|\bBUILDPLATFORM\b|\$\(arch\)|\blscpu\b|\bHOSTTYPE\b"
-    r"|/device-tree/model|/proc/cpuinfo|--add-architecture|\bqemu|\bcross|\bdebootstrap\b|\bbinfmt|\bARCH\b"
+    r"|/device-tree/model|/proc/cpuinfo|--add-architecture|\bqemu|\bcross|\bdebootstrap\b|\bbinfmt|\bARCH\b",
+    hints="uname dpkg TARGET BUILDPLATFORM $(arch) lscpu HOSTTYPE /device-tree/ /proc/cpuinfo --add-arch qemu cross "
+    "debootstrap binfmt ARCH",
 )
 """The file asks for the processor, or works for another one on purpose."""
 _PLATFORM = regex(r"(?:--platform=)?linux/(?P<name>amd64|x86_64|arm64|aarch64|arm)\b")

@@ -14,7 +14,7 @@ from bringup_lint.graph.runners.runner import RunnerKind
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 
-_ROS2 = regex(r"\bros2[ \t]+(?:launch|run)\b")
+_ROS2 = regex(r"\bros2[ \t]+(?:launch|run)\b", hints="ros2")
 
 
 def runners(files: Files, layers: Layers) -> Iterator[Runner]:

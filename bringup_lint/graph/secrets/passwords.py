@@ -50,23 +50,28 @@ _ACCOUNTS = (
 )
 """Commands that set the password of a user."""
 _PROGRAMS = (
-    regex(r"\b(?P<program>sshpass)[ \t]+-p[ \t]*(?P<quote>[\"']?)" + _SECRET + r"(?P=quote)(?=[ \t])"),
+    regex(r"\b(?P<program>sshpass)[ \t]+-p[ \t]*(?P<quote>[\"']?)" + _SECRET + r"(?P=quote)(?=[ \t])", 0, "sshpass"),
     regex(
-        r"\b(?P<program>x11vnc)[ \t][^\n|;&]{0,300}?-passwd[ \t]+(?P<quote>[\"']?)" + _SECRET + r"(?P=quote)(?=\s|$)"
+        r"\b(?P<program>x11vnc)[ \t][^\n|;&]{0,300}?-passwd[ \t]+(?P<quote>[\"']?)" + _SECRET + r"(?P=quote)(?=\s|$)",
+        hints="x11vnc",
     ),
     regex(
         r"\b(?P<program>nmcli)[ \t][^\n|;&]{0,300}?[ \t](?:password|(?:wifi|802-11-wireless)-sec(?:urity)?\.psk)[ \t]+"
-        r"(?P<quote>[\"']?)" + _SECRET + r"(?P=quote)(?=\s|$)"
+        r"(?P<quote>[\"']?)" + _SECRET + r"(?P=quote)(?=\s|$)",
+        hints="nmcli",
     ),
 )
 """Commands that are given a password."""
 _BY_VARIABLE = regex(
     r"\b(?P<program>nmcli|sshpass)[ \t][^\n|;&]{0,300}?"
     r"(?:-p|[ \t]password|[ \t](?:wifi|802-11-wireless)-sec(?:urity)?\.psk)[ \t]*"
-    r"[\"']?\$\{?(?P<variable>\w{1,60})\}?[\"']?(?=\s|$)"
+    r"[\"']?\$\{?(?P<variable>\w{1,60})\}?[\"']?(?=\s|$)",
+    hints="nmcli sshpass",
 )
 """Commands that are given a password by a variable."""
-_REMOTE_LOGIN = regex(r"\b(?:sshd|openssh-server|xrdp|x11vnc|tigervnc|vncserver)\b")
+_REMOTE_LOGIN = regex(
+    r"\b(?:sshd|openssh-server|xrdp|x11vnc|tigervnc|vncserver)\b", hints="sshd openssh-server xrdp vnc"
+)
 
 
 class Password(NamedTuple):

@@ -9,7 +9,9 @@ from bringup_lint.pattern import regex
 from bringup_lint.source import Span
 
 _SETCAP = regex(
-    r"\bsetcap\b[ \t]+(?:-\w+[ \t]+)*[\"']?(cap_\w+(?:,cap_\w+)*,?)[=+][epi+]+[\"']?[ \t]+[\"']?([^\s\"';&|]+)", re.I
+    r"\bsetcap\b[ \t]+(?:-\w+[ \t]+)*[\"']?(cap_\w+(?:,cap_\w+)*,?)[=+][epi+]+[\"']?[ \t]+[\"']?([^\s\"';&|]+)",
+    re.I,
+    hints="setcap",
 )
 _SCRIPTS = regex(r"\.(?:sh|bash|cmake|mk|ya?ml)$|(?:^|/)(?:CMakeLists\.txt|Makefile|Dockerfile[^/]*|postinst|[^/.]+)$")
 _FILES = 3000

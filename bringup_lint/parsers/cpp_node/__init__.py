@@ -45,12 +45,16 @@ CALLBACKS = 200
 """Callbacks of one file that are looked into."""
 _OF_NODES = regex(
     r"\bcreate_(?:publisher|subscription|service|client|server|wall_timer|timer)\b|_parameters?\w{0,64}\s*[<(]"
-    r"|\bNode\b|\bLifecycleNode\b|/dev/|RCLCPP_COMPONENTS_REGISTER_NODE|\bstd::thread\b|\brclc_executor_init\b"
+    r"|\bNode\b|\bLifecycleNode\b|/dev/|RCLCPP_COMPONENTS_REGISTER_NODE|\bstd::thread\b|\brclc_executor_init\b",
+    hints="create_ _parameter Node /dev/ RCLCPP_COMPONENTS_REGISTER_NODE std::thread rclc_executor_init",
 )
 _ROLES = {"subscription", "timer"}
 """The callbacks of a node that may go on with what it got before."""
 _BRACKET = regex(r"[()\[\]{}]")
-_EXECUTORS = regex(r"MultiThreadedExecutor|EventsExecutor|create_callback_group|component_container_(?:mt|isolated)")
+_EXECUTORS = regex(
+    r"MultiThreadedExecutor|EventsExecutor|create_callback_group|component_container_(?:mt|isolated)",
+    hints="MultiThreadedExecutor EventsExecutor create_callback_group component_container_",
+)
 _OPENING = regex(r"(?i)f?open(?:_?(?:serial|port|device))?\Z|set_?port\Z|VideoCapture\Z|Serial\Z")
 _DEVICE = regex(r"/dev/[A-Za-z][\w.+-]*(?:/[\w.:+-]+)*\Z")
 

@@ -14,9 +14,13 @@ if TYPE_CHECKING:
     from tree_sitter import Node
 
 _BASES = regex(r"(?:^|::)(?:Lifecycle)?Node\Z")
-_LIFECYCLE = regex(r"[:,]\s{0,40}(?:public\s{1,4})?(?:\w{1,40}::)?LifecycleNode\b")
+_LIFECYCLE = regex(r"[:,]\s{0,40}(?:public\s{1,4})?(?:\w{1,40}::)?LifecycleNode\b", hints="LifecycleNode")
 """As a base, or among the initializers of a constructor."""
-_COMPONENT = regex(r"^[ \t]*RCLCPP_COMPONENTS_REGISTER_NODE\s*\(\s*(?P<name>[\w:]+)\s*\)", re.M)
+_COMPONENT = regex(
+    r"^[ \t]*RCLCPP_COMPONENTS_REGISTER_NODE\s*\(\s*(?P<name>[\w:]+)\s*\)",
+    re.M,
+    hints="RCLCPP_COMPONENTS_REGISTER_NODE",
+)
 _MAKERS = ("make_shared", "make_unique")
 
 

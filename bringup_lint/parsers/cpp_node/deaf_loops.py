@@ -28,11 +28,15 @@ _RUNS = "rclcpp::ok()"
 _SPINS = regex(r"(?i)spin|exit|abort|shutdown")
 """Words by which a loop runs callbacks, or ends."""
 _SLEEPS = regex(r"\b(?:sleep_for|sleep|usleep|nanosleep)\s{0,4}\(")
-_HANDLES = regex(r"\bsigaction\b|\bsignal\b|InitOptions|(?i:signals?_?(?:handlers?)?\s{0,4}\()")
+_HANDLES = regex(
+    r"\bsigaction\b|\bsignal\b|InitOptions|(?:[Ss]ignal|SIGNAL)[Ss]?_?(?:[Hh]andlers?|HANDLERS?)?\s{0,4}\(",
+    hints="sigaction ignal SIGNAL InitOptions",
+)
 """The program treats signals in a way of its own."""
 _NODE = regex(r"\b(?:rclcpp::|rclcpp_lifecycle::)?(?:Lifecycle)?Node\s{0,4}[({]")
 _GIVES_BACK = ("rclcpp::shutdown", "rclcpp::uninstall_signal_handlers")
 """Calls after which signals end the program again (rclcpp, utilities.cpp)."""
+_LOOPS = ("while", "for")
 _FOREVER = ("true", "1")
 _BOUNDED = regex(r"(?i)time_?out|timed|expire|elapsed|deadline|empty|has_?next")
 """Words of conditions that end by themselves."""
@@ -42,8 +46,7 @@ _LITERALS = ("true", "false")
 
 def deaf_loops(code: Code) -> Iterator[DeafLoop]:
     """Those of ``main`` after ``rclcpp::init``, and of the constructors of nodes."""
-    text = code.source.text
-    if _HANDLES.search(text):
+    if code.written.keys().isdisjoint(_LOOPS) or _HANDLES.search(code.source.text):
         return
     for function in code.written.get("function", ()):
         name = code.defined_name(function) or ""

@@ -18,7 +18,10 @@ if TYPE_CHECKING:
 
 DECLARING = ("declare_parameter", "declare_parameters", "declare_parameter_if_not_declared", "declare_or_get_parameter")
 _READING = {"get_parameter": True, "get_parameter_or": False, "has_parameter": False}
-LOOSE = regex(r"automatically_declare_parameters_from_overrides|allow_undeclared_parameters|generate_parameter")
+LOOSE = regex(
+    r"automatically_declare_parameters_from_overrides|allow_undeclared_parameters|generate_parameter",
+    hints="automatically_declare_parameters_from_overrides allow_undeclared_parameters generate_parameter",
+)
 _NUMBER = regex(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?\Z")
 
 

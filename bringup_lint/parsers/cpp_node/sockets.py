@@ -10,7 +10,9 @@ if TYPE_CHECKING:
     from bringup_lint.parsers.cpp_node.syntax import Call
     from bringup_lint.parsers.cpp_node.syntax import Code
 
-OPENS = regex(r"\b(?P<kept>[A-Za-z]\w{0,80})\s{0,4}=\s{0,4}(?P<call>(?:::)?socket\s{0,4}\(\s{0,4}(?:PF|AF)_)")
+OPENS = regex(
+    r"\b(?P<kept>[A-Za-z]\w{0,80})\s{0,4}=\s{0,4}(?P<call>(?:::)?socket\s{0,4}\(\s{0,4}(?:PF|AF)_)", hints="socket"
+)
 WAITS_NOT = regex(
     r"O_NONBLOCK|SOCK_NONBLOCK|SO_RCVTIMEO|MSG_DONTWAIT|FIONBIO|FIONREAD|O_NDELAY|\b[ep]?poll\s{0,2}\((?!\s{0,4}\))|\be?p?select\s{0,2}\("
     r"|epoll_wait|std::j?thread|boost::thread|pthread_create|\basync\b|\btimeval\b"

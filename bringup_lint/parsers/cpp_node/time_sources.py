@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 _OPERAND = regex(
     r"(?:-|[<>]=?)\s{0,4}(?:this->)?(?P<right>[A-Za-z_]\w{0,60})\b|\b(?P<left>[A-Za-z_]\w{0,60})(?=\s{0,4}(?:-(?!>)|[<>]))"
 )
-_ROS_TIME = regex(r"\bnow\s{0,4}\(|\bstamp\b")
+_ROS_TIME = regex(r"\bnow\s{0,4}\(|\bstamp\b", hints="now stamp")
 _NOW = regex(r"(?:this->|\w{0,40}(?i:node)\w{0,40}(?:\(\))?(?:->|\.))?(?:get_clock\(\)->)?now\(\)\Z")
 _STAMP = regex(r"(?P<open>(?:rclcpp::)?Time[({])?[\w.>\[\]-]{1,80}\bheader\.stamp(?(open)[)}])\Z")
 _TIME = regex(r"(?:rclcpp::)?Time\Z")

@@ -32,7 +32,7 @@ DEPTH = 3
 """Calls of methods of the same file that are followed."""
 _AT_START = regex(r"(?i)_?(?:on_?)?(?:init|setup|start_?up)")
 """Names of callbacks of a timer that runs once, before the node has anything else to do."""
-_LOCK = regex(r"\bunique_lock\b\s{0,4}(?:<[^<>;]{0,60}>)?\s{0,4}(?P<name>\w{1,60})\s{0,4}[({]")
+_LOCK = regex(r"\bunique_lock\b\s{0,4}(?:<[^<>;]{0,60}>)?\s{0,4}(?P<name>\w{1,60})\s{0,4}[({]", hints="unique_lock")
 _BODIES = ("function_definition", "lambda_expression")
 _ENDLESS = ("true", "1", "rclcpp::ok()")
 

@@ -13,7 +13,7 @@ from bringup_lint.model.launch import Wait
 from bringup_lint.parsers.python_syntax import Positions
 from bringup_lint.pattern import regex
 
-MENTIONED = regex(r"\b(?:subprocess|os\.system|sleep)\b")
+MENTIONED = regex(r"\b(?:subprocess|os\.system|sleep)\b", hints="subprocess os.system sleep")
 """Without one of these words in its text, a file has no such call."""
 _RUNNING = ("subprocess.run", "subprocess.check_call", "subprocess.check_output", "check_call", "check_output")
 _SLEEPING = ("time.sleep", "sleep")

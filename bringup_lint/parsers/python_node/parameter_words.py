@@ -20,7 +20,10 @@ from bringup_lint.source import Source
 
 TEXT = 400_000
 """Code points of a file."""
-_LOOSE = regex(r"automatically_declare_parameters_from_overrides|allow_undeclared_parameters|generate_parameter")
+_LOOSE = regex(
+    r"automatically_declare_parameters_from_overrides|allow_undeclared_parameters|generate_parameter",
+    hints="automatically_declare_parameters_from_overrides allow_undeclared_parameters generate_parameter",
+)
 _READING = ("get_parameter", "get_parameter_or", "has_parameter", "get_parameter_value", "undeclare_parameter")
 _OWN = regex(r"(?:self|(?:self\.)?\w*node\w*)\.(?:get_parameter\w*|has_parameter)\Z", re.I)
 _TYPE = regex(r"(?:^|\.)Parameter\.Type\.(?!NOT_SET)[A-Z_]+\Z")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -20,7 +21,7 @@ from bringup_lint.source import Span
 if TYPE_CHECKING:
     from bringup_lint.graph.nodes.nodes import Nodes
 
-_SPINS = regex(r"(?i)spin|executor|exit\(|shutdown\(|abort\(")
+_SPINS = regex(r"spin|executor|exit\(|shutdown\(|abort\(", re.I, "spin executor exit( shutdown( abort(")
 """Words of a class that runs its callbacks itself, or ends the program."""
 _INTERRUPTS = frozenset({"KeyboardInterrupt", "ExternalShutdownException"})
 

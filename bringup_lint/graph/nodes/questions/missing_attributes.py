@@ -22,7 +22,8 @@ if TYPE_CHECKING:
     from bringup_lint.model.node_source import NodeSource
 
 _DYNAMIC = regex(
-    r"__(?:getattr|dict__|slots__|setattr__)|setattr(?<=\bsetattr)\b|(?:vars|exec)\((?<=\b.{5})|patch(?<=\bpatch)\.object"
+    r"__(?:getattr|dict__|slots__|setattr__)|setattr(?<=\bsetattr)\b|(?:vars|exec)\((?<=\b.{5})|patch(?<=\bpatch)\.object",
+    hints="__getattr __dict__ __slots__ __setattr__ setattr vars( exec( patch.object",
 )
 _PLAIN_BASES = frozenset({"abc.ABC", "ABC", "object"})
 CAUGHT = frozenset({"AttributeError", "Exception", "BaseException"})

@@ -10,7 +10,8 @@ from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
 _THREADS = regex(
-    r"spin_once|spin_some|[Tt]hread|concurrent\.futures|multiprocessing|MultiThreadedExecutor|EventsExecutor|asyncio"
+    r"spin_once|spin_some|[Tt]hread|concurrent\.futures|multiprocessing|MultiThreadedExecutor|EventsExecutor|asyncio",
+    hints="spin_once spin_some hread concurrent.futures multiprocessing MultiThreadedExecutor EventsExecutor asyncio",
 )
 
 

@@ -17,7 +17,10 @@ from bringup_lint.model.python import walk
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
-_DYNAMIC = regex(r"\b(?:exec|eval|globals|locals|__import__|importlib|builtins)\b|\bvars\(")
+_DYNAMIC = regex(
+    r"\b(?:exec|eval|globals|locals|__import__|importlib|builtins)\b|\bvars\(",
+    hints="exec eval globals locals __import__ importlib builtins vars(",
+)
 _RANGES = {"floating_point_range": "FloatingPointRange", "integer_range": "IntegerRange"}
 _FIELDS = ("from_value", "to_value", "step")
 _OF_MODULES = frozenset({"__file__", "__path__", "__class__", "__module__", "__qualname__", "__annotations__", "_"})

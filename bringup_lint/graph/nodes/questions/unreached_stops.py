@@ -34,7 +34,10 @@ _STOPS = regex(
     r"|set_?(?:motors?|speeds?|pwm|throttle|velocity|duty\w{0,10})|output|write\w{0,20}|sendall|send"
 )
 """Names of methods by which hardware is stopped, or told anything at all."""
-_LATER = regex(r"\batexit\.register\b|\.on_shutdown\(|\bweakref\.finalize\b|def __del__\b")
+_LATER = regex(
+    r"\batexit\.register\b|\.on_shutdown\(|\bweakref\.finalize\b|def __del__\b",
+    hints="atexit.register .on_shutdown( weakref.finalize __del__",
+)
 """What runs at the end of the context or of the process all the same."""
 _OTHERS = regex(
     r"(?i)executor|thread|timer|server|recorder|bag|file|log|sys\b|std(?:out|err)|cap\b|camera|pipeline|proc"

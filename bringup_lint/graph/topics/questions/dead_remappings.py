@@ -30,7 +30,9 @@ OF_LIBRARIES = regex(
 """Last parts of names that the client library, or a common one, gives to topics and services by itself."""
 _NAMES_ITSELF = regex(
     r"\byaml\b|YAML::|\bjson\b|\bgetenv\b|\benviron\b|configparser|image_transport|[Gg]eneric_?(?:[Pp]ub|[Ss]ub)"
-    r"|nav2_simple_commander|BasicNavigator|\bmoveit|interactive_markers|rosbag2"
+    r"|nav2_simple_commander|BasicNavigator|\bmoveit|interactive_markers|rosbag2",
+    hints="yaml YAML:: json getenv environ configparser image_transport eneric nav2_simple BasicNavigator moveit "
+    "interactive_markers rosbag2",
 )
 """What a source may take names from, and libraries that make names of their own."""
 
@@ -110,7 +112,7 @@ def _is_value(node: LaunchedNode, name: str) -> bool:
 
 def _says_all_names(node: LaunchedNode, code: Code) -> bool:
     """Whether the sources of a program say all names, as far as its parameters do not."""
-    if node.given is None or node.given.open or code.source is None or _NAMES_ITSELF.search(code.source.text):
+    if node.given is None or node.given.open or code.source is None or code.source.matches(_NAMES_ITSELF):
         return False
     return all(each.name is not None or each.parameter is not None for each in code.endpoints)
 
