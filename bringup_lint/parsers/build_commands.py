@@ -10,7 +10,10 @@ from bringup_lint.model.image_build import ImageBuild
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 
-_COMMAND = regex(r"\b(?:docker|podman|nerdctl)[ \t]+(?:buildx[ \t]+|image[ \t]+)?build\b((?:\\\r?\n|[^\n`;|&>])*)")
+_COMMAND = regex(
+    r"\b(?:docker|podman|nerdctl)[ \t]+(?:buildx[ \t]+|image[ \t]+)?build\b((?:\\\r?\n|[^\n`;|&>])*)",
+    hints="docker podman nerdctl",
+)
 _WORD = regex(r"""(?:"[^"\n]*"|'[^'\n]*'|[^\s"'])+""")
 _ASSIGNMENT = regex(
     r"""^[ \t]*(?:export[ \t]+|readonly[ \t]+)?(\w+)[ \t]*[:?]?=[ \t]*["']?([\w./:-]+)["']?[ \t]*$""", re.M
@@ -26,8 +29,9 @@ _VALUED = frozenset(
 
 def parse(source: Source) -> list[ImageBuild]:
     """The build commands that name an image. Variables are put in where the file assigns them once."""
-    values = _values(source.text)
-    return [build for match in _COMMAND.finditer(source.text) if (build := _build(source, match, values)).names]
+    found = list(_COMMAND.finditer(source.text))
+    values = _values(source.text) if found else {}
+    return [build for match in found if (build := _build(source, match, values)).names]
 
 
 def _values(text: str) -> dict[str, str]:

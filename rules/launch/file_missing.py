@@ -49,7 +49,8 @@ _READ = (".yaml", ".yml", ".rviz", ".urdf", ".xacro", ".srdf", ".sdf", ".world",
 _WRITTEN = regex(r"(?i)save|output|out_|log|record|export|write|dump|result|calib|cache|generated|tmp")
 """Names of files that a program makes."""
 _WRITES = regex(
-    r"open\((?:[^()\n]|\([^()\n]{0,80}\)){1,200}[\"'][wa]b?\+?[\"']|\.write_text\(|\bdump\(|\bcopy(?:file)?\(|\bofstream\b"
+    r"open\((?:[^()\n]|\([^()\n]{0,80}\)){1,200}[\"'][wa]b?\+?[\"']|\.write_text\(|\bdump\(|\bcopy(?:file)?\(|\bofstream\b",
+    hints="open( .write_text( dump( copy( copyfile( ofstream",
 )
 """A launch file or a node makes files itself."""
 _ASKS = r"\b(?:exists|isfile|is_file|access)\s{0,4}\(\s{0,4}"
@@ -67,8 +68,10 @@ _MAKES = regex(r"add_custom_(?:command|target)|BINARY_DIR|execute_process")
 def file_missing(robot: Robot) -> Iterator[Finding]:
     places: dict[str, list[tuple[Reference, Package]]] = {}
     told = {reference.span for kind in ("parameters", "include") for reference, _ in robot.launch.missing(kind)}
-    for reference, package in robot.launch.missing("path"):
-        if _is_written_by_node(robot, reference):
+    missing = list(robot.launch.missing("path"))
+    writers = _writers(robot) if missing else []
+    for reference, package in missing:
+        if _is_written_by_node(robot, reference, writers):
             continue
         made = any(_MAKES.search(build.source.text) for build in package.builds)
         if reference.span in told or made or _is_ignored(robot, reference, package):
@@ -99,14 +102,18 @@ def _is_read(reference: Reference) -> bool:
     return reference.name.endswith(_READ) and not is_written
 
 
-def _is_written_by_node(robot: Robot, reference: Reference) -> bool:
+def _writers(robot: Robot) -> list[Source]:
+    """The sources of nodes that write files."""
+    return [each for each in robot.files.of_kind("python-node", "cpp-node") if _WRITES.search(each.text)]
+
+
+def _is_written_by_node(robot: Robot, reference: Reference, writers: list[Source]) -> bool:
     """Whether a source that declares the parameter, or names the file, writes files."""
-    sources = [each for each in robot.files.of_kind("python-node", "cpp-node") if _WRITES.search(each.text)]
-    name, key = (re.escape(each) for each in (os.path.basename(reference.name), reference.key))
-    known = re.compile(
-        rf"\b{name}\b" + (rf"|declare_parameter\b[^()]{{0,40}}\(\s{{0,40}}[\"']{key}[\"']" if key else "")
-    )
-    return any(known.search(each.text) and _is_started_here(robot, reference, each) for each in sources)
+    name, key = os.path.basename(reference.name), reference.key
+    declared = rf"|declare_parameter\b[^()]{{0,40}}\(\s{{0,40}}[\"']{re.escape(key)}[\"']" if key else ""
+    known = re.compile(rf"\b{re.escape(name)}\b{declared}")
+    naming = (each for each in writers if name in each.text or (key and key in each.text))
+    return any(known.search(each.text) and _is_started_here(robot, reference, each) for each in naming)
 
 
 def _is_started_here(robot: Robot, reference: Reference, source: Source) -> bool:

@@ -36,22 +36,27 @@ _MOST = 200_000
 _WORD = regex(r"[a-z][a-z0-9_-]{1,100}")
 _PREFIX = regex(r"^ros_[a-z]{1,20}_")
 _PACKAGED = regex(r"ros-(?:[a-z]+|\$[\w({}:)-]{1,40}|\{\{[^{}\n]{1,40}\}\}|<[^<>\n]{1,40}>)-([a-z0-9-]{2,60})")
-_PATTERN = regex(r"\bros-(?:[a-z]+|\$[\w({}:)-]{1,40}|\{\{[^{}\n]{1,40}\}\}|<[^<>\n]{1,40}>)-([a-z0-9${}()_-]{0,60})\*")
+_PATTERN = regex(
+    r"\bros-(?:[a-z]+|\$[\w({}:)-]{1,40}|\{\{[^{}\n]{1,40}\}\}|<[^<>\n]{1,40}>)-([a-z0-9${}()_-]{0,60})\*", hints="ros-"
+)
 """Debian packages of ROS by a pattern (``ros-humble-nav2-*``)."""
 _SHORT = 3
 """Characters of a pattern that many packages begin with."""
 _REPOSITORY = regex(r"(?:github|gitlab)\.com[/:][\w.-]{1,60}/([\w.-]{1,80})")
-_ADDRESS = regex(r"(?:https?://|git@|ssh://git@)[\w.-]{1,80}[/:]([\w./-]{1,160})")
+_ADDRESS = regex(r"(?:https?://|git@|ssh://git@)[\w.-]{1,80}[/:]([\w./-]{1,160})", hints="http:// https:// git@")
 _OWNERS = frozenset(
     "ros-navigation ros-planning stevemacenski cra-ros-pkg ros-teleop ros-drivers ros-perception slamtec ros2".split()
 )
 """Who has the public repositories themselves."""
 _SHARED = (("nav2_", "navigation2"), ("dwb_", "navigation2"), ("opennav_", "navigation2"), ("joy", "joystick_drivers"))
 """How packages begin that come with others in one repository."""
-ROSDEP = regex(r"\brosdep\s+install\b(?:\\\r?\n|[^\n`&;])*")
+ROSDEP = regex(r"\brosdep\s+install\b(?:\\\r?\n|[^\n`&;])*", hints="rosdep")
 """A command, with the lines that it goes on in."""
 _PARAMETERS = "ros__parameters"
-_VARIANT = regex(rf"(?:{'|'.join(distros.every())}|[}}>])[-_](desktop[-_]full|desktop|perception|simulation)(?![a-z])")
+_VARIANT = regex(
+    rf"(?:{'|'.join(distros.every())}|[}}>])[-_](desktop[-_]full|desktop|perception|simulation)(?![a-z])",
+    hints="-desktop _desktop -perception _perception -simulation _simulation",
+)
 _VARIANTS = frozenset(("desktop", "desktop_full", "perception", "simulation"))
 
 
@@ -119,14 +124,21 @@ class Provided:
         return [(path, text.lower()) for path, text in texts if _PARAMETERS not in text]
 
     @cached_property
+    def _read(self) -> list[tuple[str, str]]:
+        """The texts by their paths, those of files that machines read without comments."""
+        return [
+            (path, text if _DOCUMENTATION.search(path) else _COMMENTS.sub("", text)) for path, text in self._by_path
+        ]
+
+    @cached_property
     def _installing(self) -> list[str]:
         """What installs: scripts, images and lists without their comments, and the commands of the documentation."""
         found: list[str] = []
-        for path, text in self._by_path:
+        for path, text in self._read:
             if _DOCUMENTATION.search(path):
                 found += _INSTALLS.findall(text)
             elif not _NO_INSTALLER.search(path):
-                found.append(_COMMENTS.sub("", text))
+                found.append(text)
         return found
 
     @cached_property
@@ -142,8 +154,7 @@ class Provided:
     @cached_property
     def _packaged(self) -> frozenset[str]:
         """What is named as a Debian package of ROS or as a repository."""
-        read = [(path, text) for path, text in self._by_path if not _HISTORY.search(path)]
-        texts = [text if _DOCUMENTATION.search(path) else _COMMENTS.sub("", text) for path, text in read]
+        texts = [text for path, text in self._read if not _HISTORY.search(path)]
         found = (match for text in texts for match in (*_PACKAGED.findall(text), *_REPOSITORY.findall(text)))
         return frozenset(name.removesuffix(".git").replace("-", "_") for name in found)
 

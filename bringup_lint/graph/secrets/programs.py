@@ -17,16 +17,16 @@ if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
 
 _LITERAL = r"""(?P<quote>["'])(?P<value>[^\s"'\\]{8,200})(?P=quote)"""
-_PATTERNS = {
-    "python-node": (
-        regex(r"(?<![\w\"'])(?P<name>[A-Za-z_]\w*)[ \t]*(?::[ \t]*str[ \t]*)?=[ \t]*" + _LITERAL),
-        regex(r"""["'](?P<name>[A-Za-z_]\w*)["'][ \t]*[:,][ \t]*""" + _LITERAL),
-    ),
-    "shell-script": (
-        regex(r"^[ \t]*(?:export[ \t]+)?(?P<name>[A-Za-z_]\w*)=" + _LITERAL, re.M),
-        regex(r"^[ \t]*(?:export[ \t]+)?(?P<name>[A-Za-z_]\w*)=(?P<value>[^\s\"'$`;&|()<>\\]{8,200})[ \t]*$", re.M),
-    ),
-}
+_GIVEN = regex(rf"=(?=[ \t]*{_LITERAL})")
+_NAMED = regex(r"(?<![\w\"'])(?P<name>[A-Za-z_]\w*)[ \t]*(?::[ \t]*str[ \t]*)?\Z")
+"""A literal that Python gives a name, and what is before it."""
+_BEFORE = 200
+"""Characters before a literal in which its name is looked for."""
+_KEYED = regex(r"""["'](?P<name>[A-Za-z_]\w*)["'][ \t]*[:,][ \t]*""" + _LITERAL)
+_OF_SHELL = (
+    regex(r"^[ \t]*(?:export[ \t]+)?(?P<name>[A-Za-z_]\w*)=" + _LITERAL, re.M),
+    regex(r"^[ \t]*(?:export[ \t]+)?(?P<name>[A-Za-z_]\w*)=(?P<value>[^\s\"'$`;&|()<>\\]{8,200})[ \t]*$", re.M),
+)
 _LOOKS_DRAWN = regex(r"(?=.*[0-9])(?=.*[A-Za-z])[\w+/=.!@#^*:-]+$")
 
 
@@ -39,15 +39,34 @@ class Assigned(NamedTuple):
 
 def assigned(files: Files) -> Iterator[Assigned]:
     """What the judged programs set to a literal with letters and digits: words of a language are not secrets."""
-    for kind, patterns in _PATTERNS.items():
+    for kind, found in (("python-node", _in_python), ("shell-script", _in_shell)):
         for source in files.of_kind(kind):
             if source.judged and not TEST.search(source.name):
-                yield from _in(source, patterns)
+                yield from found(source)
     for source in modules(files):
-        yield from _in(source, _PATTERNS["python-node"])
+        yield from _in_python(source)
 
 
-def _in(source: Source, patterns: tuple[re.Pattern[str], ...]) -> Iterator[Assigned]:
-    for match in (match for pattern in patterns for match in pattern.finditer(source.text)):
+def _in_python(source: Source) -> Iterator[Assigned]:
+    text = source.text
+    for match in _GIVEN.finditer(text):
         if _LOOKS_DRAWN.match(match["value"]):
-            yield Assigned(match["name"], source.located(*match.span("value")))
+            named = _NAMED.search(text, max(0, match.start() - _BEFORE), match.start())
+            if named:
+                yield _assigned(source, named["name"], match)
+    yield from _of(source, _KEYED)
+
+
+def _in_shell(source: Source) -> Iterator[Assigned]:
+    for pattern in _OF_SHELL:
+        yield from _of(source, pattern)
+
+
+def _of(source: Source, pattern: re.Pattern[str]) -> Iterator[Assigned]:
+    for match in pattern.finditer(source.text):
+        if _LOOKS_DRAWN.match(match["value"]):
+            yield _assigned(source, match["name"], match)
+
+
+def _assigned(source: Source, name: str, match: re.Match[str]) -> Assigned:
+    return Assigned(name, source.located(*match.span("value")))

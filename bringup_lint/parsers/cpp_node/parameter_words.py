@@ -23,19 +23,16 @@ if TYPE_CHECKING:
 
 TEXT = 400_000
 """Code points of a file."""
-_READ = r"\b(?:get_parameter(?:_or|_value)?|has_parameter|undeclare_parameter)\s*(?:<[^;(){}]{0,80}>\s*)?\(\s*"
-_TOKEN = regex(
-    rf'(?P<read>{_READ})?(?P<before>\+\s*)?"(?P<text>(?:\\.|[^"\\\n])*)"(?P<after>\s*\+)?'
-    r"|'(?:\\.|[^'\\\n])'|//[^\n]*|/\*.*?(?:\*/|\Z)",
-    re.S,
-)
+_READ = regex(r"\b(?:get_parameter(?:_or|_value)?|has_parameter|undeclare_parameter)\s*(?:<[^;(){}]{0,80}>\s*)?\(\Z")
+"""What is before the name of a parameter that is only read."""
+_TOKEN = regex(r'"(?P<text>(?:\\.|[^"\\\n])*)"(?P<after>\s*\+)?' r"|'(?:\\.|[^'\\\n])'|//[^\n]*|/\*.*?(?:\*/|\Z)", re.S)
 _MACRO = regex(r"^(?<!\\\n)[ \t]*#[ \t]*define\b(?:\\\n|[^\n])*parameter", re.M)
 _OWN = regex(r"(?:(?:this|self|\w{0,64}node\w{0,64})(?:->|\.))?get_parameter\w*\Z", re.I)
 _OWN_DECLARING = regex(r"(?:(?:this|self|\w{0,64}node\w{0,64})(?:->|\.))?declare_parameter\Z", re.I)
 _TYPE = regex(r"(?:rclcpp::)?(?:ParameterType::)?PARAMETER_[A-Z_]+\Z")
 _HELPER = regex(r"(?=\w+\Z)\w*(?:param|declare)\w*", re.I)
 """The name of a function that may declare parameters for others."""
-_CALLED = regex(r"(?:param|declare)\w{0,64}\s*[<(]", re.I)
+_CALLED = regex(r"(?:param|declare)\w{0,64}\s*[<(]", re.I, hints="param declare")
 _FUNCTION = regex(r"\b(\w+)\s*\(")
 _WORD = regex(r'"[^"\n]*\w[^"\n]*"')
 """A text that says something: one that only joins two names does not."""
@@ -65,9 +62,19 @@ def parse(source: Source) -> ParameterWords:
 
 def _texts(text: str) -> Iterator[tuple[str, bool]]:
     """The texts outside of comments, and whether each is put together with something."""
+    last = 0
     for found in _TOKEN.finditer(text):
-        if found["text"] is not None and found["read"] is None:
-            yield found["text"], bool(found["before"] or found["after"])
+        if found["text"] is not None:
+            before = text[last : found.start()].rstrip()
+            joined = before.endswith("+")
+            if not _is_read(before[:-1].rstrip() if joined else before):
+                yield found["text"], joined or found["after"] is not None
+        last = found.end()
+
+
+def _is_read(before: str) -> bool:
+    """Whether a text is the name of a parameter that is only read, by what is written before it."""
+    return before.endswith("(") and "_parameter" in before and _READ.search(before) is not None
 
 
 def _asked(code: Code) -> Iterator[Asked]:

@@ -173,7 +173,8 @@ class Code:
 
     def uses(self, name: str) -> Iterator[Node]:
         """Where code names a variable or member."""
-        for found in re.finditer(rb"\b%s\b" % re.escape(name.encode()), self._data):
+        # A pattern that begins with letters is found many times as fast as one that begins with the end of a word.
+        for found in re.finditer(rb"%s\b(?<=\b%s)" % ((re.escape(name.encode()),) * 2), self._data):
             node = self.tree.root_node.descendant_for_byte_range(*found.span())
             if node is not None and node.type in ("identifier", "field_identifier"):
                 yield node

@@ -72,7 +72,8 @@ _I2C = regex(r"/dev/i2c-\d+")
 
 _PYTHON_PORT = regex(r"^[ \t]*(?:import|from)[ \t]+(?P<module>serial|can)\b", re.M)
 _CPP_PORT = regex(
-    r"termios\.h|serial/serial\.h|\blibserial\b|\b[Ss]erial_?[Pp]ort\b|(?P<can>linux/can\.h|\b[Ss]ocket_?[Cc][Aa][Nn]\b)"
+    r"termios\.h|serial/serial\.h|\blibserial\b|\b[Ss]erial_?[Pp]ort\b|(?P<can>linux/can\.h|\b[Ss]ocket_?[Cc][Aa][Nn]\b)",
+    hints="termios.h serial/serial.h libserial erial linux/can.h ocket",
 )
 _PORTS = {"serial": "a serial port", "can": "a CAN bus"}
 _CPP_WRITES = regex(r"(?i)(?:write|send)\w{0,40}\Z")
@@ -104,10 +105,10 @@ class Repeated(NamedTuple):
 def repeated(nodes: Nodes) -> Iterator[Repeated]:
     """The commands that are sent again and again, in sources that look at no time."""
     for file in nodes.programs:
-        if ignores_time(nodes, file):
-            for node in file.classes:
-                if node.is_node is True:
-                    yield from _in_class(nodes, file, node)
+        fed = [(node, found) for node in file.classes if node.is_node is True and (found := _fed(node))]
+        if fed and ignores_time(nodes, file):
+            for node, endpoints in fed:
+                yield from _in_class(nodes, file, node, endpoints)
     for source in nodes.cpp:
         yield from _in_cpp(nodes, source)
 
@@ -134,11 +135,14 @@ def looks_at_age(text: str) -> bool:
     return bool(_TIMED.search(_OTHER_TIMEOUTS.sub("", _COMMENT.sub("", text))))
 
 
-def _in_class(nodes: Nodes, file: NodeSource, node: NodeClass) -> Iterator[Repeated]:
+def _fed(node: NodeClass) -> list[Endpoint]:
+    """The endpoints by which a class gets commands."""
+    return [each for each in node.endpoints if is_held(each) or _is_joystick(node, each)]
+
+
+def _in_class(nodes: Nodes, file: NodeSource, node: NodeClass, endpoints: list[Endpoint]) -> Iterator[Repeated]:
     syntax = nodes.syntax(file)
-    for endpoint in node.endpoints:
-        if not is_held(endpoint) and not _is_joystick(node, endpoint):
-            continue
+    for endpoint in endpoints:
         for loop in loops(syntax, node):
             sender = next((each for each in loop.code if isinstance(each, ast.Call) and _sends(each, node)), None)
             if sender is None:
@@ -233,6 +237,10 @@ class Held(NamedTuple):
 def held(nodes: Nodes) -> Iterator[Held]:
     """Nodes that take velocities to pins or to a bus without a controller of its own, and look at no time."""
     for file in nodes.programs:
+        if not any(
+            is_held(each) for each in (*file.strays, *(each for node in file.classes for each in node.endpoints))
+        ):
+            continue
         bus = driven_bus(nodes, file)
         if any(looks_at_time(each.source) for each in nodes.imported(file) or ()):
             continue

@@ -39,11 +39,11 @@ CPP_FILES = 300
 _CPP = (".cpp", ".cc", ".cxx", ".hpp", ".hh", ".h", ".hxx", ".ipp", ".tpp", ".inl")
 _HEADERS = _CPP[3:]
 _ASIDE = regex(r"/(?:tests?|examples?|build|install|log)/")
-_CLASS = regex(r"\b(?:class|struct)\s+[\w\s]{1,120}:(?P<bases>[^:{};()](?:[^{};()]|::){0,400})\{")
+_CLASS = regex(r"\b(?:class|struct)\s+[\w\s]{1,120}:(?P<bases>[^:{};()](?:[^{};()]|::){0,400})\{", hints="class struct")
 _INCLUDE = regex(r"^[ \t]*#[ \t]*include[ \t]*[<\"](?P<package>[\w-]+)/", re.M)
 _LOCAL = regex(r"^[ \t]*#[ \t]*include[ \t]*[<\"]([^>\"\n]+)[>\"]", re.M)
-_MAIN = regex(r"\bint\s+main\s*\(|\bRCLCPP_COMPONENTS_REGISTER_NODE\b")
-_NODE = regex(r"\brclcpp(?:_lifecycle)?::(?:Lifecycle)?Node\b")
+_MAIN = regex(r"\bint\s+main\s*\(|\bRCLCPP_COMPONENTS_REGISTER_NODE\b", hints="main RCLCPP_COMPONENTS_REGISTER_NODE")
+_NODE = regex(r"\brclcpp(?:_lifecycle)?::(?:Lifecycle)?Node\b", hints="rclcpp")
 _ACCESS = regex(r"\b(?:public|virtual|private|protected)\b|\s")
 _BASES = frozenset({"rclcpp::Node", "Node", "rclcpp_lifecycle::LifecycleNode", "LifecycleNode"})
 _SAFE = ("rclpy", "rclpy_action", "tf2_ros", "message_filters", "diagnostic_updater", "cv_bridge", "builtins", "super")
@@ -178,7 +178,7 @@ class ParameterNames:
             found[path] = source
             if len(found) > CPP_FILES:
                 return None
-            for name in {each["package"] for each in _INCLUDE.finditer(source.text)} - seen:
+            for name in source.once(_packages, partial(_packages, source)) - seen:
                 seen.add(name)
                 other = self._workspace.packages.get(name)
                 if other is not None:
@@ -259,6 +259,11 @@ def _owner(path: str, folders: set[str]) -> str | None:
 def _joined(words: Iterable[ParameterWords]) -> ParameterWords | None:
     found = reduce(or_, words, ParameterWords())
     return None if found.is_open else found
+
+
+def _packages(source: Source) -> set[str]:
+    """What a C++ file includes headers of."""
+    return {each["package"] for each in _INCLUDE.finditer(source.text)}
 
 
 def _bases(source: Source) -> list[str]:
