@@ -104,5 +104,6 @@ class Folder:
 
     def _tree(self, config: Config) -> Tree:
         deploy = {str(config.folder / path): place for path, place in config.deploy.items()}
-        excluded = exclusion(config.folder, config.exclude)
+        opened = () if self.asked else (f"{self.path.rstrip('/')}/",)
+        excluded = exclusion(config.folder, config.exclude, opened)
         return discover(self.asked or (self.path,), deploy=deploy, excluded=excluded, held=self._held)

@@ -21,7 +21,7 @@ EDITS = 6
 
 @pytest.fixture
 def top(request: pytest.FixtureRequest, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A copy of a robot: the configuration of the project excludes its fixtures."""
+    """A copy of a robot, to be edited."""
     top = tmp_path / "robot"
     shutil.copytree(ROBOTS / request.param / "tree", top, symlinks=True)
     monkeypatch.chdir(top)
@@ -40,6 +40,19 @@ def answer(folder: Folder, documents: dict[str, Document]) -> list[str]:
     folder.change()
     analysis = folder.check(State(folder.generation, documents))
     return [repr((each.shown.rule, each.shown.message, analysis.range(each.finding.span))) for each in analysis.found]
+
+
+def test_a_folder_that_is_opened_is_judged_although_a_configuration_above_excludes_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    unit = tmp_path / "examples/robot.service"
+    unit.parent.mkdir()
+    unit.write_text("[Service]\nExecStart=/bin/true\nResart=always\n")
+    (tmp_path / "bringup-lint.toml").write_text('exclude = ["/examples/"]\n')
+    for folder, found in ((unit.parent, True), (tmp_path, False)):
+        given = answer(Folder(str(folder), Registry.of(), lambda config: frozenset()), {})
+        assert bool(given) is found
 
 
 @pytest.mark.parametrize(
