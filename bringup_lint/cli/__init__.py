@@ -74,16 +74,18 @@ def _code(command: Callable[[], object]) -> int:
     except OSError as error:
         return lost(error) if is_of_stream(error) else _bug(error)
     except Exception as error:
-        return _of_unwritten(error) or (_of_click(error) if "click" in sys.modules else _bug(error))
+        return _of_usage(error) or (_of_click(error) if "click" in sys.modules else _bug(error))
     return done if isinstance(done, int) else 0
 
 
-def _of_unwritten(error: Exception) -> int:
-    """2 for what could not be written, which a line says; 0 for any other error."""
+def _of_usage(error: Exception) -> int:
+    """2 for what could not be written and for a rule of the user's that cannot be loaded, which a line says; 0 for any
+    other error."""
     from bringup_lint.cli.streams import complain
     from bringup_lint.writing import NotWritten
 
-    if not isinstance(error, NotWritten):
+    registry = sys.modules.get("bringup_lint.registry")
+    if not isinstance(error, (NotWritten, *([registry.RuleError] if registry else []))):
         return 0
     complain(error)
     return 2

@@ -25,6 +25,9 @@ if TYPE_CHECKING:
     from bringup_lint.cache.answers import Question
     from bringup_lint.log_lines import OtherCause
 
+NAMED = 5
+"""Rules that are named when a word is no rule."""
+
 
 def plain(what: tuple[str, ...], question: Question | None) -> int:
     """Explain without options."""
@@ -100,4 +103,14 @@ def _unknown(text: str, registry: Registry) -> str:
     if any(text == family.name for family in registry.families):
         return f"'{text}' is a family; bringup-lint rules {text} lists its rules"
     near = meant(text, registry.family_of)
-    return f"no rule and no known log line matches '{text}'" + (f"; did you mean {near}?" if near else "")
+    hint = f"did you mean {near}?" if near else _named_like(text, registry)
+    return f"no rule and no known log line matches '{text}'" + (f"; {hint}" if hint else "")
+
+
+def _named_like(text: str, registry: Registry) -> str:
+    """The rules with this word in their names; empty for other text."""
+    found = sorted(rule for rule in registry.family_of if text.lower() in rule.partition("/")[2].split("-"))
+    if not found:
+        return ""
+    more = f" and {len(found) - NAMED} more" if len(found) > NAMED else ""
+    return f"rules with this word in their names: {', '.join(found[:NAMED])}{more}"

@@ -154,7 +154,8 @@ def missing(paths: Iterable[str], root: str | None) -> str:
         if not disk.lexists(place):
             near = meant(os.path.basename(place), _names_in(os.path.dirname(place)))
             there = os.path.join(os.path.dirname(path.rstrip("/")), near) if near else ""
-            return f"there is no '{path}'" + (f"; did you mean '{there}'?" if there else "")
+            where = "" if root is None else f" in {root}"
+            return f"there is no '{path}'{where}" + (f"; did you mean '{there}'?" if there else "")
     return ""
 
 

@@ -283,6 +283,17 @@ def test_explain_of_nothing_known(tmp_path: Path) -> None:
     assert lint("explain", "no such words anywhere", cwd=tmp_path).code == 2
 
 
+@pytest.mark.parametrize(
+    "command", [("rules", "systemd"), ("explain", "site/torn"), ("explain", "a line"), ("completion", "bash"), (".",)]
+)
+def test_a_rule_of_the_user_that_cannot_be_loaded_is_named(tmp_path: Path, command: tuple[str, ...]) -> None:
+    (tmp_path / "own/systemd").mkdir(parents=True)
+    (tmp_path / "own/systemd/root_user.py").write_text("x =\n")
+    run = lint(*command, "--rules", "own", cwd=tmp_path)
+    assert (run.code, run.stdout) == (2, "")
+    assert run.stderr.startswith("bringup-lint: ") and "own/systemd/root_user.py: " in run.stderr
+
+
 def test_explain_takes_a_rule_without_its_family(tmp_path: Path) -> None:
     assert lint("explain", "network-target", cwd=tmp_path).stdout.startswith("systemd/network-target")
     assert "3 rules are called 'root-user'" in lint("explain", "root-user", cwd=tmp_path).stdout
@@ -293,6 +304,9 @@ def test_explain_takes_a_rule_without_its_family(tmp_path: Path) -> None:
     [
         (("explain", "systemd"), "'systemd' is a family; bringup-lint rules systemd lists its rules"),
         (("explain", "systemd/network-targt"), "did you mean systemd/network-target?"),
+        (("explain", "workspace"), "rules with this word in their names: compose/workspace-hidden, "),
+        (("explain", "network"), " more\n"),
+        (("--root", ".", "/absent"), "there is no '/absent' in .\n"),
         (("rules", "sytemd"), "did you mean 'systemd'?"),
         (("--select", "network-target"), "did you mean 'systemd/network-target'?"),
         (("--select", "systemd/foo"), "no rule or family is called 'systemd/foo'\n"),

@@ -32,9 +32,12 @@ def run(checkout: Path, rule_id: str) -> Run:
 
 
 def test_rule_and_fixtures_are_written(checkout: Path) -> None:
-    assert run(checkout, "systemd/no-tabs").code == 0
+    (checkout / "rules/__pycache__").mkdir()
+    written = run(checkout, "systemd/no-tabs")
+    assert (written.code, "-k no_tabs --update-expected" in written.stderr) == (0, True)
     rule = load(checkout / "rules/systemd/no_tabs.py", "systemd/no-tabs")
     assert rule.check.__name__ == "no_tabs"
+    assert 'of_kind("systemd-dropin", "systemd-unit")' in (checkout / "rules/systemd/no_tabs.py").read_text()
     for case in ("bad", "good"):
         assert "User=robot" in (checkout / f"fixtures/systemd/no_tabs/{case}/robot.service").read_text()
 
@@ -58,10 +61,11 @@ def test_fixtures_of_a_rule_are_not_overwritten(checkout: Path) -> None:
         ("no-tabs", "'no-tabs' is not a rule id"),
         ("systemd/../x", "is not a rule id"),
         ("systemd/No_Tabs", "is not a rule id"),
-        ("grub/no-tabs", "there is no family 'grub'; the families are systemd"),
+        ("grub/no-tabs", "there is no family 'grub'; the families are systemd\n"),
     ],
 )
 def test_wrong_ids_are_explained(checkout: Path, rule_id: str, said: str) -> None:
+    (checkout / "rules/__pycache__").mkdir()
     refused = run(checkout, rule_id)
     assert refused.code == 2
     assert said in refused.stderr
@@ -69,4 +73,4 @@ def test_wrong_ids_are_explained(checkout: Path, rule_id: str, said: str) -> Non
 
 def test_an_installed_package_is_no_checkout(checkout: Path) -> None:
     (checkout / "fixtures").rename(checkout / "elsewhere")
-    assert "works in a checkout of bringup-lint only" in run(checkout, "systemd/no-tabs").stderr
+    assert "works in a checkout of bringup-lint that is installed with" in run(checkout, "systemd/no-tabs").stderr

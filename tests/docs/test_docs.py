@@ -148,6 +148,19 @@ def test_rule_of_the_way_in_works(tmp_path: Path) -> None:
     assert run.stdout == "rover.service:2:11: warning[systemd/no-tabs] What will happen on the robot\n"
 
 
+def test_rule_of_the_page_on_own_rules_works(tmp_path: Path) -> None:
+    text = (PROJECT / "docs/own-rules.md").read_text("utf-8")
+    rule = text.partition("<!-- own rule -->\n```python\n")[2].partition("```\n<!-- end -->")[0]
+    described = text.rpartition("```toml\n")[2].partition("```")[0]
+    write(tmp_path / "our_rules/site/domain_of_site.py", rule)
+    write(tmp_path / "our_rules/site/family.toml", described)
+    shutil.copytree(PROJECT / "docs" / "example", tmp_path / "robot")
+    asked = ("--rules", "our_rules", "--select", "site/domain-of-site", "--output-format", "concise", "robot")
+    said = "robot/etc/mower/ros.env:1:15: warning[site/domain-of-site] The robots of the site do not hear this one\n"
+    assert lint(*asked, cwd=tmp_path) == (1, said, "")
+    assert "domain-of-site" in lint("rules", "--rules", "our_rules", "site", cwd=tmp_path).stdout
+
+
 @pytest.fixture(scope="module")
 def checkout(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A copy of the project with the example rule and its fixtures, which have no expected text yet."""

@@ -78,6 +78,8 @@ def command(ctx: click.Context, rule_id: str) -> None:
         ctx.exit(2)
     for path in written:
         say(f"Wrote {path}.")
+    name = rule_id.partition("/")[2].replace("-", "_")
+    say(f"Next: fill in each TODO, then pytest tests/rules/test_fixtures.py -k {name} --update-expected")
 
 
 def _problem(rule_id: str) -> str:
@@ -86,11 +88,14 @@ def _problem(rule_id: str) -> str:
     family, _, name = rule_id.replace("-", "_").partition("/")
     fixtures = rules.parent / "fixtures"
     if not fixtures.is_dir():
-        return "new-rule works in a checkout of bringup-lint only; for rules of your own, see --rules"
+        return (
+            "new-rule works in a checkout of bringup-lint that is installed with pip install -e '.[test]'; "
+            "docs/own-rules.md describes rules that stay outside of it"
+        )
     if not _ID.fullmatch(rule_id):
         return f"'{rule_id}' is not a rule id; write FAMILY/NAME in lower case with dashes, such as systemd/no-tabs"
     if not (rules / family).is_dir():
-        known = ", ".join(sorted(path.name.replace("_", "-") for path in rules.iterdir() if path.is_dir()))
+        known = ", ".join(sorted(path.parent.name.replace("_", "-") for path in rules.glob("*/family.toml")))
         return f"there is no family '{rule_id.partition('/')[0]}'; the families are {known}"
     for path in (rules / family / f"{name}.py", fixtures / family / name):
         if path.exists():
@@ -105,7 +110,7 @@ def write(rule_id: str, project: Path) -> list[Path]:
     family, _, name = rule_id.replace("-", "_").partition("/")
     rule = project / "rules" / family / f"{name}.py"
     reads = next(each.reads for each in families([project / "rules"]) if each.path.name == family)
-    kinds = ", ".join(f'"{kind}"' for kind in sorted(reads)[:1])
+    kinds = ", ".join(f'"{kind}"' for kind in sorted(reads))
     create(rule, RULE.format(function=name, kinds=kinds).encode("utf-8"))
     fixtures = project / "fixtures" / family
     start = _smallest_good(fixtures)
