@@ -44,6 +44,8 @@ CONTEXTS = (3, 2, 1)
 _COMMAND = regex(r"##(?:vso)?\[|(?:^[^\S\n]|\r)[^\S\r\n]*::", re.I | re.M)
 """What the runner of GitHub or the agent of Azure takes for a command in a line: the first anywhere, the second at the
 start after blanks. A carriage return ends a line, too."""
+LISTED = 8
+"""Rules that are named one by one when their fixes are not applied."""
 ROUNDS = 20
 """Fixes that touch each other are applied one after the other; no more than so often."""
 
@@ -136,8 +138,19 @@ def _tell(fixed: Counter[str], plan: Plan, stubborn: Iterable[str] = (), done: s
         say(f"  {times} {rule}")
     for rule in sorted(stubborn):
         say(f"Not fixed: {rule} (as much would be left to fix afterwards)")
-    left = Counter((why, finding.rule) for finding, why in plan.left)
-    for (why, rule), times in sorted(left.items()):
+    left: dict[str, Counter[str]] = {}
+    for finding, why in plan.left:
+        left.setdefault(why, Counter())[finding.rule] += 1
+    for why, rules in sorted(left.items()):
+        _tell_left(why, rules)
+
+
+def _tell_left(why: str, rules: Counter[str]) -> None:
+    """Say what was not fixed for one reason: by rule, or the number of rules when there are many."""
+    if len(rules) > LISTED:
+        say(f"Not fixed: {rules.total()} findings of {len(rules)} rules ({why})")
+        return
+    for rule, times in sorted(rules.items()):
         say(f"Not fixed: {times} {rule} ({why})")
 
 

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import io
 import sys
+from collections import Counter
 from pathlib import Path
 
 import pytest
 
+from bringup_lint.cli.fixing import LISTED
+from bringup_lint.cli.fixing import _tell_left
 from tests.lint import lint
 
 UNIT = "[Service]\nStartLimitInterval=200\nExecStart=/bin/x\nWIFI_PASSWORD=hunter22hunter\n"
@@ -71,6 +74,11 @@ def test_summary_says_what_is_unsafe(tmp_path: Path) -> None:
     run = lint("--fix", "--select", "systemd/network-target", cwd=tmp_path)
     assert "Not fixed: 1 systemd/network-target (unsafe: --unsafe-fixes)\n" in run.stderr
     assert "Fixed" not in run.stderr
+
+
+def test_summary_counts_the_rules_when_many_are_left(capsys: pytest.CaptureFixture[str]) -> None:
+    _tell_left("unsafe", Counter({f"site/r{number}": 2 for number in range(LISTED + 1)}))
+    assert capsys.readouterr().err == "Not fixed: 18 findings of 9 rules (unsafe)\n"
 
 
 def test_standard_input_is_fixed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
