@@ -4,7 +4,7 @@
 In Python: a `lambda` handed to `create_subscription()`, `create_timer()`, `create_service()`, `add_done_callback()` and
 the like in a loop or comprehension, whose body uses the variable of the loop, or what the loop computes from it. Silent
 where a default of the lambda keeps the value, where a condition on the variable or a `break` lets the loop make one
-callback, and where something in the loop waits or spins.
+callback, and where something in the loop waits or spins. It is an info where the value is only logged.
 
 ## Why it matters on a robot
 A lambda looks its variables up when it runs. That is after the loop, so that every callback sees the last robot, wheel
@@ -47,15 +47,16 @@ def callback_loop_variable(robot: Robot) -> Iterator[Finding]:
         found = list(nodes.late_bound(robot.nodes.syntax(file)))
         if not found:
             continue
-        first, *others = found
+        first, *others = sorted(found, key=lambda each: each.is_logged)
         name = first.use.id
+        end = "the log always names the same one" if first.is_logged else "all of them act for the same one"
         yield finding(
             file.span_of(first.use),
-            f"'{name}' has its last value in every callback of the loop: all of them act for the same one",
+            f"'{name}' has its last value in every callback of the loop: {end}",
             advice=f"keep the value in a default: lambda ..., {name}={name}: ...",
             related=[
                 note(file.span_of(first.loop), f"each turn gives '{name}' another value"),
                 *(note(file.span_of(each.use), "here, too") for each in others[:10]),
             ],
-            severity=nodes.lowered(robot.nodes.purpose(file.source), "error"),
+            severity="info" if first.is_logged else nodes.lowered(robot.nodes.purpose(file.source), "error"),
         )

@@ -24,6 +24,9 @@ _KEEPS = frozenset(
 _LEAVES = (ast.Break, ast.Continue, ast.Return, ast.Raise, ast.Await, ast.Yield, ast.YieldFrom)
 _SEVERAL = 2
 _MAY_CALL = regex(r"spin|sleep|wait|join|result|run")
+_LOGGERS = ("log", "logger", "logger()")
+_WORDING = ("print", "str", "repr", "len", "format")
+"""Functions that tell people, or make what is told."""
 
 
 class LateBound(NamedTuple):
@@ -33,6 +36,8 @@ class LateBound(NamedTuple):
     """Where the loop gives it a value."""
     call: ast.Call
     """What is handed the callback."""
+    is_logged: bool
+    """The callback only writes the value to the log."""
 
 
 def late_bound(syntax: Syntax) -> Iterator[LateBound]:
@@ -45,9 +50,11 @@ def late_bound(syntax: Syntax) -> Iterator[LateBound]:
         if not variables:
             continue
         for given in (*call.args, *(each.value for each in call.keywords)):
-            use = _use(given, set(variables)) if isinstance(given, ast.Lambda) else None
-            if use is not None:
-                yield LateBound(use, variables[use.id], call)
+            uses = _used(given, set(variables)) if isinstance(given, ast.Lambda) else []
+            if uses:
+                told = _told(given)
+                use = next((each for each in uses if each not in told), uses[0])
+                yield LateBound(use, variables[use.id], call, use in told)
 
 
 def _variables(syntax: Syntax, call: ast.Call) -> Iterator[tuple[str, ast.Name]]:
@@ -112,8 +119,8 @@ def _uses(expression: ast.expr, names: set[str]) -> bool:
     return any(isinstance(each, ast.Name) and each.id in names for each in walk(expression))
 
 
-def _use(function: ast.Lambda, names: set[str]) -> ast.Name | None:
-    """Where a lambda reads one of the names that is none of its own."""
+def _used(function: ast.Lambda, names: set[str]) -> list[ast.Name]:
+    """Where a lambda reads names that are none of its own."""
     given = function.args
     own_names = {each.arg for each in (*given.posonlyargs, *given.args, *given.kwonlyargs)}
     own_names |= {each.arg for each in (given.vararg, given.kwarg) if each is not None}
@@ -122,4 +129,17 @@ def _use(function: ast.Lambda, names: set[str]) -> ast.Name | None:
     own_names |= {
         each.arg for inner in walk(function.body) if isinstance(inner, ast.Lambda) for each in inner.args.args
     }
-    return next((each for each in inside if each.id in names and each.id not in own_names), None)
+    return [each for each in inside if each.id in names and each.id not in own_names]
+
+
+def _told(function: ast.Lambda) -> set[ast.AST]:
+    """What is inside of calls to a logger, and of no others."""
+    calls = [each for each in walk(function.body) if isinstance(each, ast.Call)]
+    telling, acting = [each for each in calls if _tells(each)], [each for each in calls if not _tells(each)]
+    inside = {inner for call in telling for inner in walk(call)}
+    return inside - {inner for call in acting for given in (*call.args, *call.keywords) for inner in walk(given)}
+
+
+def _tells(call: ast.Call) -> bool:
+    owner, _, name = ast.unparse(call.func).rpartition(".")
+    return name in _WORDING or owner.endswith(_LOGGERS)

@@ -52,7 +52,8 @@ def unhandled_transforms(ending: Ending, cls: NodeClass) -> Iterator[Unhandled]:
 
 
 def early_lookups(ending: Ending, cls: NodeClass) -> list[ast.Call]:
-    """The lookups in the constructor of a node on whose own executor its listener depends."""
+    """The lookups in the constructor of a node on whose own executor its listener depends; silent where a handler goes on
+    without the transform."""
     syntax, method = ending.syntax, cls.methods.get("__init__")
     if method is None or ending.file.source.matches(_RUNS):
         return []
@@ -60,10 +61,11 @@ def early_lookups(ending: Ending, cls: NodeClass) -> list[ast.Call]:
     given = [value for call in made for value in (*call.args[1:2], *(each.value for each in call.keywords))]
     if not any(is_self(each) for each in given) or any(syntax.class_of(call) is not cls for call in made):
         return []
-    calls = list(own_calls(body_of(method.node)))
+    body = body_of(method.node)
+    calls = list(own_calls(body))
     asks = any(_method(each) in _ASKS for each in calls)
     waits = any(_WAITS.search(ast.unparse(each.func)) for each in calls)
-    return [] if asks or waits else [call for call in calls if _is_lookup(ending, call)]
+    return [] if asks or waits else [call for call in _outside_try(body) if _is_lookup(ending, call)]
 
 
 def _unguarded(
