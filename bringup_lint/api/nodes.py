@@ -79,6 +79,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.wrong_unit import WrongUnit
     from bringup_lint.graph.topics.questions.undeclared import asked_in_vain
     from bringup_lint.graph.topics.questions.undeclared import is_called_nowhere
+    from bringup_lint.graph.topics.questions.undeclared import switchless
     from bringup_lint.graph.topics.questions.undeclared import unset
     from bringup_lint.model.node_source import Callback
     from bringup_lint.model.node_source import Endpoint
@@ -146,6 +147,7 @@ __all__ = [
     "stopped_in_cpp",
     "stuck_flags",
     "swap",
+    "switchless",
     "taken_attributes",
     "tried_shutdown",
     "undefined",

@@ -17,12 +17,15 @@ if TYPE_CHECKING:
     from bringup_lint.graph.topics.questions.compatibility import types_differ
     from bringup_lint.graph.topics.questions.dead_remappings import DeadRemapping
     from bringup_lint.graph.topics.questions.dead_remappings import dead_remappings
+    from bringup_lint.graph.topics.questions.drive_inputs import Unheard
+    from bringup_lint.graph.topics.questions.drive_inputs import unheard_commands
     from bringup_lint.graph.topics.questions.misspelt import misspelt
     from bringup_lint.graph.topics.questions.misspelt import probable_typos
     from bringup_lint.graph.topics.questions.monitored_velocities import unmonitored
     from bringup_lint.graph.topics.questions.namespaces import shared_by_namespaces
     from bringup_lint.graph.topics.questions.unmatched import without_publisher
     from bringup_lint.graph.topics.resolved.endpoint_use import LaunchedNode
+    from bringup_lint.graph.topics.resolved.endpoint_use import Pair
     from bringup_lint.graph.topics.resolved.endpoint_use import Use
     from bringup_lint.graph.topics.resolved.names import refusal
     from bringup_lint.graph.topics.resolved.names import tail
@@ -33,6 +36,8 @@ else:
 __all__ = [
     "DeadRemapping",
     "LaunchedNode",
+    "Pair",
+    "Unheard",
     "Use",
     "conflicts_of",
     "dead_remappings",
@@ -49,6 +54,7 @@ __all__ = [
     "too_reliable",
     "types_differ",
     "ungated",
+    "unheard_commands",
     "unmonitored",
     "without_publisher",
 ]

@@ -3,11 +3,13 @@
 ## What it finds
 A node that asks itself for a parameter which nothing in its program declares, and a launched node that declares a
 parameter with a type but no default while no file and no launch file gives it a value. Calls under a condition, or
-whose exception is handled, are left alone.
+whose exception is handled, are left alone. A twist_mux in Jazzy or newer that is not given `use_stamped` is a warning.
 
 ## Why it matters on a robot
 Both raise an exception: `ParameterNotDeclaredException`, or `ParameterUninitializedException`. The node ends at its
-start, or in the middle of a drive when only a callback asks.
+start, or in the middle of a drive when only a callback asks. twist_mux 4.4, which Jazzy and Kilted got in 2024, ends
+with `could not load parameter 'use_stamped'`, and nothing drives the robot any more; the 4.3 of Humble has no such
+parameter.
 
 ## Bad
 ```python
@@ -27,6 +29,7 @@ When another program declares the parameter in the node before it is asked for.
 ## References
 - https://docs.ros.org/en/jazzy/Concepts/Basic/About-Parameters.html
 - rclpy, node.py, get_parameter; rclcpp, node_parameters.cpp
+- https://github.com/ros-teleop/twist_mux/issues/53
 """
 
 from collections.abc import Iterator
@@ -39,10 +42,18 @@ from bringup_lint.api import rule
 from bringup_lint.api.nodes import asked_in_vain
 from bringup_lint.api.nodes import is_called_nowhere
 from bringup_lint.api.nodes import lowered
+from bringup_lint.api.nodes import switchless
 from bringup_lint.api.nodes import unset
 
+SYMPTOMS = [
+    "ParameterNotDeclaredException",
+    "ParameterUninitializedException",
+    "NoParameterOverride",
+    "could not load parameter '*'",
+]
 
-@rule("error", symptoms=["ParameterNotDeclaredException", "ParameterUninitializedException", "NoParameterOverride"])
+
+@rule("error", symptoms=SYMPTOMS)
 def parameter_missing(robot: Robot) -> Iterator[Finding]:
     for name in asked_in_vain(robot.topics):
         yield finding(
@@ -62,5 +73,14 @@ def parameter_missing(robot: Robot) -> Iterator[Finding]:
             advice="give the parameter a value, or declare it with a default",
             related=[note(found.declared, "declared here")],
             chain=robot.provenance.chain_to_node(found.node.started),
+            confidence="medium",
+        )
+    for each in switchless(robot.topics):
+        yield finding(
+            each.node.started.span,
+            f"{each.node.label()} is not given '{each.parameter}': the releases of twist_mux for "
+            f"{each.distribution.capitalize()} of 2024 and 2025 end at their start without it",
+            advice=f"give it {each.parameter}: true for TwistStamped, or false for Twist",
+            severity="warning",
             confidence="medium",
         )

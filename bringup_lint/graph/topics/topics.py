@@ -108,9 +108,13 @@ class Topics:
     def node(self, started: Started) -> LaunchedNode:
         """What launch makes of a node: its name, its parameters, and the topics that it uses."""
         if started not in self._resolved:
-            sources = ParameterSources(self.launch, self.params)
-            self._resolved[started] = resolved_node(started, self.code(started), self._displays.of(started), sources)
+            displays = self._displays.of(started)
+            self._resolved[started] = resolved_node(started, self.code(started), displays, self.parameter_sources)
         return self._resolved[started]
+
+    @cached_property
+    def parameter_sources(self) -> ParameterSources:
+        return ParameterSources(self.launch, self.params)
 
     @cached_property
     def _resolved(self) -> dict[Started, LaunchedNode]:
@@ -192,9 +196,8 @@ class Topics:
         """Two that surely run together and publish one transform of the robot."""
         from bringup_lint.graph.topics.questions.transform_sources import rival_transforms
 
-        sources = ParameterSources(self.launch, self.params)
         for running in self.runs:
-            yield from rival_transforms(running, sources)
+            yield from rival_transforms(running, self.parameter_sources)
 
     @property
     def missing_nodes(self) -> Iterator[Missing]:

@@ -198,6 +198,8 @@ def _derived(helper: str) -> Builder:
         rewrites = args.get("param_rewrites", 1) or args.get("replacements", 1)
         root_key = freeze.optional_text(state, args.get("root_key", 2 if helper == "RewrittenYaml" else None))
         frozen = None if rewrites is None else freeze.value(state, rewrites)
+        if args.get("key_rewrites", 3) is not None or args.get("value_rewrites") is not None:
+            frozen = Unknown("other rewrites", args.span)
         return DerivedFile(base, helper, frozen, root_key, args.span)
 
     return builder

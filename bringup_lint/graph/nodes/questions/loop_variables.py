@@ -51,9 +51,9 @@ def late_bound(syntax: Syntax) -> Iterator[LateBound]:
             continue
         for given in (*call.args, *(each.value for each in call.keywords)):
             uses = _used(given, set(variables)) if isinstance(given, ast.Lambda) else []
-            if uses:
-                told = _told(given)
-                use = next((each for each in uses if each not in told), uses[0])
+            told = _told(given) if uses else set()
+            use = next((each for each in uses if each not in told), next(iter(uses), None))
+            if use is not None:
                 yield LateBound(use, variables[use.id], call, use in told)
 
 
@@ -132,9 +132,9 @@ def _used(function: ast.Lambda, names: set[str]) -> list[ast.Name]:
     return [each for each in inside if each.id in names and each.id not in own_names]
 
 
-def _told(function: ast.Lambda) -> set[ast.AST]:
+def _told(function: ast.AST) -> set[ast.AST]:
     """What is inside of calls to a logger, and of no others."""
-    calls = [each for each in walk(function.body) if isinstance(each, ast.Call)]
+    calls = [each for each in walk(function) if isinstance(each, ast.Call)]
     telling, acting = [each for each in calls if _tells(each)], [each for each in calls if not _tells(each)]
     inside = {inner for call in telling for inner in walk(call)}
     return inside - {inner for call in acting for given in (*call.args, *call.keywords) for inner in walk(given)}

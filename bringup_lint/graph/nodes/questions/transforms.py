@@ -52,7 +52,7 @@ def unhandled_transforms(ending: Ending, cls: NodeClass) -> Iterator[Unhandled]:
 
 
 def early_lookups(ending: Ending, cls: NodeClass) -> list[ast.Call]:
-    """The lookups in the constructor of a node on whose own executor its listener depends; silent where a handler goes on
+    """The lookups in the constructor of a node on whose own executor its listener depends; none where a handler goes on
     without the transform."""
     syntax, method = ending.syntax, cls.methods.get("__init__")
     if method is None or ending.file.source.matches(_RUNS):

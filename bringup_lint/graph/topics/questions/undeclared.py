@@ -8,7 +8,10 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.facts.ros.parameters import is_of_library
 from bringup_lint.graph.launch.resolve import text_of
+from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.params.loads import path_of
+from bringup_lint.graph.topics.resolved.velocity_types import NEEDED
+from bringup_lint.graph.topics.resolved.velocity_types import switch
 from bringup_lint.model.launch_values import Choice
 from bringup_lint.model.launch_values import DerivedFile
 from bringup_lint.model.launch_values import DictValue
@@ -191,3 +194,26 @@ def unset(topics: Topics) -> Iterator[Unset]:
             if declared not in node.given.values and key not in seen:
                 seen.add(key)
                 yield Unset(node, declared)
+
+
+class Switchless(NamedTuple):
+    """A launched node of a public package that is not told which type its velocities have."""
+
+    node: LaunchedNode
+    parameter: str
+    distribution: str
+
+
+def switchless(topics: Topics) -> Iterator[Switchless]:
+    """Nodes of which all parameters are known and that start by default; each action once."""
+    distribution, seen = topics.params().distribution, set()
+    for node in _launched(topics):
+        package = str(literal_text(node.started.package))
+        found = switch(package, distribution) if package not in topics.launch.workspace.packages else None
+        if found is None or found.default != NEEDED or str(literal_text(node.started.executable)) != package:
+            continue
+        if node.given is None or node.given.open or node.name is None or node.started.by_default is not True:
+            continue
+        if found.parameter not in node.given.values and node.started.span not in seen:
+            seen.add(node.started.span)
+            yield Switchless(node, found.parameter, str(distribution))

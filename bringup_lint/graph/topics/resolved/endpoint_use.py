@@ -37,6 +37,8 @@ class Use:
     remapping: Remapping | None = None
     given: Span | None = None
     """The parameter's value that gives the name."""
+    type_given: Span | None = None
+    """The parameter's value that decides its type."""
     of_table: bool = False
     shown: bool = False
     """A display of RViz: only a person looks at it."""

@@ -27,6 +27,8 @@ from bringup_lint.graph.topics.resolved.remapping import node_name
 from bringup_lint.graph.topics.resolved.remapping import node_namespace
 from bringup_lint.graph.topics.resolved.remapping import remap
 from bringup_lint.graph.topics.resolved.remapping import remapping
+from bringup_lint.graph.topics.resolved.velocity_types import velocity_type
+from bringup_lint.graph.topics.sources.known import VELOCITY
 from bringup_lint.graph.topics.sources.known import KnownNode
 from bringup_lint.graph.topics.sources.known import KnownTopic
 from bringup_lint.graph.topics.sources.known import known_node
@@ -58,6 +60,7 @@ class _Resolver:
     def __init__(self, started: Started, code: Code | None, sources: ParameterSources) -> None:
         self.started = started
         self.code = code
+        self.sources = sources
         self.arguments: RosArguments = ros_arguments(started)
         self.rules = list(_rules(started, self.arguments))
         self.known_rules = self.arguments.known and len(self.rules) == len(self.arguments.remappings) + len(
@@ -121,13 +124,20 @@ class _Resolver:
 
     def add_known(self, node: LaunchedNode, topic: KnownTopic) -> bool:
         found = list(self.known_names(topic))
+        type_, deciding = self.velocity_type() if topic.type == VELOCITY else (topic.type, None)
         for name, where in found:
-            use = self.use(node, topic.role, name, topic.type, _qos(topic, self.started.span), self.started.span)
+            use = self.use(node, topic.role, name, type_, _qos(topic, self.started.span), self.started.span)
             if use is None:
                 return False
-            use.given, use.of_table = where, True
+            use.given, use.of_table, use.type_given = where, True, deciding
             node.uses.append(overridden(use, self.given))
         return bool(found) or not topic.parameter
+
+    def velocity_type(self) -> tuple[str | None, Span | None]:
+        package = str(literal_text(self.started.package))
+        if package in self.sources.launch.workspace.packages:
+            return None, None
+        return velocity_type(package, self.sources.params().distribution, self.given)
 
     def add_display(self, node: LaunchedNode, display: Display) -> None:
         from bringup_lint.model.node_source import Qos

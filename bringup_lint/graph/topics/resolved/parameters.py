@@ -13,6 +13,7 @@ from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.params.loads import path_of
 from bringup_lint.graph.topics.resolved.process_arguments import RosArguments
+from bringup_lint.model.launch_values import DerivedFile
 from bringup_lint.model.launch_values import DictValue
 from bringup_lint.model.launch_values import Literal
 from bringup_lint.model.launch_values import ParameterFile
@@ -28,6 +29,8 @@ if TYPE_CHECKING:
     from bringup_lint.model.params import ParameterFile as File
 
 
+_REWRITING = "RewrittenYaml"
+_SECTION = ".ros__parameters."
 Plain = str | int | float | bool | list[Any] | None
 
 
@@ -73,11 +76,37 @@ def given_parameters(
     for name, text, where in arguments.parameters:
         found.values[name] = Given(_plain(text), where)
     for source in node.parameters:
+        base = source.file if isinstance(source, ParameterFile) else source
         if isinstance(source, DictValue):
             _inline(found, source, "")
+        elif isinstance(base, DerivedFile):
+            _take_derived(found, sources, base, fqn)
         elif not _take_file(found, sources.file(source), fqn):
             found.forget()
     return found
+
+
+def _take_derived(found: GivenParameters, sources: ParameterSources, source: DerivedFile, fqn: str | None) -> None:
+    """What a file gives of which some values are written anew; these are not known."""
+    file, rewrites = sources.file(source.base), source.rewrites
+    root = text_of(source.root_key) if source.root_key is not None else ""
+    known = rewrites is None or (isinstance(rewrites, DictValue) and not rewrites.open)
+    keys = [text_of(key) for key, _ in rewrites.items] if isinstance(rewrites, DictValue) else []
+    if source.helper != _REWRITING or root is None or not known or None in keys:
+        found.forget()
+        return
+    fresh = GivenParameters()
+    if not _take_file(fresh, file, fqn, root):
+        found.forget()
+        return
+    for key in keys:
+        name = str(key).rpartition(_SECTION)[2]
+        same = (each for each in fresh.values if f".{each}".endswith(f".{name.rpartition('.')[2]}"))
+        for each in list(same):
+            fresh.values[each] = Given(None, fresh.values[each].where)
+        if _SECTION in str(key) and name not in fresh.values:
+            fresh.values[name] = Given(None, source.span)
+    found.values.update(fresh.values)
 
 
 def _plain(text: str) -> Plain:
@@ -104,16 +133,17 @@ def _inline(found: GivenParameters, values: DictValue, prefix: str) -> None:
         found.forget()
 
 
-def _take_file(found: GivenParameters, file: File | None, fqn: str | None) -> bool:
-    """Whether what a file gives is known."""
+def _take_file(found: GivenParameters, file: File | None, fqn: str | None, root: str = "") -> bool:
+    """Whether what a file gives is known; ``root``: the namespace under which all of its blocks are."""
     if file is None:
         return False
     for block in file.blocks:
-        if fqn is None and "*" not in block.name:
+        name = f"{root}/{block.name.lstrip('/')}" if root else block.name
+        if fqn is None and "*" not in name:
             return False
-        if fqn is not None and not matches(block.name, fqn):
+        if fqn is not None and not matches(name, fqn):
             continue
-        if fqn is None and block.name.strip("/") != "**":
+        if fqn is None and name.strip("/") != "**":
             return False
         for parameter in block.parameters:
             data = parameter.value.data

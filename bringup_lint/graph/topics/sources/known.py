@@ -7,6 +7,8 @@ from functools import cache
 from bringup_lint.facts import table
 from bringup_lint.named_tuple import NamedTuple
 
+VELOCITY = "velocity"
+"""The type of topics that are ``Twist`` or ``TwistStamped``."""
 ROLES = {"pub": "publisher", "sub": "subscription"}
 
 
@@ -17,6 +19,7 @@ class KnownTopic(NamedTuple):
     """The default; empty when only a parameter gives it."""
     parameter: str
     type: str | None
+    """``VELOCITY`` where a parameter and the distribution decide."""
     reliability: str | None
     durability: str | None
     depth: int | None
