@@ -10,6 +10,7 @@ from bringup_lint.api import fix
 from bringup_lint.on_demand import on_demand
 
 if TYPE_CHECKING:
+    from bringup_lint.facts.ros.launch_api import module_of
     from bringup_lint.facts.ros.launch_calls import parameters_of
     from bringup_lint.facts.ros.public_programs import public_package
     from bringup_lint.finding import Finding

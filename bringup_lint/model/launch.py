@@ -75,6 +75,14 @@ class OldKeyword(NamedTuple):
     """Whether the call has that keyword, too."""
 
 
+class UnboundName(NamedTuple):
+    """A name that Python code looks up, and that no statement of its file binds."""
+
+    name: Located
+    is_conditional: bool
+    """The code that looks it up runs only under a condition."""
+
+
 class RefusedCall(NamedTuple):
     """A call of a class of launch or launch_ros that ends with an exception, in every distribution."""
 
@@ -330,6 +338,8 @@ class LaunchFile:
     objects: list[ObjectAsValue] = field(default_factory=list)
     bare_excepts: list[Span] = field(default_factory=list)
     waits: list[Wait] = field(default_factory=list)
+    unbound: list[UnboundName] = field(default_factory=list)
+    """Names that Python code looks up and that nothing binds."""
     tag: Tag | None = None
     """The root of an XML or YAML file, as it is written."""
     ros1: list[Located] = field(default_factory=list)

@@ -1,7 +1,7 @@
 """gateway4 and gateway6 are deprecated.
 
 ## What it finds
-`gateway4` or `gateway6`.
+`gateway4` or `gateway6`. `0.0.0.0` and `::` are no gateway: there is no route to write then.
 
 ## Why it matters on a robot
 Both keys still work, with a warning at every run, but they hide conflicts: two of them in two files are two
@@ -42,12 +42,28 @@ def gateway_deprecated(robot: Robot) -> Iterator[Finding]:
     for interface in robot.netplan.interfaces:
         for key in ("gateway4", "gateway6"):
             for name, value in interface.entries(key):
+                if _is_unspecified(value):
+                    yield _of_no_gateway(name, value)
+                    continue
                 yield finding(
                     name.value,
                     f"{key} is deprecated: write a default route",
                     advice=f"routes: [{{to: default, via: {getattr(value, 'value', '...')}}}]",
                     fix=_as_route(interface, name, value),
                 )
+
+
+def _is_unspecified(value: Node) -> bool:
+    """Whether an address stands for none (RFC 1122 and RFC 4291)."""
+    return isinstance(value, Scalar) and value.value in ("0.0.0.0", "::")
+
+
+def _of_no_gateway(name: Scalar, value: Node) -> Finding:
+    return finding(
+        name.value,
+        f"{value.span.text} is not a gateway: nothing beyond the networks of this interface is reached through it",
+        advice="remove the line, or write the address of the router: routes: [{to: default, via: ...}]",
+    )
 
 
 def _as_route(interface: Interface, name: Scalar, value: Node) -> Fix | None:

@@ -49,3 +49,10 @@ def names(module: str, distribution: str | None) -> frozenset[str] | None:
         if at is None or order.index(since) <= at <= order.index(last):
             found.add(name)
     return frozenset(found)
+
+
+def module_of(name: str) -> str | None:
+    """The one module of launch, launch_ros or ament_index_python that has a class or function; None when several or
+    none do."""
+    modules = [module for module, rows in _rows().items() if any(each[0] == name for each in rows) and " " not in module]
+    return modules[0] if len(modules) == 1 else None

@@ -20,6 +20,7 @@ from bringup_lint.parsers.launch_python.objects import Sequence
 from bringup_lint.parsers.launch_python.state import Evaluator
 from bringup_lint.parsers.launch_python.state import State
 from bringup_lint.parsers.launch_python.statements import run
+from bringup_lint.parsers.launch_python.unbound import unbound
 from bringup_lint.parsers.launch_python.waits import MENTIONED
 from bringup_lint.parsers.launch_python.waits import waits
 from bringup_lint.parsers.python_syntax import Positions
@@ -53,6 +54,8 @@ def parse(source: Source) -> LaunchFile:
         file.actions += (Other(span=source.whole, why="the file is too long to follow"),)
     except RecursionError:
         file.actions += (Other(span=source.whole, why="nested too deeply"),)
+    else:
+        file.unbound += unbound(state, tree)
     finally:
         module.names.clear()  # its functions know it: without this, the syntax tree would wait for a search for garbage
     return file

@@ -36,6 +36,7 @@ from bringup_lint.parsers.launch_python.operators import unary
 from bringup_lint.parsers.launch_python.state import State
 from bringup_lint.parsers.launch_python.truth import branch
 from bringup_lint.parsers.launch_python.truth import negated
+from bringup_lint.parsers.launch_python.unbound import note_unbound
 from bringup_lint.parsers.python_syntax import located
 from bringup_lint.source import Located
 from bringup_lint.source import Span
@@ -92,6 +93,7 @@ def _name(state: State, node: ast.Name) -> Any:
         return Symbol("__file__", span)
     if name == "__name__":
         return Literal("launch_file", span)
+    note_unbound(state, node)
     return Unknown(f"name {name}", span)
 
 

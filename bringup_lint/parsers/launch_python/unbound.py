@@ -1,0 +1,62 @@
+"""Names that the code of a launch file looks up and that nothing in the file binds."""
+
+from __future__ import annotations
+
+import ast
+import builtins
+from collections.abc import Iterator
+
+from bringup_lint.model.launch import UnboundName
+from bringup_lint.parsers.launch_python.state import State
+from bringup_lint.source import Located
+
+_OF_MODULES = frozenset({"__file__", "__name__", "__doc__", "__spec__", "__loader__", "__package__", "__builtins__"})
+_DYNAMIC = frozenset({"exec", "eval", "globals", "locals", "vars", "setattr", "__import__"})
+"""Functions that may bind any name."""
+_CATCHING = frozenset({"NameError", "Exception", "BaseException"})
+
+
+def note_unbound(state: State, node: ast.Name) -> None:
+    """Keep the first place where the code looks a name up that no frame has."""
+    if node.id not in state.lacking:
+        state.lacking[node.id] = (node, bool(state.guards))
+
+
+def unbound(state: State, tree: ast.Module) -> Iterator[UnboundName]:
+    """Those of the names that were not found which no statement of the file can bind."""
+    lacking = {name: found for name, found in state.lacking.items() if not hasattr(builtins, name)}
+    if not lacking:
+        return
+    nodes = list(ast.walk(tree))
+    bound = {name for node in nodes for name in _bound(node)}
+    if "*" in bound or any(isinstance(node, ast.Name) and node.id in _DYNAMIC for node in nodes):
+        return
+    caught = {id(inner) for node in nodes if isinstance(node, ast.Try) and _catches(node) for inner in _body(node)}
+    for name, (node, is_conditional) in lacking.items():
+        if name not in bound | _OF_MODULES and id(node) not in caught:
+            yield UnboundName(Located(name, state.positions.span(node)), is_conditional)
+
+
+def _bound(node: ast.AST) -> Iterator[str]:
+    if isinstance(node, ast.Name) and not isinstance(node.ctx, ast.Load):
+        yield node.id
+    elif isinstance(node, ast.arg):
+        yield node.arg
+    elif isinstance(node, ast.alias):
+        yield (node.asname or node.name).partition(".")[0]
+    elif isinstance(node, (ast.Global, ast.Nonlocal)):
+        yield from node.names
+    else:  # definitions, handlers and patterns; names of attributes have another field
+        name = getattr(node, "name", None) or getattr(node, "rest", None)
+        if isinstance(name, str):
+            yield name
+
+
+def _catches(node: ast.Try) -> bool:
+    types = [handler.type for handler in node.handlers]
+    words = (each for kind in types if kind is not None for each in ast.walk(kind) if isinstance(each, ast.Name))
+    return None in types or any(word.id in _CATCHING for word in words)
+
+
+def _body(node: ast.Try) -> Iterator[ast.AST]:
+    return (inner for statement in node.body for inner in ast.walk(statement))
