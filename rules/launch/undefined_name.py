@@ -40,7 +40,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.launch import module_of
 
 
-@rule("error", symptoms=["NameError: name '*' is not defined"])
+@rule("error", symptoms=["trying to load file of format [py]: - NameError: name '*' is not defined"])
 def undefined_name(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         for name, is_conditional in file.unbound:
