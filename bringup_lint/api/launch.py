@@ -178,6 +178,7 @@ __all__ = [
     "literal_text",
     "managers",
     "missing_entries",
+    "module_of",
     "names_beside",
     "not_passed",
     "of_robots",
