@@ -54,5 +54,6 @@ def names(module: str, distribution: str | None) -> frozenset[str] | None:
 def module_of(name: str) -> str | None:
     """The one module of launch, launch_ros or ament_index_python that has a class or function; None when several or
     none do."""
-    modules = [module for module, rows in _rows().items() if any(each[0] == name for each in rows) and " " not in module]
+    by_module = ((module, {row[0] for row in rows}) for module, rows in _rows().items() if " " not in module)
+    modules = [module for module, names in by_module if name in names]
     return modules[0] if len(modules) == 1 else None
