@@ -90,6 +90,10 @@ class Graph:
         """The place of a unit in the boot order, from 0: higher than that of every unit it starts after."""
         return self.rank()
 
+    def copy(self) -> Graph:
+        """The same edges in the same order, to add others."""
+        return Graph(_copied(self.out), _copied(self.into))
+
     def add(self, edges: Iterable[Edge]) -> None:
         for edge in edges:
             self.out.setdefault(edge.source, []).append(edge)
@@ -129,3 +133,7 @@ class Graph:
         for edge in self.edges(*kinds):
             graph.add_edge(edge.source, edge.target, edge=edge)
         return graph
+
+
+def _copied(ends: dict[Node, list[Edge]]) -> dict[Node, list[Edge]]:
+    return {node: list(edges) for node, edges in ends.items()}

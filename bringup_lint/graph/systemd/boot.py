@@ -36,15 +36,29 @@ class Boot:
     """What starts when, and why."""
 
     units: NamedUnits
-    graph: Graph
+    stated: Graph
+    """What the tree states, which answers most questions: units name what they wait for and need."""
+    whole: Callable[[], Graph]
+    """Gives the graph with the distribution's edges."""
     _last: dict[Node, dict[Node, _Last]] = field(default_factory=dict)
     _at_boot: dict[str, set[Node]] = field(default_factory=dict)
+
+    @cached_property
+    def graph(self) -> Graph:
+        return self.whole()
 
     def waits_for(self, unit: Unit, name: str) -> Edge | None:
         """The edge at the end of the shortest chain of ordering from the unit back to the one of that name: the unit
         starts after it."""
-        starts, goal = self._nodes(unit), self._named(unit, name)
-        if goal is None or goal in starts:
+        goal = self._named(unit, name)
+        if goal is None:
+            return None
+        stated = (edge for edge in self._between(unit, goal) if edge.kind == "orders" and edge.source == goal)
+        return next(stated, None) or self._in_the_end(unit, goal)
+
+    def _in_the_end(self, unit: Unit, goal: Node) -> Edge | None:
+        starts = self._nodes(unit)
+        if goal in starts:
             return None
         if goal not in self._last:
             self._last[goal] = _last_edges(goal, self._later, self._earlier)
@@ -54,15 +68,32 @@ class Boot:
 
     def ordered(self, unit: Unit, name: str) -> bool:
         """Whether one of the two starts after the other, over any edge: both are taken to be there."""
-        starts, goal = self._nodes(unit), self._named(unit, name)
-        if goal is None or goal in starts:
+        goal = self._named(unit, name)
+        if goal is None:
+            return False
+        if any(edge.kind == "orders" for edge in self._between(unit, goal)):
+            return True
+        starts = self._nodes(unit)
+        if goal in starts:
             return False
         return self._order.leads(starts, goal) or any(self._order.leads({goal}, start) for start in starts)
 
     def brings_in(self, unit: Unit, name: str) -> bool:
         """Whether starting the unit starts the one of that name too."""
         goal = self._named(unit, name)
-        return goal is not None and self._requirements.leads(self._nodes(unit), goal)
+        if goal is None:
+            return False
+        if any(edge.kind in PULLING and edge.target == goal for edge in self._between(unit, goal)):
+            return True
+        return self._requirements.leads(self._nodes(unit), goal)
+
+    def _between(self, unit: Unit, other: Node) -> Iterator[Edge]:
+        """What the tree states of a unit and another one; nothing of templates, for which their instances stand."""
+        here = self.units.node(unit)
+        if unit.is_template or here == other:
+            return
+        for ends in (self.stated.into, self.stated.out):
+            yield from (edge for edge in ends.get(here, ()) if other in (edge.source, edge.target))
 
     def brought_in(self, near: Unit, name: str) -> bool:
         """Whether a boot target, over lines of the tree, starts the unit of that name at boot anyway."""

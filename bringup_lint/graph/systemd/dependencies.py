@@ -22,19 +22,31 @@ from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.graph.systemd.unit_loading import Link
 
 
-def dependency_graph(units: NamedUnits) -> Graph:
-    """All edges between units that the tree or the distribution states."""
-    graph = Graph()
-    for instance in instances(units):
-        graph.add(_written(instance, units))
-        if instance.unit.fragment is not None:
-            graph.add(implicit_edges(instance, units))
-    for link in units.links:
-        graph.add(_linked(link, units))
+def dependency_graph(stated: Graph, units: NamedUnits) -> Graph:
+    """All edges between units that the tree or the distribution states. Those of the tree, which are ``stated``, come
+    first at each unit."""
+    graph = stated.copy()
     if not units.has_vendor_units:
         graph.add(distribution_edges(units.all, units.files.target.systemd))
     graph.add(list(after_members(graph, units)))
     return graph
+
+
+def stated_graph(units: NamedUnits) -> Graph:
+    """The edges that the units and links of the tree state, with what follows from the type and the settings of a
+    unit."""
+    graph = Graph()
+    graph.add(_stated(units))
+    return graph
+
+
+def _stated(units: NamedUnits) -> Iterator[Edge]:
+    for instance in instances(units):
+        yield from _written(instance, units)
+        if instance.unit.fragment is not None:
+            yield from implicit_edges(instance, units)
+    for link in units.links:
+        yield from _linked(link, units)
 
 
 def _written(instance: Instance, units: NamedUnits) -> Iterator[Edge]:

@@ -40,7 +40,8 @@ _NETWORK_MOUNTS = frozenset(
         "ncp",
     }
 )
-_MEMBERS = frozenset({"wants", "requires", "binds-to"})
+MEMBERS = frozenset({"wants", "requires", "binds-to"})
+"""The relations of a target to units after which it starts."""
 _FOLDERS = ("WorkingDirectory", "RootDirectory")
 
 
@@ -197,7 +198,7 @@ def after_members(graph: Graph, units: NamedUnits) -> Iterator[Edge]:
             continue
         ordered = _ordered_with(target, graph)
         for edge in edges:
-            if edge.kind in _MEMBERS and edge.target not in ordered and edge.target not in without:
+            if edge.kind in MEMBERS and edge.target not in ordered and edge.target not in without:
                 why = f"{target.name} is ordered after the units that it pulls in"
                 why = f"{why} ({edge.said})" if edge.where else why
                 yield Edge("orders", edge.target, target, edge.where, why, edge.of_package, Origin.IMPLICIT)

@@ -23,10 +23,12 @@ from bringup_lint.graph.systemd.cycles import ROOTS
 from bringup_lint.graph.systemd.cycles import Cycle
 from bringup_lint.graph.systemd.cycles import ordering_cycles
 from bringup_lint.graph.systemd.dependencies import dependency_graph
+from bringup_lint.graph.systemd.dependencies import stated_graph
 from bringup_lint.graph.systemd.environment import EnvironmentFile
 from bringup_lint.graph.systemd.environment import environment_files
 from bringup_lint.graph.systemd.environment import process_environment
 from bringup_lint.graph.systemd.environment import unit_environment
+from bringup_lint.graph.systemd.forward import all_go_forward
 from bringup_lint.graph.systemd.named_units import NamedUnits
 from bringup_lint.graph.systemd.process import Process
 from bringup_lint.graph.systemd.process import processes
@@ -201,12 +203,19 @@ class Units(NamedUnits):
         return [process for process in self.processes(unit) if process.key == "ExecStart"]
 
     @cached_property
+    def stated(self) -> Graph:
+        """The edges of the units and links of the tree."""
+        return stated_graph(self)
+
+    @cached_property
     def graph(self) -> Graph:
         """Requirement and ordering edges of all units, the distribution's included."""
-        return dependency_graph(self)
+        return dependency_graph(self.stated, self)
 
     @cached_property
     def cycles(self) -> list[Cycle]:
+        if all_go_forward(self.stated, self):
+            return []
         default = self.alias_links.get(("system", "default.target"))
         return list(ordering_cycles(self.graph, self.boot.components, [default] if default else ROOTS))
 
@@ -318,7 +327,7 @@ class Units(NamedUnits):
 
     @cached_property
     def boot(self) -> Boot:
-        return Boot(self, self.graph)
+        return Boot(self, self.stated, lambda: self.graph)
 
     def waits_for(self, unit: Unit, name: str) -> Edge | None:
         """The edge at the named unit by which the other, in the end, starts after it; None when it does not."""
