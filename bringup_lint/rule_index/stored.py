@@ -40,12 +40,16 @@ class Index(NamedTuple):
 
     families: dict[str, dict[str, Any]]
     """Folder -> what its ``family.toml`` says."""
-    rules: dict[str, tuple[Any, ...] | None]
-    """``systemd/kill_mode.py`` -> an ``Entry`` as tuples; None for a file of an unusual form."""
+    rules: dict[str, bytes | None]
+    """``systemd/kill_mode.py`` -> an ``Entry``, which is read when it is asked for, as most runs ask for a part of the
+    rules; None for a file of an unusual form."""
 
     def entry(self, name: str) -> Entry | None:
         found = self.rules.get(name)
-        return None if found is None else Entry(Described(*found[0]), found[1])
+        if found is None:
+            return None
+        described, needs = marshal.loads(found)
+        return Entry(Described(*described), needs)
 
 
 def index_of(folder: Path) -> Index | None:
@@ -54,7 +58,7 @@ def index_of(folder: Path) -> Index | None:
     if carried is not None and carried.get("version") == __version__:
         return Index(carried["families"], carried["rules"])
     place = Path(cache_from_source(str(folder / "index.py"))).with_suffix(".marshal")
-    stamps = dict(_stamps(folder))
+    stamps = _stamps(folder)
     known = _read(place) or {}
     if known.get("stamps") == stamps:
         return Index(known["families"], known["rules"])
@@ -67,7 +71,7 @@ def index_of(folder: Path) -> Index | None:
 
 def made_for_wheel(folder: Path) -> bytes:
     """The index that a wheel carries."""
-    made = _made(folder, dict(_stamps(folder)), {})
+    made = _made(folder, _stamps(folder), {})
     return marshal.dumps({**made, "stamps": {}, "version": __version__}, _FORMAT)
 
 
@@ -79,24 +83,23 @@ def _read(place: Path) -> dict[str, Any] | None:
     return data if isinstance(data, dict) else None
 
 
-def _stamps(folder: Path) -> Iterator[tuple[str, Stamp]]:
+def _stamps(folder: Path) -> dict[str, Stamp]:
     """The files that the index is made from: the rules, and the modules that read them."""
-    for family in sorted(_folders(folder)):
-        with os.scandir(folder / family) as entries:
+    stamps: dict[str, Stamp] = {}
+    places = [(os.path.join(folder, family), f"{family}/") for family in sorted(_folders(folder))]
+    for place, prefix in [*places, (os.path.dirname(__file__), "")]:
+        with os.scandir(place) as entries:
             for entry in entries:
-                if entry.name == FAMILY or (entry.name.endswith(".py") and not entry.name.startswith("_")):
-                    yield f"{family}/{entry.name}", _stamp(entry.stat())
-    with os.scandir(os.path.dirname(__file__)) as entries:
-        yield from ((entry.name, _stamp(entry.stat())) for entry in entries if entry.name.endswith(".py"))
+                name = entry.name
+                if name == FAMILY or (name.endswith(".py") and (not prefix or name[0] != "_")):
+                    status = entry.stat()
+                    stamps[prefix + name] = status.st_mtime_ns, status.st_size
+    return stamps
 
 
 def _folders(folder: Path) -> Iterator[str]:
     with os.scandir(folder) as entries:
         yield from (entry.name for entry in entries if entry.is_dir() and not entry.name.startswith((".", "_")))
-
-
-def _stamp(status: os.stat_result) -> Stamp:
-    return status.st_mtime_ns, status.st_size
 
 
 def _made(folder: Path, stamps: dict[str, Stamp], known: dict[str, Any]) -> dict[str, Any]:
@@ -123,13 +126,13 @@ def _family(path: Path) -> dict[str, Any]:
     return read_toml(path.read_text("utf-8"))
 
 
-def _entry(text: str) -> tuple[Any, ...] | None:
+def _entry(text: str) -> bytes | None:
     from bringup_lint.rule_index.body import needs_of
     from bringup_lint.rule_index.described import described
 
     needs = tuple(sorted((tuple(sorted(alternative, key=repr)) for alternative in needs_of(text)), key=repr))
     try:
-        return tuple(described(text)), needs
+        return marshal.dumps((tuple(described(text)), needs), _FORMAT)
     except ValueError:
         return None
 
