@@ -55,9 +55,10 @@ class Absence:
 
     @cached_property
     def _is_open(self) -> bool:
-        """Whether the build makes things under names that are written nowhere, or takes them from elsewhere."""
+        """Whether the build makes things under names that are written nowhere, or takes them from elsewhere, as where
+        only the manifest of a package is in the tree."""
         computed = any(build.names_computed for build in self._builds)
-        return computed or not self._descriptions or bool(_FETCHES.search(self._descriptions))
+        return computed or not self._builds or not self._descriptions or bool(_FETCHES.search(self._descriptions))
 
     def of_executable(self, name: str) -> bool:
         """Whether no file is called so, with whatever ending, and no build description has the word."""

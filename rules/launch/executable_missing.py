@@ -1,4 +1,4 @@
-"""A launch file starts an executable that its package does not have.
+"""A launch file or command starts an executable that its package does not have.
 
 ## What it finds
 Executables of workspace packages that neither setup.py (`console_scripts`) nor CMakeLists.txt (`install`, component
@@ -8,8 +8,13 @@ slam_toolbox, controller_manager, joy, teleop_twist_joy, tf2_ros, ...): executab
 that have another name in the robot's distribution, as `spawner.py` from Humble on. A node that does not start by
 default is a warning.
 
+`ros2 run` in units, scripts, containers and other files that start processes is checked in the same way; in a script
+that only people start, it is a warning. Not reported: commands whose failure is expected (`||`, `2>/dev/null`), and
+scripts that ask `ros2 pkg` what there is.
+
 ## Why it matters on a robot
 launch aborts with "executable 'x' not found on the libexec directory": no node of the whole launch file starts.
+`ros2 run` ends with "No executable found". `install(PROGRAMS driver.py)` keeps the ending: its name is `driver.py`.
 
 ## Bad
 ```python
@@ -26,111 +31,169 @@ When the build installs the executable by a means that CMakeLists.txt does not s
 external project generates.
 
 ## References
-- launch_ros, `ExecutableInPackage`
+- launch_ros, `ExecutableInPackage`; ros2run, `get_executable_path`
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from collections.abc import Iterable
 from collections.abc import Iterator
+from functools import partial
+from typing import NamedTuple
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Fix
 from bringup_lint.api import Located
 from bringup_lint.api import Related
 from bringup_lint.api import Robot
+from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import launch
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.shell import Command
 from bringup_lint.api.spelling import nearest
 
-Start = tuple[launch.Started, Located]
-"""A node, and the name of its executable."""
 SYMLINKS = regex(r"--symlink-install\b")
 """With links in the place of files, a script keeps the mode that it has in the source."""
+UNKNOWN = regex(r"[$`%*{]")
+"""What a shell, systemd or a template fills in."""
+ASKS = regex(r"\bros2[ \t]+pkg[ \t]")
+ABORTS = "launch aborts"
+ENDS = "ros2 run ends with 'No executable found'"
 
 
-@rule("error", fix="unsafe", symptoms=["not found on the libexec directory"])
+class Start(NamedTuple):
+    """A node of a launch file or a command, and the executable that it starts."""
+
+    package: str
+    executable: Located
+    chain: Callable[[], Iterable[Related]]
+    effect: str = ABORTS
+    severity: str | None = None
+    distro: str | None = None
+    judged: bool = True
+    """What public packages have is asked, too: the file is judged, and does not ask itself which distribution runs."""
+
+
+@rule("error", fix="unsafe", symptoms=["not found on the libexec directory", "No executable found"])
 def executable_missing(robot: Robot) -> Iterator[Finding]:
     elsewhere: dict[str, list[Start]] = {}
     made: dict[str, list[Start]] = {}
-    for node in robot.launch.nodes:
-        name, executable = launch.literal_text(node.package), launch.literal_text(node.executable)
-        if name is None or executable is None:
-            continue
-        package = robot.launch.workspace.packages.get(name)
+    workspace = robot.launch.workspace
+    for start in (*_of_launch_files(robot), *_of_commands(robot)):
+        name, executable = start.package, start.executable
+        package = workspace.packages.get(name)
         if package is not None:
-            yield from of_workspace(robot, node, package, executable)
+            yield from of_workspace(robot, start, package)
             if executable in package.executables and package.is_misplaced(executable):
-                elsewhere.setdefault(name, []).append((node, executable))
-            elif package.made(executable) and robot.launch.workspace.lacks(package, executable):
-                made.setdefault(name, []).append((node, executable))
-        elif name not in robot.launch.workspace.ambiguous and node.file.source.judged:
-            yield from of_public(robot, node, name, executable)
-    packages = robot.launch.workspace.packages
-    yield from (misplaced(robot, packages[package], started) for package, started in elsewhere.items())
-    yield from (only_made(robot, packages[package], started) for package, started in made.items())
+                elsewhere.setdefault(name, []).append(start)
+            elif package.made(executable) and workspace.lacks(package, executable):
+                made.setdefault(name, []).append(start)
+        elif name not in workspace.ambiguous and start.judged:
+            yield from of_public(robot, start)
+    yield from (misplaced(workspace.packages[package], started) for package, started in elsewhere.items())
+    yield from (only_made(workspace.packages[package], started) for package, started in made.items())
 
 
-def of_workspace(robot: Robot, node: launch.Started, package: launch.Package, executable: Located) -> Iterator[Finding]:
-    if robot.launch.workspace.lacks(package, executable) and not package.made(executable):
-        yield missing(robot, node, package, executable)
-    elif executable in package.without_mode and package.installs_known:
-        yield without_mode(robot, node, package, executable)
-
-
-def of_public(robot: Robot, node: launch.Started, name: str, executable: Located) -> Iterator[Finding]:
-    """Programs that no release of a public package has, or that it has under another name now."""
-    package = launch.public_package(name)
-    if package is None or robot.dependencies.is_forked(name) or robot.launch.looks_at_distribution(node.file):
+def _of_launch_files(robot: Robot) -> Iterator[Start]:
+    if not robot.has_launch_files:
         return
-    distro = robot.launch.distribution(node.file)
-    if package.is_gone(distro):
+    for node in robot.launch.nodes:
+        package, executable = launch.literal_text(node.package), launch.literal_text(node.executable)
+        if package is not None and executable is not None:
+            yield Start(
+                str(package),
+                executable,
+                partial(robot.provenance.chain_to_node, node),
+                severity="warning" if node.by_default is not True else None,
+                distro=robot.launch.distribution(node.file),
+                judged=node.file.source.judged and not robot.launch.looks_at_distribution(node.file),
+            )
+
+
+def _of_commands(robot: Robot) -> Iterator[Start]:
+    """Each ``ros2 run`` that is surely meant to work, once, whoever runs its script."""
+    found: dict[Span, Start] = {}
+    for runner in robot.runners.ros:
+        if not runner.certain or runner.purpose.value in ("test", "archive"):
+            continue
+        severity = None if robot.runners.is_supervised(runner) else "warning"
+        for ros in runner.run:
+            if ros.package is None or ros.target is None or UNKNOWN.search(ros.target) or _may_fail(ros.command):
+                continue
+            chain = partial(robot.provenance.chain_to, ros.target, f"'{ros.target}' is run")
+            found.setdefault(ros.target.span, Start(str(ros.package), ros.target, chain, ENDS, severity))
+    yield from found.values()
+
+
+def _may_fail(command: Command) -> bool:
+    """Whether nobody minds that a command fails, or its script asks before what there is."""
+    unheard = any(each.target == "/dev/null" for each in command.redirects)
+    return unheard or command.ends == "||" or ASKS.search(command.words[0].span.source.text) is not None
+
+
+def of_workspace(robot: Robot, start: Start, package: launch.Package) -> Iterator[Finding]:
+    executable = start.executable
+    if robot.launch.workspace.lacks(package, executable) and not package.made(executable):
+        yield missing(start, package)
+    elif executable in package.without_mode and package.installs_known:
+        yield without_mode(robot, start, package)
+
+
+def of_public(robot: Robot, start: Start) -> Iterator[Finding]:
+    """Programs that no release of a public package has, or that it has under another name now."""
+    name, executable, distro = start.package, start.executable, start.distro
+    package = launch.public_package(name)
+    if package is None or robot.dependencies.is_forked(name) or package.is_gone(distro):
         return
     now = package.renamed(executable, distro)
     if now is not None:
         yield finding(
             executable,
-            f"{name} has no executable '{executable}' after {now.last.capitalize()}: launch aborts",
+            f"{name} has no executable '{executable}' after {now.last.capitalize()}: {start.effect}",
             advice=f"start '{now.now}'",
-            chain=robot.provenance.chain_to_node(node),
+            chain=start.chain(),
             fix=_fix(executable, now.now),
-            severity=_severity(node),
+            severity=start.severity,
         )
     elif package.lacks(executable):
         names = [each.name for each in package.programs if not each.last]
         near = nearest(executable, names, 3)
         yield finding(
             executable,
-            f"{name} has no executable '{executable}': launch aborts",
+            f"{name} has no executable '{executable}': {start.effect}",
             advice=f"start {' or '.join(near or names)}",
-            chain=robot.provenance.chain_to_node(node),
+            chain=start.chain(),
             fix=_fix(executable, near[0]) if len(near) == 1 else None,
-            severity=_severity(node),
+            severity=start.severity,
         )
 
 
-def misplaced(robot: Robot, package: launch.Package, started: list[Start]) -> Finding:
+def misplaced(package: launch.Package, started: list[Start]) -> Finding:
     """Console scripts where launch does not look: in ``bin``, or in the folder of another package."""
-    (node, executable), *others = started
+    start, *others = started
+    executable = start.executable
     folder = package.scripts_folder
     place = folder or package.executables[executable]
     where = str(folder).removeprefix("$base/") if folder else "bin"
     return finding(
         executable,
-        f"'{executable}' is not installed in lib/{package.name}: launch aborts",
+        f"'{executable}' is not installed in lib/{package.name}: {start.effect}",
         advice=f"write 'install_scripts=$base/lib/{package.name}' in the section [install] of setup.cfg",
-        chain=robot.provenance.chain_to_node(node),
+        chain=start.chain(),
         related=[note(place, f"the console scripts go to {where}"), *_others(others)],
         severity=_severity_of(started),
     )
 
 
-def only_made(robot: Robot, package: launch.Package, started: list[Start]) -> Finding:
+def only_made(package: launch.Package, started: list[Start]) -> Finding:
     """Programs that CMake builds, and installs not at all or elsewhere."""
-    (node, executable), *others = started
+    start, *others = started
+    executable = start.executable
     made = package.made(executable)
     related = [note(made.target, "built here")] if made else []
     if made and made.elsewhere:
@@ -139,54 +202,52 @@ def only_made(robot: Robot, package: launch.Package, started: list[Start]) -> Fi
         related.append(note(made.others, f"installed into lib/{package.name} is this, without {executable}"))
     return finding(
         executable,
-        f"'{executable}' is built and not installed in lib/{package.name}: launch aborts",
+        f"'{executable}' is built and not installed in lib/{package.name}: {start.effect}",
         advice=f"add it to install(TARGETS ... DESTINATION lib/{package.name})",
-        chain=robot.provenance.chain_to_node(node),
+        chain=start.chain(),
         related=[*related, *_others(others)],
         severity=_severity_of(started),
     )
 
 
 def _others(started: list[Start]) -> list[Related]:
-    return [note(other, f"'{other}' is not found either") for _, other in started]
+    return [note(other.executable, f"'{other.executable}' is not found either") for other in started]
 
 
 def _severity_of(started: list[Start]) -> str | None:
-    return "warning" if all(_severity(each) for each, _ in started) else None
+    return "warning" if all(each.severity for each in started) else None
 
 
-def without_mode(robot: Robot, node: launch.Started, package: launch.Package, executable: Located) -> Finding:
+def without_mode(robot: Robot, start: Start, package: launch.Package) -> Finding:
     """A script that CMake installs as a plain file, which nobody may run."""
+    executable = start.executable
     linked = robot.files.mentions(SYMLINKS)
     return finding(
         executable,
-        f"'{executable}' is installed without its executable bit: launch does not find it, and aborts",
+        f"'{executable}' is installed without its executable bit: {start.effect}",
         advice="install it with install(PROGRAMS ...)",
-        chain=robot.provenance.chain_to_node(node),
+        chain=start.chain(),
         related=[note(package.without_mode[executable], "install(FILES) gives it the mode 644")],
-        severity="info" if linked else _severity(node),
+        severity="info" if linked else start.severity,
     )
 
 
-def missing(robot: Robot, node: launch.Started, package: launch.Package, executable: Located) -> Finding:
+def missing(start: Start, package: launch.Package) -> Finding:
+    executable = start.executable
     near = nearest(executable, sorted(package.executables), 3)
     builds = [build.source for build in package.builds[:1]]
     related = [note(package.executables[near[0]], "the executable of the package")] if near else []
     return finding(
         executable,
-        f"{package.name} has no executable '{executable}': launch aborts",
+        f"{package.name} has no executable '{executable}': {start.effect}",
         advice=f"start '{near[0]}'" if near else f"install it in {builds[0].name if builds else package.name}",
-        chain=robot.provenance.chain_to_node(node),
+        chain=start.chain(),
         related=related or [note(build, "what the package installs") for build in builds],
         fix=_fix(executable, near[0]) if len(near) == 1 else None,
-        severity=_severity(node),
+        severity=start.severity,
     )
 
 
 def _fix(executable: Located, name: str) -> Fix | None:
     is_written = executable.span.text == executable
     return fix(f"write {name}", (executable, name), safe=False) if is_written else None
-
-
-def _severity(node: launch.Started) -> str | None:
-    return "warning" if node.by_default is not True else None

@@ -128,6 +128,11 @@ class Runner:
         """Every ``ros2 launch`` on its command lines that names a launch file."""
         return [start for line in self.lines for start in self.starts_of(line) if is_launch(start)]
 
+    @property
+    def run(self) -> list[Ros]:
+        """Every ``ros2 run`` on its command lines."""
+        return [ros for line in self.lines for _, ros in line.ros if ros.kind == "run"]
+
     def starts_of(self, line: CommandLine) -> list[Start]:
         """The ROS programs that a command line starts."""
         return [
