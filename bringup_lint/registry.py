@@ -7,8 +7,6 @@ is its path. A family's files are loaded only when the tree holds something that
 
 from __future__ import annotations
 
-import importlib.machinery
-import importlib.util
 import re
 from collections.abc import Callable
 from collections.abc import Iterable
@@ -16,7 +14,9 @@ from collections.abc import Iterator
 from collections.abc import Mapping
 from functools import cache
 from functools import cached_property
+from importlib.machinery import SourceFileLoader
 from pathlib import Path
+from types import ModuleType
 from typing import TYPE_CHECKING
 from typing import Any
 
@@ -30,11 +30,11 @@ from bringup_lint.discover.starters import STARTING
 from bringup_lint.finding import Severity
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.pattern import regex
-from bringup_lint.report.docs import HEADINGS
 from bringup_lint.robot import Robot
 from bringup_lint.rule_index.described import Described
 from bringup_lint.rule_index.described import described as read_description
 from bringup_lint.rule_index.described import documentation
+from bringup_lint.rule_index.described import missing_headings
 from bringup_lint.rule_index.met import is_met
 from bringup_lint.rule_index.stored import Index
 from bringup_lint.rule_index.stored import index_of
@@ -207,24 +207,31 @@ def _purposes(table: Mapping[str, Any]) -> dict[Purpose, Severity | None]:
 
 def load(path: Path, rule_id: str) -> Rule:
     """Load one rule file. Raises RuleError when the file fails or lacks its metadata."""
-    name = "bringup_lint_rules." + rule_id.replace("-", "_").replace("/", ".")
-    loader = importlib.machinery.SourceFileLoader(name, str(path))
-    spec = importlib.machinery.ModuleSpec(name, loader, origin=str(path))
-    spec.has_location = True
-    module = importlib.util.module_from_spec(spec)
-    try:
-        loader.exec_module(module)
-    except Exception as error:
-        raise RuleError(f"{path}: {type(error).__name__}: {error}") from error
-    rules = [value for value in vars(module).values() if isinstance(value, Metadata)]
-    if len(rules) != 1:
-        raise RuleError(f"{path}: a rule file holds exactly one @rule, this one holds {len(rules)}")
+    module = _module(path, rule_id)
+    meta = _metadata(module, path)
     doc = module.__doc__ or _docstring(path)
-    missing = [heading for heading in HEADINGS if f"\n## {heading}\n" not in doc]
+    missing = missing_headings(doc)
     if missing:
         raise RuleError(f"{path}: the docstring lacks the heading {', '.join(missing)}")
-    meta = rules[0]
     return Rule(rule_id, path.parent, path.name, _title(doc), meta.check, lambda: meta, doc)
+
+
+def _module(path: Path, rule_id: str) -> ModuleType:
+    name = "bringup_lint_rules." + rule_id.replace("-", "_").replace("/", ".")
+    module = ModuleType(name)
+    module.__file__ = str(path)
+    try:
+        SourceFileLoader(name, str(path)).exec_module(module)
+    except Exception as error:
+        raise RuleError(f"{path}: {type(error).__name__}: {error}") from error
+    return module
+
+
+def _metadata(module: ModuleType, path: Path) -> Metadata:
+    found = [value for value in vars(module).values() if isinstance(value, Metadata)]
+    if len(found) != 1:
+        raise RuleError(f"{path}: a rule file holds exactly one @rule, this one holds {len(found)}")
+    return found[0]
 
 
 def _title(doc: str) -> str:
@@ -244,14 +251,15 @@ def described(path: Path, rule_id: str) -> Rule:
 def _unloaded(folder: Path, file: str, rule_id: str, found: Described, needs: Any, doc: str | None = None) -> Rule:
     """A rule that is loaded when a robot has what it needs; all have where nothing is known of its needs."""
 
-    loaded: list[Rule] = []
+    loaded: list[Check] = []
 
     def check(robot: Any) -> Iterator[Any]:
         if needs is not None and not is_met(needs, robot):
             return iter(())
         if not loaded:
-            loaded.append(load(folder / file, rule_id))
-        return loaded[0].check(robot)
+            path = folder / file
+            loaded.append(_metadata(_module(path, rule_id), path).check)
+        return loaded[0](robot)
 
     def metadata() -> Metadata:
         return rule(found.severity, **found.options)(check)

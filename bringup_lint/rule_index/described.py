@@ -36,7 +36,17 @@ def described(text: str) -> Described:
     severity = ast.literal_eval(expression.args[0])
     options = {str(option.arg): ast.literal_eval(option.value) for option in expression.keywords}
     asks = tuple(sorted(set(_ASKED.findall(text, text.index(END_OF_DOC)))))
-    return Described(severity, options, documentation(text).strip().partition("\n")[0].rstrip("."), asks)
+    doc = documentation(text)
+    if missing_headings(doc):
+        raise ValueError("a file without all headings")
+    return Described(severity, options, doc.strip().partition("\n")[0].rstrip("."), asks)
+
+
+def missing_headings(doc: str) -> list[str]:
+    """The sections that the documentation of a rule lacks."""
+    from bringup_lint.report.docs import HEADINGS
+
+    return [heading for heading in HEADINGS if f"\n## {heading}\n" not in doc]
 
 
 def documentation(text: str) -> str:

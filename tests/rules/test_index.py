@@ -11,14 +11,25 @@ from pathlib import Path
 import pytest
 
 from bringup_lint.registry import Registry
+from bringup_lint.registry import RuleError
 from bringup_lint.registry import builtin_folder
 from bringup_lint.registry import described
 from bringup_lint.registry import families
+from bringup_lint.registry import load
+from bringup_lint.report.docs import HEADINGS
 from bringup_lint.rule_index import stored
 from bringup_lint.rule_index.stored import Index
 from bringup_lint.rule_index.stored import index_of
 
-RULE = '"""{title}.\n"""\n\n@rule("error", symptoms=["a line"])\ndef {name}(robot):\n    yield from robot.sshd\n'
+SECTIONS = "".join(f"\n## {heading}\n" for heading in HEADINGS)
+RULE = '''\
+"""{title}.
+{sections}"""
+
+@rule("error", symptoms=["a line"])
+def {name}(robot):
+    yield from robot.sshd
+'''
 
 
 @pytest.fixture(autouse=True)
@@ -37,7 +48,7 @@ def folder(tmp_path: Path) -> Path:
 def write(folder: Path, name: str, title: str) -> None:
     path = folder / "host" / f"{name}.py"
     path.parent.mkdir(exist_ok=True)
-    path.write_text(RULE.format(name=name, title=title))
+    path.write_text(RULE.format(name=name, title=title, sections=SECTIONS))
 
 
 def place(folder: Path) -> Path:
@@ -104,6 +115,16 @@ def test_a_rule_of_an_unusual_form_is_loaded(folder: Path) -> None:
     (folder / "host/odd.py").write_text('"""Odd.\n"""\n\n@rule(SEVERITY)\ndef odd(robot):\n    yield 1\n')
     index = index_of(folder)
     assert index is not None and "host/odd.py" in index.rules and index.entry("host/odd.py") is None
+
+
+def test_a_rule_that_lacks_a_heading_is_loaded_and_refused(folder: Path) -> None:
+    path = folder / "host/one.py"
+    path.write_text(path.read_text().replace("## Bad\n", ""))
+    index = index_of(folder)
+    assert index is not None and index.entry("host/one.py") is None
+    path.write_text(path.read_text().replace("@rule", "from bringup_lint.api import rule\n\n@rule"))
+    with pytest.raises(RuleError, match=r"one\.py: the docstring lacks the heading Bad$"):
+        load(path, "host/one")
 
 
 def test_a_wheel_carries_its_own(folder: Path) -> None:
