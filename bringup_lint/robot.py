@@ -93,9 +93,10 @@ if TYPE_CHECKING:
 Model = TypeVar("Model")
 
 OF_SYNTAX = frozenset(
-    "nodes topics sros2 graph devices closed_devices open_services expected observed compared".split()
+    "nodes topics sros2 graph devices closed_devices open_services expected observed compared params "
+    "dependencies".split()
 )
-"""What is answered from the syntax of nodes."""
+"""What is answered from the syntax of nodes, or of the modules that they are made of."""
 _HOLDING_SYNTAX = ("nodes", "topics", "expected", "observed")
 """The layers that keep it."""
 

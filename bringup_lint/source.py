@@ -80,6 +80,11 @@ class Source:
             made[key] = make()
         return cast("Made", made[key])
 
+    def known(self, key: object) -> object:
+        """What ``once`` made in this run, or in an earlier one; None where nobody asked yet."""
+        made = self._made if self.models is None else self.models
+        return made.get(key) if made else None
+
     def forget(self, key: object) -> object:
         """What was made for all that ask in this run, which is made again for whoever asks later; None where there is
         nothing, or the source outlives the run."""

@@ -235,9 +235,9 @@ class Tree:
             return None
         if self.root is not None:
             path = self.inside(robot_path)
-            return self._referred(str(path)) if path and disk.isfile(path) else None
+            return self.at(str(path)) if path and disk.isfile(path) else None
         walked = self._by_suffix(robot_path)
-        return None if walked is None else self._referred(walked)
+        return None if walked is None else self.at(walked)
 
     def place(self, source: Source, robot_path: str) -> None:
         """Note where a source is on the robot, which was not known before."""
@@ -256,8 +256,8 @@ class Tree:
             if source.robot_path is not None:
                 self._placed.setdefault(source.robot_path, []).append(source)
 
-    def _referred(self, path: str) -> Source | None:
-        """A file that another one names, whatever path led to it: one source, read once."""
+    def at(self, path: str) -> Source | None:
+        """The file at an absolute path of the tree, whoever asks and whatever led to it: one source, read once."""
         if path not in self._by_reference:
             name = display_name(path)
             self._index()
@@ -280,7 +280,7 @@ class Tree:
         absolute = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(source.name)), path))
         if absolute not in self._paths.get(os.path.basename(absolute), ()):
             return None
-        return self._referred(absolute)
+        return self.at(absolute)
 
     def walked_in(self, folder: str) -> list[str]:
         """The walked files in a folder, an absolute path."""

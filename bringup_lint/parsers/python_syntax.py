@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import warnings
+from typing import cast
 
 from bringup_lint.model.python import PlacedNode
 from bringup_lint.pattern import regex
@@ -85,6 +86,17 @@ def syntax_tree(source: Source) -> tuple[ast.Module | None, list[Problem]]:
         return None, [Problem("f-string" if "f-string" in said else "syntax", _place(source, error, shift), said)]
     except (ValueError, RecursionError, MemoryError) as error:
         return None, [Problem("syntax", source.whole, str(error))]
+
+
+def kept_tree(source: Source) -> tuple[ast.Module | None, list[Problem]]:
+    """As ``syntax_tree``, kept for all that ask for the syntax until ``python_node.let_go``."""
+    return source.once(kept_tree, lambda: syntax_tree(source))
+
+
+def tree_of(source: Source) -> ast.Module | None:
+    """The tree for a question that needs it once: the one that is kept, where there is one."""
+    kept = source.known(kept_tree)
+    return cast("tuple[ast.Module | None, list[Problem]]", kept or syntax_tree(source))[0]
 
 
 def _place(source: Source, error: SyntaxError, shift: int) -> Span:

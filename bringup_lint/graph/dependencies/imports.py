@@ -5,7 +5,7 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator
 
-from bringup_lint.model.python import syntax_of
+from bringup_lint.parsers.python_syntax import tree_of
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
@@ -17,7 +17,7 @@ def imported(source: Source, package: str | None = None) -> Iterator[Located]:
 
 
 def _imported(source: Source, package: str | None) -> Iterator[Located]:
-    module = syntax_of(source.text)
+    module = tree_of(source)
     if module is None:
         return
     for statement in module.body:

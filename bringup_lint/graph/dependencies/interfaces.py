@@ -13,11 +13,12 @@ from typing import TYPE_CHECKING
 from bringup_lint.graph.interface_files import KINDS
 from bringup_lint.graph.interface_files import NAMED
 from bringup_lint.graph.interface_files import interface_files
-from bringup_lint.model.python import syntax_of
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.cmake_commands import Command
 from bringup_lint.parsers.cmake_commands import commands
 from bringup_lint.parsers.python_syntax import Positions
+from bringup_lint.parsers.python_syntax import byte_order_mark
+from bringup_lint.parsers.python_syntax import tree_of
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
@@ -147,10 +148,10 @@ def _imported(source: Source) -> Iterator[tuple[str, str, Located]]:
     """Package, kind and name of the interfaces that a module imports without a way round it, no modules of theirs."""
     if not any(f".{kind}" in source.text for kind in KINDS):
         return
-    tree = syntax_of(source.text)
+    tree = tree_of(source)
     if tree is None:
         return
-    positions = Positions(source, 0)
+    positions = Positions(source, byte_order_mark(source))
     for statement in tree.body:
         if isinstance(statement, ast.ImportFrom) and not statement.level:
             package, _, kind = (statement.module or "").partition(".")

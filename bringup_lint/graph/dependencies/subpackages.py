@@ -48,7 +48,7 @@ def _needed(tree: Tree, package: Package, listed: Packages) -> Iterator[Located]
             continue
         own = os.path.relpath(os.path.dirname(os.path.abspath(path)), package.folder).replace(os.sep, ".")
         if own != "." and _is_installed(tree, package, listed, own):
-            source = tree.read(path)
+            source = tree.at(path)
             yield from imported(source, own) if source is not None else ()
 
 

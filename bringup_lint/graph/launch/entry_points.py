@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import ast
 import os
+import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.workspace import Package
-from bringup_lint.model.python import syntax_of
 from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.parsers.python_syntax import tree_of
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
@@ -72,11 +73,13 @@ def _may_be_made(tree: Tree, stem: str) -> bool:
 
 def _defines(source: Source, name: str) -> bool:
     """Whether a module has a name at its top, as far as that is known."""
-    return source.once((_defines, name), lambda: _binds(source.text, name))
+    return source.once((_defines, name), lambda: _binds(source, name))
 
 
-def _binds(text: str, name: str) -> bool:
-    tree = syntax_of(text)
+def _binds(source: Source, name: str) -> bool:
+    if re.search(rf"^[ \t]*def[ \t]+{re.escape(name)}[ \t]*\(", source.text, re.M):
+        return True
+    tree = tree_of(source)
     return tree is None or any(name in names or "*" in names for names in map(_names, ast.walk(tree)))
 
 

@@ -7,9 +7,9 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from bringup_lint.model.python import syntax_of
 from bringup_lint.model.python import walk
 from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.parsers.python_syntax import tree_of
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
@@ -104,7 +104,7 @@ def _sources(files: Files, workspace: Workspace, package: Package) -> Iterator[S
         if _TESTS.search(path[len(package.folder) :]) or count >= FILES:
             continue
         count += 1
-        source = files.tree.read(path, judged=False)
+        source = files.tree.at(path)
         if source is None or "declare_parameter" not in source.text:
             if source is not None and source.matches(_LOOSE):
                 yield source
@@ -114,7 +114,7 @@ def _sources(files: Files, workspace: Workspace, package: Package) -> Iterator[S
 
 
 def _of_python(source: Source) -> Iterator[Declared]:
-    tree = syntax_of(source.text)
+    tree = tree_of(source)
     if tree is None:
         return
     described = _dynamic_names(tree) if _DYNAMIC in source.text else None

@@ -29,7 +29,7 @@ from bringup_lint.parsers.python_node.values import Values
 from bringup_lint.parsers.python_node.values import argument
 from bringup_lint.parsers.python_syntax import Positions
 from bringup_lint.parsers.python_syntax import byte_order_mark
-from bringup_lint.parsers.python_syntax import syntax_tree
+from bringup_lint.parsers.python_syntax import kept_tree
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
@@ -48,7 +48,8 @@ def parse(source: Source) -> NodeSource:
     if len(source.text) > TEXT:
         file.problems.append(Problem("too-large", source.whole))
         return file
-    tree, file.problems = syntax_tree(source)
+    tree, problems = kept_tree(source)
+    file.problems += problems
     if tree is None:
         return file
     try:
@@ -62,6 +63,7 @@ def let_go(sources: Iterable[Source]) -> None:
     """Forget what was read of sources for this run alone."""
     for source in sources:
         file = source.forget(parse)
+        source.forget(kept_tree)
         if isinstance(file, NodeSource):
             file.let_go()
 

@@ -13,7 +13,7 @@ from bringup_lint.model.python import children
 from bringup_lint.model.python import walk
 from bringup_lint.parsers.python_syntax import Positions
 from bringup_lint.parsers.python_syntax import byte_order_mark
-from bringup_lint.parsers.python_syntax import syntax_tree
+from bringup_lint.parsers.python_syntax import tree_of
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
@@ -34,7 +34,7 @@ HELPERS = 3
 
 def parse(source: Source) -> ParameterWords:
     """Never raises."""
-    tree = syntax_tree(source)[0] if len(source.text) <= TEXT else None
+    tree = tree_of(source) if len(source.text) <= TEXT else None
     if tree is None or _LOOSE.search(source.text):
         return ParameterWords(open=True)
     try:
