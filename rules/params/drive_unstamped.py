@@ -5,15 +5,14 @@ For controllers of the type `diff_drive_controller/DiffDriveController`, where t
 `<controller>/cmd_vel_unstamped` in remappings of launch files, and `use_stamped_vel: false` in parameter files, which
 alone is a warning. Silent where a node of the tree may add the stamp (twist_stamper). In all distributions since
 Humble: nodes launched beside the controller that send `Twist` to the topic for `TwistStamped`, or the other way round;
-and, before Jazzy, to `cmd_vel_unstamped` of a controller without `use_stamped_vel: false`. What twist_mux,
-teleop_twist_joy, teleop_twist_keyboard and the servers of Navigation2 send is known from their parameters and the
-distribution.
+and that send to `cmd_vel_unstamped` of a controller without `use_stamped_vel: false`. What twist_mux, teleop_twist_joy,
+teleop_twist_keyboard and the servers of Navigation2 send is known from their parameters and the distribution.
 
 ## Why it matters on a robot
 Since Jazzy the controller subscribes to `~/cmd_vel` with `geometry_msgs/msg/TwistStamped` alone. Nobody listens to the
 other topic, and the parameter does not exist any more: the robot does not move, and no message says why. It happens
-with every workspace that comes from Humble. There, the parameter chooses between the two topics, and
-is true by default. DDS connects endpoints of one type only.
+with every workspace that comes from Humble. There, the parameter chooses between the two topics, and is true by
+default. DDS connects endpoints of one type only.
 
 ## Bad
 ```python
@@ -65,10 +64,10 @@ def drive_unstamped(robot: Robot) -> Iterator[Finding]:
 def _finding(unheard: Unheard) -> Finding:
     drive, (first, *others) = unheard.drive, unheard.uses
     wanted, sent = drive.type.rpartition("/")[2], str(first.type).rpartition("/")[2]
-    target = "there" if first.topic == drive.topic else f"to {first.topic}"
+    what = f"sends {sent} there" if first.topic == drive.topic else f"sends to {first.topic}"
     return finding(
         first.name_place or first.where,
-        f"{drive.controller} takes {wanted} on {drive.topic} alone, and {first.node.label()} sends {sent} {target}: "
+        f"{drive.controller} takes {wanted} on {drive.topic} alone, and {first.node.label()} {what}: "
         "the robot does not move",
         advice=f"send {wanted} to {drive.topic}",
         related=[

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -9,6 +10,7 @@ from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.plugins.controllers import is_manager
 from bringup_lint.graph.plugins.controllers import spawned
 from bringup_lint.graph.topics.questions.coexistence import coexist
+from bringup_lint.graph.topics.resolved.names import tail
 from bringup_lint.graph.topics.resolved.parameters import given_parameters
 from bringup_lint.graph.topics.resolved.process_arguments import ros_arguments
 from bringup_lint.graph.topics.resolved.velocity_types import STAMPED
@@ -16,18 +18,22 @@ from bringup_lint.graph.topics.resolved.velocity_types import TWIST
 from bringup_lint.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.launch.started import Started
     from bringup_lint.graph.topics.resolved.endpoint_use import LaunchedNode
     from bringup_lint.graph.topics.resolved.endpoint_use import Running
     from bringup_lint.graph.topics.resolved.endpoint_use import Use
     from bringup_lint.graph.topics.resolved.parameters import ParameterSources
     from bringup_lint.graph.topics.topics import Topics
+    from bringup_lint.model.launch_values import Value
     from bringup_lint.source import Span
 
 _DRIVE = "diff_drive_controller/DiffDriveController"
+_OTHER = "cmd_vel_unstamped"
 _MANAGER = "controller_manager"
 _SWITCHED = ("humble", "iron")
 """Releases in which ``use_stamped_vel`` chooses between two topics (diff_drive_controller.cpp)."""
 _STAMPED = ("jazzy", "kilted", "lyrical")
+"""Releases that know only one topic, so that what their launch files say of the other is told elsewhere."""
 _OTHER_NAMES = ("--controller-ros-args", "-n", "--namespace")
 """Options of the spawner that may give a controller other topics."""
 
@@ -55,27 +61,41 @@ def unheard_commands(topics: Topics) -> Iterator[Unheard]:
     """Each controller once, with what surely starts beside it."""
     sources, distribution = topics.parameter_sources, topics.params().distribution
     own = _DRIVE.partition("/")[0] in topics.launch.workspace.packages
-    if own or distribution not in (*_SWITCHED, *_STAMPED):
+    if own or distribution not in (None, *_SWITCHED, *_STAMPED):
         return
+    named = topics.params().named_elsewhere(_OTHER, {node.file.source for node in topics.launch.nodes})
     seen: set[tuple[Span, str]] = set()
     for running in topics.runs:
         for drive in _drive_inputs(running, sources, distribution):
-            uses = {use.where: use for use in running.uses if _is_unheard(use, drive)}
+            heard = distribution in _STAMPED or named or _is_heard(running, drive.other)
+            others = [] if heard else [drive.other]
+            uses = {use.where: use for use in running.uses if _is_unheard(use, drive, others)}
             key = (drive.manager.started.span, drive.controller)
             if uses and key not in seen:
                 seen.add(key)
                 yield Unheard(drive, list(uses.values()))
 
 
-def _is_unheard(use: Use, drive: DriveInput) -> bool:
+def _is_unheard(use: Use, drive: DriveInput, others: list[str]) -> bool:
     if use.role != "publisher" or use.conditional_source or not coexist(use.node, drive.manager):
         return False
-    if use.topic == drive.topic:
-        return {use.type, drive.type} == {TWIST, STAMPED}
-    return use.topic == drive.other and drive.type == STAMPED and use.type == TWIST
+    return use.topic in others or (use.topic == drive.topic and {use.type, drive.type} == {TWIST, STAMPED})
 
 
-def _drive_inputs(running: Running, sources: ParameterSources, distribution: str) -> Iterator[DriveInput]:
+def _is_heard(running: Running, topic: str) -> bool:
+    """Whether another node takes what is sent to a topic, or may do so to add the stamp."""
+    sending = {use.node.started for use in running.uses if use.role == "publisher" and use.topic == topic}
+    if any(use.role == "subscription" and use.topic == topic for use in running.uses):
+        return True
+    others = (node.started for node in running.nodes if node.started not in sending)
+    return any(text_of(name) is None or tail(topic) in str(text_of(name)) for name in _renamed(others))
+
+
+def _renamed(nodes: Iterable[Started]) -> Iterator[Value]:
+    return (name for node in nodes for pair in node.remappings for name in pair)
+
+
+def _drive_inputs(running: Running, sources: ParameterSources, distribution: str | None) -> Iterator[DriveInput]:
     managers = [node for node in running.nodes if is_manager(node.started)]
     if len(managers) != 1 or not _is_plain(managers[0]):
         return
@@ -88,14 +108,15 @@ def _drive_inputs(running: Running, sources: ParameterSources, distribution: str
         if typed is None or typed.value != _DRIVE or words & set(_OTHER_NAMES):
             continue
         given = given_parameters(sources, manager.started, f"/{name}", arguments)
-        switch = given.values.get("use_stamped_vel") if distribution in _SWITCHED else None
+        switch = given.values.get("use_stamped_vel") if distribution not in _STAMPED else None
         stamped = True if switch is None else switch.value
-        if isinstance(stamped, bool) and (switch is not None or not given.open or distribution in _STAMPED):
+        known = switch is not None or not given.open or distribution in _STAMPED
+        if known and (stamped is True or (stamped is False and distribution in _SWITCHED)):
             yield _input(str(name), manager, stamped, switch.where if switch is not None else manager.started.span)
 
 
 def _input(name: str, manager: LaunchedNode, stamped: bool, where: Span) -> DriveInput:
-    with_stamp, without = f"/{name}/cmd_vel", f"/{name}/cmd_vel_unstamped"
+    with_stamp, without = f"/{name}/cmd_vel", f"/{name}/{_OTHER}"
     if stamped:
         return DriveInput(name, manager, with_stamp, STAMPED, without, where)
     return DriveInput(name, manager, without, TWIST, with_stamp, where)
@@ -104,6 +125,6 @@ def _input(name: str, manager: LaunchedNode, stamped: bool, where: Span) -> Driv
 def _is_plain(manager: LaunchedNode) -> bool:
     """Whether its controllers have the names and topics that they give themselves."""
     started = manager.started
-    names = [text_of(name) for pair in started.remappings for name in pair]
+    names = [text_of(name) for name in _renamed([started])]
     remapped = any(name is None or "cmd_vel" in name for name in names)
     return manager.namespace == "/" and started.name is None and not started.arguments and not remapped
