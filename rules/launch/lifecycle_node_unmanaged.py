@@ -2,7 +2,7 @@
 
 ## What it finds
 `LifecycleNode`s, and nodes that are known to have a lifecycle (the servers of nav2, slam_toolbox from Jazzy on).
-They are in no lifecycle manager's `node_names`, get no `ChangeState` event and do not configure themselves, and no
+A `Node` is a warning where another launch file starts the same program as a `LifecycleNode`. They are in no lifecycle manager's `node_names`, get no `ChangeState` event and do not configure themselves, and no
 script or node of the tree that names them changes states.
 
 ## Why it matters on a robot
@@ -51,7 +51,8 @@ def lifecycle_node_unmanaged(robot: Robot) -> Iterator[Finding]:
             role = robot.launch.role(node)
             lifecycle = getattr(node.action, "lifecycle", False)
             name = launch.full_name(node, role)
-            if not (lifecycle or role.managed) or name is None or node.by_default is False:
+            other = None if lifecycle or role.managed else robot.launch.as_lifecycle_node(node)
+            if not (lifecycle or role.managed or other) or name is None or node.by_default is False:
                 continue
             if role.managed is False or robot.launch.is_plain(node):
                 continue
@@ -65,7 +66,9 @@ def lifecycle_node_unmanaged(robot: Robot) -> Iterator[Finding]:
                 advice="add it to the node_names of a lifecycle manager, or emit ChangeState events for it",
                 chain=robot.provenance.chain_to_node(node),
                 related=[
-                    note(manager.names.name or manager.node.span, "this manager does not list it")
-                    for manager in managers[:3]
+                    *([note(other, "the same program is a lifecycle node here")] if other else ()),
+                    *(note(each.names.name or each.node.span, "this manager does not list it") for each in managers[:3]),
                 ],
+                severity="warning" if other else None,
+                confidence="medium" if other else None,
             )

@@ -409,6 +409,20 @@ class Launch:
         program = literal_text(node.plugin) or literal_text(node.executable)
         return role_of(literal_text(node.package), program, self._tree_files.target.ros)
 
+    def as_lifecycle_node(self, node: Started) -> Span | None:
+        """Where a launch file of the tree starts the program of a node as a ``LifecycleNode``."""
+        return self._lifecycle_programs.get((literal_text(node.package), literal_text(node.executable)))
+
+    @cached_property
+    def _lifecycle_programs(self) -> dict[tuple[str | None, str | None], Span]:
+        """Package and executable -> the first place; both have to be known."""
+        found: dict[tuple[str | None, str | None], Span] = {}
+        for node in self.nodes:
+            program = literal_text(node.package), literal_text(node.executable)
+            if getattr(node.action, "lifecycle", False) and None not in program:
+                found.setdefault(program, node.span)
+        return found
+
     def started_without(self, file: LaunchFile, name: str) -> Iterator[Span]:
         """Where launch files and scripts of the robot start a file and leave an argument to its default."""
         yield from self._included_without(file, name)
