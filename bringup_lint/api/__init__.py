@@ -21,6 +21,7 @@ from bringup_lint.finding import Fix
 from bringup_lint.finding import Related
 from bringup_lint.finding import Severity
 from bringup_lint.finding import span_of
+from bringup_lint.graph.purpose import Purpose
 from bringup_lint.pattern import regex
 from bringup_lint.robot import Robot
 from bringup_lint.source import Located
@@ -35,6 +36,7 @@ __all__ = [
     "Located",
     "Place",
     "Problem",
+    "Purpose",
     "Related",
     "Robot",
     "Source",

@@ -56,8 +56,8 @@ PATHS: tuple[tuple[Purpose, re.Pattern[str]], ...] = (
     (
         Purpose.ARCHIVE,
         _folder(
-            r"(?:[^/]+[_-])?(?:old|archived?|deprecated|obsolete|unused|attic|backups?)|legacy",
-            "old archive deprecated obsolete unused attic backup legacy",
+            r"(?:[^/]+[_-])?(?:old|archived?|deprecated|obsolete|unused|attic|backups?)|legacy|unported(?:[_-][^/]*)?",
+            "old archive deprecated obsolete unused attic backup legacy unported",
         ),
     ),
     (

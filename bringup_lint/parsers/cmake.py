@@ -11,6 +11,10 @@ from bringup_lint.model.package import Build
 from bringup_lint.model.package import Install
 from bringup_lint.parsers.cmake_commands import Command
 from bringup_lint.parsers.cmake_commands import commands
+from bringup_lint.parsers.cmake_values import element
+from bringup_lint.parsers.cmake_values import number
+from bringup_lint.parsers.cmake_values import numbers
+from bringup_lint.parsers.cmake_values import part_of_path
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
@@ -106,6 +110,8 @@ class Reader:
         if not command.arguments or self.looped > LOOPED or None in items:
             self.open()
             items = [None]
+        else:
+            body = [Command(each.name, each.arguments, each.depth - 1) for each in body]
         for item in items:
             self.variables.pop(str(command.arguments[0]) if command.arguments else "", None)
             if item is not None:
@@ -114,8 +120,12 @@ class Reader:
 
     def items(self, arguments: list[Located]) -> list[Located | None]:
         """What ``foreach(variable ...)`` goes through."""
-        if "RANGE" in arguments or "ZIP_LISTS" in arguments:
+        if "ZIP_LISTS" in arguments:
             return [None]
+        if "RANGE" in arguments[:2]:
+            bounds = self.known(arguments[2:])
+            found = None if bounds is None else numbers(bounds)
+            return [None] if found is None else [Located(each, arguments[1].span) for each in found]
         found: list[Located | None] = []
         lists = False
         for argument in arguments[1:]:
@@ -145,15 +155,50 @@ class Reader:
         else:
             self.variables[name] = ";".join(known)
 
+    def known(self, arguments: list[Located]) -> list[str] | None:
+        """The arguments with variables filled in; None when one is not known."""
+        words = [word for word in self.words(arguments) if word is not None]
+        return None if len(words) < len(self.words(arguments)) else [str(word) for word in words]
+
+    def give(self, command: Command, name: str, value: str | None) -> None:
+        """A command gives a variable a value, which is None when it is not known."""
+        if value is None or command.conditional:
+            self.variables.pop(name, None)
+        else:
+            self.variables[name] = value
+
     def do_list(self, command: Command) -> None:
-        if len(command.arguments) > 1:
-            name = str(command.arguments[1])
-            words = self.words(command.arguments[2:])
-            if str(command.arguments[0]).upper() == "APPEND" and None not in words and not command.conditional:
-                before = self.variables.get(name)
-                self.variables[name] = ";".join(([before] if before else []) + [str(word) for word in words])
-            else:
-                self.variables.pop(name, None)
+        if len(command.arguments) < 2:
+            return
+        action, name = str(command.arguments[0]).upper(), str(command.arguments[1])
+        items = self.variables.get(name)
+        split = items.split(";") if items else []
+        match action, self.known(command.arguments[2:]):
+            case "APPEND", [*words]:
+                self.give(command, name, ";".join([*split, *words]))
+            case "GET", [index, output]:
+                self.give(command, output, None if items is None else element(split, index))
+            case "LENGTH", [output]:
+                self.give(command, output, None if items is None else str(len(split)))
+            case "GET" | "LENGTH" | "JOIN" | "FIND" | "SUBLIST", _:
+                self.give(command, str(command.arguments[-1]), None)
+            case _:
+                self.give(command, name, None)
+
+    def do_math(self, command: Command) -> None:
+        if len(command.arguments) > 2:
+            expression = self.expand(command.arguments[2])
+            self.give(command, str(command.arguments[1]), None if expression is None else number(expression))
+
+    def do_get_filename_component(self, command: Command) -> None:
+        if len(command.arguments) > 2:
+            path, part = self.expand(command.arguments[1]), str(command.arguments[2])
+            self.give(command, str(command.arguments[0]), None if path is None else part_of_path(path, part))
+
+    def do_string(self, command: Command) -> None:
+        """What it writes is the last word, or that of a form which may hold it anywhere: none of them is known."""
+        for word in command.arguments:
+            self.variables.pop(str(word), None)
 
     def do_file(self, command: Command) -> None:
         if len(command.arguments) > 1 and str(command.arguments[0]).upper() in ("GLOB", "GLOB_RECURSE"):

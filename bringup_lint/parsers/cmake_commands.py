@@ -26,11 +26,16 @@ _SKIP = regex(r"(?:\s+|\#\[(?P<hash>=*)\[.*?(?:\](?P=hash)\]|\Z)|\#[^\n]*)+", re
 class Command(NamedTuple):
     name: str
     arguments: list[Located]
-    conditional: bool
+    depth: int
+    """How many ``if``, loops and functions it is in."""
+
+    @property
+    def conditional(self) -> bool:
+        return self.depth > 0
 
 
 def commands(source: Source) -> Iterator[Command]:
-    """The commands in order; inside ``if``, loops and functions they are conditional."""
+    """The commands in order."""
     text = source.text
     at = depth = 0
     while True:
@@ -47,7 +52,7 @@ def commands(source: Source) -> Iterator[Command]:
         name = match[1].lower()
         if name in ("endif", "endforeach", "endfunction", "endmacro", "endwhile"):
             depth -= 1
-        yield Command(name, arguments, depth > 0)
+        yield Command(name, arguments, depth)
         if name in ("if", "foreach", "function", "macro", "while"):
             depth += 1
 

@@ -1,9 +1,10 @@
 """A lifecycle node is started but never configured.
 
 ## What it finds
-`LifecycleNode`s, and nodes that are known to have a lifecycle (the servers of nav2, slam_toolbox from Jazzy on).
-A `Node` is a warning where another launch file starts the same program as a `LifecycleNode`. They are in no lifecycle manager's `node_names`, get no `ChangeState` event and do not configure themselves, and no
-script or node of the tree that names them changes states.
+`LifecycleNode`s, and nodes that are known to have a lifecycle (the servers of nav2, slam_toolbox from Jazzy on). A
+`Node` is a warning where another launch file starts the same program as a `LifecycleNode`. They are in no lifecycle
+manager's `node_names`, get no `ChangeState` event and do not configure themselves, and no script or node of the tree
+that names them changes states.
 
 ## Why it matters on a robot
 The process runs and looks healthy in every process list. The node stays unconfigured and publishes nothing.
@@ -67,7 +68,10 @@ def lifecycle_node_unmanaged(robot: Robot) -> Iterator[Finding]:
                 chain=robot.provenance.chain_to_node(node),
                 related=[
                     *([note(other, "the same program is a lifecycle node here")] if other else ()),
-                    *(note(each.names.name or each.node.span, "this manager does not list it") for each in managers[:3]),
+                    *(
+                        note(each.names.name or each.node.span, "this manager does not list it")
+                        for each in managers[:3]
+                    ),
                 ],
                 severity="warning" if other else None,
                 confidence="medium" if other else None,

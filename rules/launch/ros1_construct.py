@@ -2,7 +2,8 @@
 
 ## What it finds
 `<node type=>`, `ns=`, `required=`, `$(arg x)`, `$(find p)`, `<rosparam>`, `<machine>` and `<arg value=>` in ROS 2
-launch files. A ROS 1 launch file in a ROS 2 package is a warning.
+launch files. A ROS 1 launch file in a ROS 2 package is a warning. Files of an archive are left out: those in folders
+such as `legacy`, `old` or `unported`.
 
 ## Why it matters on a robot
 ROS 2 launch rejects the file. Nothing starts.
@@ -28,6 +29,7 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
+from bringup_lint.api import Purpose
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -48,7 +50,9 @@ WORDS = {
 @rule("error", fix="safe", symptoms=["Unexpected attribute(s) found in `node`", "Unknown substitution: arg"])
 def ros1_construct(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
-        if not file.ros1 or (file.source.name.endswith(".launch") and is_for_both(robot, file)):
+        if not file.ros1 or robot.purpose(file.source) is Purpose.ARCHIVE:
+            continue
+        if file.source.name.endswith(".launch") and is_for_both(robot, file):
             continue
         edits = [(name, INSTEAD[name]) for name in file.ros1 if _is_replaceable(name)]
         name, *others = sorted(file.ros1, key=lambda each: each.span.start)

@@ -6,7 +6,8 @@
 `rclpy.node.Node` that cannot be set; and `get_parameter('x').double_value` or `.as_double()`, which are those of
 ParameterValue and of C++; and attributes that only a subscription sets and that a timer or another subscription uses
 without asking whether the message came; and those that a `try` of the constructor sets, whose `except` goes on, and
-that the constructor or a callback uses afterwards. Classes with bases that are not in the tree are left out.
+that the constructor or a callback uses afterwards. Classes with bases that are not in the tree are left out. It is an
+info in a method that nothing calls, and after the `join()` of a thread, where the node has done its work.
 
 ## Why it matters on a robot
 Python looks an attribute up when the line runs: in the callback for a fault or an emergency stop, perhaps weeks later,

@@ -9,6 +9,7 @@ from typing import Union
 
 from bringup_lint.facts import table
 from bringup_lint.graph.nodes.questions.undefined_names import is_idle
+from bringup_lint.graph.nodes.questions.undefined_names import is_late
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.python import walk
@@ -41,7 +42,7 @@ class MissingAttribute(NamedTuple):
     like: str | None
     """An attribute of nearly the same name, which the class has."""
     idle: bool
-    """Nothing calls the method."""
+    """Nothing calls the method, or the node has done its work by then."""
 
 
 class TakenAttribute(NamedTuple):
@@ -87,7 +88,8 @@ def _unknown(
         label = function.name if function is not None else ""
         near = nearest(name, known)
         like = near[0] if len(near) == 1 else None
-        yield MissingAttribute(file, place, node, label, like, is_idle(syntax, place))
+        is_unlikely = is_idle(syntax, place) or is_late(syntax, place)
+        yield MissingAttribute(file, place, node, label, like, is_unlikely)
 
 
 def taken_attributes(nodes: Nodes) -> Iterator[TakenAttribute]:

@@ -43,7 +43,7 @@ class Undefined(NamedTuple):
     caught: bool = False
     """An ``except Exception`` around it catches the NameError."""
     late: bool = False
-    """The function spins before: the node has done its work."""
+    """The function spins, or waits for a thread to end, before: the node has done its work."""
 
 
 def undefined(syntax: Syntax) -> Iterator[Undefined]:
@@ -62,7 +62,7 @@ def undefined(syntax: Syntax) -> Iterator[Undefined]:
         seen.add(name.id)
         module = modules.get(name.id, "" if name.id in sys.stdlib_module_names else None)
         caught = syntax.catches(name, _CAUGHT)
-        yield Undefined(name, module, _function(syntax, name), is_idle(syntax, name), caught, _is_late(syntax, name))
+        yield Undefined(name, module, _function(syntax, name), is_idle(syntax, name), caught, is_late(syntax, name))
 
 
 class _Bindings:
@@ -104,11 +104,18 @@ class _Bindings:
 _COMPREHENSIONS = (ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
 
 
-def _is_late(syntax: Syntax, name: ast.Name) -> bool:
+def is_late(syntax: Syntax, name: ast.Name | ast.Attribute) -> bool:
+    """Whether the function spins, or waits for the end of a thread, before: the node has done its work."""
     function = syntax.function(name)
     before = (call for call in syntax.calls if call.lineno < name.lineno)
-    spins = (call for call in before if isinstance(call.func, ast.Attribute) and call.func.attr == "spin")
-    return function is not None and any(syntax.function(call) is function for call in spins)
+    ends = (call for call in before if _waits_for_the_end(call))
+    return function is not None and any(syntax.function(call) is function for call in ends)
+
+
+def _waits_for_the_end(call: ast.Call) -> bool:
+    """``join`` of a thread takes nothing, that of a text does."""
+    attribute = call.func.attr if isinstance(call.func, ast.Attribute) else ""
+    return attribute == "spin" or (attribute == "join" and not call.args)
 
 
 def is_idle(syntax: Syntax, name: ast.Name | ast.Attribute) -> bool:
