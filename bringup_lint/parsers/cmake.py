@@ -124,8 +124,8 @@ class Reader:
             return [None]
         if "RANGE" in arguments[:2]:
             bounds = self.known(arguments[2:])
-            found = None if bounds is None else numbers(bounds)
-            return [None] if found is None else [Located(each, arguments[1].span) for each in found]
+            counted = None if bounds is None else numbers(bounds)
+            return [None] if counted is None else [Located(each, arguments[1].span) for each in counted]
         found: list[Located | None] = []
         lists = False
         for argument in arguments[1:]:
