@@ -10,7 +10,6 @@ from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.plugins.controllers import is_manager
 from bringup_lint.graph.plugins.controllers import spawned
 from bringup_lint.graph.topics.questions.coexistence import coexist
-from bringup_lint.graph.topics.resolved.names import tail
 from bringup_lint.graph.topics.resolved.parameters import given_parameters
 from bringup_lint.graph.topics.resolved.process_arguments import ros_arguments
 from bringup_lint.graph.topics.resolved.velocity_types import STAMPED
@@ -63,32 +62,38 @@ def unheard_commands(topics: Topics) -> Iterator[Unheard]:
     own = _DRIVE.partition("/")[0] in topics.launch.workspace.packages
     if own or distribution not in (None, *_SWITCHED, *_STAMPED):
         return
-    named = topics.params().named_elsewhere(_OTHER, {node.file.source for node in topics.launch.nodes})
     seen: set[tuple[Span, str]] = set()
     for running in topics.runs:
         for drive in _drive_inputs(running, sources, distribution):
-            heard = distribution in _STAMPED or named or _is_heard(running, drive.other)
+            heard = distribution in _STAMPED or _is_heard(topics, running, drive.other)
             others = [] if heard else [drive.other]
-            uses = {use.where: use for use in running.uses if _is_unheard(use, drive, others)}
+            uses = {use.where: use for use in _unheard(running, drive, others)}
             key = (drive.manager.started.span, drive.controller)
             if uses and key not in seen:
                 seen.add(key)
                 yield Unheard(drive, list(uses.values()))
 
 
-def _is_unheard(use: Use, drive: DriveInput, others: list[str]) -> bool:
-    if use.role != "publisher" or use.conditional_source or not coexist(use.node, drive.manager):
-        return False
-    return use.topic in others or (use.topic == drive.topic and {use.type, drive.type} == {TWIST, STAMPED})
+def _unheard(running: Running, drive: DriveInput, others: list[str]) -> Iterator[Use]:
+    """What surely starts beside the controller; not a node that also sends what the controller takes."""
+    sent = [use for use in running.uses if use.role == "publisher" and coexist(use.node, drive.manager)]
+    heard = {use.node.started for use in sent if use.topic == drive.topic and use.type in (None, drive.type)}
+    for use in sent:
+        lost = use.topic in others or (use.topic == drive.topic and {use.type, drive.type} == {TWIST, STAMPED})
+        if lost and not use.conditional_source and use.node.started not in heard:
+            yield use
 
 
-def _is_heard(running: Running, topic: str) -> bool:
+def _is_heard(topics: Topics, running: Running, topic: str) -> bool:
     """Whether another node takes what is sent to a topic, or may do so to add the stamp."""
-    sending = {use.node.started for use in running.uses if use.role == "publisher" and use.topic == topic}
-    if any(use.role == "subscription" and use.topic == topic for use in running.uses):
+    ends = [use for use in running.uses if use.topic == topic]
+    if any(use.role == "subscription" for use in ends):
         return True
+    sources = {node.file.source for node in topics.launch.nodes} | {use.where.source for use in ends}
+    sending = {use.node.started for use in ends}
     others = (node.started for node in running.nodes if node.started not in sending)
-    return any(text_of(name) is None or tail(topic) in str(text_of(name)) for name in _renamed(others))
+    names = [text_of(name) for name in _renamed(others)]
+    return any(name is None or _OTHER in name for name in names) or topics.params().named_elsewhere(_OTHER, sources)
 
 
 def _renamed(nodes: Iterable[Started]) -> Iterator[Value]:
