@@ -21,6 +21,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.params.qos_overrides import qos_overrides
     from bringup_lint.graph.params.time import simulated
     from bringup_lint.graph.params.time import waits_for_time
+    from bringup_lint.graph.params.unread import Unread
+    from bringup_lint.graph.params.unread import unread
     from bringup_lint.graph.params.values import Item
     from bringup_lint.graph.params.wrong_types import wrong_types
     from bringup_lint.graph.plugins.joints import UnknownJoint
@@ -57,6 +59,7 @@ __all__ = [
     "Unknown",
     "UnknownJoint",
     "UnknownPlugin",
+    "Unread",
     "UntypedPlugin",
     "navigation_problems",
     "operator_problems",
@@ -65,6 +68,7 @@ __all__ = [
     "undeclared",
     "unknown_frames",
     "unknown_to_public",
+    "unread",
     "unreached",
     "unused",
     "waits_for_time",

@@ -5,10 +5,13 @@ Parameters in a parameter file or launch file for a node whose source is in the 
 that name: no text of the source, or of the files that it includes or imports, is the name or a part of it. Nodes that
 take undeclared parameters, or that build on classes which are not in the workspace, are left alone, and so are programs
 of which a source is missing, and parameters that a launch file gives to several programs under one node name. All
-parameters are known of `joy_node`, `joy_linux_node`, `robot_state_publisher`, slam_toolbox, robot_localization,
-twist_mux, teleop_twist_joy, usb_cam, sllidar_ros2, pointcloud_to_laserscan and the servers of Navigation2 (outside of
-the sections of plugins); a block with the usual name of such a node is judged as its own. Packages whose repository the
-tree fetches from others than its first owners may be changed, and are left alone.
+parameters are known of `joy_node`, `joy_linux_node`, `robot_state_publisher`, `joint_state_publisher`, slam_toolbox,
+robot_localization, twist_mux, teleop_twist_joy, usb_cam, sllidar_ros2, pointcloud_to_laserscan and the servers of
+Navigation2 (outside of the sections of plugins); a block with the usual name of such a node is judged as its own.
+Packages whose repository the tree fetches from others than its first owners may be changed, and are left alone.
+
+Where it is not known which program gets a block, or the program declares whatever it is given: parameters that no
+source of the tree names, when one source reads at least five others of the block, and most of them.
 
 ## Why it matters on a robot
 A node takes what it is given only for parameters that it declares; the rest is dropped without a word. A watchdog, a
@@ -47,8 +50,10 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.launch import literal_text
 from bringup_lint.api.params import Unknown
+from bringup_lint.api.params import Unread
 from bringup_lint.api.params import undeclared
 from bringup_lint.api.params import unknown_to_public
+from bringup_lint.api.params import unread
 from bringup_lint.api.spelling import nearest
 from bringup_lint.api.topics import LaunchedNode
 
@@ -76,7 +81,11 @@ def not_declared(robot: Robot) -> Iterator[Finding]:
     for each in unknown_to_public(robot.params, robot.launch):
         is_said = bool(said & {parameter.key.span for parameter in each.parameters})
         if not is_said and not robot.dependencies.is_forked(each.node.package):
+            said |= {parameter.key.span for parameter in each.parameters}
             yield _of_public(each)
+    for lost in unread(robot.params, robot.launch):
+        if not said & {parameter.key.span for parameter in lost.parameters}:
+            yield _of_reader(lost)
 
 
 def _of_public(found: Unknown) -> Finding:
@@ -89,6 +98,22 @@ def _of_public(found: Unknown) -> Finding:
         "the value has no effect",
         advice=f"write {near[0]}, or remove the value" if near else "remove the value, or correct its name",
         related=[note(each.key, f"'{each.name}' is not declared either") for each in others[:10]],
+        confidence="medium",
+    )
+
+
+def _of_reader(lost: Unread) -> Finding:
+    """A finding about parameters that no source names, beside others that one reads."""
+    first, *others = lost.parameters
+    near = nearest(str(first.name), lost.names, 4)
+    return finding(
+        first.key,
+        f"No source of the workspace reads '{first.name}'{_more(others)}: the value has no effect",
+        advice=f"write {near[0]}, or remove the value" if near else "write the name that the source reads, or remove it",
+        related=[
+            note(lost.reader, f"{lost.read} other parameters of {lost.block.name} are read here"),
+            *(note(each.key, f"'{each.name}' is not read either") for each in others[:10]),
+        ],
         confidence="medium",
     )
 

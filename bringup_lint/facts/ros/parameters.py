@@ -116,8 +116,10 @@ def node_called(name: str) -> PublicNode | None:
 
 
 def declared_by(package: str, executable: str) -> frozenset[str] | None:
-    """All that a node of a public package declares; None when the table does not know it, or only by patterns."""
+    """All that a node of a public package declares, with ``zeros.`` for all below it; None when the table does not know
+    it, or only by other patterns."""
     node = public_node(package, executable)
-    if node is None or node.has_plugins or any("*" in each for each in node.parameters):
+    names = [] if node is None else [each[:-1] if each.endswith(".*") else each for each in node.parameters]
+    if node is None or node.has_plugins or any("*" in each for each in names):
         return None
-    return frozenset(node.parameters)
+    return frozenset(names)

@@ -264,10 +264,15 @@ class Params:
     @cached_property
     def _names_in_code(self) -> frozenset[str]:
         """The texts in sources that have to do with parameters."""
+        texts = (source.text for source in self.code)
+        return frozenset(part for text in texts for name in _QUOTED.findall(text) for part in name.split("."))
+
+    @cached_property
+    def code(self) -> list[Source]:
+        """The sources of the tree that have to do with parameters."""
         paths = [path for path in self._tree_files.tree.paths if path.endswith(_CODE)][:_MOST_SOURCES]
         sources = (self._tree_files.tree.read(path, judged=False) for path in paths)
-        texts = (source.text for source in sources if source is not None and "param" in source.text)
-        return frozenset(part for text in texts for name in _QUOTED.findall(text) for part in name.split("."))
+        return [source for source in sources if source is not None and "param" in source.text]
 
     @cached_property
     def _by_source(self) -> dict[int, ParameterFile]:

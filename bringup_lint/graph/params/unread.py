@@ -1,0 +1,128 @@
+"""Parameters that no source of the tree names, in the block of a node whose other parameters one source reads."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.facts.ros.parameters import is_of_library
+from bringup_lint.facts.ros.parameters import node_called
+from bringup_lint.facts.ros.simulation import is_simulation
+from bringup_lint.graph.launch.started import literal_text
+from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.pattern import regex
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.params.params import Params
+    from bringup_lint.model.params import Block
+    from bringup_lint.model.params import Parameter
+    from bringup_lint.source import Source
+    from bringup_lint.source import Span
+
+_READ = regex(
+    r"\b(?:get|declare)_parameter(?:_or|_if_not_declared)?\s{0,4}(?:<[^;(){}]{0,80}>\s{0,40})?"
+    r"\(\s{0,80}(?:[\w.>-]{1,80},\s{0,80})?[\"'](?P<name>[\w./]{1,80})[\"']"
+)
+_LOOPED = regex(
+    r"get_parameters_by_prefix|list_parameters|get_parameter_overrides|parameter_overrides\(\)"
+    r"|\b(?:get|declare)_parameter\s{0,4}(?:<[^;(){}]{0,80}>\s{0,40})?\(\s{0,80}[A-Za-z_*][^\"',;(){}]{0,80}(?:\(\))?\s{0,40}[,)]"
+)
+"""What reads parameters whatever they are called."""
+_MADE = regex(
+    r"\"(?P<before>[\w./]{2,80})\"\s{0,40}\+|\+\s{0,40}\"(?P<after>[\w./]{2,80})\"|\b[fF][\"'](?P<filled>[^\"'\n]{2,80})"
+    r"|[\"'](?P<edged>[._/][\w./]{1,80}|[\w./]{1,80}[._/])[\"']|[\"'](?P<holed>[\w./]{0,40}(?:\{\w{0,20}\}|%s)[\w./{}%]{0,40})[\"']"
+)
+"""A text of which a source makes a name together with others."""
+_HOLE = regex(r"\{[^{}]{0,80}\}|%s")
+_SURE = 5
+"""Parameters that a source must read, to be taken for that of the node."""
+_MOST = 0.6
+"""The part of the block that these must be."""
+
+
+class Unread(NamedTuple):
+    """Parameters of one block that nothing reads."""
+
+    block: Block
+    parameters: tuple[Parameter, ...]
+    reader: Span
+    """Where a source begins to read the others."""
+    read: int
+    """How many these are."""
+    names: frozenset[str]
+    """All that it reads."""
+
+
+def unread(params: Params, launch: Launch) -> Iterator[Unread]:
+    """Only where the source is that of the node, by far the most of whose parameters it reads, and no launch file gives
+    the name to a program of another origin."""
+    blocks = [block for file in params.judged if file.accepted and not file.uncertain for block in file.blocks]
+    asked = [(block, own) for block in blocks if len(own := _own(block)) > _SURE]
+    named = [(block, own, lacking) for block, own in asked if (lacking := _unnamed(params, own))]
+    if not named:
+        return
+    reading = {source: names for source in params.code if len(names := _names(source)) >= _SURE}
+    foreign = _foreign(launch)
+    pieces = _pieces(params)
+    for block, own, lacking in named:
+        readers, count = _readers(reading, own)
+        names = frozenset().union(*(reading[each] for each in readers))
+        left = [each for each in lacking if not _is_made(str(each.name), names, pieces)]
+        if readers and left and _label(block) not in foreign and count >= max(_SURE, _MOST * len(own)):
+            first = next(_READ.finditer(readers[0].text))
+            yield Unread(block, tuple(left), readers[0].span(*first.span("name")), count, names)
+
+
+def _unnamed(params: Params, own: list[Parameter]) -> list[Parameter]:
+    return [each for each in own if not params.is_named_in_code(str(each.name))]
+
+
+def _readers(reading: dict[Source, frozenset[str]], own: list[Parameter]) -> tuple[list[Source], int]:
+    """The sources that read the most of some parameters, and how many; none where one takes names from elsewhere."""
+    counted = {source: sum(str(each.name) in names for each in own) for source, names in reading.items()}
+    count = max(counted.values(), default=0)
+    readers = [source for source, number in counted.items() if number == count]
+    if any(each.matches(_LOOPED) or is_simulation(each.basename) for each in readers):
+        return [], 0
+    return readers, count
+
+
+def _own(block: Block) -> list[Parameter]:
+    """The parameters of a block for one node of the tree, besides those of the client library."""
+    label = _label(block)
+    if "*" in label or node_called(label) is not None:
+        return []
+    return [each for each in block.parameters if not is_of_library(str(each.name))]
+
+
+def _label(block: Block) -> str:
+    return str(block.key).rpartition("/")[2]
+
+
+def _names(source: Source) -> frozenset[str]:
+    if source.basename.endswith(".launch.py") or "_parameter" not in source.text:
+        return frozenset()
+    return frozenset(found["name"] for found in _READ.finditer(source.text))
+
+
+def _foreign(launch: Launch) -> set[str]:
+    """The names of nodes that programs of other origins have."""
+    own = launch.workspace.packages
+    nodes = [node for node in launch.nodes if literal_text(node.package) not in own]
+    return {str(literal_text(each)) for node in nodes for each in (node.name, node.executable)}
+
+
+def _pieces(params: Params) -> set[str]:
+    found: set[str] = set()
+    for source in params.code:
+        for match in _MADE.finditer(source.text):
+            found.update(part for text in match.groups() if text for part in _HOLE.split(text) if len(part) > 1)
+    return found
+
+
+def _is_made(name: str, names: frozenset[str], pieces: set[str]) -> bool:
+    """Whether a source reads a parameter, also under a name that it puts together."""
+    if name in names:
+        return True
+    return any(name.startswith(piece) or name.endswith(piece) or f".{piece}" in name for piece in pieces)
