@@ -3,7 +3,11 @@
 ## What it finds
 - In `kinematics.yaml`: solvers for groups that no SRDF of the package has, where no group of the SRDF has one.
 - In `moveit_controllers.yaml`: names in `controller_names` that are named nowhere else in the tree, where a parameter
-  file gives the same joints to a trajectory controller of another name.
+  file gives the same joints to a trajectory controller of another name; an `action_ns` that the controller of that name
+  in the same folder does not serve: trajectory controllers serve `follow_joint_trajectory`, gripper controllers
+  `gripper_cmd`.
+- A launch file that starts MoveIt with controllers in a namespace (`/arm/arm_controller`), and no controller manager
+  there.
 
 Silent where xacro makes the SRDF.
 
@@ -54,6 +58,8 @@ def moveit_mismatch(robot: Robot) -> Iterator[Finding]:
     for each in robot.plugins.moveit_problems:
         if each.kind == "group":
             message = f"The SRDF has no group '{each.name}': none of its groups has a kinematics solver"
+        elif each.kind == "action":
+            message = f"The controller serves '{each.near}', not '{each.name}': MoveIt waits and executes nothing"
         else:
             message = f"No controller is called '{each.name}': MoveIt waits for its action and executes nothing"
         yield finding(
@@ -61,9 +67,21 @@ def moveit_mismatch(robot: Robot) -> Iterator[Finding]:
             message,
             advice=f"write {each.near}" if each.near else "name a group of the SRDF",
             related=list(_known(each)),
+            severity="warning" if each.kind == "action" else None,
+        )
+    for away in robot.plugins.controllers_elsewhere:
+        first, *others = away.names
+        yield finding(
+            away.manager.span,
+            f"MoveIt sends to '{first}', and no controller manager runs in that namespace: "
+            "MoveIt waits for its action and executes nothing",
+            advice="start the controller manager in the namespace, or give MoveIt the names without it",
+            related=[note(each, "MoveIt sends to this name") for each in (first, *others[:5])],
+            chain=robot.provenance.chain_to_node(away.manager),
         )
 
 
 def _known(each: MoveItProblem) -> Iterator[Related]:
+    told = {"group": "the SRDF has {}", "controller": "{} has these joints", "action": "its type is {}"}
     for name in each.known[:3]:
-        yield note(name, f"the SRDF has {name}" if each.kind == "group" else f"{name} has these joints")
+        yield note(name, told[each.kind].format(name))

@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.params.values import items
 from bringup_lint.graph.plugins.controllers import spawned
+from bringup_lint.graph.plugins.moveit import controller_names
 from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:
+    from bringup_lint.discover.tree import Tree
     from bringup_lint.graph.launch.expansion import Expansion
     from bringup_lint.graph.launch.launch import Launch
     from bringup_lint.graph.params.params import Params
@@ -22,6 +26,7 @@ if TYPE_CHECKING:
 _PASSIVE = ("--inactive", "--stopped", "--load-only")
 _TYPES = ("joint_trajectory_controller/", "position_controllers/", "velocity_controllers/", "effort_controllers/")
 """Controllers that claim the command interfaces of all joints in ``joints``."""
+_GENERATES = regex(r"\bgenerate_(?:demo|spawn_controllers)_launch\(", hints="generate_demo generate_spawn_controllers")
 _MOST = 200
 """Controllers of a file that are compared with each other."""
 
@@ -47,18 +52,35 @@ class Taken(NamedTuple):
     """The list of joints."""
 
 
-def claims(launch: Launch, params: Params) -> Iterator[Claim]:
+def claims(tree: Tree, launch: Launch, params: Params) -> Iterator[Claim]:
     """Each parameter once, where one launch file activates both controllers in any case."""
     said: set[Span] = set()
-    files = [taken for taken in map(_taken, params.judged) if len(taken) > 1]
+    files = {file.source.absolute: taken for file in params.judged if len(taken := _taken(file)) > 1}
     if not files:
         return
-    for expansion in launch.entries:
-        active = _active(expansion)
-        for found in (claim for taken in files for claim in _among(taken, active)):
+    spawning = [(list(files.values()), _active(expansion)) for expansion in launch.entries]
+    spawning += [([files[path]], active) for path, active in _generated(tree, launch) if path in files]
+    for known, active in spawning:
+        for found in (claim for taken in known for claim in _among(taken, active)):
             if found.where not in said:
                 said.add(found.where)
                 yield found
+
+
+def _generated(tree: Tree, launch: Launch) -> Iterator[tuple[str, dict[str, Located]]]:
+    """The parameter file of controllers -> those that a launch file made by MoveIt spawns: all to which it sends.
+
+    Source: moveit_configs_utils, launches.py.
+    """
+    for file in launch.files:
+        text = file.source.text
+        owner = launch.workspace.owner(file.source) if _GENERATES.search(text) else None
+        if owner is None or "trajectory_execution" in text or not file.source.judged:
+            continue
+        source = tree.read(os.path.join(owner.folder, "config", "moveit_controllers.yaml"))
+        if source is not None:
+            names = {str(name).strip("/"): name for name in controller_names(source)}
+            yield os.path.join(owner.folder, "config", "ros2_controllers.yaml"), names
 
 
 def _active(expansion: Expansion) -> dict[str, Located]:

@@ -27,14 +27,21 @@ _MANAGER = "moveit_simple_controller_manager"
 _OF_HAND = regex(r"gripper|hand|finger|tool|eef|end_?effector")
 """Groups that need no solver."""
 _TRAJECTORY = "joint_trajectory_controller/"
+_SERVED = {
+    "joint_trajectory_controller/JointTrajectoryController": "follow_joint_trajectory",
+    "position_controllers/GripperActionController": "gripper_cmd",
+    "effort_controllers/GripperActionController": "gripper_cmd",
+    "parallel_gripper_action_controller/GripperActionController": "gripper_cmd",
+}
+"""The action that a controller serves below its name. Source: ros2_controllers, Humble to Kilted."""
 
 
 class MoveItProblem(NamedTuple):
     kind: str
-    """``group`` or ``controller``."""
+    """``group``, ``controller`` or ``action``."""
     name: Located
     known: tuple[Located, ...]
-    """The groups of the SRDF, or the controller that has the same joints."""
+    """The groups of the SRDF, the controller that has the same joints, or the type that serves another action."""
     near: str | None
 
 
@@ -51,6 +58,7 @@ def moveit_problems(tree: Tree, workspace: Workspace, params: Params) -> Iterato
         source = tree.read(path)
         if source is not None and source.judged:
             yield from _controllers(source, params)
+            yield from _actions(source, params)
 
 
 def _groups(tree: Tree, folder: str) -> tuple[Located, ...] | None:
@@ -111,6 +119,34 @@ def _controllers(source: Source, params: Params) -> Iterator[MoveItProblem]:
         if name in listed:
             continue  # the listed one is of the simulation, this one of the driver of the robot
         yield MoveItProblem("controller", item.value, (same[name],), name)
+
+
+def controller_names(source: Source) -> list[Located]:
+    """The controllers to which MoveIt sends trajectories, as a file names them."""
+    root = _root(source)
+    manager = root.mapping(_MANAGER) if root is not None else None
+    names = manager.sequence("controller_names") if manager is not None else None
+    return [item.value for item in names.scalars] if names is not None else []
+
+
+def _actions(source: Source, params: Params) -> Iterator[MoveItProblem]:
+    """Actions that a controller of the same folder does not serve, by its type."""
+    beside = {
+        each.name.removesuffix(".type"): Located(str(each.value.data), each.span)
+        for file, each in params.parameters
+        if each.name.endswith(".type") and os.path.dirname(file.source.absolute) == os.path.dirname(source.absolute)
+    }
+    root = _root(source)
+    manager = root.mapping(_MANAGER) if root is not None else None
+    if manager is None:
+        return
+    for name in controller_names(source):
+        own = manager.mapping(name)
+        action = own.scalar("action_ns") if own is not None else None
+        given = beside.get(_tail(name))
+        served = _SERVED.get(str(given))
+        if given is not None and action is not None and served is not None and str(action.value) != served:
+            yield MoveItProblem("action", action.value, (given,), served)
 
 
 def _tail(name: str) -> str:

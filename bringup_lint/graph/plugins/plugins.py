@@ -16,6 +16,8 @@ from bringup_lint.graph.plugins.joints import UnknownJoint
 from bringup_lint.graph.plugins.joints import unknown_joints
 from bringup_lint.graph.plugins.moveit import MoveItProblem
 from bringup_lint.graph.plugins.moveit import moveit_problems
+from bringup_lint.graph.plugins.moveit_namespaces import ControllersElsewhere
+from bringup_lint.graph.plugins.moveit_namespaces import controllers_elsewhere
 from bringup_lint.graph.plugins.refused import Refused
 from bringup_lint.graph.plugins.refused import refused_descriptions
 from bringup_lint.graph.plugins.unknown import Named
@@ -58,7 +60,7 @@ class Plugins:
     @cached_property
     def claims(self) -> list[Claim]:
         """Controllers that are activated together and claim the same interface of a joint."""
-        return list(claims(self._launch, self._params()))
+        return list(claims(self._files.tree, self._launch, self._params()))
 
     @cached_property
     def unknown_joints(self) -> list[UnknownJoint]:
@@ -84,3 +86,8 @@ class Plugins:
     def moveit_problems(self) -> list[MoveItProblem]:
         """Groups and controllers that MoveIt is configured for, and that the robot does not have."""
         return list(moveit_problems(self._files.tree, self._launch.workspace, self._params()))
+
+    @cached_property
+    def controllers_elsewhere(self) -> list[ControllersElsewhere]:
+        """Controllers to which MoveIt sends in a namespace where no controller manager runs."""
+        return list(controllers_elsewhere(self._launch, self._files.tree))
