@@ -26,6 +26,11 @@ MOST = 8
 """Rules that are named for one line."""
 _NEAR = 0.6
 """Share of the best score below which a rule is not named; also of a symptom's words that a line must repeat."""
+_TELLING = 4
+"""Words of a symptom, frequent ones left out, from which on a line may repeat it in part: fewer, such as those of
+"Parameter not set", are in lines of any program."""
+_LONGER = 3
+"""Times the length of a symptom from which on a line says much else."""
 _LATER = 0.97
 """What a symptom counts, compared with the one before it: the first is the one by which most people meet the defect."""
 _LAST = 4
@@ -56,8 +61,8 @@ class Match(NamedTuple):
 class OtherCause(NamedTuple):
     """What a line means that no rule explains."""
 
-    outside: bool
-    """Whether a setting that no file of the tree shows has a part in it."""
+    configuration: str
+    """What the configuration has to do with it: ``no``, ``outside`` of the tree, or ``unjudged`` by the rules."""
     reason: str
     score: float
 
@@ -145,15 +150,16 @@ def _other_causes(line: str, weights: Weights) -> Iterator[OtherCause]:
     for row in table("logs/other_causes"):
         pattern = _plain(row["pattern"])
         if _holds(line, pattern):
-            yield OtherCause(row["configuration"] == "outside", row["reason"], _score(line, pattern, weights))
+            yield OtherCause(row["configuration"], row["reason"], _score(line, pattern, weights))
 
 
 def _best(rule: Rule, line: str, weights: Weights, speaker: Speaker | None) -> Match:
-    heard = _heard(rule.family, speaker)
-    matches = (
-        Match(rule, symptom, _score(line, _bare(_plain(symptom)), weights) * heard * _LATER ** min(place, _LAST))
-        for place, symptom in enumerate(rule.meta.symptoms)
-    )
+    def match(place: int, symptom: str) -> Match:
+        known = _bare(_plain(symptom))
+        heard = _OTHER if speaker is None and _is_chance(rule.family, known, line) else _heard(rule.family, speaker)
+        return Match(rule, symptom, _score(line, known, weights) * heard * _LATER ** min(place, _LAST))
+
+    matches = (match(place, symptom) for place, symptom in enumerate(rule.meta.symptoms))
     return max(matches, key=lambda match: match.score, default=Match(rule, "", 0.0))
 
 
@@ -165,6 +171,13 @@ def _heard(family: str, speaker: Speaker | None) -> float:
     return _OTHER if family in _spoken_for() else 1.0
 
 
+def _is_chance(family: str, symptom: str, line: str) -> bool:
+    """Whether one common word of a program, such as "deprecated", may be in a long line of another one by chance."""
+    telling = _words(symptom) - _FREQUENT
+    common = len(telling) < 2 and all(word.isalpha() for word in telling)
+    return common and family in _spoken_for() and len(line) > _LONGER * len(symptom)
+
+
 def _score(line: str, symptom: str, weights: Weights) -> float:
     words = _words(symptom)
     if _holds(line, symptom):
@@ -174,7 +187,7 @@ def _score(line: str, symptom: str, weights: Weights) -> float:
         return weights.weight(said)
     shared = words & said
     whole = weights.weight(words)
-    if len(shared - _FREQUENT) < 2 or weights.weight(shared) < whole * _NEAR:
+    if len(words - _FREQUENT) < _TELLING or weights.weight(shared) < whole * _NEAR:
         return 0.0
     return weights.weight(shared) ** 3 / whole**2 / 2
 

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 
+from bringup_lint.cli.explaining import JUDGED
 from bringup_lint.facts import table
 from bringup_lint.log_lines import Answer
 from bringup_lint.log_lines import _holds
@@ -300,6 +301,28 @@ def test_collected_lines() -> None:
     for each in wrong:
         print(*each, sep="\n    ")
     assert len(wrong) <= len(lines) * 0.05
+
+
+def test_few_words_in_another_order_are_no_match() -> None:
+    for line in (
+        "The value of parameter gain is set to 3, it should not be less",
+        "The requested command interface not found: 'wheel/effort' in hardware component: 'base'.",
+    ):
+        assert answer(line).matches == ()
+
+
+def test_one_common_word_in_a_line_of_an_unknown_program_is_no_match() -> None:
+    assert answer("[static_tf-1] Old names of frames are deprecated here; see --help for others").matches == ()
+    assert first("/etc/systemd/system/a.service:3: Key= is deprecated") == "systemd/legacy-key"
+
+
+def test_a_defect_that_no_rule_finds_is_called_one() -> None:
+    found = answer("[velocity_controller]: 'joints' parameter was empty")
+    assert found.other is not None and found.other.configuration == "unjudged"
+
+
+def test_other_causes_say_what_the_configuration_has_to_do_with_them() -> None:
+    assert {row["configuration"] for row in table("logs/other_causes")} == set(JUDGED)
 
 
 def test_two_words_of_another_program_are_no_match() -> None:

@@ -25,6 +25,12 @@ if TYPE_CHECKING:
     from bringup_lint.cache.answers import Question
     from bringup_lint.log_lines import OtherCause
 
+JUDGED = {
+    "no": "Not a configuration defect",
+    "outside": "The cause is outside of the files that are checked",
+    "unjudged": "A defect of the configuration that no rule finds",
+}
+"""What the configuration has to do with a line that no rule explains."""
 NAMED = 5
 """Rules that are named when a word is no rule."""
 
@@ -95,8 +101,8 @@ def _list(heading: str, found: Sequence[Rule], symptoms: Sequence[str] = ()) -> 
 
 
 def _print_other(line: str, cause: OtherCause) -> None:
-    judged = "The cause is outside of the files that are checked" if cause.outside else "Not a configuration defect"
-    put("".join(f"{line}\n" for line in wrap(f"'{line}': {judged}. {cause.reason}", min(terminal_width(), PROSE))))
+    said = f"'{line}': {JUDGED[cause.configuration]}. {cause.reason}"
+    put("".join(f"{line}\n" for line in wrap(said, min(terminal_width(), PROSE))))
 
 
 def _unknown(text: str, registry: Registry) -> str:

@@ -41,7 +41,15 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("warning", symptoms=["No such device", "SIOCGIFINDEX: No such device"])
+@rule(
+    "warning",
+    symptoms=[
+        "No such device",
+        "SIOCGIFINDEX: No such device",
+        "ERROR while getting interface flags: No such device",
+        "Could not access SocketCAN device",
+    ],
+)
 def unit_order(robot: Robot) -> Iterator[Finding]:
     for unit, name, place in robot.can.users:
         after = [*unit.words("After"), *unit.words("BindsTo"), *unit.words("Requires")]

@@ -53,6 +53,8 @@ from bringup_lint.api.compose import missing_files
         "unable to prepare context: path",
         "failed to read dockerfile",
         'invalid mount config for type "bind": bind source path does not exist:',
+        "env file * not found",
+        "not a directory: unknown: Are you trying to mount a directory onto a file",
     ],
 )
 def file_missing(robot: Robot) -> Iterator[Finding]:

@@ -37,7 +37,14 @@ from bringup_lint.api import rule
 from bringup_lint.api.yaml import Mapping
 
 
-@rule("warning", symptoms=["Could not enable FIFO RT scheduling policy"])
+@rule(
+    "warning",
+    symptoms=[
+        "Could not enable FIFO RT scheduling policy",
+        "unable to set realtime scheduling: Operation not permitted",
+        "Your system/user seems not to be setup for FIFO scheduling",
+    ],
+)
 def rt_limits_missing(robot: Robot) -> Iterator[Finding]:
     for service in robot.compose.whole_services:
         word = next((word for word in service.scripts if "ros2_control_node" in word), None)

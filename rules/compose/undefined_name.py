@@ -52,6 +52,9 @@ from bringup_lint.api.compose import undefined_names
         "depends on undefined service",
         "but no declaration was found in the volumes section",
         "depends on service * which is undefined",
+        "refers to undefined secret",
+        "refers to undefined config",
+        "depends on unknown service",
     ],
 )
 def undefined_name(robot: Robot) -> Iterator[Finding]:

@@ -48,6 +48,7 @@ from bringup_lint.api.udev import Link
         "could not open port /dev/*: [Errno 2] No such file or directory",
         "No such file or directory: '/dev/",
         "Serial port not found. | device: /dev/*, error 2, waiting for connection",
+        "/dev/*No such file or directory",
     ],
 )
 def link_undefined(robot: Robot) -> Iterator[Finding]:

@@ -61,6 +61,12 @@ _RANK = ("literal", "unit", "host", "default", "script", "argument")
         "IO Exception (2): No such file or directory",
         "open device error | device: /dev/tty*, errno: 2",
         "Serial port not found. | device: /dev/tty",
+        "Device specified is not available or is not a vaild V4L2 device",
+        "/dev/tty*No such file or directory",
+        "No such file or directory: '/dev/tty",
+        "Could not open serial port",
+        "Failed to open serial port /dev/tty",
+        "An exception was thrown: open: No such file or directory",
     ],
 )
 def unstable_path(robot: Robot) -> Iterator[Finding]:

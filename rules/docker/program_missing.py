@@ -48,7 +48,14 @@ from bringup_lint.api.docker import missing_programs
 @rule(
     "error",
     confidence="medium",
-    symptoms=["exec * no such file or directory", "OCI runtime create failed: * no such file or directory"],
+    symptoms=[
+        "exec * no such file or directory",
+        "OCI runtime create failed: * no such file or directory",
+        "exec: *: executable file not found in $PATH",
+        "exec: *: no such file or directory",
+        "/*entrypoint*: line *: exec: *: not found",
+        "/*entrypoint*: line *: *: No such file or directory",
+    ],
 )
 def program_missing(robot: Robot) -> Iterator[Finding]:
     seen = set()

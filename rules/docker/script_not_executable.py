@@ -45,7 +45,16 @@ from bringup_lint.api.docker import Runner
 CHMOD = regex(r"\b(?:chmod|--chmod)\b")
 
 
-@rule("warning", confidence="medium", symptoms=["exec *: permission denied", "exited with code 126"])
+@rule(
+    "warning",
+    confidence="medium",
+    symptoms=[
+        "exec *: permission denied",
+        "exited with code 126",
+        "exec: *: permission denied",
+        "OCI runtime create failed: *: permission denied",
+    ],
+)
 def script_not_executable(robot: Robot) -> Iterator[Finding]:
     tree = robot.files.tree
     if not tree.keeps_modes:

@@ -42,7 +42,14 @@ from bringup_lint.api.shell import unwrapped
 OPTIONS = ("-w", "--write", "-p", "--load", "--system")
 
 
-@rule("warning", symptoms=["sysctl: setting key", "Read-only file system"])
+@rule(
+    "warning",
+    symptoms=[
+        "sysctl: setting key",
+        "Read-only file system",
+        "OCI runtime create failed: * write sysctl key",
+    ],
+)
 def sysctl_read_only(robot: Robot) -> Iterator[Finding]:
     whole = list(robot.compose.whole_services)
     found: dict[object, tuple[Located, list[Runner]]] = {}

@@ -75,6 +75,10 @@ DISTRO = regex(r"/opt/ros/[a-z]+")
         "ros2: command not found",
         "ModuleNotFoundError: No module named 'ros2cli'",
         "Failed to load entry point 'launch': No module named 'launch_ros'",
+        "error while loading shared libraries: lib*.so: cannot open shared object file",
+        "error while loading shared libraries: lib*.so.* cannot open shared object file",
+        "ImportError: lib*.so: cannot open shared object file",
+        "exec: ros2: not found",
     ],
 )
 def ros2_not_sourced(robot: Robot) -> Iterator[Finding]:

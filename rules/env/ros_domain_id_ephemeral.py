@@ -37,7 +37,7 @@ from bringup_lint.api.ros import EPHEMERAL_DOMAINS
 from bringup_lint.api.ros import domain_id
 
 
-@rule("warning", symptoms=["Address already in use", "failed to create participant"])
+@rule("warning", symptoms=["failed to create participant"])
 def ros_domain_id_ephemeral(robot: Robot) -> Iterator[Finding]:
     if any(_moves_ports(source.text) for source in robot.of_kind("sysctl")):
         return

@@ -37,7 +37,10 @@ from bringup_lint.api import rule
 @rule(
     "warning",
     fix="safe",
-    symptoms=["command not found", "poorly formatted environment: variable * contains whitespaces"],
+    symptoms=[
+        "poorly formatted environment: variable * contains whitespaces",
+        "ROS_DOMAIN_ID: command not found",
+    ],
 )
 def spaces_around_eq(robot: Robot) -> Iterator[Finding]:
     for file in robot.env_files:

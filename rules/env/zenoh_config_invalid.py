@@ -40,7 +40,14 @@ from bringup_lint.api.systemd import Variable
 FILES = ("ZENOH_ROUTER_CONFIG_URI", "ZENOH_SESSION_CONFIG_URI")
 
 
-@rule("error", symptoms=["Error configuring Zenoh session", "logging system not initialized"])
+@rule(
+    "error",
+    symptoms=[
+        "Error configuring Zenoh session",
+        "logging system not initialized",
+        "Failed to read config from",
+    ],
+)
 def zenoh_config_invalid(robot: Robot) -> Iterator[Finding]:
     read: dict[Span, tuple[Variable, RosProcess]] = {}
     for process in robot.ros.processes:

@@ -52,6 +52,7 @@ from bringup_lint.api.systemd import Unit
         "open_and_lock_file failed",
         "RTPS_TRANSPORT_SHM * Permission denied",
         "Failed to create segment",
+        "/dev/shm/fastrtps*Permission denied",
     ],
 )
 def shm_across_users(robot: Robot) -> Iterator[Finding]:

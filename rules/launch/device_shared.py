@@ -44,6 +44,7 @@ from bringup_lint.api.launch import shared_devices
         "Could not exclusively lock port",
         "Device or resource busy: '/dev/",
         "/dev/*: Device or resource busy",
+        "/dev/*Resource busy",
     ],
 )
 def device_shared(robot: Robot) -> Iterator[Finding]:

@@ -40,7 +40,14 @@ from bringup_lint.api.launch import literal_text
 from bringup_lint.api.launch import missing_entries
 
 
-@rule("error", symptoms=["ModuleNotFoundError: No module named", "cannot import name"])
+@rule(
+    "error",
+    symptoms=[
+        "ModuleNotFoundError: No module named",
+        "cannot import name",
+        "AttributeError: module '*' has no attribute 'main'",
+    ],
+)
 def entry_point_missing(robot: Robot) -> Iterator[Finding]:
     workspace = robot.launch.workspace
     started = {(literal_text(node.package), literal_text(node.executable)) for node in robot.launch.nodes}

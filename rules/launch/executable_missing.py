@@ -79,7 +79,15 @@ class Start(NamedTuple):
     """What public packages have is asked, too: the file is judged, and does not ask itself which distribution runs."""
 
 
-@rule("error", fix="unsafe", symptoms=["not found on the libexec directory", "No executable found"])
+@rule(
+    "error",
+    fix="unsafe",
+    symptoms=[
+        "not found on the libexec directory",
+        "found at '*', but libexec directory '*' does not exist",
+        "No executable found",
+    ],
+)
 def executable_missing(robot: Robot) -> Iterator[Finding]:
     elsewhere: dict[str, list[Start]] = {}
     made: dict[str, list[Start]] = {}

@@ -41,7 +41,14 @@ from bringup_lint.api.launch import not_passed
 from bringup_lint.api.launch import unpassed
 
 
-@rule("error", symptoms=["Included launch description missing required argument"])
+@rule(
+    "error",
+    symptoms=[
+        "Included launch description missing required argument",
+        'Required launch argument "*" (description: "*") was not provided',
+        'Required launch argument "*" was not provided',
+    ],
+)
 def include_missing_required_arg(robot: Robot) -> Iterator[Finding]:
     for declared, by in not_passed(robot.launch, robot.runners):
         related = [note(declared.action.span, "declared here without a default")]

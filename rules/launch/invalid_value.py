@@ -35,7 +35,13 @@ from bringup_lint.api.launch import refused
 
 @rule(
     "error",
-    symptoms=["could not convert string to float", "expected to be of type", "non-uniform list"],
+    symptoms=[
+        "could not convert string to float",
+        "expected to be of type",
+        "non-uniform list",
+        "Attribute respawn_delay of Entity * expected to be a non-negative value",
+        "Attribute sigterm_timeout of Entity * expected to be a non-negative value",
+    ],
 )
 def invalid_value(robot: Robot) -> Iterator[Finding]:
     yield from refused(robot.launch, "value", "write a value of this type")

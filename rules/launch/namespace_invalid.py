@@ -38,7 +38,11 @@ VALID = regex(r"/?(?:[A-Za-z_][A-Za-z0-9_]*(?:/[A-Za-z_][A-Za-z0-9_]*)*/?)?\Z")
 
 @rule(
     "error",
-    symptoms=["namespace must not contain characters other than alphanumerics", "The resulting namespace is invalid"],
+    symptoms=[
+        "namespace must not contain characters other than alphanumerics",
+        "The resulting namespace is invalid",
+        "Error while expanding or validating node name or namespace for",
+    ],
 )
 def namespace_invalid(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:

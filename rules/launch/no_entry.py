@@ -34,7 +34,13 @@ from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
-@rule("error", symptoms=["has no attribute 'generate_launch_description'"])
+@rule(
+    "error",
+    symptoms=[
+        "has no attribute 'generate_launch_description'",
+        "does not contain the required function 'generate_launch_description()'",
+    ],
+)
 def no_entry(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         if file.format != "python" or file.entry is not None or file.problems:

@@ -41,7 +41,13 @@ BY_CHANCE = "which of them answers a parameter or service call is left to chance
 ALIKE = "logs and lists of nodes do not show which is which"
 
 
-@rule("error", symptoms=["Publisher already registered for node name"])
+@rule(
+    "error",
+    symptoms=[
+        "Publisher already registered for node name",
+        "nodes with the name * created within this launch context",
+    ],
+)
 def node_duplicate_name(robot: Robot) -> Iterator[Finding]:
     for expansion in robot.launch.entries:
         first: dict[str, launch.Started] = {}

@@ -40,7 +40,14 @@ from bringup_lint.api.launch import Started
 VALID = regex(r"[A-Za-z_][A-Za-z0-9_]{0,254}\Z")
 
 
-@rule("error", fix="unsafe", symptoms=["node name must not contain characters other than alphanumerics or '_'"])
+@rule(
+    "error",
+    fix="unsafe",
+    symptoms=[
+        "node name must not contain characters other than alphanumerics or '_'",
+        "Error while expanding or validating node name or namespace for",
+    ],
+)
 def node_name_invalid(robot: Robot) -> Iterator[Finding]:
     for node in robot.launch.nodes:
         name = launch.literal_text(node.name)

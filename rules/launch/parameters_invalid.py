@@ -45,7 +45,15 @@ WRONG = {
 }
 
 
-@rule("error", fix="safe", symptoms=["Expecting list of parameters", "Unexpected type for parameter value"])
+@rule(
+    "error",
+    fix="safe",
+    symptoms=[
+        "Expecting list of parameters",
+        "Unexpected type for parameter value",
+        "Expected a non-empty sequence, with items of uniform type",
+    ],
+)
 def parameters_invalid(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         for problem in file.refused:

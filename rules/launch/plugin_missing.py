@@ -40,6 +40,7 @@ from bringup_lint.api.spelling import nearest
     symptoms=[
         "Could not find requested resource in ament index",
         "Failed to find class with the requested plugin name",
+        "Failed to load node '*' of type '*' in container",
     ],
 )
 def plugin_missing(robot: Robot) -> Iterator[Finding]:

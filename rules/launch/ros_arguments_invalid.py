@@ -69,6 +69,10 @@ UNKNOWN = regex(r"[$`%*]")
         "UnknownROSArgsError",
         "Couldn't parse remap rule",
         "Failed to parse global arguments",
+        "Couldn't parse parameter override rule",
+        "Couldn't parse log level",
+        "No parameter override rule found.",
+        "Couldn't parse enclave name",
     ],
 )
 def ros_arguments_invalid(robot: Robot) -> Iterator[Finding]:

@@ -54,7 +54,15 @@ EFFECTS = {
 }
 
 
-@rule("error", symptoms=["argument must be str, bytes, or os.PathLike object, not 'LaunchConfiguration'"])
+@rule(
+    "error",
+    symptoms=[
+        "argument must be str, bytes, or os.PathLike object, not 'LaunchConfiguration'",
+        "'LaunchConfiguration' object has no attribute",
+        'can only concatenate str (not "LaunchConfiguration") to str',
+        "expected str, bytes or os.PathLike object, not LaunchConfiguration",
+    ],
+)
 def substitution_as_value(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         for use in file.objects:

@@ -51,7 +51,13 @@ OLD = ("foxy", "galactic", "humble", "iron")
 
 @rule(
     "error",
-    symptoms=["invalid syntax", "mismatched tag", "The launch file may have a syntax error, or its format is unknown"],
+    symptoms=[
+        "invalid syntax",
+        "mismatched tag",
+        "The launch file may have a syntax error, or its format is unknown",
+        "Expected 'launch' as root tag",
+        "not well-formed (invalid token)",
+    ],
 )
 def syntax(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:

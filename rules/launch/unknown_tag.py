@@ -36,6 +36,14 @@ from bringup_lint.api import rule
 from bringup_lint.api.launch import refused
 
 
-@rule("error", fix="unsafe", symptoms=["Unrecognized entity of the type", "Unexpected nested tag(s) found"])
+@rule(
+    "error",
+    fix="unsafe",
+    symptoms=[
+        "Unrecognized entity of the type",
+        "Unexpected nested tag(s) found",
+        "Unexpected nested entity(ies) found in",
+    ],
+)
 def unknown_tag(robot: Robot) -> Iterator[Finding]:
     yield from refused(robot.launch, "tag", "remove it, or put it where it belongs")

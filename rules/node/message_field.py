@@ -43,7 +43,20 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("error", fix="unsafe", symptoms=["AttributeError: '*' object has no attribute '*'", "must be of type 'float'"])
+@rule(
+    "error",
+    fix="unsafe",
+    symptoms=[
+        "AttributeError: '*' object has no attribute '*'",
+        "must be of type 'float'",
+        "AttributeError: 'Twist' object has no attribute",
+        "AttributeError: 'TwistStamped' object has no attribute",
+        "AttributeError: 'Pose' object has no attribute",
+        "AttributeError: 'PoseStamped' object has no attribute",
+        "AttributeError: 'Odometry' object has no attribute",
+        "AttributeError: 'Imu' object has no attribute",
+    ],
+)
 def message_field(robot: Robot) -> Iterator[Finding]:
     for types in robot.nodes.message_types:
         purpose = robot.nodes.purpose(types.file.source)

@@ -45,7 +45,14 @@ from bringup_lint.api import rule
 from bringup_lint.api.ros import instead_of
 
 
-@rule("warning", fix="safe", symptoms=["Cannot locate rosdep definition for"])
+@rule(
+    "warning",
+    fix="safe",
+    symptoms=[
+        "Cannot locate rosdep definition for",
+        "could not have their rosdep keys resolved",
+    ],
+)
 def rosdep_key_unknown(robot: Robot) -> Iterator[Finding]:
     places: dict[str, list[Located]] = {}
     for place in robot.dependencies.unresolved():

@@ -94,6 +94,12 @@ ASKED = {
         "No module named",
         "Could not find a package configuration file provided by",
         "By not providing Find*.cmake in CMAKE_MODULE_PATH this project has asked CMake to find a package",
+        "ModuleNotFoundError: No module named 'serial'",
+        "ModuleNotFoundError: No module named 'cv2'",
+        "ModuleNotFoundError: No module named 'smbus2'",
+        "ModuleNotFoundError: No module named 'RPi'",
+        "ModuleNotFoundError: No module named 'transforms3d'",
+        "ModuleNotFoundError: No module named 'tf_transformations'",
     ],
 )
 def undeclared_dependency(robot: Robot) -> Iterator[Finding]:

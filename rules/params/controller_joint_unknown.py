@@ -51,6 +51,11 @@ from bringup_lint.api.params import UnknownJoint
     symptoms=[
         "Can't activate controller '*': Command interface with '*' does not exist",
         "Joint '*' not found in URDF",
+        "Unable to obtain joint command handle for",
+        "Unable to obtain joint state handle for",
+        "Either left wheel interfaces, right wheel interfaces are non existent",
+        "State interface with key '*' does not exist",
+        "Command interface with key '*' does not exist",
     ],
 )
 def controller_joint_unknown(robot: Robot) -> Iterator[Finding]:

@@ -50,6 +50,14 @@ from bringup_lint.api.params import unknown_frames
         'Invalid frame ID "*" passed to canTransform argument source_frame - frame does not exist',
         '"*" passed to lookupTransform argument source_frame does not exist',
         '"*" passed to lookupTransform argument target_frame does not exist',
+        "Could not obtain transform from * to",
+        "Could not obtain transform from * ->",
+        "Failed to compute odom pose",
+        "Failed to compute laser pose, aborting initialization",
+        "Failed to create laser device for *; discarding scan",
+        "Unable to obtain * transform. Will assume navsat device is mounted at robot's origin",
+        "doesn't match global_frame_id",
+        "Could not find a connection between '*' and '*' because they are not part of the same tree",
     ],
 )
 def frame_unknown(robot: Robot) -> Iterator[Finding]:

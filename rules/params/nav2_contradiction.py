@@ -65,6 +65,10 @@ _ENDS = ("sign", "length", "polygon", "model", "footprint", "library")
         "Invalid setting of kinematic and/or deadband limits!",
         "You've set min_particles to be greater than max particles",
         "ID [*] already registered",
+        "Error while getting polygon parameters",
+        "Positive values set of min_velocities",
+        "Negative values set of max_velocities",
+        "Invalid size of parameter *. Must be size",
     ],
 )
 def nav2_contradiction(robot: Robot) -> Iterator[Finding]:

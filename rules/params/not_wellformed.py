@@ -53,7 +53,16 @@ _ADVICE: dict[str, str] = {
 }
 
 
-@rule("error", fix="safe", symptoms=["Error parsing a event near line", "Couldn't parse params file"])
+@rule(
+    "error",
+    fix="safe",
+    symptoms=[
+        "Error parsing a event near line",
+        "Couldn't parse params file",
+        "yaml.scanner.ScannerError",
+        "yaml.parser.ParserError",
+    ],
+)
 def not_wellformed(robot: Robot) -> Iterator[Finding]:
     for file, problem in robot.params.problems(
         YamlCode.SYNTAX, YamlCode.TAB, YamlCode.CONTROL_CHARACTER, "yaml-version", "no-key", "list-at-root"

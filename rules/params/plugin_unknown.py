@@ -53,8 +53,13 @@ from bringup_lint.api.params import UnknownPlugin
 @rule(
     "error",
     symptoms=[
-        "According to the loaded plugin descriptions the class with base class type does not exist",
+        "According to the loaded plugin descriptions the class * with base class type * does not exist",
         "Failed to create plugin of type",
+        "Failed to create global planner. Exception:",
+        "Failed to create controller. Exception:",
+        "Failed to load hardware '*' from plugin",
+        "Loader for controller '*' (type '*') not found.",
+        "Failed to create *, is it registered and built? Exception:",
     ],
 )
 def plugin_unknown(robot: Robot) -> Iterator[Finding]:

@@ -47,7 +47,11 @@ from bringup_lint.api import rule
 
 @rule(
     "error",
-    symptoms=["Can not get 'plugin' param value for", "'plugin' param not defined for"],
+    symptoms=[
+        "Can not get 'plugin' param value for",
+        "'plugin' param not defined for",
+        "No 'plugin' param for param ns!",
+    ],
 )
 def plugin_untyped(robot: Robot) -> Iterator[Finding]:
     for each, *others in robot.plugins.untyped:

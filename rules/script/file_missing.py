@@ -43,7 +43,14 @@ from bringup_lint.api import rule
 from bringup_lint.api.shell import missing_files
 
 
-@rule("warning", symptoms=["cannot stat"])
+@rule(
+    "warning",
+    symptoms=[
+        "cannot stat",
+        "line *: *: No such file or directory",
+        "cp: cannot stat '*': No such file or directory",
+    ],
+)
 def file_missing(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("shell-script"):
         if source.judged and not source.template and source.origin is None:

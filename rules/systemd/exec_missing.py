@@ -41,7 +41,14 @@ from bringup_lint.api.systemd import Unit
 from bringup_lint.api.systemd import directives
 
 
-@rule("error", symptoms=["Service has no ExecStart=", "has a bad unit file setting"])
+@rule(
+    "error",
+    symptoms=[
+        "Service has no ExecStart=",
+        "has a bad unit file setting",
+        "Service lacks both ExecStart= and ExecStop= setting",
+    ],
+)
 def exec_missing(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         if unit.fragment is None or unit.uncertain or unit.has("ExecStart") or _misplaced(unit):

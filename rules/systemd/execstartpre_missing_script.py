@@ -78,6 +78,7 @@ TEXTS = {
         "Exec format error",
         "bash: *: No such file or directory",
         "sh: *: not found",
+        "Failed to execute *: Permission denied",
     ],
 )
 def execstartpre_missing_script(robot: Robot) -> Iterator[Finding]:

@@ -56,6 +56,13 @@ from bringup_lint.api import rule
         "Permission denied: '/dev/",
         "/dev/*Permission denied",
         "IO Exception (13): Permission denied",
+        "open device error | device: *, errno: 13",
+        "open device error | device: *, errno: 13. Please re-run with superuser privileges.",
+        "Cannot open '/dev/*: 13, Permission denied",
+        "/dev/*errno: 13",
+        "/dev/*Error 13",
+        "No access to /dev/mem",
+        "can not open gpiochip",
     ],
 )
 def group_missing_for_device(robot: Robot) -> Iterator[Finding]:

@@ -58,7 +58,11 @@ PSEUDO = regex(
 @rule(
     "error",
     fix="unsafe",
-    symptoms=["Operation not permitted", "could not open port", "No such file or directory: '/dev/"],
+    symptoms=[
+        "could not open port",
+        "No such file or directory: '/dev/",
+        "/dev/*Operation not permitted",
+    ],
 )
 def private_devices(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:

@@ -83,6 +83,7 @@ from bringup_lint.api.systemd import sufficient_limit
         "Start request repeated too quickly",
         "Failed with result 'start-limit-hit'",
         "Scheduled restart job, restart counter is at",
+        "(Result: start-limit-hit)",
     ],
 )
 def restart_unlimited(robot: Robot) -> Iterator[Finding]:

@@ -63,7 +63,8 @@ CONTROL = regex(r"ros2_control_node|controller_manager|ros2_control")
     symptoms=[
         "Could not enable FIFO RT scheduling policy",
         "Could not enable FIFO RT scheduling policy: with error number <*>(Operation not permitted)",
-        "Operation not permitted",
+        "unable to set realtime scheduling: Operation not permitted",
+        "Your system/user seems not to be setup for FIFO scheduling",
     ],
 )
 def rt_limits_only_in_pam(robot: Robot) -> Iterator[Finding]:

@@ -47,7 +47,11 @@ from bringup_lint.api.systemd import Unit
 @rule(
     "warning",
     tags=["CWE-250"],
-    symptoms=["sudo: a terminal is required to read the password", "sudo: effective uid is not 0"],
+    symptoms=[
+        "sudo: a terminal is required to read the password",
+        "sudo: effective uid is not 0",
+        "sudo: no tty present and no askpass program specified",
+    ],
 )
 def sudo_in_exec(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:

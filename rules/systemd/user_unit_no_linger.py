@@ -40,7 +40,13 @@ HOME = regex(r"/home/([^/]+)/")
 LINGER = "/var/lib/systemd/linger"
 
 
-@rule("warning", symptoms=["Failed to connect to bus: $DBUS_SESSION_BUS_ADDRESS and $XDG_RUNTIME_DIR not defined"])
+@rule(
+    "warning",
+    symptoms=[
+        "Failed to connect to bus: $DBUS_SESSION_BUS_ADDRESS and $XDG_RUNTIME_DIR not defined",
+        "Failed to connect to bus: No medium found",
+    ],
+)
 def user_unit_no_linger(robot: Robot) -> Iterator[Finding]:
     lingering = robot.tree.entries(LINGER)
     if lingering is None:

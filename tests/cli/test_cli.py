@@ -267,6 +267,8 @@ def test_explain_of_a_line_that_is_not_a_defect(tmp_path: Path) -> None:
     run = lint("explain", "rcl node's context is invalid", cwd=tmp_path)
     assert run.code == 0
     assert run.stdout.startswith("'rcl node's context is invalid': Not a configuration defect.")
+    known = lint("explain", "service declares mutually exclusive `network_mode` and `networks`", cwd=tmp_path).stdout
+    assert "A defect of the configuration that no rule finds." in " ".join(known.split())
 
 
 def test_the_settings_of_an_image_are_looked_for_in_the_image(tmp_path: Path) -> None:
