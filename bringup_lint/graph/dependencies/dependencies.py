@@ -24,6 +24,7 @@ from bringup_lint.graph.dependencies.needs import of_launch
 from bringup_lint.graph.dependencies.needs import of_nodes
 from bringup_lint.graph.dependencies.provided import ROSDEP
 from bringup_lint.graph.dependencies.provided import Provided
+from bringup_lint.graph.dependencies.ros1_programs import ros1_programs
 from bringup_lint.graph.dependencies.subpackages import LeftOut
 from bringup_lint.graph.dependencies.subpackages import left_out
 from bringup_lint.graph.dependencies.unexported import Unexported
@@ -110,6 +111,10 @@ class Dependencies:
     def missing_files(self, package: Package) -> list[Install]:
         """What a build installs in any case, and that is not in the tree."""
         return missing_files(self._files, package)
+
+    def ros1_programs(self, package: Package) -> Iterator[Install]:
+        """The programs of ROS 1 that a package of ROS 2 installs."""
+        return ros1_programs(self._files.tree, package)
 
     def left_out_modules(self, package: Package) -> Iterator[LeftOut]:
         """What a Python package imports of itself, and does not install."""
