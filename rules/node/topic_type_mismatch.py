@@ -46,7 +46,7 @@ def topic_type_mismatch(robot: Robot) -> Iterator[Finding]:
     for publisher, subscription in robot.topics.pairs:
         if not topics.types_differ(publisher, subscription) or subscription.shown:
             continue
-        if publisher.conditional_source or subscription.conditional_source:
+        if publisher.conditional or subscription.conditional:
             continue
         if publisher.of_table and subscription.of_table:
             deciding = subscription.type_given or publisher.type_given or subscription.where

@@ -80,7 +80,7 @@ def _unheard(running: Running, drive: DriveInput, others: list[str]) -> Iterator
     heard = {use.node.started for use in sent if use.topic == drive.topic and use.type in (None, drive.type)}
     for use in sent:
         lost = use.topic in others or (use.topic == drive.topic and {use.type, drive.type} == {TWIST, STAMPED})
-        if lost and not use.conditional_source and use.node.started not in heard:
+        if lost and not use.conditional and use.node.started not in heard:
             yield use
 
 
