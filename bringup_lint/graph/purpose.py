@@ -44,8 +44,8 @@ def _folder(words: str, hints: str = "") -> re.Pattern[str]:
 
 
 SIMULATION = _word(
-    rf"sim|{simulation.WORDS}|{simulation.SIMULATORS}|netem|loopback|mock|fake|replay|playback|rosbag2?|xil|sitl|hitl",
-    f"{simulation.HINTS} netem loopback mock fake replay playback rosbag xil sitl hitl",
+    rf"sim|{simulation.WORDS}|{simulation.SIMULATORS}|netem|mock|fake|replay|playback|rosbag2?|xil|sitl|hitl",
+    f"{simulation.HINTS} netem mock fake replay playback rosbag xil sitl hitl",
 )
 """Words for simulators and for recorded or made-up data."""
 

@@ -8,7 +8,8 @@ A command of a `RUN` that installs packages or builds the workspace, and whose f
 - `colcon build || true`, `rosdep install || true`, and `colcon build | tee` without `pipefail`.
 
 A fallback directly after another command that installs something is taken for meant, and so is one that does more than
-print a message. Loops are not judged.
+print a message. So is one that is followed, with `&&`, by commands that need what was installed: they end the build.
+Loops are not judged.
 
 ## Why it matters on a robot
 A mirror that does not answer for a moment, or a package that does not compile, gives an image that looks well and lacks
@@ -156,17 +157,23 @@ def _hiding(blocks: Sequence[Block], at: int, pipefail: bool) -> Hiding | None:
         if ends == "||":
             if _name(following) not in PASSIVE or (here == at and meant):
                 return None
+            if meant and not _succeeds(blocks[here + 1 :]):
+                return None
             fallback = _name(following)
             remedy = SKIP if _name(blocks[here]) == "rosdep" else f"remove '|| {fallback}'"
             advice = remedy if here == at else GROUP
             return Hiding(_words(following)[0], f"'|| {fallback}' takes the failure for its own", advice)
         if ends != "&&":
-            independent = builds or all(_name(each) in INDEPENDENT for each in blocks[here + 1 :])
-            if not independent:
+            if not builds and not _succeeds(blocks[here + 1 :]):
                 return None
             return Hiding(_words(following)[0], "the next command runs", JOIN, "this runs all the same")
         here += 1
     return None
+
+
+def _succeeds(blocks: Sequence[Block]) -> bool:
+    """Whether all that follows an installation succeeds without it."""
+    return all(_name(each) in INDEPENDENT for each in blocks)
 
 
 def _ends(block: Block) -> str:

@@ -7,10 +7,12 @@ build on, images that start systemd, images that only build or test something (`
 services in compose files all set `user:`. Silent if the Dockerfile or the entry script mentions gosu, su-exec, setpriv,
 runuser or fixuid, which drop privileges, or if the entry script is that of a base image that is not known.
 
+Images of a tree that run as root because of the same base image are one finding.
+
 It is info for images that a robot hardly runs by themselves: without USER, CMD and ENTRYPOINT; a shell in which
-somebody works or logs in with ssh; a builder, a simulator or a demonstration; a Dockerfile that nothing builds
-while another one in its place is built; and an image that copies nothing, builds nothing and has nothing of ROS: it
-runs a program of the distribution.
+somebody works or logs in with ssh, also as ENTRYPOINT of an image that no service runs; a builder, a simulator or a
+demonstration; a Dockerfile that nothing builds while another one in its place is built; and an image that copies
+nothing, builds nothing and has nothing of ROS: it runs a program of the distribution.
 
 ## Why it matters on a robot
 An intruder in one node is root in the container. If the host uses another user, Fast DDS's shared memory cannot be
@@ -40,6 +42,7 @@ When every deployment sets `user:` or `--user` for this image.
 
 import re
 from collections.abc import Iterator
+from typing import NamedTuple
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
@@ -54,6 +57,7 @@ from bringup_lint.api.docker import can_be_pulled
 from bringup_lint.api.docker import image_user
 from bringup_lint.api.docker import is_deployed
 from bringup_lint.api.docker import last_user
+from bringup_lint.api.shell import program_name
 
 DROPS = regex(r"\b(?:gosu|su-exec|setpriv|runuser|fixuid)\b")
 LOGINS = regex(r"\b(?:openssh-server|sshd|sysvinit|s6-overlay)\b")
@@ -69,11 +73,43 @@ DISTRIBUTION = regex(r"(?:ubuntu|debian|alpine)(?::|$)")
 PACKAGES = regex(r"\b(?:apt-get|apt|apk)\b")
 OWN = regex(r"\bros|colcon|catkin|\bgit\b|curl|wget|\bpip3?\b|npm|cargo|make", re.I)
 """What brings ROS, or programs of other people, into an image."""
+SHELLS = ("bash", "sh", "dash", "zsh")
 SYSTEMD = regex(r"/(?:s?bin/init|lib/systemd/systemd)\b")
+
+
+class AsRoot(NamedTuple):
+    """An image that runs as root."""
+
+    stage: Stage
+    services: list[Service]
+    """Those that run it and set no user."""
+    lowered: bool
+    """Whether a robot hardly runs it by itself."""
+
+    @property
+    def far(self) -> str:
+        """What an intruder reaches, with its comma."""
+        return max((reach(service) for service in self.services), key=len, default="")
+
+    @property
+    def is_info(self) -> bool:
+        return self.lowered or (last_user(self.stage) is None and not (self.services or _runs(self.stage)))
 
 
 @rule("warning", silent="root may do everything, so nothing fails", tags=["CWE-250"])
 def root_user(robot: Robot) -> Iterator[Finding]:
+    by_base: dict[str, list[AsRoot]] = {}
+    for image in _found(robot):
+        if image.is_info or last_user(image.stage) is not None:
+            yield _finding(image)
+        else:
+            by_base.setdefault(image.stage.origin, []).append(image)
+    for images in by_base.values():
+        images.sort(key=lambda image: len(image.far), reverse=True)
+        yield _finding(*images)
+
+
+def _found(robot: Robot) -> Iterator[AsRoot]:
     bases = {id(stage.base) for file in robot.dockerfiles for stage in file.stages}
     for file in robot.dockerfiles:
         stage = file.final
@@ -82,36 +118,38 @@ def root_user(robot: Robot) -> Iterator[Finding]:
         if _builds(stage):
             continue
         users = [service for each in file.stages for service in robot.compose.users(each)]
-        if users and all(service.user is not None for service in users):
+        if (users and all(service.user is not None for service in users)) or image_user(stage) != "root":
             continue
         if not _drops_in_script(robot, stage) and not _entrypoint_is_unknown(robot, stage):
             lowered = not is_deployed(robot.compose, file) or _serves_logins(stage) or _runs_packaged(stage)
-            yield from _of(stage, [service for service in users if service.user is None], lowered)
+            yield AsRoot(stage, [service for service in users if service.user is None], lowered)
 
 
-def _of(stage: Stage, services: list[Service], lowered: bool) -> Iterator[Finding]:
-    user = last_user(stage)
-    far = max((reach(service) for service in services), key=len, default="")
-    related = [note(service.name, "runs this image") for service in services]
-    if image_user(stage) != "root":
-        return
+def _finding(image: AsRoot, *others: AsRoot) -> Finding:
+    user = last_user(image.stage)
+    related = [note(service.name, "runs this image") for service in image.services]
+    related += [note(other.stage.start.keyword, "so does this image") for other in others]
+    severity = "info" if image.is_info else None
     if user is not None:
-        message, advice = f"The container runs as root{far}", "end with USER and an unprivileged user"
-        yield finding(user, message, advice=advice, related=related, severity="info" if lowered else None)
-    else:
-        why = f"{stage.origin} sets no USER, and neither does this file"
-        yield finding(
-            stage.start.keyword,
-            f"The container runs as root{far}; {why}" if far else f"The container runs as root: {why}",
-            advice="create a user and end the file with USER",
-            related=related,
-            severity="info" if lowered or not (services or _runs(stage)) else None,
-        )
+        message, advice = f"The container runs as root{image.far}", "end with USER and an unprivileged user"
+        return finding(user, message, advice=advice, related=related, severity=severity)
+    why = f"{image.stage.origin} sets no USER, and neither does this file"
+    return finding(
+        image.stage.start.keyword,
+        f"The container runs as root{image.far}{';' if image.far else ':'} {why}",
+        advice="create a user and end the file with USER",
+        related=related,
+        severity=severity,
+    )
 
 
 def _runs(stage: Stage) -> bool:
     """Whether the image says what it runs; else it is a base, or a place to work in."""
-    return stage.last("CMD") is not None or stage.last("ENTRYPOINT") is not None
+    entrypoint = stage.last("ENTRYPOINT")
+    if stage.last("CMD") is not None or entrypoint is None:
+        return stage.last("CMD") is not None
+    words = entrypoint.exec_form or str(entrypoint.value).split()
+    return len(words) != 1 or program_name(words[0]) not in SHELLS
 
 
 def _builds(stage: Stage) -> bool:

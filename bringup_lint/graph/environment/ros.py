@@ -116,7 +116,8 @@ class RosProcess:
         return self.runner.service if self.runner is not None else None
 
 
-_ENV_FILE = regex(r"(?<![\w-])\.env(?![\w.-])")
+_ENV_FILE = regex(r"(?<![\w-])(?:(?P<folder>(?<![\w.-])[\w-][\w.-]*)/)?(?<![\w-])\.env(?![\w.-])")
+"""A mention of a ``.env``, and the folder before it."""
 
 
 @dataclass(eq=False)
@@ -201,13 +202,14 @@ class RosEnvironment:
         beside = [file.text for file in self.files.of_kind("compose") if os.path.dirname(file.absolute) == folder]
         if not beside or any(name in text or _ENV_FILE.search(text) for text in beside):
             return True
-        return self._reads_env_file
+        return any(_reads(reader, folder) for reader in self._env_file_readers)
 
     @cached_property
-    def _reads_env_file(self) -> bool:
-        """Whether a script, an image, a unit or a node names a ``.env``."""
+    def _env_file_readers(self) -> list[Source]:
+        """The scripts, images, units and nodes that name a ``.env``."""
         others = self.files.of_kind("shell-script", "dockerfile", "systemd-unit", "python-node", "launch-python")
-        return any("dotenv" in each.text or (".env" in each.text and _ENV_FILE.search(each.text)) for each in others)
+        named = (each for each in others if ".env" in each.text or "dotenv" in each.text)
+        return [each for each in named if "dotenv" in each.text or _ENV_FILE.search(each.text)]
 
     @cached_property
     def processes(self) -> list[RosProcess]:
@@ -303,6 +305,13 @@ class RosEnvironment:
                 seen |= {(each.node.span, sight) for each in new}
                 if new:
                     yield _group(new, None)
+
+
+def _reads(reader: Source, folder: str) -> bool:
+    """Whether a file that names a ``.env`` may mean the one of a folder: it names the folder too, or lies in or below
+    it; one that lies elsewhere names another."""
+    named = {match["folder"] for match in _ENV_FILE.finditer(reader.text)}
+    return os.path.basename(folder) in named or f"{os.path.dirname(reader.absolute)}/".startswith(f"{folder}/")
 
 
 def _of_runner(runner: Runner) -> Iterator[RosProcess]:

@@ -19,7 +19,7 @@ from bringup_lint.source import Span
 
 SLOW = 60.0
 """Seconds between restarts from which a loop is a deliberate, harmless retry."""
-PATIENT = 10.0
+PATIENT = 5.0
 """The same, of a service that sets no limit of its own."""
 FAST = 1.0
 """Seconds between restarts below which an endless loop loads the computer and the journal."""
