@@ -5,9 +5,9 @@ Build contexts, Dockerfiles (the default one of a context, too), env files, bind
 that are mounted read-only, or for `config`, `launch`, `src` and the like, with a path relative to compose.yaml or
 docker-compose.yml, and bind-mounted files below `/tmp`, such as `/tmp/.docker.xauth`, of which no script and no
 document of the tree speaks. Files that git ignores, files of which the tree has a copy or a template, files that a
-shell script names, and paths that exist below a folder above are not reported. A mount is a warning, a folder of which
-nothing names a file is info, and the build of
-an image that may be pulled instead is info.
+shell script names, and paths that exist below a folder above are not reported. A mount is a warning, one that the
+container starts an error (a file of nearly the same name beside the compose file is then meant rather than a copy
+elsewhere), a folder of which nothing names a file is info, and so is the build of an image that may be pulled instead.
 
 ## Why it matters on a robot
 docker compose ends with "path not found" or "env file not found" and starts none of the services. For a mount docker
@@ -55,6 +55,7 @@ from bringup_lint.api.compose import missing_files
         'invalid mount config for type "bind": bind source path does not exist:',
         "env file * not found",
         "not a directory: unknown: Are you trying to mount a directory onto a file",
+        "is a directory: permission denied",
     ],
 )
 def file_missing(robot: Robot) -> Iterator[Finding]:
@@ -62,6 +63,8 @@ def file_missing(robot: Robot) -> Iterator[Finding]:
         effect = "docker compose ends" if missing.fatal else "the image cannot be built here"
         if missing.what.startswith("mount"):
             effect = "docker mounts an empty folder in its place"
+        if missing.what == "mounted program":
+            effect += ", and cannot start it"
         lacks = "is made by nothing of this tree" if missing.path.startswith("/tmp/") else "does not exist"
         what = missing.what
         if what == "default Dockerfile":

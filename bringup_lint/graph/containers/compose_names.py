@@ -17,6 +17,7 @@ from bringup_lint.model.yaml_node import Sequence
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
+from bringup_lint.spelling import nearest
 
 if TYPE_CHECKING:
     from bringup_lint.graph.containers.compose import Compose
@@ -39,7 +40,8 @@ _DOCKERFILES = ("Dockerfile", "dockerfile", "Containerfile")
 
 class MissingFile(NamedTuple):
     what: str
-    """``build context``, ``Dockerfile``, ``default Dockerfile``, ``env_file``, ``mount`` or ``mounted folder``."""
+    """``build context``, ``Dockerfile``, ``default Dockerfile``, ``env_file``, ``mount``, ``mounted program`` (that the
+    container starts) or ``mounted folder``."""
     service: Service
     path: Located
     fatal: bool
@@ -97,11 +99,18 @@ def _read(service: Service) -> Iterator[MissingFile]:
     for volume in service.volumes:
         is_path = volume.source is not None and volume.source.startswith("./") and _EXTENSION.search(volume.source)
         if volume.source is not None and is_path and _EXTENSION.search(volume.target or ""):
-            yield MissingFile("mount", service, volume.source, False)
+            starts = volume.target in _started(service)
+            yield MissingFile("mounted program" if starts else "mount", service, volume.source, starts)
         elif volume.source is not None and _TEMPORARY.fullmatch(volume.source):
             yield MissingFile("mount", service, volume.source, False)
         elif volume.source is not None and _is_read(volume.source, read_only=volume.read_only):
             yield MissingFile("mounted folder", service, volume.source, False)
+
+
+def _started(service: Service) -> tuple[Located, ...]:
+    """The program of a service, and the script that a shell as its program reads."""
+    words = service.entrypoint or service.command
+    return words[: 2 if words and words[0].rpartition("/")[2] in ("sh", "bash") else 1]
 
 
 def _is_read(source: str, *, read_only: bool) -> bool:
@@ -140,8 +149,17 @@ def _is_missing(files: Files, service: Service, found: MissingFile) -> bool:
     path = _beside(service, relative)
     if files.tree.exists(path) or files.tree.is_ignored(path) or _elsewhere(files, service, relative):
         return False
-    is_copied = found.what in ("env_file", "mount") and any(files.tree.named(os.path.basename(path)))
+    may_be_copied = found.what in ("env_file", "mount") or (found.what == "mounted program" and not _near(files, path))
+    is_copied = may_be_copied and any(files.tree.named(os.path.basename(path)))
     return not is_copied and not _is_made(files, path)
+
+
+def _near(files: Files, path: str) -> list[str]:
+    """The files beside a path that it may have been called after: nearly its name, and the same ending."""
+    folder, name = os.path.split(path)
+    ending = os.path.splitext(name)[1]
+    beside = (os.path.basename(each) for each in files.tree.walked_in(folder))
+    return nearest(name, [each for each in beside if each.endswith(ending)], 3)
 
 
 def _is_named(files: Files, name: str) -> bool:
