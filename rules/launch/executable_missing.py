@@ -8,9 +8,9 @@ slam_toolbox, controller_manager, joy, teleop_twist_joy, tf2_ros, ...): executab
 that have another name in the robot's distribution, as `spawner.py` from Humble on. A node that does not start by
 default is a warning.
 
-`ros2 run` in units, scripts, containers and other files that start processes is checked in the same way; in a script
-that only people start, it is a warning. Not reported: commands whose failure is expected (`||`, `2>/dev/null`), and
-scripts that ask `ros2 pkg` what there is.
+`ros2 run` in units, scripts, containers and other files that start processes is checked in the same way, also where a
+script hands it to tmux, a terminal window or an alias; in a script that only people start, it is a warning. Not
+reported: commands whose failure is expected (`||`, `2>/dev/null`), and scripts that ask `ros2 pkg` what there is.
 
 ## Why it matters on a robot
 launch aborts with "executable 'x' not found on the libexec directory": no node of the whole launch file starts.
@@ -59,7 +59,7 @@ from bringup_lint.api.spelling import nearest
 
 SYMLINKS = regex(r"--symlink-install\b")
 """With links in the place of files, a script keeps the mode that it has in the source."""
-UNKNOWN = regex(r"[$`%*{]")
+UNKNOWN = regex(r"[$`%*{\\^]")
 """What a shell, systemd or a template fills in."""
 ASKS = regex(r"\bros2[ \t]+pkg[ \t]")
 ABORTS = "launch aborts"
@@ -126,15 +126,14 @@ def _of_launch_files(robot: Robot) -> Iterator[Start]:
 def _of_commands(robot: Robot) -> Iterator[Start]:
     """Each ``ros2 run`` that is surely meant to work, once, whoever runs its script."""
     found: dict[Span, Start] = {}
-    for runner in robot.runners.ros:
+    for runner, ros in robot.runners.run:
         if not runner.certain or runner.purpose.value in ("test", "archive"):
             continue
+        if ros.package is None or ros.target is None or UNKNOWN.search(ros.target) or _may_fail(ros.command):
+            continue
         severity = None if robot.runners.is_supervised(runner) else "warning"
-        for ros in runner.run:
-            if ros.package is None or ros.target is None or UNKNOWN.search(ros.target) or _may_fail(ros.command):
-                continue
-            chain = partial(robot.provenance.chain_to, ros.target, f"'{ros.target}' is run")
-            found.setdefault(ros.target.span, Start(str(ros.package), ros.target, chain, ENDS, severity))
+        chain = partial(robot.provenance.chain_to, ros.target, f"'{ros.target}' is run")
+        found.setdefault(ros.target.span, Start(str(ros.package), ros.target, chain, ENDS, severity))
     yield from found.values()
 
 

@@ -2,8 +2,8 @@
 
 ## What it finds
 Includes of a file that does not exist in a package of this workspace or next to the launch file. An optional
-include is a warning. `ros2 launch` commands in units, and in compose services that are built from this tree, are
-checked in the same way.
+include is a warning. `ros2 launch` commands in units, scripts, and compose services that are built from this tree, are
+checked in the same way, also where a script hands them to tmux, a terminal window or an alias.
 
 ## Why it matters on a robot
 launch aborts when it reaches the include. Nothing after it starts.
@@ -33,6 +33,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.launch import Launching
 from bringup_lint.api.spelling import nearest
 
 
@@ -53,21 +54,29 @@ def include_not_found(robot: Robot) -> Iterator[Finding]:
 
 def commands(robot: Robot) -> Iterator[Finding]:
     for command in robot.runners.launches:
-        package = robot.launch.workspace.packages.get(command.package or "")
-        if package is None or command.file is not None or not package.installs_known:
-            continue
-        if any(sign in command.target for sign in "$%"):
-            continue
-        if not command.runner.certain or robot.purpose(command.target).value == "archive":
-            continue
-        known = [os.path.basename(each.source.name) for each in robot.launch.files_of(package)]
-        if command.target in known or not command.target.endswith((".py", ".xml", ".yaml", ".yml", ".launch")):
-            continue
-        near = nearest(command.target, known, 3)
-        yield finding(
-            command.target,
-            f"{command.target} does not exist in {package.name}: {command.runner.name} fails at every start",
-            advice=f"launch {near[0]}" if near else "correct the name",
-            related=[note(package.place, f"the package {package.name}")],
-            chain=robot.provenance.chain_to(command.target, f"{command.target} is launched"),
-        )
+        yield from _of_command(robot, command, f"{command.runner.name} fails at every start")
+    for command in robot.runners.typed_launches:
+        severity = None if robot.runners.is_supervised(command.runner) else "warning"
+        yield from _of_command(robot, command, "ros2 launch ends at once", severity)
+
+
+def _of_command(robot: Robot, command: Launching, effect: str, severity: str | None = None) -> Iterator[Finding]:
+    package = robot.launch.workspace.packages.get(command.package or "")
+    if package is None or command.file is not None or not package.installs_known:
+        return
+    if any(sign in command.target for sign in "$%"):
+        return
+    if not command.runner.certain or robot.purpose(command.target).value == "archive":
+        return
+    known = [os.path.basename(each.source.name) for each in robot.launch.files_of(package)]
+    if command.target in known or not command.target.endswith((".py", ".xml", ".yaml", ".yml", ".launch")):
+        return
+    near = nearest(command.target, known, 3)
+    yield finding(
+        command.target,
+        f"{command.target} does not exist in {package.name}: {effect}",
+        advice=f"launch {near[0]}" if near else "correct the name",
+        related=[note(package.place, f"the package {package.name}")],
+        chain=robot.provenance.chain_to(command.target, f"{command.target} is launched"),
+        severity=severity,
+    )

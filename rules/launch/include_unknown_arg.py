@@ -53,7 +53,7 @@ def include_unknown_arg(robot: Robot) -> Iterator[Finding]:
             own = [name for name in names if name and not robot.launch.read_elsewhere(name, file, inner)]
             yield from unknown(robot, own, include.target)
         yield from _of_public(robot, file)
-    for command in robot.runners.launches:
+    for command in (*robot.runners.launches, *robot.runners.typed_launches):
         if command.file is not None and command.runner.certain:
             yield from unknown(robot, [name for name, _ in command.arguments], command.file)
 

@@ -19,6 +19,7 @@ from bringup_lint.graph.commands.environment import UNKNOWN
 from bringup_lint.graph.commands.environment import Environment
 from bringup_lint.graph.commands.environment import after_commands
 from bringup_lint.graph.commands.environment import assign_before
+from bringup_lint.graph.commands.typed import typed
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.named_tuple import NamedTuple
 
@@ -129,9 +130,11 @@ class Runner:
         return [start for line in self.lines for start in self.starts_of(line) if is_launch(start)]
 
     @property
-    def run(self) -> list[Ros]:
-        """Every ``ros2 run`` on its command lines."""
-        return [ros for line in self.lines for _, ros in line.ros if ros.kind == "run"]
+    def typed(self) -> list[Start]:
+        """What its commands start in terminals, or give a short name."""
+        return [
+            Start(ros, UNKNOWN, line, step) for line in self.lines for step in line.steps for ros in typed(step.command)
+        ]
 
     def starts_of(self, line: CommandLine) -> list[Start]:
         """The ROS programs that a command line starts."""

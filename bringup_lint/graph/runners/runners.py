@@ -17,6 +17,7 @@ from bringup_lint.graph.runners.launching import expansion_of
 from bringup_lint.graph.runners.runner import Runner
 from bringup_lint.graph.runners.runner import RunnerKind
 from bringup_lint.graph.runners.runner import Start
+from bringup_lint.graph.runners.runner import is_launch
 
 if TYPE_CHECKING:
     from bringup_lint.graph.commands.ros_command import Ros
@@ -59,6 +60,21 @@ class Runners:
     def launches(self) -> list[Launching]:
         """Every ``ros2 launch`` with a known launch file name, of every runner."""
         return [self._launching(runner, start) for runner in self.all for start in runner.launches]
+
+    @cached_property
+    def typed_launches(self) -> list[Launching]:
+        """Those that are started in terminals, or have a short name."""
+        return [self._launching(runner, start) for runner in self.all for start in runner.typed if is_launch(start)]
+
+    @cached_property
+    def run(self) -> list[tuple[Runner, Ros]]:
+        """Every ``ros2 run`` of every runner, those in terminals, too."""
+        return [
+            (runner, ros)
+            for runner in self.all
+            for ros in (*(ros for line in runner.lines for _, ros in line.ros), *(each.ros for each in runner.typed))
+            if ros.kind == "run"
+        ]
 
     def _launching(self, runner: Runner, start: Start) -> Launching:
         return Launching(runner, start, self.launch().named(start.ros.package, start.ros.target))
