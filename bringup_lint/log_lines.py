@@ -189,6 +189,8 @@ def _score(line: str, symptom: str, weights: Weights) -> float:
     whole = weights.weight(words)
     if len(words - _FREQUENT) < _TELLING or weights.weight(shared) < whole * _NEAR:
         return 0.0
+    if not all(word in line for word in words if word.startswith("/")):
+        return 0.0
     return weights.weight(shared) ** 3 / whole**2 / 2
 
 

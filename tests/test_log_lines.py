@@ -311,6 +311,11 @@ def test_few_words_in_another_order_are_no_match() -> None:
         assert answer(line).matches == ()
 
 
+def test_a_line_without_the_path_of_a_known_line_is_no_match() -> None:
+    assert first("PermissionError: [Errno 13] Permission denied: '/dev/rover'") == "systemd/group-missing-for-device"
+    assert first("PermissionError: [Errno 13] Permission denied: '/srv/rover'") != "systemd/group-missing-for-device"
+
+
 def test_one_common_word_in_a_line_of_an_unknown_program_is_no_match() -> None:
     assert answer("[static_tf-1] Old names of frames are deprecated here; see --help for others").matches == ()
     assert first("/etc/systemd/system/a.service:3: Key= is deprecated") == "systemd/legacy-key"

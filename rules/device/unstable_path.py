@@ -67,6 +67,7 @@ _RANK = ("literal", "unit", "host", "default", "script", "argument")
         "Could not open serial port",
         "Failed to open serial port /dev/tty",
         "An exception was thrown: open: No such file or directory",
+        "DeviceError:serial:open: No such file or directory",
     ],
 )
 def unstable_path(robot: Robot) -> Iterator[Finding]:

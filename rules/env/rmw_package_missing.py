@@ -42,7 +42,14 @@ from bringup_lint.api import rule
 from bringup_lint.api.environment import missing_middleware
 
 
-@rule("warning", symptoms=["failed to load shared library", "Error getting RMW implementation identifier"])
+@rule(
+    "warning",
+    symptoms=[
+        "failed to load shared library",
+        "Error getting RMW implementation identifier",
+        "failed to load any RMW implementations",
+    ],
+)
 def rmw_package_missing(robot: Robot) -> Iterator[Finding]:
     if not robot.of_kind("compose", "dockerfile"):
         return

@@ -46,6 +46,7 @@ from bringup_lint.api.ros import highest_port
         "Failed to create unicast sockets for domain * resulting port numbers * are out of range",
         "resulting port number * is out of range",
         "port must be 0-65535",
+        "should not be lower than zero",
     ],
 )
 def ros_domain_id_out_of_range(robot: Robot) -> Iterator[Finding]:

@@ -46,7 +46,12 @@ SETS = ("ROS_LOG_DIR", "ROS_HOME", "HOME")
 
 @rule(
     "info",
-    symptoms=["Failed to create log directory", "Failed to get logging directory", "Permission denied: '/home/*/.ros"],
+    symptoms=[
+        "Failed to create log directory",
+        "Failed to get logging directory",
+        "Permission denied: '/home/*/.ros",
+        "Permission denied: '/*/.ros",
+    ],
 )
 def ros_log_dir_unset_service(robot: Robot) -> Iterator[Finding]:
     for process in robot.ros.processes:

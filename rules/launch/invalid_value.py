@@ -41,6 +41,7 @@ from bringup_lint.api.launch import refused
         "non-uniform list",
         "Attribute respawn_delay of Entity * expected to be a non-negative value",
         "Attribute sigterm_timeout of Entity * expected to be a non-negative value",
+        "Attribute on_exit of Entity * expected to be",
     ],
 )
 def invalid_value(robot: Robot) -> Iterator[Finding]:

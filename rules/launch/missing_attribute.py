@@ -32,6 +32,13 @@ from bringup_lint.api import rule
 from bringup_lint.api.launch import refused
 
 
-@rule("error", symptoms=["Attribute 'exec' of type", "Can not find attribute"])
+@rule(
+    "error",
+    symptoms=[
+        "Attribute 'exec' of type",
+        "Can not find attribute",
+        "param Entity should have name or from attribute",
+    ],
+)
 def missing_attribute(robot: Robot) -> Iterator[Finding]:
     yield from refused(robot.launch, "missing", "add it")

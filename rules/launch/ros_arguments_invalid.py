@@ -73,6 +73,7 @@ UNKNOWN = regex(r"[$`%*]")
         "Couldn't parse log level",
         "No parameter override rule found.",
         "Couldn't parse enclave name",
+        "Argument has an invalid logger item",
     ],
 )
 def ros_arguments_invalid(robot: Robot) -> Iterator[Finding]:

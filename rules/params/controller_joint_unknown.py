@@ -56,6 +56,7 @@ from bringup_lint.api.params import UnknownJoint
         "Either left wheel interfaces, right wheel interfaces are non existent",
         "State interface with key '*' does not exist",
         "Command interface with key '*' does not exist",
+        "None of requested interfaces exist. Controller will not run.",
     ],
 )
 def controller_joint_unknown(robot: Robot) -> Iterator[Finding]:

@@ -58,7 +58,13 @@ _LIBRARY = ("/parameter_events", "/tf_static", "/rosout")
 """Topics that the client library or tf2 makes, with names long enough to be recognised."""
 
 
-@rule("warning", symptoms=["InvalidQosOverridesException"])
+@rule(
+    "warning",
+    symptoms=[
+        "InvalidQosOverridesException",
+        "Unexpected QoS override for policy",
+    ],
+)
 def qos_override_invalid(robot: Robot) -> Iterator[Finding]:
     said: set[tuple[ParameterFile, str, str]] = set()
     for override in qos_overrides(robot.params):

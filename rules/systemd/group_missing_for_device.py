@@ -63,6 +63,7 @@ from bringup_lint.api import rule
         "/dev/*Error 13",
         "No access to /dev/mem",
         "can not open gpiochip",
+        "DeviceError:serial:open: Permission denied",
     ],
 )
 def group_missing_for_device(robot: Robot) -> Iterator[Finding]:
