@@ -1,7 +1,8 @@
 """Permissions do not include the topics that every node publishes.
 
 ## What it finds
-A grant to an enclave that does not allow publishing `rt/rosout` or `rt/parameter_events`.
+A grant to an enclave that does not allow publishing `rt/rosout` or `rt/parameter_events`, and an enclave of a policy,
+from which sros2 makes such a grant. Silent where a policy includes rights from elsewhere.
 
 ## Why it matters on a robot
 The constructor of a node creates these publishers, unless the node switches them off, and throws at the first
@@ -34,7 +35,10 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api.sros2 import PolicyEnclave
 from bringup_lint.api.sros2 import matches
+
+NEEDED = ("rt/rosout", "rt/parameter_events")
 
 
 @rule("warning", symptoms=["Not Allowed By Security"])
@@ -43,12 +47,29 @@ def permissions_missing_node_infrastructure(robot: Robot) -> Iterator[Finding]:
         if grant.default == "ALLOW" or not grant.allowed:
             continue
         topics = [topic for each in grant.allowed for topic in each.publish]
-        lacks = [
-            name for name in ("rt/rosout", "rt/parameter_events") if not any(matches(name, topic) for topic in topics)
-        ]
+        lacks = [name for name in NEEDED if not any(matches(name, topic) for topic in topics)]
         if lacks:
             yield finding(
                 grant.place,
                 f"{grant.enclave} cannot publish {' and '.join(lacks)}: a normal node throws when it is created",
                 advice=f"add {' and '.join(lacks)} to publish, and sign the document again",
             )
+    for enclave in robot.sros2.policy_enclaves:
+        lacks = [name[len("rt/") :] for name in NEEDED if not _publishes(enclave, name)]
+        if lacks and enclave.profiles:
+            yield finding(
+                enclave.path,
+                f"{enclave.path} cannot publish {' and '.join(lacks)}: a normal node throws when it is created",
+                advice=f"allow to publish {' and '.join(f'/{name}' for name in lacks)}, and create the permissions again",
+            )
+
+
+def _publishes(enclave: PolicyEnclave, topic: str) -> bool:
+    """Whether a profile of the enclave lets its node publish a topic; names without a slash are in its namespace."""
+    for profile in enclave.profiles:
+        for right in profile.rights:
+            name = right.name.strip()
+            full = name if name.startswith("/") else f"{profile.namespace.rstrip('/')}/{name}"
+            if right.kind == "topic" and right.allows("publish") and matches(topic, f"rt{full}"):
+                return True
+    return False

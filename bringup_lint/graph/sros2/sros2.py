@@ -238,6 +238,16 @@ class Sros2:
                 yield from (profile for enclave in each.enclaves for profile in enclave.profiles)
 
     @property
+    def policy_enclaves(self) -> Iterator[PolicyEnclave]:
+        """The enclaves whose rights are all in one policy, for the robot."""
+        for policy in self.used_policies:
+            if policy.open or policy.document.problems:
+                continue
+            for enclave in policy.enclaves:
+                if not enclave.open and not any(profile.open for profile in enclave.profiles):
+                    yield enclave
+
+    @property
     def policed_nodes(self) -> Iterator[tuple[Started, Located, PolicyEnclave]]:
         """The launched nodes whose enclave a policy describes completely."""
         return policed_nodes([each for each in self.policies if not each.document.problems], self.ros, self.launch)
