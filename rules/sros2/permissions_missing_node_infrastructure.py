@@ -60,7 +60,7 @@ def permissions_missing_node_infrastructure(robot: Robot) -> Iterator[Finding]:
             yield finding(
                 enclave.path,
                 f"{enclave.path} cannot publish {' and '.join(lacks)}: a normal node throws when it is created",
-                advice=f"allow to publish {' and '.join(f'/{name}' for name in lacks)}, and create the permissions again",
+                advice=f"let it publish /{' and /'.join(lacks)}, and create the permissions again",
             )
 
 

@@ -240,10 +240,10 @@ class Sros2:
     @property
     def policy_enclaves(self) -> Iterator[PolicyEnclave]:
         """The enclaves whose rights are all in one policy, for the robot."""
-        for policy in self.used_policies:
-            if policy.open or policy.document.problems:
+        for each in self.used_policies:
+            if each.open or each.document.problems:
                 continue
-            for enclave in policy.enclaves:
+            for enclave in each.enclaves:
                 if not enclave.open and not any(profile.open for profile in enclave.profiles):
                     yield enclave
 
