@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.params.unread import unread
     from bringup_lint.graph.params.values import Item
     from bringup_lint.graph.params.wrong_types import wrong_types
+    from bringup_lint.graph.plugins.hardware_parameters import HardwareParameter
     from bringup_lint.graph.plugins.joints import UnknownJoint
     from bringup_lint.graph.plugins.moveit import MoveItProblem
     from bringup_lint.graph.plugins.refused import Refused
@@ -46,6 +47,7 @@ __all__ = [
     "QOS_WORDS",
     "Block",
     "Declared",
+    "HardwareParameter",
     "Item",
     "MoveItProblem",
     "NavigationProblem",

@@ -12,6 +12,8 @@ from bringup_lint.graph.plugins.controllers import UntypedController
 from bringup_lint.graph.plugins.controllers import untyped_controllers
 from bringup_lint.graph.plugins.drive_commands import Unstamped
 from bringup_lint.graph.plugins.drive_commands import unstamped_commands
+from bringup_lint.graph.plugins.hardware_parameters import HardwareParameter
+from bringup_lint.graph.plugins.hardware_parameters import hardware_parameters
 from bringup_lint.graph.plugins.joints import UnknownJoint
 from bringup_lint.graph.plugins.joints import unknown_joints
 from bringup_lint.graph.plugins.moveit import MoveItProblem
@@ -91,3 +93,8 @@ class Plugins:
     def controllers_elsewhere(self) -> list[ControllersElsewhere]:
         """Controllers to which MoveIt sends in a namespace where no controller manager runs."""
         return list(controllers_elsewhere(self._launch, self._files.tree))
+
+    @cached_property
+    def hardware_parameters(self) -> list[HardwareParameter]:
+        """Parameters of hardware that its source needs and is not given, does not read, or takes for another value."""
+        return list(hardware_parameters(self._files))

@@ -1,0 +1,232 @@
+"""The parameters that descriptions give to hardware of ros2_control, compared with what its source reads."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.graph.plugins.xacro_values import XacroValues
+from bringup_lint.model.cpp_source import COMMENT
+from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.parsers.xml import parse
+from bringup_lint.pattern import regex
+from bringup_lint.source import Source
+from bringup_lint.source import Span
+from bringup_lint.spelling import nearest
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.files import Files
+    from bringup_lint.model.xml import Element
+
+_EXPORTS = regex(
+    r"\bPLUGINLIB_EXPORT_CLASS\s{0,4}\(\s{0,40}(?:\w{1,80}::){0,4}(?P<class>\w{1,80})\s{0,4},\s{0,40}"
+    r"hardware_interface::(?:System|Actuator|Sensor)Interface\b"
+)
+_ON_INIT = regex(r"\bon_init\s{0,4}\([^;{}()]{0,300}\)(?:\s{0,4}(?:override|noexcept|final)){0,2}\s{0,40}\{")
+_NEEDED = regex(
+    r"\bsto(?:i|l|ul|ll|f|d)\s{0,4}\(\s{0,40}(?:[\w.>()-]{0,60}(?:\.|->))?hardware_parameters\s{0,4}"
+    r"(?:\[|\.\s{0,4}at\s{0,4}\()\s{0,40}\"(?P<turned>[\w.-]{1,80})\""
+    r"|\bhardware_parameters\s{0,4}\.\s{0,4}at\s{0,4}\(\s{0,40}\"(?P<taken>[\w.-]{1,80})\""
+)
+"""Reads that raise an exception when the description does not give the parameter, as ``std::stoi`` of nothing does."""
+_READ = regex(r"\bhardware_parameters\s{0,4}(?:\[|\.\s{0,4}\w{2,10}\s{0,4}\()\s{0,40}\"(?P<name>[\w.-]{1,80})\"")
+_OF_JOINT = regex(r"\bparameters\s{0,4}(?:\[|\.\s{0,4}\w{2,10}\s{0,4}\()\s{0,40}\"(?P<name>[\w.-]{1,80})\"")
+_TRUE = regex(
+    r"\bhardware_parameters\s{0,4}(?:\[|\.\s{0,4}at\s{0,4}\()\s{0,40}\"(?P<name>[\w.-]{1,80})\"\s{0,4}[\])]\s{0,4}"
+    r"==\s{0,40}\"(?P<word>[Tt]rue|1)\""
+)
+_HANDED_ON = regex(
+    r"\bhardware_parameters\s{0,4}(?:[),;]|\.\s{0,4}c?begin\b)|(?<!on_init)\(\s{0,4}info_?\s{0,4}[,)]|,\s{0,4}info_?\s{0,4}[,)]"
+)
+"""What gives all parameters to something else."""
+_CONDITION = regex(r"\s*(?:if|else|for|while|case|switch)\b|[^;{}]*\?")
+_BRACES = regex(r"[{}]")
+_QUOTED = regex(r"\"([\w./-]{1,80})\"")
+_CPP = (".cpp", ".cc", ".cxx", ".hpp", ".hh", ".h")
+_PLAIN = frozenset({"plugin", "param", "if", "unless", "group"})
+"""Elements of hardware that hide no parameters."""
+_VALUE = regex(r"\$\{\s*(?:(?P<name>[A-Za-z_]\w*)|[A-Za-z_]\w*(?:\[['\"]\w+['\"]\])*\[['\"](?P<key>\w+)['\"]\])\s*\}\Z")
+
+
+class HardwareParameter(NamedTuple):
+    kind: str
+    """``missing``, ``unread`` or ``boolean``."""
+    name: str
+    place: Span
+    """The plugin, the name of the parameter, or its value."""
+    plugin: str
+    read: Span
+    """Where the source reads it, or its parameters."""
+    others: tuple[str, ...] = ()
+    """Further ones that are missing."""
+    like: str | None = None
+    """What the source reads, and the description does not give."""
+    value: Span | None = None
+    """Where the value comes from."""
+
+
+class Driver(NamedTuple):
+    """The source of a class of hardware."""
+
+    source: Source
+    plain: str
+    """Its text, with blanks for comments."""
+
+
+def hardware_parameters(files: Files) -> Iterator[HardwareParameter]:
+    drivers = _drivers(files)
+    if not drivers:
+        return
+    roots = [(each, root) for each in files.of_kind("urdf") if (root := parse(each).root) is not None]
+    values = XacroValues()
+    for _, root in roots:
+        values.take(root)
+    quoted = _quoted(files)
+    for source, root in roots:
+        if source.judged and not source.template:
+            for plugin in [each for each in root.walk() if each.local == "plugin"]:
+                driver = drivers.get(str(plugin.text).strip().replace("::", "/").rpartition("/")[2])
+                hardware = _around(plugin, "hardware")
+                if driver is not None and hardware is not None:
+                    yield from _missing(driver, plugin, hardware)
+                    yield from _unread(driver, plugin, hardware, quoted)
+                    yield from _boolean(driver, plugin, values, files)
+
+
+def _drivers(files: Files) -> dict[str, Driver]:
+    """Class -> its source, for classes that one source exports."""
+    found: dict[str, list[Source]] = {}
+    for source in files.of_kind("cpp-node"):
+        if "hardware_parameters" in source.text:
+            for match in _EXPORTS.finditer(source.text):
+                found.setdefault(match["class"], []).append(source)
+    single = {name: sources[0] for name, sources in found.items() if len(sources) == 1}
+    return {name: Driver(each, COMMENT.sub(_blanks, each.text)) for name, each in single.items()}
+
+
+def _blanks(comment: re.Match[str]) -> str:
+    return " " * len(comment[0])
+
+
+def _quoted(files: Files) -> frozenset[str]:
+    """The words that stand as texts in any C++ source of the tree."""
+    paths = (path for path in files.tree.paths if path.endswith(_CPP))
+    sources = (files.tree.read(path, judged=False) for path in paths)
+    return frozenset(word for source in sources if source is not None for word in _QUOTED.findall(source.text))
+
+
+def _beside(plugin: Element) -> list[Element]:
+    """The parameters that stand under the same condition as a plugin."""
+    return [each for each in plugin.parent.children if each.local == "param"] if plugin.parent is not None else []
+
+
+def _around(element: Element, local: str) -> Element | None:
+    outer = element.parent
+    while outer is not None and outer.local != local:
+        outer = outer.parent
+    return outer
+
+
+def _missing(driver: Driver, plugin: Element, hardware: Element) -> Iterator[HardwareParameter]:
+    """Parameters that ``on_init`` cannot do without."""
+    below = [each for each in hardware.walk() if each is not hardware]
+    given = [str(each.get("name")) for each in below if each.local == "param"]
+    if any(each.local not in _PLAIN for each in below) or any("$" in name for name in given):
+        return
+    needed = {name: span for name, span in _needed(driver) if name not in given}
+    if needed:
+        first, *others = needed
+        yield HardwareParameter("missing", first, plugin.text.span, _name(plugin), needed[first], tuple(others))
+
+
+def _needed(driver: Driver) -> Iterator[tuple[str, Span]]:
+    found = _ON_INIT.search(driver.plain)
+    start = found.end() if found is not None else 0
+    body = driver.plain[start : _end(driver.plain, start)]
+    if found is None or "try" in body:
+        return
+    for match in _NEEDED.finditer(body):
+        name = match["turned"] or match["taken"]
+        before = body[: match.start()]
+        statement = before[max(before.rfind(each) for each in ";{}") + 1 :]
+        is_looked_up = driver.plain.count(f'"{name}"') > len(re.findall(rf'hardware_parameters\W[^;]*"{name}"', body))
+        if before.count("{") == before.count("}") and not _CONDITION.match(statement) and not is_looked_up:
+            yield name, driver.source.span(start + match.start(), start + match.end())
+
+
+def _end(plain: str, start: int) -> int:
+    level = 1
+    for brace in _BRACES.finditer(plain, start):
+        level += 1 if brace[0] == "{" else -1
+        if level == 0:
+            return brace.start()
+    return len(plain)
+
+
+def _unread(driver: Driver, plugin: Element, hardware: Element, quoted: frozenset[str]) -> Iterator[HardwareParameter]:
+    """Parameters beside a plugin that no source of the tree names."""
+    reads, joint = list(_READ.finditer(driver.plain)), list(_OF_JOINT.finditer(driver.plain))
+    plugins = {str(each.text).strip() for each in hardware.walk() if each.local == "plugin"}
+    if not reads or _HANDED_ON.search(driver.plain) or (plugin.parent is hardware and len(plugins) > 1):
+        return
+    system = hardware.parent or hardware
+    given = {str(each.get("name")) for each in system.walk() if each.local == "param"}
+    for each in _beside(plugin):
+        name = each.get("name")
+        if name is not None and "$" not in name and str(name) not in quoted:
+            meant = next((match for match in (*reads, *joint) if _is_like(str(name), match["name"], given)), None)
+            where = driver.source.span(*(meant or reads[0]).span("name"))
+            like = meant["name"] if meant is not None else None
+            yield HardwareParameter("unread", str(name), name.span, _name(plugin), where, like=like)
+
+
+def _is_like(name: str, read: str, given: set[str]) -> bool:
+    """Whether a name that a description does not give may be meant by one that it gives."""
+    one, other = set(name.lower().split("_")), set(read.lower().split("_"))
+    return read not in given and (one <= other or other <= one or bool(nearest(name, [read], 3)))
+
+
+def _boolean(driver: Driver, plugin: Element, values: XacroValues, files: Files) -> Iterator[HardwareParameter]:
+    """Truth values that xacro writes as Python does, and that the source compares with a word in small letters."""
+    compared: dict[str, set[str]] = {}
+    places = {}
+    for match in _TRUE.finditer(driver.plain):
+        compared.setdefault(match["name"], set()).add(match["word"])
+        places[match["name"]] = driver.source.span(match.start("name"), match.end())
+    for each in _beside(plugin):
+        name = str(each.get("name"))
+        if "true" in compared.get(name, ()) and "True" not in compared[name]:
+            value = _written_true(each, values, files)
+            if value is not None:
+                yield HardwareParameter("boolean", name, each.text.span, _name(plugin), places[name], value=value)
+
+
+def _written_true(parameter: Element, values: XacroValues, files: Files) -> Span | None:
+    """Where a value comes from that xacro writes as ``True``."""
+    text = str(parameter.text).strip()
+    match = _VALUE.match(text)
+    if text == "True":
+        return parameter.text.span
+    if match is None:
+        return None
+    if match["name"]:
+        return parameter.text.span if {"true", "True"} & values.names(text, parameter) else None
+    return _true_in_yaml(match["key"], files)
+
+
+def _true_in_yaml(key: str, files: Files) -> Span | None:
+    """A file that gives a key of this name the value true, where descriptions load YAML."""
+    if not any("load_yaml" in each.text for each in files.of_kind("urdf")):
+        return None
+    line = re.compile(rf"^[ \t-]*{re.escape(key)}[ \t]*:[ \t]+(?:true|True|TRUE)[ \t]*(?:#.*)?$", re.M)
+    for path in files.tree.paths:
+        source = files.tree.read(path, judged=False) if path.endswith((".yaml", ".yml")) else None
+        found = line.search(source.text) if source is not None and key in source.text else None
+        if source is not None and found is not None:
+            return source.span(found.start() + len(found[0]) - len(found[0].lstrip(" \t-")), found.end())
+    return None
+
+
+def _name(plugin: Element) -> str:
+    return str(plugin.text).strip()
