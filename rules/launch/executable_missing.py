@@ -10,7 +10,7 @@ default is a warning.
 
 `ros2 run` in units, scripts, containers and other files that start processes is checked in the same way, also where a
 script hands it to tmux, a terminal window or an alias; in a script that only people start, it is a warning. Not
-reported: commands whose failure is expected (`||`, `2>/dev/null`), and scripts that ask `ros2 pkg` what there is.
+reported: commands whose failure is expected (`||`, `2>/dev/null`), and those of scripts that test what there is.
 
 ## Why it matters on a robot
 launch aborts with "executable 'x' not found on the libexec directory": no node of the whole launch file starts.
@@ -36,6 +36,7 @@ external project generates.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
@@ -61,6 +62,8 @@ SYMLINKS = regex(r"--symlink-install\b")
 """With links in the place of files, a script keeps the mode that it has in the source."""
 UNKNOWN = regex(r"[$`%*{\\^]")
 """What a shell, systemd or a template fills in."""
+TESTS = regex(r"(?:\[|\btest)[ \t][^\n]{0,40}-[efsx][ \t]|\b(?:command -v|which|type)[ \t]")
+"""Whether there is a file, or a program."""
 ASKS = regex(r"\bros2[ \t]+pkg[ \t]")
 ABORTS = "launch aborts"
 ENDS = "ros2 run ends with 'No executable found'"
@@ -129,7 +132,9 @@ def _of_commands(robot: Robot) -> Iterator[Start]:
     for runner, ros in robot.runners.run:
         if not runner.certain or runner.purpose.value in ("test", "archive"):
             continue
-        if ros.package is None or ros.target is None or UNKNOWN.search(ros.target) or _may_fail(ros.command):
+        if ros.package is None or ros.target is None or UNKNOWN.search(ros.target):
+            continue
+        if _may_fail(ros.command, ros.target):
             continue
         severity = None if robot.runners.is_supervised(runner) else "warning"
         chain = partial(robot.provenance.chain_to, ros.target, f"'{ros.target}' is run")
@@ -137,10 +142,13 @@ def _of_commands(robot: Robot) -> Iterator[Start]:
     yield from found.values()
 
 
-def _may_fail(command: Command) -> bool:
+def _may_fail(command: Command, name: str) -> bool:
     """Whether nobody minds that a command fails, or its script asks before what there is."""
+    text = command.words[0].span.source.text
+    named = re.compile(rf"\b{re.escape(name)}\b")
+    tested = any(named.search(line) and TESTS.search(line) for line in text.splitlines())
     unheard = any(each.target == "/dev/null" for each in command.redirects)
-    return unheard or command.ends == "||" or ASKS.search(command.words[0].span.source.text) is not None
+    return unheard or tested or command.ends == "||" or ASKS.search(text) is not None
 
 
 def of_workspace(robot: Robot, start: Start, package: launch.Package) -> Iterator[Finding]:
