@@ -6,13 +6,13 @@ from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
 from collections.abc import Sequence
-from typing import TypeVar
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
 from bringup_lint.finding import Finding
 from bringup_lint.isolation import internal
 from bringup_lint.source import Source
+from bringup_lint.type_names import TypeVar
 
 T = TypeVar("T")
 

@@ -9,7 +9,6 @@ import re
 from collections.abc import Iterator
 from itertools import islice
 from pathlib import Path
-from typing import Any
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
@@ -24,6 +23,7 @@ from bringup_lint.pattern import regex
 from bringup_lint.spelling import meant
 from bringup_lint.toml import line_of
 from bringup_lint.toml import read_toml
+from bringup_lint.type_names import Any
 
 FILE_NAME = "bringup-lint.toml"
 SEVERITIES = ("info", "warning", "error")

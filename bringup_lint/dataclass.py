@@ -5,7 +5,7 @@ modules that take Python code apart."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from bringup_lint.type_names import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from dataclasses import dataclass as dataclass
@@ -16,7 +16,8 @@ else:
     from collections.abc import Callable
     from operator import attrgetter
     from reprlib import recursive_repr
-    from typing import Any
+
+    from bringup_lint.type_names import Any
 
     _NOTHING = object()
     """The default of a field that has none."""

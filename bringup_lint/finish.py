@@ -10,8 +10,6 @@ from collections.abc import Iterable
 from collections.abc import Iterator
 from collections.abc import Mapping
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
-from typing import Any
 
 from bringup_lint.apart import Steps
 from bringup_lint.baseline import Entry
@@ -35,6 +33,8 @@ from bringup_lint.report.order import LONG
 from bringup_lint.report.order import at_boot
 from bringup_lint.robot import Robot
 from bringup_lint.source import Source
+from bringup_lint.type_names import TYPE_CHECKING
+from bringup_lint.type_names import Any
 
 if TYPE_CHECKING:
     from bringup_lint.finding.redact import Mask

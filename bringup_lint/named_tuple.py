@@ -3,13 +3,14 @@ defined. Here the constructor is compiled once there are some objects, and no an
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from bringup_lint.type_names import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from typing import NamedTuple as NamedTuple
 else:
     from collections import _tuplegetter
-    from typing import Any
+
+    from bringup_lint.type_names import Any
 
     _new = tuple.__new__
     _FEW = 16

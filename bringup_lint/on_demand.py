@@ -5,7 +5,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from importlib import import_module
-from typing import Any
+
+from bringup_lint.type_names import Any
 
 
 def on_demand(module: dict[str, Any]) -> Callable[[str], Any]:

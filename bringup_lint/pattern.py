@@ -7,9 +7,10 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from collections.abc import Iterable
-from typing import Any
-from typing import AnyStr
-from typing import cast
+
+from bringup_lint.type_names import Any
+from bringup_lint.type_names import AnyStr
+from bringup_lint.type_names import cast
 
 _FEW = 16
 """Texts in which hints are looked for, before the pattern is compiled: that takes as long."""

@@ -17,8 +17,6 @@ from functools import cached_property
 from importlib.machinery import SourceFileLoader
 from pathlib import Path
 from types import ModuleType
-from typing import TYPE_CHECKING
-from typing import Any
 
 from bringup_lint.api import Check
 from bringup_lint.api import Metadata
@@ -39,6 +37,8 @@ from bringup_lint.rule_index.met import is_met
 from bringup_lint.rule_index.stored import Index
 from bringup_lint.rule_index.stored import index_of
 from bringup_lint.toml import read_toml
+from bringup_lint.type_names import TYPE_CHECKING
+from bringup_lint.type_names import Any
 
 if TYPE_CHECKING:
     from bringup_lint.report import RuleDoc

@@ -24,14 +24,14 @@ from collections.abc import Iterator
 from collections.abc import Mapping
 from contextlib import suppress
 from functools import cached_property
-from typing import TYPE_CHECKING
-from typing import Any
-from typing import TypeVar
 
 from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.finding import span_of
 from bringup_lint.graph.files import Files
 from bringup_lint.graph.purpose import Purpose
+from bringup_lint.type_names import TYPE_CHECKING
+from bringup_lint.type_names import Any
+from bringup_lint.type_names import TypeVar
 
 if TYPE_CHECKING:
     from datetime import date

@@ -7,14 +7,14 @@ import re
 from bisect import bisect_right
 from collections.abc import Callable
 from collections.abc import Iterator
-from typing import TypeVar
-from typing import cast
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
 from bringup_lint.ignore_marks import without_marks
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
+from bringup_lint.type_names import TypeVar
+from bringup_lint.type_names import cast
 
 Made = TypeVar("Made")
 

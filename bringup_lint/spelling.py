@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TypeVar
+
+from bringup_lint.type_names import TypeVar
 
 Word = TypeVar("Word", bound=str)
 _LONGEST = 255

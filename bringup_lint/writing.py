@@ -15,11 +15,11 @@ import stat
 from collections.abc import Iterable
 from collections.abc import Iterator
 from pathlib import Path
-from typing import BinaryIO
 
 from bringup_lint.discover.reading import FLAGS
 from bringup_lint.discover.reading import describe
 from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.type_names import BinaryIO
 
 _NEW = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_CLOEXEC", 0)
 _FOLDER = os.O_RDONLY | getattr(os, "O_DIRECTORY", 0) | getattr(os, "O_CLOEXEC", 0)

@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
-from typing import Any
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.finding import Applicability
@@ -22,18 +21,21 @@ from bringup_lint.finding import Related
 from bringup_lint.finding import Severity
 from bringup_lint.finding import span_of
 from bringup_lint.graph.purpose import Purpose
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.robot import Robot
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
 from bringup_lint.source import Span
+from bringup_lint.type_names import Any
 
 __all__ = [
     "Edit",
     "Finding",
     "Fix",
     "Located",
+    "NamedTuple",
     "Place",
     "Problem",
     "Purpose",

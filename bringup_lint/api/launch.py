@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.on_demand import on_demand
+from bringup_lint.type_names import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from bringup_lint.facts.ros.launch_api import module_of

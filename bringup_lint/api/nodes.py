@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.on_demand import on_demand
 from bringup_lint.pattern import regex
+from bringup_lint.type_names import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from bringup_lint.graph.nodes.edits import import_edits

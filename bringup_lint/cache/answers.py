@@ -24,7 +24,7 @@ from bringup_lint.discover.record import stamp_of
 
 TYPE_CHECKING = False  # an answer is given before typing is loaded
 if TYPE_CHECKING:
-    from typing import Any
+    from bringup_lint.type_names import Any
 
 _FORMAT = b"bringup-lint answer 2\n"
 _SEAL = 32

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
-from typing import TYPE_CHECKING
-from typing import Any
 
 from bringup_lint.cli.streams import complain
 from bringup_lint.config import ConfigError
 from bringup_lint.dataclass import replace
 from bringup_lint.discover import disk
 from bringup_lint.finding.reach import reached
+from bringup_lint.type_names import TYPE_CHECKING
+from bringup_lint.type_names import Any
 
 if TYPE_CHECKING:
     from bringup_lint.engine import Outcome

@@ -10,8 +10,6 @@ import time
 from collections.abc import Callable
 from collections.abc import Iterable
 from pathlib import Path
-from typing import TYPE_CHECKING
-from typing import Any
 
 from bringup_lint.cli.answering import keep
 from bringup_lint.cli.reports import Output
@@ -24,6 +22,8 @@ from bringup_lint.config import read
 from bringup_lint.dataclass import replace
 from bringup_lint.discover import disk
 from bringup_lint.discover.disk import recorded
+from bringup_lint.type_names import TYPE_CHECKING
+from bringup_lint.type_names import Any
 
 if TYPE_CHECKING:
     from bringup_lint.cache.answers import Question

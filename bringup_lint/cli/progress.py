@@ -7,11 +7,11 @@ import sys
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import TYPE_CHECKING
 
 from bringup_lint.cli.streams import overwrite
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
+from bringup_lint.type_names import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from threading import Event

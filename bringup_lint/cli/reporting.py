@@ -6,7 +6,6 @@ import os
 import sys
 from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from bringup_lint.cli.streams import say
 from bringup_lint.cli.terminal import terminal_width
@@ -14,6 +13,7 @@ from bringup_lint.config import ConfigError
 from bringup_lint.dataclass import replace
 from bringup_lint.finding import Severity
 from bringup_lint.plural import counted
+from bringup_lint.type_names import TYPE_CHECKING
 
 _BASELINE_LIMIT = 64 * 1024 * 1024
 """Bytes."""

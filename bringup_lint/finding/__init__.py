@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from enum import Enum
 from enum import IntEnum
-from typing import Any
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.source import Span
+from bringup_lint.type_names import Any
 
 
 class Severity(IntEnum):

@@ -6,13 +6,13 @@ import re
 from collections import Counter
 from collections.abc import Iterable
 from functools import lru_cache
-from typing import Any
 
 from bringup_lint.finding import Finding
 from bringup_lint.finding.place import inside
 from bringup_lint.finding.place import is_whole_file
 from bringup_lint.finding.uri import below_root
 from bringup_lint.source import Source
+from bringup_lint.type_names import Any
 
 
 def fingerprints(findings: Iterable[Finding], root: str, cwd: str = "") -> list[str]:

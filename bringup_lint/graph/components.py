@@ -6,7 +6,8 @@ from collections.abc import Callable
 from collections.abc import Hashable
 from collections.abc import Iterable
 from collections.abc import Iterator
-from typing import TypeVar
+
+from bringup_lint.type_names import TypeVar
 
 Node = TypeVar("Node", bound=Hashable)
 

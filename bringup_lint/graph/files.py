@@ -10,8 +10,6 @@ from collections.abc import Iterable
 from collections.abc import Mapping
 from functools import cached_property
 from types import FunctionType
-from typing import TYPE_CHECKING
-from typing import TypeVar
 
 from bringup_lint import budget
 from bringup_lint.budget import OutOfTime
@@ -29,6 +27,8 @@ from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
 from bringup_lint.source import Span
+from bringup_lint.type_names import TYPE_CHECKING
+from bringup_lint.type_names import TypeVar
 
 if TYPE_CHECKING:
     from datetime import date

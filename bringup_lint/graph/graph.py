@@ -7,12 +7,12 @@ from collections.abc import Iterable
 from collections.abc import Iterator
 from enum import Enum
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.source import Span
+from bringup_lint.type_names import TYPE_CHECKING
 
 if TYPE_CHECKING:
     import networkx

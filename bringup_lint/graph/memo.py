@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import wraps
-from typing import Any
-from typing import TypeVar
+
+from bringup_lint.type_names import Any
+from bringup_lint.type_names import TypeVar
 
 Layer = TypeVar("Layer")
 Thing = TypeVar("Thing")

@@ -12,13 +12,13 @@ from collections.abc import Iterable
 from collections.abc import Mapping
 from enum import Enum
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
 from bringup_lint.facts.ros import simulation
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
+from bringup_lint.type_names import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from bringup_lint.discover.tree import Tree

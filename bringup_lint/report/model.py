@@ -6,7 +6,6 @@ from collections import Counter
 from collections.abc import Iterator
 from collections.abc import Mapping
 from enum import Enum
-from typing import Any
 
 from bringup_lint import __version__
 from bringup_lint.dataclass import dataclass
@@ -16,6 +15,7 @@ from bringup_lint.finding import Finding
 from bringup_lint.finding import Severity
 from bringup_lint.finding.presented import presented
 from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.type_names import Any
 
 
 @dataclass(frozen=True)

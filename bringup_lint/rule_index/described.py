@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
+from bringup_lint.type_names import Any
 
 _ASKED = regex(r"\brobot\.(\w+)")
 END_OF_DOC = '\n"""\n'

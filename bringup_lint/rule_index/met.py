@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
-from typing import Any
 
 from bringup_lint.discover.kinds.launch import LAUNCH
+from bringup_lint.type_names import TYPE_CHECKING
+from bringup_lint.type_names import Any
 
 if TYPE_CHECKING:
     from bringup_lint.robot import Robot

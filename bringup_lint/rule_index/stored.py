@@ -12,11 +12,11 @@ import sys
 from collections.abc import Iterator
 from importlib.util import cache_from_source
 from pathlib import Path
-from typing import Any
 
 from bringup_lint import __version__
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.rule_index.described import Described
+from bringup_lint.type_names import Any
 
 FILE = "index.marshal"
 FAMILY = "family.toml"

@@ -30,10 +30,10 @@ When the words are only there for people who read the file.
 """
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
+from bringup_lint.api import NamedTuple
 from bringup_lint.api import Robot
 from bringup_lint.api import Span
 from bringup_lint.api import finding

@@ -27,8 +27,8 @@ When the robot is meant to be different: give it a role of its own, or declare i
 """
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
+from bringup_lint.api import NamedTuple
 from bringup_lint.api import rule
 from bringup_lint.api.fleet import BY_NAME
 from bringup_lint.api.fleet import Difference

@@ -41,11 +41,11 @@ from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
 from functools import partial
-from typing import NamedTuple
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Fix
 from bringup_lint.api import Located
+from bringup_lint.api import NamedTuple
 from bringup_lint.api import Related
 from bringup_lint.api import Robot
 from bringup_lint.api import Span
@@ -94,8 +94,11 @@ class Start(NamedTuple):
 def executable_missing(robot: Robot) -> Iterator[Finding]:
     elsewhere: dict[str, list[Start]] = {}
     made: dict[str, list[Start]] = {}
+    starts = (*_of_launch_files(robot), *_of_commands(robot))
+    if not starts:
+        return
     workspace = robot.launch.workspace
-    for start in (*_of_launch_files(robot), *_of_commands(robot)):
+    for start in starts:
         name, executable = start.package, start.executable
         package = workspace.packages.get(name)
         if package is not None:

@@ -27,9 +27,9 @@ matters.
 """
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from bringup_lint.api import Finding
+from bringup_lint.api import NamedTuple
 from bringup_lint.api import Robot
 from bringup_lint.api import Source
 from bringup_lint.api import Span

@@ -30,9 +30,9 @@ When the delay spreads load or inrush current and no start depends on it.
 """
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from bringup_lint.api import Finding
+from bringup_lint.api import NamedTuple
 from bringup_lint.api import Robot
 from bringup_lint.api import Span
 from bringup_lint.api import finding

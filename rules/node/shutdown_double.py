@@ -42,9 +42,9 @@ When the program is only ever started by hand and a traceback at its end does no
 
 import ast
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from bringup_lint.api import Finding
+from bringup_lint.api import NamedTuple
 from bringup_lint.api import Robot
 from bringup_lint.api import Span
 from bringup_lint.api import finding

@@ -37,9 +37,9 @@ When the node is meant to end, and what starts it starts it again.
 """
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from bringup_lint.api import Finding
+from bringup_lint.api import NamedTuple
 from bringup_lint.api import Robot
 from bringup_lint.api import Span
 from bringup_lint.api import finding

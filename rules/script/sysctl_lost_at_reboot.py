@@ -35,10 +35,10 @@ When something that the tree does not hold runs the script at every boot.
 
 import re
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
+from bringup_lint.api import NamedTuple
 from bringup_lint.api import Robot
 from bringup_lint.api import Source
 from bringup_lint.api import finding

@@ -38,10 +38,10 @@ robot.
 
 from collections.abc import Iterable
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
+from bringup_lint.api import NamedTuple
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note

@@ -28,10 +28,10 @@ If the line is meant to make both links.
 
 from collections.abc import Iterator
 from itertools import pairwise
-from typing import NamedTuple
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
+from bringup_lint.api import NamedTuple
 from bringup_lint.api import Robot
 from bringup_lint.api import Source
 from bringup_lint.api import finding

@@ -35,9 +35,9 @@ When the devices are plugged in after the installation, or the robot is started 
 import os
 import re
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from bringup_lint.api import Finding
+from bringup_lint.api import NamedTuple
 from bringup_lint.api import Robot
 from bringup_lint.api import Source
 from bringup_lint.api import Span

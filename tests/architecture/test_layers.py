@@ -70,6 +70,7 @@ LAYERS = (
     {"budget", "digest", "extras", "folders", "garbage", "plural", "source", "spelling", "templates", "toml"},
     {"ignore_marks"},
     {"pattern", "dataclass", "named_tuple", "on_demand"},
+    {"type_names"},
     {""},
 )
 """From the top down. The layers of one line do not import each other; ``""`` is the version of the package."""

@@ -44,7 +44,7 @@ Restart=on-failure
 WantedBy=multi-user.target
 """
 OF_OTHER_FILES = (
-    *("inspect", "dataclasses", "ast", "shlex", "traceback"),
+    *("inspect", "dataclasses", "ast", "shlex", "traceback", "typing"),
     *(f"bringup_lint.{name}" for name in ("api.launch", "graph.launch", "model.launch", "parsers.logrotate")),
     *(f"bringup_lint.discover.kinds.{name}" for name in ("params", "shell", "udev")),
 )
@@ -58,8 +58,8 @@ def test_one_unit_loads_what_units_need(tmp_path: Path) -> None:
     (tmp_path / "camera.service").write_text(PLAIN)
     code = f"""import sys
 from bringup_lint import registry
-loaded, load = [], registry.load
-registry.load = lambda *about: (loaded.append(about), load(*about))[1]
+loaded, load = [], registry._module
+registry._module = lambda *about: (loaded.append(about), load(*about))[1]
 from bringup_lint.cli import dispatch
 try: dispatch([{str(tmp_path)!r}])
 except SystemExit: pass

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import re
 from functools import cache
-from typing import TYPE_CHECKING
 
 from bringup_lint.facts import table
 from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.type_names import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from datetime import date

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Literal
-
 from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.commands.wrappers import program_name
 from bringup_lint.graph.commands.wrappers import unwrapped
 from bringup_lint.model.shell import Command
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
+from bringup_lint.type_names import Literal
 
 INSTALLED_NODE = regex(r"/install/(?:[^/]+/)?lib/[^/]+/[^/]+$|/opt/ros/[^/]+/lib/[^/]+/[^/]+$")
 

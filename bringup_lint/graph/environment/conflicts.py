@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from bringup_lint.graph.commands.environment import Variable
 from bringup_lint.graph.environment.ros import RosEnvironment
@@ -13,6 +12,7 @@ from bringup_lint.graph.environment.ros import RosProcess
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
+from bringup_lint.type_names import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from bringup_lint.graph.systemd.unit import Unit

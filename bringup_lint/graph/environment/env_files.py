@@ -6,7 +6,6 @@ import re
 from collections.abc import Iterator
 from collections.abc import Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.systemd.unit import Unit
@@ -19,6 +18,7 @@ from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 from bringup_lint.templates import has_placeholder
+from bringup_lint.type_names import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from bringup_lint.graph.files import Files

@@ -7,8 +7,6 @@ import re
 from collections.abc import Callable
 from collections.abc import Iterator
 from functools import cached_property
-from typing import TYPE_CHECKING
-from typing import Any
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.discover.kinds.launch import LAUNCH
@@ -20,6 +18,8 @@ from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.env_file import parse
 from bringup_lint.pattern import regex
 from bringup_lint.templates import has_placeholder
+from bringup_lint.type_names import TYPE_CHECKING
+from bringup_lint.type_names import Any
 
 if TYPE_CHECKING:
     from bringup_lint.graph.commands.command_line import CommandLine

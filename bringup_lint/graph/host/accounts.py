@@ -7,12 +7,12 @@ from collections.abc import Callable
 from collections.abc import Collection
 from collections.abc import Iterator
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 from bringup_lint import facts
 from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.memo import memo
 from bringup_lint.pattern import regex
+from bringup_lint.type_names import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from bringup_lint.graph.files import Files

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
-from typing import Literal
 
 from bringup_lint.addresses import is_address
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.systemd_values import unescape_path
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
+from bringup_lint.type_names import TYPE_CHECKING
+from bringup_lint.type_names import Literal
 
 if TYPE_CHECKING:
     from bringup_lint.graph.containers.compose import Compose

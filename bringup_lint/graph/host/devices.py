@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from collections.abc import Iterator
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.host.device_uses import DeviceUse
@@ -26,6 +25,7 @@ from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.spelling import nearest
 from bringup_lint.spelling import numbered
+from bringup_lint.type_names import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from bringup_lint.graph.containers.compose import Compose

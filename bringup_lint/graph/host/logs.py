@@ -7,11 +7,11 @@ import re
 from collections.abc import Callable
 from collections.abc import Iterator
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.shell import commands
 from bringup_lint.pattern import regex
+from bringup_lint.type_names import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from bringup_lint.graph.files import Files

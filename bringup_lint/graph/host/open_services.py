@@ -6,7 +6,6 @@ import re
 from collections.abc import Callable
 from collections.abc import Iterator
 from itertools import pairwise
-from typing import TYPE_CHECKING
 
 from bringup_lint.addresses import is_loopback
 from bringup_lint.addresses import is_wildcard
@@ -17,6 +16,7 @@ from bringup_lint.graph.modules import modules
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
+from bringup_lint.type_names import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from bringup_lint.graph.files import Files

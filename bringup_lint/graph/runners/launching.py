@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
+from bringup_lint.type_names import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from bringup_lint.graph.commands.ros_command import Ros

@@ -10,7 +10,6 @@ from collections.abc import Callable
 from collections.abc import Iterable
 from enum import Enum
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
@@ -22,6 +21,7 @@ from bringup_lint.graph.commands.environment import assign_before
 from bringup_lint.graph.commands.typed import typed
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.type_names import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from bringup_lint.graph.commands.command_line import CommandLine

@@ -6,7 +6,6 @@ from collections.abc import Callable
 from collections.abc import Set
 from functools import cached_property
 from importlib import import_module
-from typing import TYPE_CHECKING
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.discover.starters import STARTERS
@@ -18,6 +17,7 @@ from bringup_lint.graph.runners.runner import Runner
 from bringup_lint.graph.runners.runner import RunnerKind
 from bringup_lint.graph.runners.runner import Start
 from bringup_lint.graph.runners.runner import is_launch
+from bringup_lint.type_names import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from bringup_lint.graph.commands.ros_command import Ros

@@ -7,7 +7,6 @@ from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
 from collections.abc import Set as AbstractSet
-from typing import TYPE_CHECKING
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.runners.runner import Runner
@@ -33,6 +32,7 @@ from bringup_lint.templates import has_placeholder
 from bringup_lint.templates import is_example
 from bringup_lint.templates import is_named_template
 from bringup_lint.templates import is_stand_in
+from bringup_lint.type_names import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from bringup_lint.graph.files import Files

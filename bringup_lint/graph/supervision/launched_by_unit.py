@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from bringup_lint.graph.commands.command_line import scripts_of
 from bringup_lint.graph.supervision.launched_processes import respawns
 from bringup_lint.pattern import regex
+from bringup_lint.type_names import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from bringup_lint.graph.commands.ros_command import Ros

@@ -6,8 +6,6 @@ A shell is replaced by what it execs; ``bash -c`` also execs the last command of
 
 from __future__ import annotations
 
-from typing import Literal
-
 from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.commands.ros_command import Ros
 from bringup_lint.graph.commands.ros_command import ros_command
@@ -25,6 +23,7 @@ from bringup_lint.parsers.shell import commands
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
+from bringup_lint.type_names import Literal
 
 CONTAINERS = frozenset(
     {"docker", "podman", "docker-compose", "podman-compose", "systemd-nspawn", "lxc-start", "lxc", "nerdctl"}

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
-from typing import TypeVar
 
 from bringup_lint.source import Located
+from bringup_lint.type_names import TYPE_CHECKING
+from bringup_lint.type_names import TypeVar
 
 if TYPE_CHECKING:
     from bringup_lint.graph.systemd.daemons import Daemon

@@ -6,7 +6,6 @@ systemd.service(5), "Command lines"; systemd replaces ``$$`` and known variables
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.commands.command_line import CommandLine
@@ -14,6 +13,7 @@ from bringup_lint.graph.commands.following import follow
 from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.parsers.systemd_values import split_command_line
 from bringup_lint.source import Located
+from bringup_lint.type_names import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from bringup_lint.graph.files import Files

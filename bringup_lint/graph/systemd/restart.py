@@ -9,9 +9,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import TYPE_CHECKING
-from typing import Any
-from typing import TypeVar
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.systemd.manager import manager_setting
@@ -21,6 +18,9 @@ from bringup_lint.graph.systemd.settings import one_of
 from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.parsers.systemd_values import parse_timespan
 from bringup_lint.source import Located
+from bringup_lint.type_names import TYPE_CHECKING
+from bringup_lint.type_names import Any
+from bringup_lint.type_names import TypeVar
 
 if TYPE_CHECKING:
     from bringup_lint.graph.systemd.daemons import Daemon

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cached_property
-from typing import Literal
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.systemd.directories import directories
@@ -20,6 +19,7 @@ from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.systemd_values import parse_bool
 from bringup_lint.parsers.systemd_values import split_words
 from bringup_lint.source import Located
+from bringup_lint.type_names import Literal
 
 Mode = Literal["rw", "ro", "hidden", "empty"]
 """What the service can do with a directory; ``empty``: a fresh tmpfs."""

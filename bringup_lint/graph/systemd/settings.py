@@ -8,13 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from collections.abc import Iterable
-from typing import Generic
-from typing import TypeVar
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.model.unit import Assignment
 from bringup_lint.parsers.systemd_values import parse_integer
 from bringup_lint.source import Located
+from bringup_lint.type_names import Generic
+from bringup_lint.type_names import TypeVar
 
 Value = TypeVar("Value")
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from collections.abc import Iterator
 from functools import cached_property
-from typing import TypeVar
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
@@ -21,6 +20,7 @@ from bringup_lint.parsers.systemd_values import parse_timespan
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.source import Span
+from bringup_lint.type_names import TypeVar
 
 Value = TypeVar("Value")
 
