@@ -174,7 +174,7 @@ def _described_family(path: Path, data: Mapping[str, Any], indexed: tuple[str, .
         data.get("description", ""),
         _kinds(data.get("reads", ())),
         path,
-        regex(data["mentions"]) if "mentions" in data else None,
+        regex(data["mentions"], hints=data.get("hints", "")) if "mentions" in data else None,
         _purposes(data.get("purpose", {})),
         frozenset(data.get("purpose", {}).get("rules", ())),
         Severity.INFO if data.get("purpose", {}).get("test_data") == "info" else None,

@@ -35,7 +35,7 @@ _MARK = regex(r"[{@<]|__")
 """What every placeholder holds."""
 
 
-_SHELL = regex(r"\A#![^\n]*\b(?:ba|da|z|k)?sh\b")
+_SHELL = regex(r"\A#![^\n]*\b(?:ba|da|z|k)?sh\b", hints="#!")
 _SHELL_SUFFIXES = (".sh", ".bash", ".zsh")
 _COMMENT = regex(r"^[ \t]*#[^\n]*", re.M)
 _FILLED = regex(r"\bs(?P<mark>[|/#,:;%!~+])\^?[\"'\\]{0,2}(?P<token>@[A-Za-z_]\w*@|\{\{[ \t]*\w+[ \t]*\}\})")

@@ -12,6 +12,7 @@ from hypothesis import strategies
 
 from bringup_lint.pattern import Uncompiled
 from bringup_lint.pattern import regex
+from bringup_lint.registry import Registry
 from tests.architecture.test_patterns import modules
 from tests.architecture.test_patterns import of_rules
 
@@ -19,7 +20,7 @@ MANY = 40
 
 
 def hinted() -> dict[str, Uncompiled]:
-    spaces = [*map(vars, modules()), *of_rules()]
+    spaces = [*map(vars, modules()), *of_rules(), {"mentions": tuple(each.mentions for each in Registry.of().families)}]
     values = (value for space in spaces for value in list(space.values()))
     flat = (each for value in values for each in (value if isinstance(value, tuple) else (value,)))
     flat = (each for value in flat for each in (value if isinstance(value, tuple) else (value,)))

@@ -42,7 +42,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.ros import at_least
 
 ELSEWHERE = ("ZENOH_ROUTER_CHECK_ATTEMPTS", "ZENOH_SESSION_CONFIG_URI", "ZENOH_CONFIG_OVERRIDE")
-ROUTER = regex(r"zenohd\b|zenoh[-_]router")
+ROUTER = regex(r"zenohd\b|zenoh[-_]router", hints="zenoh")
 
 
 @rule(

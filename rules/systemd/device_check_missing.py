@@ -43,7 +43,8 @@ from bringup_lint.api import regex
 from bringup_lint.api import rule
 
 DRIVER = regex(
-    r"(?:^|[-_.@])(?:drivers?|lidar|laser|cameras?|imu|motors?|gps|gnss|sensors?|hardware|hw|can)(?=[-_.@]|$)"
+    r"(?:^|[-_.@])(?:drivers?|lidar|laser|cameras?|imu|motors?|gps|gnss|sensors?|hardware|hw|can)(?=[-_.@]|$)",
+    hints="driver lidar laser camera imu motor gps gnss sensor hardware hw can",
 )
 PATH_CHECKS = tuple(
     f"{kind}{test}" for kind in ("Condition", "Assert") for test in ("PathExists", "PathExistsGlob", "FileNotEmpty")

@@ -40,7 +40,7 @@ from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.systemd import Unit
 
-HOME = regex(r"/home/([^/$%]+)/")
+HOME = regex(r"/home/([^/$%]+)/", hints="/home/")
 
 
 @rule("info", symptoms=["/home/*/install/setup.bash: No such file or directory"])

@@ -50,7 +50,7 @@ from bringup_lint.api.systemd import Unit
 from bringup_lint.api.systemd import Variable
 
 BRIDGE = "ros1_bridge"
-DISTRO = regex(r"/opt/ros/([a-z]+)(?:/|$)")
+DISTRO = regex(r"/opt/ros/([a-z]+)(?:/|$)", hints="/opt/ros/")
 
 
 @rule("error", symptoms=["undefined symbol: _ZN", "Package not found"])

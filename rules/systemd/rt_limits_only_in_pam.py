@@ -54,7 +54,7 @@ from bringup_lint.api.systemd import limit_line
 from bringup_lint.api.systemd import missing_limits
 from bringup_lint.api.systemd import sets_priority
 
-CONTROL = regex(r"ros2_control_node|controller_manager|ros2_control")
+CONTROL = regex(r"ros2_control_node|controller_manager|ros2_control", hints="ros2_control controller_manager")
 
 
 @rule(

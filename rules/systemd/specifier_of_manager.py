@@ -39,7 +39,7 @@ from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.systemd import Assignment
 
-SPECIFIER = regex(r"(?<!%)(?:%%)*(?P<written>%(?P<letter>[huU]))")
+SPECIFIER = regex(r"(?<!%)(?:%%)*(?P<written>%(?P<letter>[huU]))", hints="%")
 PLAIN = regex(r"[a-z][a-z\d_-]*")
 BY_ROOT = regex(r"[@:|-]*[+!]")
 SINGLE = ("WorkingDirectory", "RootDirectory", "StandardOutput", "StandardError", "PIDFile")

@@ -43,7 +43,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-WAITER = regex(r"(?:^|/)systemd-networkd-wait-online$")
+WAITER = regex(r"(?:^|/)systemd-networkd-wait-online$", hints="wait-online")
 FOREVER = regex(r"--timeout=0$")
 
 

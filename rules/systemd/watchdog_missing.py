@@ -41,7 +41,8 @@ from bringup_lint.api import regex
 from bringup_lint.api import rule
 
 CRITICAL = regex(
-    r"(?:^|[-_.@])(?:drivers?|motors?|base|actuators?|safety|e?-?stop|estop|watchdog|hardware|hw|control(?:ler)?)(?=[-_.@]|$)"
+    r"(?:^|[-_.@])(?:drivers?|motors?|base|actuators?|safety|e?-?stop|estop|watchdog|hardware|hw|control(?:ler)?)(?=[-_.@]|$)",
+    hints="driver motor base actuator safety stop watchdog hardware hw control",
 )
 
 

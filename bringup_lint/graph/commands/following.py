@@ -23,7 +23,7 @@ from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
-_GENERATED = regex(r"/(?:install|devel|opt/ros/\w+)/(?:local_)?setup\.\w+\Z")
+_GENERATED = regex(r"/(?:install|devel|opt/ros/\w+)/(?:local_)?setup\.\w+\Z", hints="setup.")
 """Setup files that colcon, catkin and the packages of ROS write."""
 
 Find = Callable[[Located], Source | None]

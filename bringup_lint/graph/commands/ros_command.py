@@ -10,7 +10,7 @@ from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.type_names import Literal
 
-INSTALLED_NODE = regex(r"/install/(?:[^/]+/)?lib/[^/]+/[^/]+$|/opt/ros/[^/]+/lib/[^/]+/[^/]+$")
+INSTALLED_NODE = regex(r"/install/(?:[^/]+/)?lib/[^/]+/[^/]+$|/opt/ros/[^/]+/lib/[^/]+/[^/]+$", hints="lib/")
 
 
 @dataclass(frozen=True, eq=False)

@@ -26,7 +26,7 @@ SCRIPT_DEPTH = 4
 
 _VALUED = regex(r"[-+][A-Za-z]*[oO]|--rcfile|--init-file")
 """Options of shells that take a value."""
-_PROFILE = regex(r"(?:^|/)(?:\.bashrc|\.bash_profile|\.profile|\.zshrc|bash\.bashrc|profile)$")
+_PROFILE = regex(r"(?:^|/)(?:\.bashrc|\.bash_profile|\.profile|\.zshrc|bash\.bashrc|profile)$", hints="rc profile")
 _LOGIN = regex(r"-[a-z]*[li][a-z]*")
 
 

@@ -66,7 +66,7 @@ _WEAK = regex(r"(?:change[-_ ]?me|password|passwd|secret|admin|default|test|exam
 _DUMMY = regex(r"(?:xxx+|foo|bar|abc|example)\d*", re.I)
 _PLACEHOLDER = regex(r"(?:xxx+|foo|bar|abc|test|example|.{1,3})\d*", re.I)
 """The default of a launch argument that nobody takes for a password."""
-_OPTION = regex(r"--([A-Za-z][\w.-]*)(?:=(.*))?$", re.S)
+_OPTION = regex(r"--([A-Za-z][\w.-]*)(?:=(.*))?$", re.S, "--")
 _SETTING = regex(
     r"^[ \t]*(?P<name>[\w-]*(?:password|passwd|passphrase|psk|secret|token))[ \t]*[=:][ \t]*"
     r"[\"']?(?P<value>[^\s\"']{3,})"
