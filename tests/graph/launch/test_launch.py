@@ -202,7 +202,7 @@ def test_cmake_package(tmp_path: Path) -> None:
     "line",
     [
         "foreach(x ${unknown})\ninstall(PROGRAMS ${x} DESTINATION lib/${PROJECT_NAME})\nendforeach()",
-        "foreach(x RANGE 3)\ninstall(PROGRAMS s${x} DESTINATION lib/${PROJECT_NAME})\nendforeach()",
+        "foreach(x RANGE ${COUNT})\ninstall(PROGRAMS s${x} DESTINATION lib/${PROJECT_NAME})\nendforeach()",
         "my_macro(launch)",
         "install(DIRECTORY ${unknown} DESTINATION share/${PROJECT_NAME})",
         "add_subdirectory(missing)",
