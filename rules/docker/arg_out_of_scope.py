@@ -1,14 +1,16 @@
-"""A stage reads an ARG that is declared before FROM only.
+"""A stage reads an ARG that is declared before FROM, or in another stage, only.
 
 ## What it finds
-A step, or another instruction of a stage, with a variable whose `ARG` is above the first FROM and that neither the
-stage nor the images below it declare. Images of Ubuntu and Debian are known to set no such variable, those of ROS
-set `ROS_DISTRO` alone, and those of CUDA what begins with `CUDA` or `NV`; what other images set is not known. Silent
-for the proxies that Docker declares itself, and in steps that source a file, which may set the variable.
+A step, or another instruction of a stage, with a variable whose `ARG` is above the first FROM, or in an earlier stage
+on which it does not build, and that neither the stage nor the images below it declare. Images of Ubuntu and Debian are
+known to set no such variable, those of ROS set `ROS_DISTRO` alone, and those of CUDA what begins with `CUDA` or `NV`;
+what other images set is not known. Silent for the proxies that Docker declares itself, and in steps that source a file,
+which may set the variable.
 
 ## Why it matters on a robot
-Such an ARG is there for FROM only. Inside the stage the variable is empty: `ros-${ROS_DISTRO}-nav2-bringup` becomes
-`ros--nav2-bringup`, a folder becomes `/`, and a version the newest one.
+An ARG above the first FROM is there for FROM only, and one of a stage ends with it. Inside another stage the variable
+is empty: `ros-${ROS_DISTRO}-nav2-bringup` becomes `ros--nav2-bringup`, a folder becomes `/`, and a version the newest
+one.
 
 ## Bad
 ```dockerfile
@@ -52,31 +54,49 @@ ASSIGNED = r"(?:^|[\s;&(\"'])(?:export\s+|local\s+)?{name}=|\bread\b[^\n]{{0,80}
 OF_DOCKER = regex(r"(?i:https?|ftp|no|all)_proxy")
 """Arguments that Docker declares itself."""
 SOURCES = regex(r"(?:^|[\s;&(\"'])(?:source|\.)[ \t]+[^\s;&|]")
-OF_SHELL = ("HOME", "USER", "PATH", "SHELL", "PWD", "HOSTNAME", "DEBIAN_FRONTEND")
+OF_SHELL = ("HOME", "USER", "UID", "EUID", "PATH", "SHELL", "PWD", "HOSTNAME", "DEBIAN_FRONTEND")
 
 
 @rule("warning", symptoms=["UndefinedVar: Usage of undefined variable *"])
 def arg_out_of_scope(robot: Robot) -> Iterator[Finding]:
     for file in robot.dockerfiles:
-        if file.arguments:
-            for stage in file.stages:
-                yield from _of_stage(file, stage)
+        for at, stage in enumerate(file.stages):
+            elsewhere = _of_others(stage, file.stages[:at])
+            if file.arguments or elsewhere:
+                yield from _of_stage(file, stage, elsewhere)
 
 
-def _of_stage(file: Dockerfile, stage: Stage) -> Iterator[Finding]:
+def _of_others(stage: Stage, before: list[Stage]) -> dict[str, Located]:
+    """The ARGs of earlier stages that a stage does not build on; none where that is not clear."""
+    if stage.earlier:
+        return {}
+    below = list(stage.chain)
+    words = (
+        word
+        for other in before
+        if other not in below
+        for instruction in other.all("ARG")
+        for word in instruction.value.words()
+    )
+    return {word.partition("=")[0]: word for word in words}
+
+
+def _of_stage(file: Dockerfile, stage: Stage, elsewhere: dict[str, Located]) -> Iterator[Finding]:
     declared = {name for one in stage.chain for name in _declared(one)}
-    for name in file.arguments:
+    for name in (*file.arguments, *(each for each in elsewhere if each not in file.arguments)):
         if name in declared or name in OF_SHELL or OF_DOCKER.fullmatch(name) or may_set(stage.origin, name):
             continue
         uses = list(_uses(stage, name))
         if uses:
             first, *others = uses
+            is_global = name in file.arguments
+            why = "the ARG above the first FROM is there for FROM only" if is_global else "its ARG is in another stage"
             yield finding(
                 first,
-                f"{name} is empty here: the ARG above the first FROM is there for FROM only",
-                advice=f"write ARG {name} after this FROM, too",
+                f"{name} is empty here: {why}",
+                advice=f"write ARG {name}{'' if is_global else '=...'} after this FROM, too",
                 related=[
-                    note(_declaration(file, name), "declared here"),
+                    note(_declaration(file, name) if is_global else elsewhere[name], "declared here"),
                     *(note(other, "empty here, too") for other in others[:9]),
                 ],
             )
