@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.graph.memo import memo
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.node_source import NodeSource
 from bringup_lint.named_tuple import NamedTuple
@@ -35,6 +36,7 @@ class UnreadParameter(NamedTuple):
 
 def unread_parameters(nodes: Nodes, params: Params) -> Iterator[UnreadParameter]:
     """The parameters of Python programs whose names appear in the declaration alone."""
+    values = _Given(nodes, params)
     for file in nodes.programs:
         if ".declare_parameter(" not in file.source.text or nodes.launch.workspace.is_vendored(file.source):
             continue
@@ -43,7 +45,7 @@ def unread_parameters(nodes: Nodes, params: Params) -> Iterator[UnreadParameter]
             continue
         text = "\n".join(each.source.text for each in imported)
         for name in _declared(nodes.syntax(file)):
-            given = _given(nodes, params, file, str(name))
+            given = values.of(file, str(name))
             if given and len(re.findall(rf"[\"']{re.escape(name)}[\"']", text)) == 1:
                 yield UnreadParameter(file, name, given)
 
@@ -61,11 +63,23 @@ def _declared(syntax: Syntax) -> Iterator[Located]:
             yield Located(name.value, syntax.file.span_of(name))
 
 
-def _given(nodes: Nodes, params: Params, file: NodeSource, name: str) -> list[Parameter]:
-    """The values in the parameter files that launch files give to this program."""
-    started = {id(each.action) for each in nodes.launched(file)}
-    return [
-        parameter
-        for each, parameter in params.named(name)
-        if any(id(load.node.action) in started for load in params.loads(each))
-    ]
+class _Given:
+    """The values in the parameter files that launch files give to programs."""
+
+    def __init__(self, nodes: Nodes, params: Params) -> None:
+        self._nodes = nodes
+        self._params = params
+
+    def of(self, file: NodeSource, name: str) -> list[Parameter]:
+        by_action = self._by_action(name)
+        places = {at for each in self._nodes.launched(file) for at in by_action.get(id(each.action), ())}
+        return [self._params.named(name)[at][1] for at in sorted(places)]
+
+    @memo
+    def _by_action(self, name: str) -> dict[int, list[int]]:
+        """The action of a launch file -> which values of a parameter are in the files that it loads."""
+        found: dict[int, list[int]] = {}
+        for at, (file, _) in enumerate(self._params.named(name)):
+            for load in self._params.loads(file):
+                found.setdefault(id(load.node.action), []).append(at)
+        return found
