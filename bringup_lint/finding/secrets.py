@@ -23,6 +23,8 @@ _NO_SECRET = regex(
     r"|(?:true|false|yes|no|on|off|null|none|str|string|required|optional|prompt|ask|never|\d|\*+)$",
     re.IGNORECASE,
 )
+_SET = regex(r"(?:pass(?:word|wd|phrase|wort|code)?|pwd|psk|secret|token|credential|key\d?)[\"'\]]*[ \t]*[:=>]")
+"""A name that means a secret, in small letters, before what each form without words has after it."""
 _CODE = (".py", ".cpp", ".cc", ".cxx", ".hpp", ".h", ".hh")
 _MAPPED = regex(r"[:=][ \t]*[\"']?([^\s\"',]+)")
 _BODY = r"[ \t]*(?:\#[^\n]*)?\n(?P<body>(?:(?P=indent)[ \t]+[^\n]*(?:\n|$))+)"
@@ -87,9 +89,10 @@ def _stretches(source: Source) -> Iterator[tuple[int, int]]:
 def _possible(lowered: str) -> Iterator[Form]:
     """The forms whose words a text in small letters holds; each word is looked for once."""
     named = any(name in lowered for name in NAMES)
+    is_set = named and _SET.search(lowered) is not None
     there = {word for word in WORDS if word in lowered}
     for form in FORMS:
-        if (named or not form.named) and (not form.words or not there.isdisjoint(form.words)):
+        if (named or not form.named) and (is_set if not form.words else not there.isdisjoint(form.words)):
             yield form
 
 
