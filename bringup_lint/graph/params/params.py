@@ -462,7 +462,7 @@ def _last(parameter: Parameter) -> str:
 
 def _for_named(parameter: Parameter, loads: list[Load]) -> list[Load]:
     """Without the nodes of unknown names beside one that the block names: two of one name do not start together."""
-    named = [load.expansion for load in loads if load.node.fqn is not None]
     if "*" in parameter.block.name:
         return loads
+    named = [load.expansion for load in loads if load.node.fqn is not None]
     return [load for load in loads if load.node.fqn is not None or not any(load.expansion is each for each in named)]

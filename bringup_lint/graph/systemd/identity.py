@@ -60,7 +60,8 @@ class Identity:
             return None if self.dynamic else "root"
         if self.opaque:
             return None
-        return expand(self.user, {**unit_specifiers(self.unit), "u": "root", "U": "0"}) or None
+        known = {**unit_specifiers(self.unit), "u": "root", "U": "0"} if "%" in self.user else {}
+        return expand(self.user, known) or None
 
     @property
     def is_root(self) -> bool | None:

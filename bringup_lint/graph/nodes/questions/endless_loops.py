@@ -40,8 +40,10 @@ class Endless(NamedTuple):
 
 def endless_constructors(ending: Ending, cls: NodeClass) -> Iterator[Endless]:
     """Loops that keep a node from ever being handed to an executor; none where a thread or the loop runs one."""
-    init = cls.methods.get("__init__")
-    if init is None or "Thread" in ending.file.source.text or "multiprocessing" in ending.file.source.text:
+    init, text = cls.methods.get("__init__"), ending.file.source.text
+    if init is None or "Thread" in text or "multiprocessing" in text:
+        return
+    if not any("while" in each.source.text for each in cls.lineage):
         return
     for node in reached(ending.syntax, body_of(init.node), cls):
         if isinstance(node, ast.While) and is_endless(ending, node):

@@ -21,6 +21,9 @@ _SERVERS = {
 }
 """What makes a server or window, and the method that runs it until it is stopped."""
 _FUNCTIONS = frozenset({"uvicorn.run", "waitress.serve", "tkinter.mainloop"})
+_MENTIONED = regex(
+    r"flask|http|socketserver|tkinter|uvicorn|waitress", hints="flask http socketserver tkinter uvicorn waitress"
+)
 _SPINS = frozenset({"rclpy.spin"})
 _OTHERS = regex(
     r"[Tt]hread\(|[Tt]hread\.|\bTimer\(|Process\(|spin_once|spin_some|(?<!\brclpy)\.spin\b|\.spin\b(?!\s*\()|fork\(|run_in_executor|submit\("
@@ -42,8 +45,10 @@ class LateSpin(NamedTuple):
 
 def late_spins(syntax: Syntax) -> Iterator[LateSpin]:
     """The first spin in the plain statements after each server."""
-    spins = {call for name in _SPINS for call in syntax.named.get(name, [])}
     source = syntax.file.source
+    if not source.matches(_MENTIONED):
+        return
+    spins = {call for name in _SPINS for call in syntax.named.get(name, [])}
     if not spins or source.matches(_OTHERS) or source.matches(_ENDS):
         return
     for call in syntax.calls:

@@ -30,6 +30,8 @@ def making_loops(nodes: Nodes) -> Iterator[list[MakingLoop]]:
     """Those of one source together, without the loops by which callbacks of the node never run."""
     told = {each.loop.loop for each in never_run(nodes)}
     for file in nodes.programs:
+        if "while" not in file.source.text:
+            continue
         syntax = nodes.syntax(file)
         found = [each for cls in file.classes if cls.is_node for each in _of_class(syntax, cls, told)]
         if found:

@@ -14,6 +14,13 @@ from bringup_lint.model.python import walk
 from bringup_lint.named_tuple import NamedTuple
 
 DEPTH = 12
+_BINDING = frozenset(
+    (
+        *(ast.Assign, ast.AnnAssign, ast.AugAssign, ast.NamedExpr, ast.Delete),
+        *(ast.For, ast.AsyncFor, ast.comprehension, ast.withitem, ast.ExceptHandler),
+        *(ast.arg, ast.Global, ast.Nonlocal),
+    )
+)
 _SECTIONS = {"srv": ("Request", "Response"), "action": ("Goal", "Result", "Feedback")}
 
 
@@ -114,7 +121,7 @@ class MessageTypes:
         if function not in self._names:
             known = self._arguments.get(function, {})
             found: dict[str, list[Bound]] = {}
-            for node in walk(function):
+            for node in _binding(function):
                 for target, value in _targets(node):
                     if isinstance(target, ast.Name):
                         found.setdefault(target.id, []).append(value)
@@ -129,7 +136,7 @@ class MessageTypes:
     def _set_in(self, outer: ast.ClassDef) -> dict[str, list[Bound]]:
         if outer not in self._attributes:
             found: dict[str, list[Bound]] = {}
-            for node in walk(outer):
+            for node in _binding(outer):
                 for target, value in _targets(node):
                     if isinstance(target, ast.Attribute) and isinstance(target.value, ast.Name):
                         found.setdefault(target.attr, []).append(value)
@@ -183,6 +190,11 @@ def _looks_at_type(function: ast.AST) -> bool:
 
 def _is_none(value: ast.expr | None) -> bool:
     return isinstance(value, ast.Constant) and value.value is None
+
+
+def _binding(top: ast.AST) -> Iterator[ast.AST]:
+    """What may bind a name in a piece of syntax."""
+    return (node for node in walk(top) if type(node) in _BINDING)
 
 
 def _targets(node: ast.AST) -> Iterator[tuple[ast.expr, Bound]]:

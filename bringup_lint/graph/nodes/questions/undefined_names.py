@@ -6,6 +6,7 @@ import ast
 import builtins
 import re
 import sys
+from collections.abc import Iterable
 from collections.abc import Iterator
 from collections.abc import Sequence
 
@@ -28,6 +29,8 @@ _OF_MODULES = frozenset({"__file__", "__path__", "__class__", "__module__", "__q
 _DEPTH = 3
 """Functions in a row that nothing else mentions."""
 _CAUGHT = frozenset({"NameError", "Exception", "BaseException"})
+_BINDING_NOTHING = frozenset((ast.Attribute, ast.Call, ast.Constant, ast.Expr, ast.keyword, ast.Assign))
+"""The most frequent syntax that binds no name by itself."""
 _RUN_BY_OTHERS = regex(r"main$|__\w+__$|on_[a-z]+$|destroy_node$|run$|setup$")
 """Functions that are called by name from elsewhere."""
 
@@ -72,7 +75,7 @@ class _Bindings:
         self.syntax = syntax
         self._inner: dict[ast.AST, frozenset[str]] = {}
         body = syntax.file.tree.body if syntax.file.tree is not None else []
-        outside = {name for node in own(body) for name in _bound(node)}
+        outside = set(_all_bound(own(body)))
         declared = {name for node in syntax.file.nodes if isinstance(node, ast.Global) for name in node.names}
         self._module = outside | declared | _OF_MODULES
 
@@ -92,12 +95,12 @@ class _Bindings:
 
     def _of(self, outer: ast.AST) -> frozenset[str]:
         if outer not in self._inner:
-            self._inner[outer] = frozenset(name for node in walk(outer) for name in _bound(node))
+            self._inner[outer] = frozenset(_all_bound(walk(outer)))
         return self._inner[outer]
 
     def _of_class(self, outer: ast.ClassDef) -> frozenset[str]:
         if outer not in self._inner:
-            self._inner[outer] = frozenset(name for node in own(outer.body) for name in _bound(node))
+            self._inner[outer] = frozenset(_all_bound(own(outer.body)))
         return self._inner[outer]
 
 
@@ -150,6 +153,10 @@ def _says_unfinished(node: ast.AST) -> bool:
         return node.id == "NotImplementedError"
     text = node.value if isinstance(node, ast.Constant) else None
     return isinstance(text, str) and "not implemented" in text.lower()
+
+
+def _all_bound(nodes: Iterable[ast.AST]) -> Iterator[str]:
+    return (name for node in nodes if type(node) not in _BINDING_NOTHING for name in _bound(node))
 
 
 def _bound(node: ast.AST) -> Iterator[str]:

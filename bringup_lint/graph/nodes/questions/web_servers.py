@@ -25,6 +25,7 @@ _SERVERS = {
     "aiohttp.web.run_app": "aiohttp",
 }
 _FLASK = ("flask.Flask", "flask_socketio.SocketIO")
+_MENTIONED = regex(r"uvicorn|websockets|http|flask", hints="uvicorn websockets http flask")
 _LOGIN = regex(
     r"auth|token|passw|login|secret|api_?key|jwt|credential|certfile|ssl_context|ssl_keyfile|allowed_(?:ips|hosts)",
     re.I,
@@ -35,6 +36,8 @@ _LOGIN = regex(
 def web_servers(nodes: Nodes) -> Iterator[tuple[str, str, Span]]:
     """``debugger`` or ``web``, the name of the server and its place, for the robot's own nodes."""
     for file in nodes.programs:
+        if not file.source.matches(_MENTIONED):
+            continue
         if nodes.purpose(file.source) is not Purpose.ROBOT or nodes.launch.workspace.is_vendored(file.source):
             continue
         syntax = nodes.syntax(file)

@@ -25,6 +25,7 @@ class Syntax:
         self.calls: list[ast.Call] = []
         self.reached: dict[tuple[object, ...], list[ast.AST]] = {}
         """A class and statements of it -> the syntax that these run, in one run: other files have a part in it."""
+        self._qualified: dict[ast.Call, str | None] = {}
         self._above: dict[ast.AST, tuple[ast.AST, str]] = {}
         stack: list[ast.AST] = [file.tree] if file.tree is not None else []
         while stack:
@@ -105,7 +106,10 @@ class Syntax:
         return block[block.index(statement) + 1 :] if isinstance(block, list) else []
 
     def qualified(self, call: ast.Call) -> str | None:
-        return self.file.qualified(call.func)
+        """The dotted name of what is called, through the imports."""
+        if call not in self._qualified:
+            self._qualified[call] = self.file.qualified(call.func)
+        return self._qualified[call]
 
 
 def _leaves(block: list[ast.stmt], until: ast.stmt) -> bool:
