@@ -2,7 +2,8 @@
 
 ## What it finds
 In the source of a system or actuator: `on_activate` that sets the exported position commands to 0, rather than to the
-measured positions. Sources that limit the first motion (a profile, a ramp, a flag for the first command) are left out.
+measured positions, or leaves them at the 0 with which they were made. Sources that limit the first motion (a profile, a
+ramp, a flag for the first command) are left out.
 
 ## Why it matters on a robot
 The controller manager activates the hardware before any controller, and calls `write()` in each cycle from then on.
@@ -42,7 +43,8 @@ def hardware_command_zero(robot: Robot) -> Iterator[Finding]:
     for found in nodes.zeroed_commands(robot.nodes):
         yield finding(
             found.place,
-            f"The activation sets the position commands in {found.member} to 0: write() moves all joints there at once",
+            f"The hardware starts with the position commands in {found.member} at 0: "
+            "write() moves all joints there at once",
             advice="read the positions in on_activate, and start with them as commands",
             related=[note(found.exported, "exported as position commands")],
             severity=nodes.lowered(robot.nodes.purpose(found.source), "warning"),

@@ -25,6 +25,7 @@ _METHOD = regex(
     r"\b(?:\w{1,80}::)?(?P<name>on_activate|export_command_interfaces|read|write)\s{0,4}\([^;{}()]{0,300}\)"
     r"(?:\s{0,4}(?:override|noexcept|const|final)){0,3}\s{0,40}(?P<body>\{)"
 )
+_ZERO = regex(r"0(?:\.0*)?f?\s*\Z")
 _SUCCEEDS = regex(r"\breturn\b[^;]{0,80}\bOK\s{0,4};")
 _BRACE = regex(r"[{}]")
 _POSITION = regex(r"(?:HW_IF_POSITION|\"position\")\s{0,4},\s{0,40}&\s{0,4}(?P<member>[A-Za-z_]\w{0,80})")
@@ -33,6 +34,7 @@ _SLOWED = regex(
     r"|set_?zero|calibrat|perform_command_mode_switch"
 )
 """Words of what starts slowly, waits for the first command or for a controller, or makes 0 the place of the joints."""
+_LOG = regex(r"\bRCLCPP_\w{3,40}\s{0,4}\([^;]{0,600};")
 _SIMULATED = regex(rf"(?i){simulation.TOLD}|\bfake|\bmock")
 _RECEIVES = regex(
     r"(?<![\w.>])(?:::)?(?P<name>read|recv|recvfrom|recvmsg)\s{0,4}\(\s{0,4}\w{0,40}(?:sock|fd|can|port|serial|bus)"
@@ -42,7 +44,7 @@ _RECEIVES = regex(
 class ZeroedCommand(NamedTuple):
     source: Source
     place: Span
-    """The assignment in ``on_activate``."""
+    """The assignment in ``on_activate``, or where the command is made."""
     member: str
     exported: Span
     """Where it is exported as a position command."""
@@ -56,14 +58,14 @@ class BlockingRead(NamedTuple):
 
 
 def zeroed_commands(nodes: Nodes) -> Iterator[ZeroedCommand]:
-    """Position commands that the activation sets to 0, wherever the joints are."""
+    """Position commands that the activation sets to 0, or leaves there, wherever the joints are."""
     for source, plain, bodies in _hardware(nodes):
         exported = bodies.get("export_command_interfaces")
         body = bodies.get("on_activate")
         found = _POSITION.search(plain, *exported) if exported is not None else None
-        if found is None or body is None or _SLOWED.search(plain) or _SIMULATED.search(plain):
+        if found is None or body is None or _SLOWED.search(_LOG.sub(" ", plain)) or _SIMULATED.search(plain):
             continue
-        place = _zeroed(plain, body, found["member"])
+        place = _zeroed(plain, body, found["member"]) or _made_zero(plain, body, found["member"])
         if place is not None and _is_sent_as_it_is(plain, bodies, found["member"]):
             span = Span(source, found.start("member"), found.end("member"))
             yield ZeroedCommand(source, Span(source, *place), found["member"], span)
@@ -80,6 +82,18 @@ def _zeroed(plain: str, body: tuple[int, int], member: str) -> tuple[int, int] |
     found = list(zero.finditer(plain, *body))
     named = len(re.compile(rf"\b{name}\b(?!\s{{0,4}}\.\s{{0,4}}(?:size|end)\b)").findall(plain, *body))
     return found[0].span() if len(found) == 1 and named == 1 else None
+
+
+def _made_zero(plain: str, body: tuple[int, int], member: str) -> tuple[int, int] | None:
+    """Where a member is made as 0, when ``on_activate`` does not name it, and nothing else in the source makes it."""
+    name = re.escape(member)
+    made = re.compile(
+        rf"\b{name}\s{{0,4}}\.\s{{0,4}}(?:resize|assign)\s{{0,4}}\((?:[^;]{{1,80}},\s{{0,4}}(?P<value>[^;,]{{1,40}}))?\)"
+    )
+    found = list(made.finditer(plain))
+    if len(found) != 1 or re.compile(rf"\b{name}\b").search(plain, *body) is not None:
+        return None
+    return found[0].span() if _ZERO.match(found[0]["value"] or "") else None
 
 
 def _is_sent_as_it_is(plain: str, bodies: dict[str, tuple[int, int]], member: str) -> bool:
