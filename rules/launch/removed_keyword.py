@@ -35,7 +35,14 @@ from bringup_lint.api import rule
 from bringup_lint.api.launch import OldKeyword
 
 
-@rule("error", fix="safe", symptoms=["got an unexpected keyword argument 'node_executable'"])
+@rule(
+    "error",
+    fix="safe",
+    symptoms=[
+        "got an unexpected keyword argument 'node_executable'",
+        "UserWarning: The parameter 'node_executable' is deprecated, use 'executable' instead",
+    ],
+)
 def removed_keyword(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         found = list(robot.launch.removed_keywords(file))

@@ -50,6 +50,7 @@ from bringup_lint.api.yaml import YamlCode
         "Invalid YAML: tabs are not allowed for indent",
         "Invalid YAML: inconsistent indentation",
         "Invalid YAML:",
+        "system-generators/netplan failed with error code",
     ],
 )
 def yaml_error(robot: Robot) -> Iterator[Finding]:

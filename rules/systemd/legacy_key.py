@@ -52,7 +52,11 @@ from bringup_lint.api.systemd import directives
 from bringup_lint.api.systemd import move_lines
 
 
-@rule("warning", fix="safe", symptoms=["is obsolete", "is deprecated, please use", "Support for option", "deprecated"])
+@rule(
+    "warning",
+    fix="safe",
+    symptoms=["is obsolete", "= is deprecated", "is deprecated, please use", "Support for option"],
+)
 def legacy_key(robot: Robot) -> Iterator[Finding]:
     table = directives.legacy()
     written = {_place(line, str(line.assignment.section), str(line.key)) for line in robot.units.lines}
