@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.runners.recordings import recordings
     from bringup_lint.graph.runners.runner import Runner
     from bringup_lint.model.dockerfile import Dockerfile
+    from bringup_lint.model.dockerfile import Instruction
     from bringup_lint.model.dockerfile import Stage
     from bringup_lint.model.dockerfile import stays_in_shell
     from bringup_lint.model.dockerfile import substituted
@@ -53,6 +54,7 @@ __all__ = [
     "Broken",
     "CommandLine",
     "Dockerfile",
+    "Instruction",
     "MissingProgram",
     "OtherDistro",
     "Runner",

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.systemd.hidden_home import hidden_home
     from bringup_lint.graph.systemd.identity import HomeOrigin
     from bringup_lint.graph.systemd.identity import Identity
+    from bringup_lint.graph.systemd.left_out import left_out_units
     from bringup_lint.graph.systemd.limits import limit_line
     from bringup_lint.graph.systemd.limits import missing_limits
     from bringup_lint.graph.systemd.limits import sets_priority
@@ -128,6 +129,7 @@ __all__ = [
     "hidden_home",
     "is_own_program",
     "is_unit_name",
+    "left_out_units",
     "lift_comment",
     "limit_line",
     "log_directory",

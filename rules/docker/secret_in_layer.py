@@ -1,10 +1,11 @@
 """A private key or build secret stays in a layer of the image.
 
 ## What it finds
-COPY or ADD of a private SSH key (`id_rsa`, `id_ed25519`, ...) or of a whole `.ssh` folder into the final image, and a
-RUN that copies a file from `/run/secrets` to another place and does not remove it in the same step. A copy that only a
-condition of the step makes is a warning. A key that `ssh-keygen` makes in a RUN is a warning, too: the host keys of
-`ssh-keygen -A` and a key that signs in elsewhere are then the same on every robot.
+COPY or ADD of a private SSH key (`id_rsa`, `id_ed25519`, ...) or of a whole `.ssh` folder into the final image or into
+a stage that a build of the tree names as its target, and a RUN that copies a file from `/run/secrets`, from the target
+of `--mount=type=secret`, or a key from that of `--mount=type=bind`, to another place and does not remove it in the same
+step. A copy that only a condition of the step makes is a warning. A key that `ssh-keygen` makes in a RUN is a warning,
+too: the host keys of `ssh-keygen -A` and a key that signs in elsewhere are then the same on every robot.
 
 ## Why it matters on a robot
 Everybody who can pull the image, or has a robot with it, can read the key: `docker save` shows every layer, also when a
@@ -37,6 +38,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.docker import Instruction
 from bringup_lint.api.docker import Stage
 from bringup_lint.api.docker import commands_of_run
 from bringup_lint.api.shell import Command
@@ -44,7 +46,10 @@ from bringup_lint.api.shell import program_name
 from bringup_lint.api.shell import unwrapped
 
 KEY = regex(r"(?:^|/)(?:id_(?:rsa|dsa|ecdsa|ed25519)\w*|\.ssh/?)$")
+KEYS = regex(r"(?:^|/)(?:id_(?:rsa|dsa|ecdsa|ed25519)\w*|\.ssh(?:/\*?)?)$")
+"""Also all files of the folder."""
 SECRET = regex(r"/run/secrets/\S+")
+TARGET = regex(r"(?:^|,)(?:target|dst|destination)=(?P<path>/[^,]+)")
 PUBLIC = regex(r"pub(?:lic)?(?:_key|_keys|\.key)?$|allowed_signers$|known_hosts$")
 GONE = regex(r"/(?:tmp|run|dev/shm|var/tmp)/")
 CACHE = regex(r"/var/(?:lib/apt|cache)/|/tmp/")
@@ -61,7 +66,9 @@ def secret_in_layer(robot: Robot) -> Iterator[Finding]:
     for file in robot.dockerfiles:
         if file.final is None:
             continue
-        for stage in file.final.chain:
+        ends = [stage for stage in file.stages if stage is file.final or robot.compose.images.is_target(stage)]
+        stages = {id(stage): stage for end in ends for stage in end.chain}
+        for stage in stages.values():
             if stage.start.keyword.span.source is file.source:
                 yield from (_stays(word) for word in _copied(stage))
                 yield from _kept(stage)
@@ -80,7 +87,8 @@ def _kept(stage: Stage) -> Iterator[Finding]:
         commands = list(commands_of_run(instruction))
         if any(map(_removes, commands)):
             continue
-        written = [(word, command) for command in commands for word in _written(command)]
+        mounts = _mounts(instruction)
+        written = [(word, command) for command in commands for word in _written(command, mounts)]
         if written:
             certain = any(command.depth == 0 for _, command in written)
             yield _stays(*(word for word, _ in written), severity=None if certain else "warning")
@@ -104,10 +112,31 @@ def _stays(word: Located, *others: Located, severity: str | None = None) -> Find
     )
 
 
-def _written(command: Command) -> Iterator[Located]:
+def _mounts(run: Instruction) -> dict[str, bool]:
+    """Where a step has files that no layer holds, and whether each of them is a secret."""
+    found = {}
+    for flag in run.flags:
+        options = flag.partition("=")[2] if flag.startswith("--mount=") else ""
+        target = TARGET.search(options)
+        kind = options.partition("type=")[2].partition(",")[0]
+        if target is not None and (kind == "secret" or (kind in ("", "bind") and "from=" not in options)):
+            found[target["path"].rstrip("/")] = kind == "secret"
+    return found
+
+
+def _is_secret(word: str, mounts: dict[str, bool]) -> bool:
+    if PUBLIC.search(word):
+        return False
+    for path, secret in mounts.items():
+        if word == path or word.startswith(f"{path}/"):
+            return secret or KEYS.search(word) is not None
+    return SECRET.fullmatch(word) is not None
+
+
+def _written(command: Command, mounts: dict[str, bool]) -> Iterator[Located]:
     words = unwrapped(command.words)
     name = program_name(words[0]) if words else ""
-    secrets = [word for word in words[1:] if SECRET.fullmatch(word) and not PUBLIC.search(word)]
+    secrets = [word for word in words[1:] if _is_secret(word, mounts)]
     if name in ("cp", "install", "mv") and secrets and not GONE.match(words[-1]):
         yield from secrets[:1]
     elif name in ("cat", "base64") and command.ends != "|" and secrets:

@@ -79,6 +79,13 @@ class Images:
         written = re.compile(rf"(?<![\w.-]){re.escape(name)}(?![\w.-])")
         return any(name in text and written.search(text) for text in self._build_texts)
 
+    def is_target(self, stage: Stage) -> bool:
+        """Whether a build of the tree ends with a stage: ``--target``, or ``target:`` of a workflow."""
+        if stage.name is None:
+            return False
+        chosen = re.compile(rf"(?:--target[ =]|\btarget:[ \t]*)[\"']?{re.escape(stage.name)}(?![\w.-])")
+        return any(stage.name in text and chosen.search(text) for text in self._build_texts)
+
     def is_chosen(self, stage: Stage, *, tag: bool) -> bool:
         """Whether a build of the tree may give another base to a stage than the default of an ARG says: another
         repository, or with ``tag`` another tag."""

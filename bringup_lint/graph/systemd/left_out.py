@@ -1,0 +1,59 @@
+"""Units in the files of a role of Ansible that no task copies."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from bringup_lint.graph.systemd.provision import scripts_of
+from bringup_lint.pattern import regex
+from bringup_lint.type_names import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.files import Files
+    from bringup_lint.graph.systemd.unit import Unit
+    from bringup_lint.graph.systemd.units import Units
+
+_FILE = regex(r"(?P<role>(?:^|.*/)roles/[^/]+)/files/")
+_EVERY = regex(
+    r"\*\.(?:service|timer|socket|path)\b|\bwith_file(?:glob|tree)\b|\bfileglob\b|\bbuiltin\.find\b|^[ \t-]*\bfind:",
+    re.M,
+)
+"""Names for all files of a folder."""
+_HIDDEN = regex(
+    r"^[ \t]*-?[ \t]*(?:src|cmd):(?![ \t]*[\"']?\{\{[ \t]*item(?:\.\w+)?[ \t]*\}\}[\"']?[ \t\r]*$)"
+    r"[ \t]*[\"']?(?:[^\n]*\{\{|[^\n]*/[\"']?[ \t\r]*$|\.[\"']?[ \t\r]*$)"
+    r"|\bsrc=|\b(?:copy|template|synchronize|unarchive):[ \t]*\S",
+    re.M,
+)
+"""What a task copies, where that is a whole folder or the name is made of parts."""
+_GUIDE = regex(r"(?<!CHANGELOG)(?<!changelog)\.(?:md|rst|txt|adoc|json|html|conf|cfg)$")
+_SIZE = 512 * 1024
+
+
+def left_out_units(files: Files, units: Units) -> Iterator[Unit]:
+    """The units that start at boot once they are installed, that lie where only the tasks of a role find them, and that
+    nothing of the tree names but themselves."""
+    for unit in units.judged:
+        source = unit.where.source
+        role = _FILE.match(source.name) if source.origin is None and not source.template else None
+        if role is None or not unit.words("WantedBy", "Install") or "@" in unit.name:
+            continue
+        if _copies_by_name(files, role["role"]) and not _is_named(files, unit):
+            yield unit
+
+
+def _copies_by_name(files: Files, role: str) -> bool:
+    """Whether a role has tasks, and all that they copy has a name that somebody wrote."""
+    texts = [source.text for source in files.of_kind("ansible") if source.name.startswith(f"{role}/")]
+    return bool(texts) and not any(_EVERY.search(text) or _HIDDEN.search(text) for text in texts)
+
+
+def _is_named(files: Files, unit: Unit) -> bool:
+    """Whether anything but the unit itself says its name."""
+    stem = unit.name.rpartition(".")[0]
+    name = re.compile(rf"(?<![\w-]){re.escape(stem)}(?![\w-])")
+    own = {file.source for file in unit.files}
+    guides = (files.tree.head(path, _SIZE) for path in files.tree.like(_GUIDE))
+    texts = (source.text for source in files.sources if source not in own)
+    return any(stem in text and name.search(text) for each in (texts, scripts_of(files.tree), guides) for text in each)
