@@ -15,6 +15,7 @@ from bringup_lint.graph.nodes.questions.kept_commands import loops
 from bringup_lint.graph.nodes.questions.motion import is_aimed
 from bringup_lint.graph.nodes.questions.motion import is_motor_command
 from bringup_lint.graph.nodes.questions.motion import moves
+from bringup_lint.graph.nodes.questions.sent_anyway import is_sent_anyway
 from bringup_lint.graph.nodes.questions.with_header import with_header
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import body_of
@@ -34,7 +35,10 @@ if TYPE_CHECKING:
     from bringup_lint.source import Source
 
 _TYPES = frozenset({"Twist", "TwistStamped", "AckermannDrive", "AckermannDriveStamped"})
-_SENDS = regex(r"(?i)(?:publish|write|send|set_?(?:motor|speed|velocity|pwm|wheel)\w*|drive)\Z")
+_SENDS = regex(
+    r"(?i)(?:publish|write|send|set_?(?:motor|speed|velocity|pwm|wheel)\w*|drive"
+    r"|(?:send|write)_?(?:control|command|cmd|velocit|speed|motor|drive|twist|frame)\w*)\Z"
+)
 _NUMBERS = frozenset({"Float64MultiArray", "Float32MultiArray"})
 _TIMED = regex(
     r"(?=[twdsehflnamc-])(?:time_?out|watch_?dog|\bwdog|dead_?man|stale|expir|elapsed|heart_?beat|fail_?safe|deadline"
@@ -106,9 +110,10 @@ def repeated(nodes: Nodes) -> Iterator[Repeated]:
     """The commands that are sent again and again, in sources that look at no time."""
     for file in nodes.programs:
         fed = [(node, found) for node in file.classes if node.is_node is True and (found := _fed(node))]
-        if fed and ignores_time(nodes, file):
+        files = nodes.imported(file) if fed else None
+        if files is not None:
             for node, endpoints in fed:
-                yield from _in_class(nodes, file, node, endpoints)
+                yield from _in_class(nodes, file, node, endpoints, files)
     for source in nodes.cpp:
         yield from _in_cpp(nodes, source)
 
@@ -140,23 +145,21 @@ def _fed(node: NodeClass) -> list[Endpoint]:
     return [each for each in node.endpoints if is_held(each) or _is_joystick(node, each)]
 
 
-def _in_class(nodes: Nodes, file: NodeSource, node: NodeClass, endpoints: list[Endpoint]) -> Iterator[Repeated]:
+def _in_class(
+    nodes: Nodes, file: NodeSource, node: NodeClass, endpoints: list[Endpoint], files: list[NodeSource]
+) -> Iterator[Repeated]:
     syntax = nodes.syntax(file)
+    ignores = not any(looks_at_time(each.source) for each in files)
     for endpoint in endpoints:
         for loop in loops(syntax, node):
-            sender = next((each for each in loop.code if isinstance(each, ast.Call) and _sends(each, node)), None)
-            if sender is None:
-                continue
-            found = sorted(held_over(syntax, node, endpoint.callback, loop))
-            for name in found[:1]:
-                yield Repeated(
-                    file.source,
-                    endpoint,
-                    f"self.{name}",
-                    f"{loop.name}()",
-                    loop.span,
-                    file.span_of(sender),
-                )
+            senders = [each for each in loop.code if isinstance(each, ast.Call) and _sends(each, node)]
+            names = sorted(held_over(syntax, node, endpoint.callback, loop)) if senders else []
+            found = ((name, sender) for name in names for sender in senders)
+            for name, sender in found:
+                if ignores or is_sent_anyway(syntax, files, node, loop, name, sender):
+                    where = file.span_of(sender)
+                    yield Repeated(file.source, endpoint, f"self.{name}", f"{loop.name}()", loop.span, where)
+                    break
 
 
 def _is_joystick(node: NodeClass, endpoint: Endpoint) -> bool:
