@@ -1,9 +1,10 @@
 """A reading that guards a motion, however old it is.
 
 ## What it finds
-A node that keeps what a scanner, a range sensor, a point cloud or the odometry sends in one callback, and publishes
-velocities from another one (a timer, a thread, or the callback of the velocities that it passes on) which uses what was
-kept, when nothing in the source looks at a time: no stamp, no time-out, no difference of two times.
+A node that keeps what a scanner, a range sensor, a point cloud, the odometry or a sensor with messages of its own
+(`WindSensor`) sends in one callback, and publishes velocities or commands (`WinchCmd`) from another one which uses what
+was kept: a timer, a thread, or the callback of the velocities that it passes on. Found when nothing in the source looks
+at a time: no stamp, no time-out, no difference of two times.
 
 ## Why it matters on a robot
 When the scanner stops, its last reading stays: the way that was free then is free forever, and the robot drives on at

@@ -9,6 +9,9 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.facts.ros.pin_libraries import PIN_LIBRARIES
 from bringup_lint.facts.ros.self_stopping import SELF_STOPPING
+from bringup_lint.graph.nodes.questions.age import COMMENTS
+from bringup_lint.graph.nodes.questions.age import looks_at_age
+from bringup_lint.graph.nodes.questions.age import looks_at_time
 from bringup_lint.graph.nodes.questions.callback_code import reached
 from bringup_lint.graph.nodes.questions.kept_commands import held_over
 from bringup_lint.graph.nodes.questions.kept_commands import loops
@@ -19,7 +22,6 @@ from bringup_lint.graph.nodes.questions.sent_anyway import is_sent_anyway
 from bringup_lint.graph.nodes.questions.with_header import with_header
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import body_of
-from bringup_lint.model.cpp_source import COMMENT
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.python import walk
@@ -40,26 +42,10 @@ _SENDS = regex(
     r"|(?:send|write)_?(?:control|command|cmd|velocit|speed|motor|drive|twist|frame)\w*)\Z"
 )
 _NUMBERS = frozenset({"Float64MultiArray", "Float32MultiArray"})
-_TIMED = regex(
-    r"(?=[twdsehflnamc-])(?:time_?out|watch_?dog|\bwdog|dead_?man|stale|expir|elapsed|heart_?beat|fail_?safe|deadline"
-    r"|\blease|since_?last|last_?\w{0,20}(?:time|stamp|recv|received|call)|(?:time|stamp)\w{0,20}last|no_?(?:cmd|command)|\bstamp\b|\bage\b"
-    r"|\bnow\s{0,3}-(?!>)|(?:now|time|monotonic|clock)\(\)[\w.()]{0,40}\s{0,3}-|-\s{0,3}(?:self\.|this->)?(?:last|prev))",
-    re.I,
-)
-"""What code that ends a motion by time has in it somewhere. The look at the first character keeps the search from
-trying each way at each place."""
 _DRIVES = regex(r"(?i)motor|wheel|vtarget|throttle|thrust|pwm")
 _WRITES = regex(r"stop|halt|brake|set_|write|send|drive|motor|thr[ou]|pwm|speed|output|move|apply", re.I)
 """What a call is named that may end a motion."""
 _REPORTS = regex(r"(?i)odom|state|status|feedback|metric|debug|diagnos|monitor")
-_COMMENT = regex(rf"#[^\n]*|{COMMENT.pattern}")
-"""Of Python and C++, and what the preprocessor reads."""
-_OTHER_TIMEOUTS = regex(
-    r"\b(?:read_|write_|write|socket_)?timeout(?:_sec)?\s*=\s*[^,)\n]+"
-    r"|SerialTimeout\w*|serial::Timeout|setTimeout|settimeout|TimeoutE\w+"
-    r"|\bstamp\s*=(?!=)[^;\n]*|[\"']stamp[\"']\s*:"
-)
-"""Time-outs of reading and writing and stamps that are written, which end no motion."""
 
 
 _PYTHON_BUS = regex(
@@ -128,16 +114,6 @@ def _is_command(endpoint: Endpoint) -> bool:
 def ignores_time(nodes: Nodes, file: NodeSource) -> bool:
     files = nodes.imported(file)
     return files is not None and not any(looks_at_time(each.source) for each in files)
-
-
-def looks_at_time(source: Source) -> bool:
-    """Whether a file compares times, or speaks of a time-out that is not one of reading or writing."""
-    return source.once(looks_at_time, lambda: looks_at_age(source.text))
-
-
-def looks_at_age(text: str) -> bool:
-    """As ``looks_at_time``, for a text."""
-    return bool(_TIMED.search(_OTHER_TIMEOUTS.sub("", _COMMENT.sub("", text))))
 
 
 def _fed(node: NodeClass) -> list[Endpoint]:
@@ -221,7 +197,7 @@ def _is_command_topic(endpoint: Endpoint) -> bool:
 
 def guards_commands(text: str) -> bool:
     """Whether a source looks after the age of the commands that it gets, by the names in its code."""
-    return _GUARD.search(_COMMENT.sub("", text)) is not None
+    return _GUARD.search(COMMENTS.sub("", text)) is not None
 
 
 class Held(NamedTuple):
@@ -263,7 +239,7 @@ def held(nodes: Nodes) -> Iterator[Held]:
 def _sent_to_board(nodes: Nodes, file: NodeSource) -> Iterator[Held]:
     """The velocities that only their own callback writes to a serial port or a CAN bus, where nothing in the tree says
     that the board at its other end stops by itself."""
-    port = _PYTHON_PORT.search(_COMMENT.sub("", file.source.text))
+    port = _PYTHON_PORT.search(COMMENTS.sub("", file.source.text))
     if port is None or boards_stop(nodes, file.source.text):
         return
     for node in file.classes:
@@ -293,7 +269,7 @@ def _held_in_cpp(nodes: Nodes, source: CppNode) -> Iterator[Held]:
 
 
 def _sent_to_board_in_cpp(nodes: Nodes, source: CppNode, commands: list[Endpoint], text: str) -> Iterator[Held]:
-    port = _CPP_PORT.search(_COMMENT.sub("", text)) or _CPP_PORT.search(text)
+    port = _CPP_PORT.search(COMMENTS.sub("", text)) or _CPP_PORT.search(text)
     if port is None or looks_at_age(text) or boards_stop(nodes, text):
         return
     timers = [each for each in source.callbacks if each.role == "timer"]
@@ -350,10 +326,10 @@ def is_held(endpoint: Endpoint) -> bool:
 
 
 def _bus(text: str, pattern: re.Pattern[str]) -> str | None:
-    found = pattern.search(_COMMENT.sub("", text) if pattern is _PYTHON_BUS else text)
+    found = pattern.search(COMMENTS.sub("", text) if pattern is _PYTHON_BUS else text)
     if found is None or not found["bus"].endswith(".h"):
         return found["bus"] if found is not None else None
-    device = _I2C.search(_COMMENT.sub("", text))
+    device = _I2C.search(COMMENTS.sub("", text))
     if device is not None:
         return device[0]
     return "the I2C bus" if "i2c" in found["bus"].lower() else found["bus"].removesuffix(".h")

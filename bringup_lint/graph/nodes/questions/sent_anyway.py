@@ -6,6 +6,7 @@ import ast
 from collections.abc import Iterable
 from collections.abc import Iterator
 
+from bringup_lint.graph.nodes.questions.age import looks_at_age
 from bringup_lint.graph.nodes.questions.callback_code import reached
 from bringup_lint.graph.nodes.questions.kept_commands import Loop
 from bringup_lint.graph.nodes.sources.syntax import Syntax
@@ -128,8 +129,6 @@ def _is_stopped(node: NodeClass, sender: ast.Call) -> bool:
 
 def _looks_at_age(files: list[NodeSource], sender: ast.Call) -> bool:
     """Whether the functions of the workspace that the call may mean, and what they call, look at a time."""
-    from bringup_lint.graph.nodes.questions.repeating import looks_at_age
-
     todo, seen = {str(getattr(sender.func, "attr", ""))}, set[str]()
     for _ in range(DEPTH):
         texts = list(_bodies(files, todo - seen))

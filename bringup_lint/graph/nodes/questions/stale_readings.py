@@ -7,13 +7,13 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.graph.nodes.questions.age import looks_at_age
 from bringup_lint.graph.nodes.questions.callback_code import reached
 from bringup_lint.graph.nodes.questions.kept_commands import Loop
 from bringup_lint.graph.nodes.questions.kept_commands import held_over
 from bringup_lint.graph.nodes.questions.kept_commands import loops
 from bringup_lint.graph.nodes.questions.repeating import ignores_time
 from bringup_lint.graph.nodes.questions.repeating import is_motion
-from bringup_lint.graph.nodes.questions.repeating import looks_at_age
 from bringup_lint.graph.nodes.questions.with_header import with_header
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import body_of
@@ -37,6 +37,8 @@ _READINGS = frozenset(
 )
 """What a sensor sends again and again, so that its absence is a failure."""
 
+_SENSOR = regex(r"(?:Sensors?|Reading|Measurement)\Z")
+_COMMAND = regex(r"(?:Cmd|Command)\Z")
 _CLOCKS = frozenset(("now", "time", "time_ns", "monotonic", "monotonic_ns", "perf_counter", "perf_counter_ns"))
 _SET = regex(r"[;{})]\s{0,80}(?:this->)?(?P<name>[A-Za-z]\w{0,80})\s{0,3}=\s{0,3}(?P<value>0|true|false)(?=;)")
 _COUNTED = regex(
@@ -63,7 +65,7 @@ def stale_readings(nodes: Nodes) -> Iterator[StaleReading]:
     at no time."""
     for file, node in nodes.with_callbacks:
         readings = [each for each in node.endpoints if _is_reading(each)]
-        if readings and any(is_motion(each) for each in node.all_endpoints) and ignores_time(nodes, file):
+        if readings and any(_is_motion(each) for each in node.all_endpoints) and ignores_time(nodes, file):
             yield from _in_class(nodes, file, node, readings)
     for source in nodes.cpp:
         yield from _in_cpp(nodes, source)
@@ -109,13 +111,19 @@ def _counted(node: ast.AST) -> Iterator[str]:
     yield from (each.attr for each in targets if isinstance(each, ast.Attribute) and is_self(each.value))
 
 
+def _is_motion(endpoint: Endpoint) -> bool:
+    return is_motion(endpoint) or (endpoint.role == "publisher" and bool(_COMMAND.search(endpoint.type or "")))
+
+
 def _is_reading(endpoint: Endpoint) -> bool:
-    return endpoint.role == "subscription" and endpoint.type in _READINGS
+    if endpoint.role != "subscription" or endpoint.type is None:
+        return False
+    return endpoint.type in _READINGS or bool(_SENSOR.search(endpoint.type))
 
 
 def _in_cpp(nodes: Nodes, source: CppNode) -> Iterator[StaleReading]:
     readings = [each for each in source.endpoints if _is_reading(each)]
-    if not readings or not any(is_motion(each) for each in source.endpoints):
+    if not readings or not any(_is_motion(each) for each in source.endpoints):
         return
     text = with_header(nodes, source.source)
     if looks_at_age(text):
@@ -179,7 +187,7 @@ def _moves(call: ast.AST, node: NodeClass) -> bool:
     if not isinstance(call, ast.Call) or not isinstance(call.func, ast.Attribute) or call.func.attr != "publish":
         return False
     kept = ast.unparse(call.func.value)
-    return any(each.attribute == kept and is_motion(each) for each in node.all_endpoints)
+    return any(each.attribute == kept and _is_motion(each) for each in node.all_endpoints)
 
 
 def _reads(code: list[ast.AST], name: str) -> Iterator[ast.Attribute]:

@@ -1,0 +1,36 @@
+"""Whether code looks at how old something is."""
+
+from __future__ import annotations
+
+import re
+
+from bringup_lint.model.cpp_source import COMMENT
+from bringup_lint.pattern import regex
+from bringup_lint.source import Source
+
+_TIMED = regex(
+    r"(?=[twdsehflnamc-])(?:time_?out|watch_?dog|\bwdog|dead_?man|stale|expir|elapsed|heart_?beat|fail_?safe|deadline"
+    r"|\blease|since_?last|last_?\w{0,20}(?:time|stamp|recv|received|call)|(?:time|stamp)\w{0,20}last|no_?(?:cmd|command)|\bstamp\b|\bage\b"
+    r"|\bnow\s{0,3}-(?!>)|(?:now|time|monotonic|clock)\(\)[\w.()]{0,40}\s{0,3}-|-\s{0,3}(?:self\.|this->)?(?:last|prev))",
+    re.I,
+)
+"""What code that ends a motion by time has in it somewhere. The look at the first character keeps the search from
+trying each way at each place."""
+COMMENTS = regex(rf"#[^\n]*|{COMMENT.pattern}")
+"""Of Python and C++, and what the preprocessor reads."""
+_OTHER_TIMEOUTS = regex(
+    r"\b(?:read_|write_|write|socket_)?timeout(?:_sec)?\s*=\s*[^,)\n]+"
+    r"|SerialTimeout\w*|serial::Timeout|setTimeout|settimeout|TimeoutE\w+"
+    r"|\bstamp\s*=(?!=)[^;\n]*|[\"']stamp[\"']\s*:"
+)
+"""Time-outs of reading and writing and stamps that are written, which end no motion."""
+
+
+def looks_at_time(source: Source) -> bool:
+    """Whether a file compares times, or speaks of a time-out that is not one of reading or writing."""
+    return source.once(looks_at_time, lambda: looks_at_age(source.text))
+
+
+def looks_at_age(text: str) -> bool:
+    """As ``looks_at_time``, for a text."""
+    return bool(_TIMED.search(_OTHER_TIMEOUTS.sub("", COMMENTS.sub("", text))))
