@@ -91,7 +91,7 @@ def values(kind: str) -> list[str]:
 def key_for(kind: str) -> directives.Directive | None:
     """A key of this type that the installed systemd knows and that is not obsolete."""
     for section in SECTIONS:
-        for found in directives.sections()[section].values():
+        for found in directives.of_section(section):
             old = (section, found.key, "") in directives.legacy() or found.key in AVOIDED
             if found.type == kind and found.since <= systemd_version() and not old:
                 return found

@@ -32,7 +32,7 @@ def keys_of(section: str) -> list[directives.Directive]:
     """Keys that the installed release knows and that are not obsolete."""
     return [
         found
-        for found in directives.sections()[section].values()
+        for found in directives.of_section(section)
         if found.since <= systemd_version()
         and (section, found.key, "") not in directives.legacy()
         and found.type != "ignored"

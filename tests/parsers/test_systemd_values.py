@@ -14,7 +14,7 @@ from bringup_lint.parsers import systemd_values as values
 from bringup_lint.parsers.systemd_values import nowhere
 from bringup_lint.parsers.systemd_values.grammars import grammar
 
-KINDS = sorted({found.type for keys in directives.sections().values() for found in keys.values()})
+KINDS = sorted({found.type for section in directives.sections() for found in directives.of_section(section)})
 TEXT = st.text(alphabet="abzAS019 \t\\\"'%;:@-+!./~,=$#{}&|()é\x07", max_size=40)
 
 

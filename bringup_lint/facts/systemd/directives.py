@@ -49,16 +49,27 @@ class Legacy(NamedTuple):
 
 
 @cache
-def sections() -> dict[str, dict[str, Directive]]:
-    """Section to key to directive. ``Target`` and ``Device`` exist but have no keys."""
-    found: dict[str, dict[str, Directive]] = {name: {} for name in ("Unit", "Install", *SECTION_OF_TYPE.values())}
-    for section, key, kind, since in facts.rows("systemd/directives")[1]:
-        found[section][key] = Directive(section, key, kind, int(since))
+def sections() -> dict[str, dict[str, tuple[str, ...]]]:
+    """Section to key to the row of the directive in the table. ``Target`` and ``Device`` exist but have no keys."""
+    found: dict[str, dict[str, tuple[str, ...]]] = {name: {} for name in ("Unit", "Install", *SECTION_OF_TYPE.values())}
+    for row in facts.rows("systemd/directives")[1]:
+        found[row[0]][row[1]] = row
     return found
 
 
 def directive(section: str, key: str) -> Directive | None:
-    return sections().get(section, {}).get(key)
+    row = sections().get(section, {}).get(key)
+    return None if row is None else _made(row)
+
+
+def of_section(section: str) -> list[Directive]:
+    return [_made(row) for row in sections()[section].values()]
+
+
+@cache
+def _made(row: tuple[str, ...]) -> Directive:
+    section, key, kind, since = row
+    return Directive(section, key, kind, int(since))
 
 
 def sections_of_type(unit_type: str) -> tuple[str, ...]:

@@ -18,17 +18,19 @@ them missing."""
 
 @lru_cache
 def names() -> frozenset[str]:
-    from bringup_lint.facts import table
-
-    return frozenset(row["unit"] for row in table("systemd/units"))
+    return frozenset(unit for unit, *_ in _units())
 
 
 @lru_cache
 def aliases() -> dict[str, str]:
     """Other names of units, such as ``default.target``."""
-    from bringup_lint.facts import table
+    return {unit: alias_of for unit, _, _, alias_of, _, _ in _units() if alias_of not in ("", "masked")}
 
-    return {row["unit"]: row["alias_of"] for row in table("systemd/units") if row["alias_of"] not in ("", "masked")}
+
+def _units() -> list[tuple[str, ...]]:
+    from bringup_lint.facts import rows
+
+    return rows("systemd/units")[1]
 
 
 def is_shipped(name: str) -> bool:
@@ -42,6 +44,4 @@ def is_shipped(name: str) -> bool:
 @lru_cache
 def without_default_dependencies() -> frozenset[str]:
     """The units of the distribution that say DefaultDependencies=no."""
-    from bringup_lint.facts import table
-
-    return frozenset(row["unit"] for row in table("systemd/units") if row["default_dependencies"] == "no")
+    return frozenset(unit for unit, _, _, _, _, defaults in _units() if defaults == "no")
