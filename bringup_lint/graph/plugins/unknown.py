@@ -142,14 +142,17 @@ def _meant(known: frozenset[str], package: str, cls: str) -> str | None:
     packages = {package, _RENAMED.get(package, package)}
     packages |= {old for old, new in _RENAMED.items() if new == package}
     cls = cls.replace("JointStateController", "JointStateBroadcaster")
-    found = [each for each in known if (match := _NAME.match(each)) and match["package"] in packages]
-    same = next((each for each in sorted(found) if each.endswith((f"/{cls}", f":{cls}"))), None)
+    found = sorted(each for each in known if (match := _NAME.match(each)) and match["package"] in packages)
+    same = next((each for each in found if each.endswith((f"/{cls}", f":{cls}"))), None)
     return same or next(iter(_nearest(package, cls, found)), None)
 
 
 def _nearest(package: str, cls: str, names: list[str]) -> list[str]:
-    """The names of a package whose class is misspelt."""
-    classes = {_class(each): each for each in names if each.startswith(package)}
+    """The names of a package whose class is misspelt, the first of each class."""
+    classes: dict[str, str] = {}
+    for each in names:
+        if each.startswith(package):
+            classes.setdefault(_class(each), each)
     return [classes[each] for each in nearest(cls, classes, 2)]
 
 
