@@ -77,7 +77,7 @@ def instead_of(name: str) -> str | None:
         return None
     if name.replace("-", "_") in known:
         return name.replace("-", "_")
-    near = [each for each in known if len(each) >= _LONG and edits(name, each, 2) == 1]
+    near = [each for each in known if len(each) >= _LONG and edits(name, each, 1) == 1]
     return near[0] if len(near) == 1 and _is_misspelt(name, near[0]) else None
 
 

@@ -63,7 +63,7 @@ def _is_read(refused: Refused) -> bool:
 def _is_named(files: Files, source: Source, *kinds: str) -> bool:
     name = re.compile(rf"(?<![\w.-]){re.escape(source.basename)}(?![\w.-])")
     others = (each for each in files.of_kind(*kinds) if each.name != source.name)
-    return any(name.search(each.text) for each in others)
+    return any(source.basename in each.text and name.search(each.text) for each in others)
 
 
 def _is_plain(source: Source) -> bool:
