@@ -119,7 +119,7 @@ _ANY = regex(
 SOURCES: tuple[tuple[Purpose, re.Pattern[str]], ...] = (
     (Purpose.TEST, regex(r"(?:^|[/_-])tests?(?:[/_.-]|$)|(?:^|/)(?:testing|integration_tests?)/", re.I)),
     (Purpose.EXAMPLE, regex(r"(?:^|[/_-])(?:examples?|demos?|tutorials?|samples?|benchmarks?)(?:[/_.-]|$)", re.I)),
-    (Purpose.EXAMPLE, _folder(r"docs?|tools?")),
+    (Purpose.EXAMPLE, _folder(r"docs?|tools|(?<!src/)tool")),  # src/tool/ beside src/arm/: what the arm holds
     (Purpose.SIMULATION, regex(rf"(?:^|[/_-])(?:{simulation.WORDS}|{simulation.SIMULATORS})(?:[/_.-]|$)", re.I)),
 )
 """The same for the path of a node's source in its package, where more folders hold what no robot runs."""
