@@ -39,7 +39,10 @@ from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-MODULE = regex(r"\bmodprobe[ \t]+(?:-[^-\s]\S*[ \t]+|--\S+[ \t]+)*(?P<module>v4l2loopback)\b", hints="v4l2loopback")
+MODULE = regex(
+    r"\bmodprobe[ \t]{1,8}(?:-[^-\s]\S{0,40}[ \t]{1,8}|--\S{1,40}[ \t]{1,8}){0,8}(?P<module>v4l2loopback)\b",
+    hints="v4l2loopback",
+)
 REMOVES = regex(r"[ \t](?:-r|--remove)\b")
 NUMBERED = regex(r"\bvideo_nr\b|\bv4l2loopback-ctl\b")
 SINK = regex(
