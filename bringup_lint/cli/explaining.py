@@ -6,7 +6,6 @@ from collections.abc import Iterable
 from collections.abc import Sequence
 from itertools import zip_longest
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from bringup_lint.cli.streams import complain
 from bringup_lint.cli.streams import put
@@ -20,6 +19,7 @@ from bringup_lint.report.docs import PROSE
 from bringup_lint.report.docs import plain as as_text
 from bringup_lint.report.wrap import wrap
 from bringup_lint.spelling import meant
+from bringup_lint.type_names import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from bringup_lint.cache.answers import Question

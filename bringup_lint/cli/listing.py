@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable
 from itertools import groupby
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from bringup_lint.cli.streams import complain
 from bringup_lint.cli.streams import put
@@ -14,6 +13,7 @@ from bringup_lint.registry import Registry
 from bringup_lint.registry import Rule
 from bringup_lint.report.paint import painter
 from bringup_lint.spelling import meant
+from bringup_lint.type_names import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from bringup_lint.cache.answers import Question

@@ -42,10 +42,8 @@ from bringup_lint.api import nodes
 from bringup_lint.api import note
 from bringup_lint.api import rule
 
-SYMPTOMS = ["Trying to publish message on the topic *, but the publisher is not activated"]
 
-
-@rule("error", symptoms=SYMPTOMS)
+@rule("error", symptoms=["Trying to publish message on the topic *, but the publisher is not activated"])
 def lifecycle_never_active(robot: Robot) -> Iterator[Finding]:
     for source, transition, publishers in nodes.inactive_publishers(robot.nodes):
         names = [f"'{each.name}'" for each in publishers if each.name]

@@ -45,15 +45,16 @@ from bringup_lint.api.nodes import lowered
 from bringup_lint.api.nodes import switchless
 from bringup_lint.api.nodes import unset
 
-SYMPTOMS = [
-    "ParameterNotDeclaredException",
-    "ParameterUninitializedException",
-    "NoParameterOverride",
-    "could not load parameter '*'",
-]
 
-
-@rule("error", symptoms=SYMPTOMS)
+@rule(
+    "error",
+    symptoms=[
+        "ParameterNotDeclaredException",
+        "ParameterUninitializedException",
+        "NoParameterOverride",
+        "could not load parameter '*'",
+    ],
+)
 def parameter_missing(robot: Robot) -> Iterator[Finding]:
     for name in asked_in_vain(robot.topics):
         yield finding(

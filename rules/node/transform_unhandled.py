@@ -47,8 +47,6 @@ from bringup_lint.api import nodes
 from bringup_lint.api import note
 from bringup_lint.api import rule
 
-SYMPTOMS = ["tf2.LookupException", "tf2.ExtrapolationException: Lookup would require extrapolation into the future"]
-
 
 class Language(NamedTuple):
     exception: str
@@ -59,7 +57,10 @@ PYTHON = Language("tf2_ros.TransformException", "the node exits")
 CPP = Language("tf2::TransformException", "the process aborts")
 
 
-@rule("warning", symptoms=SYMPTOMS)
+@rule(
+    "warning",
+    symptoms=["tf2.LookupException", "tf2.ExtrapolationException: Lookup would require extrapolation into the future"],
+)
 def transform_unhandled(robot: Robot) -> Iterator[Finding]:
     for file, node in robot.nodes.with_callbacks:
         found = list(nodes.unhandled_transforms(robot.nodes.ending(file), node))

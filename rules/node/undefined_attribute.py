@@ -43,14 +43,15 @@ from bringup_lint.api import nodes
 from bringup_lint.api import note
 from bringup_lint.api import rule
 
-SYMPTOMS = [
-    "AttributeError: '*' object has no attribute '*'",
-    "AttributeError: can't set attribute '*'",
-    "AttributeError: property '*' of '*' object has no setter",
-]
 
-
-@rule("error", symptoms=SYMPTOMS)
+@rule(
+    "error",
+    symptoms=[
+        "AttributeError: '*' object has no attribute '*'",
+        "AttributeError: can't set attribute '*'",
+        "AttributeError: property '*' of '*' object has no setter",
+    ],
+)
 def undefined_attribute(robot: Robot) -> Iterator[Finding]:
     for first, *others in nodes.missing_attributes(robot.nodes):
         name = first.place.attr

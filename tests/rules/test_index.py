@@ -71,6 +71,12 @@ def test_the_index_of_the_rules_is_what_the_files_say() -> None:
         assert replace(rule.meta, check=own.check) == own.meta, rule.id
 
 
+def test_no_rule_has_to_be_loaded_to_be_listed() -> None:
+    index = Registry.of().index
+    assert index is not None
+    assert [name for name, entry in index.rules.items() if entry is None] == [], "write what @rule takes in its call"
+
+
 def test_families_are_those_of_the_files() -> None:
     for known, read in zip(Registry.of().families, families([builtin_folder()]), strict=True):
         assert (known.mentions and known.mentions.pattern) == (read.mentions and read.mentions.pattern)
