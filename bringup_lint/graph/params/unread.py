@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.facts.ros.parameters import hands_parameters
 from bringup_lint.facts.ros.parameters import is_of_library
 from bringup_lint.facts.ros.parameters import node_called
 from bringup_lint.facts.ros.simulation import is_simulation
@@ -34,6 +36,14 @@ _MADE = regex(
     r"|[\"'](?P<edged>[._/][\w./]{1,80}|[\w./]{1,80}[._/])[\"']|[\"'](?P<holed>[\w./]{0,40}(?:\{\w{0,20}\}|%s)[\w./{}%]{0,40})[\"']"
 )
 """A text of which a source makes a name together with others."""
+_BASES = regex(
+    r"\bclass\s+\w{1,80}\s{0,4}(?:\((?P<python>[^():]{1,200})\)|(?:final\s{0,4})?:(?P<cpp>(?:[^{};:]|::){1,400})\{)",
+    hints="class",
+)
+_NODES = frozenset({"Node", "LifecycleNode"})
+_INCLUDE = regex(r"^[ \t]*#[ \t]*include[ \t]*[<\"]([\w-]+)/", re.M)
+_GIVEN = r"::[^;}]{0,200}[(,{*]\s{0,40}(?:this|shared_from_this\(\)|rclcpp::Node::SharedPtr\(this)\b"
+"""What gives the node to a class of a library."""
 _HOLE = regex(r"\{[^{}]{0,80}\}|%s")
 _SURE = 5
 """Parameters that a source must read, to be taken for that of the node."""
@@ -69,7 +79,8 @@ def unread(params: Params, launch: Launch) -> Iterator[Unread]:
         readers, count = _readers(reading, own)
         names = frozenset().union(*(reading[each] for each in readers))
         left = [each for each in lacking if not _is_made(str(each.name), names, pieces)]
-        if readers and left and _label(block) not in foreign and count >= max(_SURE, _MOST * len(own)):
+        is_alone = not any(_is_helped(each, launch) for each in readers)
+        if readers and left and is_alone and _label(block) not in foreign and count >= max(_SURE, _MOST * len(own)):
             first = next(_READ.finditer(readers[0].text))
             yield Unread(block, tuple(left), readers[0].span(*first.span("name")), count, names)
 
@@ -86,6 +97,18 @@ def _readers(reading: dict[Source, frozenset[str]], own: list[Parameter]) -> tup
     if any(each.matches(_LOOPED) or is_simulation(each.basename) for each in readers):
         return [], 0
     return readers, count
+
+
+def _is_helped(source: Source, launch: Launch) -> bool:
+    """Whether a class or library that is not in the tree may declare parameters in the node of a source, too."""
+    for found in _BASES.finditer(source.text):
+        for base in (found["python"] or found["cpp"]).split(","):
+            name = re.split(r"::|\.|\s", base.partition("<")[0].strip())[-1]
+            if name.endswith("Node") and name not in _NODES:
+                return True
+    own = launch.workspace.packages
+    libraries = {each for each in _INCLUDE.findall(source.text) if each not in own and hands_parameters(each)}
+    return any(re.search(rf"\b{re.escape(each)}{_GIVEN}", source.text) for each in libraries)
 
 
 def _own(block: Block) -> list[Parameter]:
