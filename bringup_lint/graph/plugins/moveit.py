@@ -145,7 +145,7 @@ def _actions(source: Source, params: Params) -> Iterator[MoveItProblem]:
         action = own.scalar("action_ns") if own is not None else None
         given = beside.get(_tail(name))
         served = _SERVED.get(str(given))
-        if given is not None and action is not None and served is not None and str(action.value) != served:
+        if given is not None and action is not None and served not in (None, action.value.strip("/")):
             yield MoveItProblem("action", action.value, (given,), served)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from bringup_lint.facts.ros.simulation import is_simulator
@@ -38,7 +39,7 @@ def controllers_elsewhere(launch: Launch, tree: Tree) -> Iterator[ControllersEls
         managers = [node for node in expansion.nodes if is_manager(node)]
         if group is None or not managers or managers[0].span in said or not _is_closed(expansion):
             continue
-        namespaces = {node.namespace for node in managers}
+        namespaces = {node.namespace for node in managers} | set(_addressed(expansion))
         if None in namespaces or group.namespace is None or managers[0].by_default is not True:
             continue
         active = {str(name) for _, name in spawned(expansion.nodes)}
@@ -47,6 +48,18 @@ def controllers_elsewhere(launch: Launch, tree: Tree) -> Iterator[ControllersEls
         if lost and managers[0].file.source.judged:
             said.add(managers[0].span)
             yield ControllersElsewhere(managers[0], tuple(lost))
+
+
+def _addressed(expansion: Expansion) -> Iterator[str | None]:
+    """The namespaces in which spawners look for a manager: their own, or that of the name that they are given."""
+    for node in {id(each): each for each, _ in spawned(expansion.nodes)}.values():
+        words = [str(literal_text(word)) for word in node.arguments]
+        named = [after for word, after in pairwise(words) if word in ("-c", "--controller-manager")]
+        named += [word.partition("=")[2] for word in words if word.startswith("--controller-manager=")]
+        for name in named:
+            yield name.rpartition("/")[0] or "/" if name.startswith("/") else None
+        if not named:
+            yield node.namespace
 
 
 def _is_move_group(node: Started) -> bool:
