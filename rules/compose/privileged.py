@@ -2,8 +2,9 @@
 
 ## What it finds
 `privileged: true`. A mount of the whole `/dev` in the same service belongs to the finding. Services that get the
-setting from one anchor or base are one finding. It is info where a comment says which devices need it, and for a
-place to work in: a terminal or a desktop without a command of the robot.
+setting from one anchor or base are one finding. It is info where a comment says which devices need it, for a place to
+work in: a terminal or a desktop without a command of the robot, and for the driver of a ZED X camera, which mounts its
+daemon: Stereolabs documents no list of devices that would do.
 
 ## Why it matters on a robot
 The container can do everything on the host: load modules, write to every disk, read every key. A flaw in one node
@@ -29,6 +30,7 @@ When the service is a tool for commissioning that never runs in operation.
 
 ## References
 - robotics-security guide, container hardening
+- https://www.stereolabs.com/docs/cameras/zed-x-one/zed-x-one-and-docker/
 - CWE-250
 """
 
@@ -47,6 +49,7 @@ from bringup_lint.api.compose import Service
 from bringup_lint.api.compose import is_workplace
 
 REASON = regex(r"\bprivileged\b.*\b(?:to|because|so that|for|since|as)\b.*(?:\bdevices?\b|\busb\b|/dev\b)", re.I)
+ZED_X = regex(r"/zed_x_daemon\.service$")
 
 
 @rule("warning", silent="Docker does not report what a container may do", tags=["CWE-250"])
@@ -68,8 +71,9 @@ def privileged(robot: Robot) -> Iterator[Finding]:
 
 
 def _is_meant(robot: Robot, place: Span, services: list[Service]) -> bool:
-    """Whether a comment at the line says which devices need it, or the containers only wait for somebody."""
-    if all(is_workplace(robot.compose, service) for service in services):
+    """Whether a comment at the line says which devices need it, or the containers only wait for somebody or drive what
+    needs it."""
+    if all(is_workplace(robot.compose, service) or _drives_zed_x(service) for service in services):
         return True
     source, line = place.source, place.line
     comments = [source.line_text(line).partition("#")[2]]
@@ -77,6 +81,10 @@ def _is_meant(robot: Robot, place: Span, services: list[Service]) -> bool:
         line -= 1
         comments.append(source.line_text(line))
     return REASON.search(" ".join(reversed(comments))) is not None
+
+
+def _drives_zed_x(service: Service) -> bool:
+    return any(ZED_X.search(volume.source or "") for volume in service.volumes)
 
 
 def _named(services: list[Service]) -> list[Related]:
