@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.misread_parameters import misread_parameters
     from bringup_lint.graph.nodes.questions.missing_attributes import missing_attributes
     from bringup_lint.graph.nodes.questions.missing_attributes import taken_attributes
+    from bringup_lint.graph.nodes.questions.missing_modules import missing_modules
     from bringup_lint.graph.nodes.questions.motion import moves
     from bringup_lint.graph.nodes.questions.offboard_signals import rare_signals
     from bringup_lint.graph.nodes.questions.parameter_calls import empty_defaults
@@ -130,6 +131,7 @@ __all__ = [
     "misread_parameters",
     "missing_attributes",
     "missing_fields",
+    "missing_modules",
     "moves",
     "never_run",
     "not_there",

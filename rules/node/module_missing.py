@@ -1,0 +1,47 @@
+"""A node imports a module of its package that does not exist.
+
+## What it finds
+`from .x import y` and `from package.x import y` in the source of a node, where the package of the node has neither
+`x.py` nor a folder `x`. Only in packages with a setup.py that builds no modules. Imports in a `try` block or under a
+condition are left out, as are modules that git ignores and those that tools write.
+
+## Why it matters on a robot
+The import fails with ModuleNotFoundError, and the node ends: at its start, or when the function that imports is called.
+It goes unseen where the renamed module is still in the install folder of the developer.
+
+## Bad
+```python
+from .thrust_view import ThrustView   # the file is called sam_thrust_view.py
+```
+
+## Good
+```python
+from .sam_thrust_view import ThrustView
+```
+
+## When to ignore it
+When the module is copied into the package before it is built.
+
+## References
+- https://docs.python.org/3/reference/import.html
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import nodes
+from bringup_lint.api import rule
+
+
+@rule("error", symptoms=["from .* import *"])
+def module_missing(robot: Robot) -> Iterator[Finding]:
+    for found in nodes.missing_modules(robot.nodes):
+        when = f"when {found.function}() is called" if found.function else "when the file is loaded"
+        yield finding(
+            found.file.span_of(found.statement),
+            f"ModuleNotFoundError {when}: the package has no {found.path}",
+            advice=f"add the module, or correct the name in 'from {found.module} import'",
+            severity=nodes.lowered(robot.nodes.purpose(found.file.source), "error"),
+        )
