@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.systemd.unit import Unit
     from bringup_lint.graph.systemd.units import Units
 
-_FILE = regex(r"(?P<role>(?:^|.*/)roles/[^/]+)/files/")
+_FILE = regex(r"(?P<role>(?:^|.*/)roles/(?P<name>[^/]+))/files/(?P<path>.+)")
 _EVERY = regex(
     r"\*\.(?:service|timer|socket|path)\b|\bwith_file(?:glob|tree)\b|\bfileglob\b|\bbuiltin\.find\b|^[ \t-]*\bfind:",
     re.M,
@@ -39,14 +39,21 @@ def left_out_units(files: Files, units: Units) -> Iterator[Unit]:
         role = _FILE.match(source.name) if source.origin is None and not source.template else None
         if role is None or not unit.words("WantedBy", "Install") or "@" in unit.name:
             continue
-        if _copies_by_name(files, role["role"]) and not _is_named(files, unit):
+        if _copies_by_name(files, role) and not _is_named(files, unit):
             yield unit
 
 
-def _copies_by_name(files: Files, role: str) -> bool:
-    """Whether a role has tasks, and all that they copy has a name that somebody wrote."""
-    texts = [source.text for source in files.of_kind("ansible") if source.name.startswith(f"{role}/")]
-    return bool(texts) and not any(_EVERY.search(text) or _HIDDEN.search(text) for text in texts)
+def _copies_by_name(files: Files, role: re.Match[str]) -> bool:
+    """Whether a role has tasks, all that they copy has a name that somebody wrote, and none is that of a folder with
+    the unit; nor does anything else copy the files of the role."""
+    tasks = [source for source in files.of_kind("ansible") if source.name.startswith(f"{role['role']}/")]
+    others = (source.text for source in files.of_kind("ansible", "shell-script") if source not in tasks)
+    if not tasks or any(f"{role['name']}/files" in text for text in others):
+        return False
+    folders = "|".join(map(re.escape, role["path"].split("/")[:-1])) or "files"
+    named = rf"[\"']?(?:[\w./-]*/)?(?:{folders})/?[\"']?"
+    whole = re.compile(rf"(?:\b(?:src|source|path):|^[ \t]*-|[\[,])[ \t]*{named}[ \t\r]*(?:[,}}\]]|$)", re.M)
+    return not any(_EVERY.search(each.text) or _HIDDEN.search(each.text) or whole.search(each.text) for each in tasks)
 
 
 def _is_named(files: Files, unit: Unit) -> bool:
