@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterator
+from itertools import islice
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.plugins.xacro_values import XacroValues
@@ -40,13 +42,31 @@ _HANDED_ON = regex(
     r"\bhardware_parameters\s{0,4}(?:[),;]|\.\s{0,4}c?begin\b)|(?<!on_init)\(\s{0,4}info_?\s{0,4}[,)]|,\s{0,4}info_?\s{0,4}[,)]"
 )
 """What gives all parameters to something else."""
+_COMPUTED = regex(
+    r"\bhardware_parameters\s{0,4}(?:\[|\.\s{0,4}\w{2,10}\s{0,4}\()\s{0,40}"
+    r"(?:\"[\w.-]{0,80}\"\s{0,40}\+|[^\"\s\])][^\"\])]{0,80}?(?:\+|::|\.|->))"
+)
+"""A name that the source puts together, or takes from elsewhere."""
+_PLAINLY = regex(
+    r"\bhardware_parameters\s{0,4}(?:\[|\.\s{0,4}at\s{0,4}\()\s{0,40}\"(?P<name>[\w.-]{1,80})\"(?!\s{0,4}\]\s{0,4}=[^=])"
+)
+"""What takes a parameter for given, in distinction to what looks for it or sets it."""
+_SET = regex(r"\bhardware_parameters\s{0,4}\[\s{0,40}\"(?P<name>[\w.-]{1,80})\"\s{0,4}\]\s{0,4}=[^=]")
+_LEAVES = regex(r"\btry\b|\breturn\b[^;]{0,80}\b(?:SUCCESS|OK)\b|^[ \t]*#[ \t]*if", re.M)
+"""What handles an exception, ends ``on_init`` well before its end, or is not compiled everywhere."""
 _CONDITION = regex(r"\s*(?:if|else|for|while|case|switch)\b|[^;{}]*\?")
 _BRACES = regex(r"[{}]")
 _QUOTED = regex(r"\"([\w./-]{1,80})\"")
+_JOINTS = "_.-"
+"""What is between the parts of a name."""
 _CPP = (".cpp", ".cc", ".cxx", ".hpp", ".hh", ".h")
 _PLAIN = frozenset({"plugin", "param", "if", "unless", "group"})
 """Elements of hardware that hide no parameters."""
 _VALUE = regex(r"\$\{\s*(?:(?P<name>[A-Za-z_]\w*)|[A-Za-z_]\w*(?:\[['\"]\w+['\"]\])*\[['\"](?P<key>\w+)['\"]\])\s*\}\Z")
+
+
+_MOST = 300
+"""Places of one source that are looked at."""
 
 
 class HardwareParameter(NamedTuple):
@@ -95,12 +115,12 @@ def hardware_parameters(files: Files) -> Iterator[HardwareParameter]:
 
 
 def _drivers(files: Files) -> dict[str, Driver]:
-    """Class -> its source, for classes that one source exports."""
+    """Class -> its source, for classes that one source exports, and no other beside them."""
     found: dict[str, list[Source]] = {}
     for source in files.of_kind("cpp-node"):
-        if "hardware_parameters" in source.text:
-            for match in _EXPORTS.finditer(source.text):
-                found.setdefault(match["class"], []).append(source)
+        classes = set(_EXPORTS.findall(source.text)) if "hardware_parameters" in source.text else set()
+        for name in classes:
+            found.setdefault(name, []).extend([source] * len(classes))
     single = {name: sources[0] for name, sources in found.items() if len(sources) == 1}
     return {name: Driver(each, COMMENT.sub(_blanks, each.text)) for name, each in single.items()}
 
@@ -141,16 +161,19 @@ def _missing(driver: Driver, plugin: Element, hardware: Element) -> Iterator[Har
 
 
 def _needed(driver: Driver) -> Iterator[tuple[str, Span]]:
-    found = _ON_INIT.search(driver.plain)
-    start = found.end() if found is not None else 0
-    body = driver.plain[start : _end(driver.plain, start)]
-    if found is None or "try" in body:
+    bodies = [(each.end(), _end(driver.plain, each.end())) for each in _ON_INIT.finditer(driver.plain)]
+    if len(bodies) != 1:
+        return  # of several classes
+    start, end = bodies[0]
+    body = driver.plain[start:end]
+    if _LEAVES.search(body, 0, max(0, body.rfind("return"))):
         return
-    for match in _NEEDED.finditer(body):
+    taken = Counter(_PLAINLY.findall(driver.plain))
+    for match in islice(_NEEDED.finditer(body), _MOST):
         name = match["turned"] or match["taken"]
         before = body[: match.start()]
         statement = before[max(before.rfind(each) for each in ";{}") + 1 :]
-        is_looked_up = driver.plain.count(f'"{name}"') > len(re.findall(rf'hardware_parameters\W[^;]*"{name}"', body))
+        is_looked_up = driver.plain.count(f'"{name}"') > taken[name]
         if before.count("{") == before.count("}") and not _CONDITION.match(statement) and not is_looked_up:
             yield name, driver.source.span(start + match.start(), start + match.end())
 
@@ -166,19 +189,26 @@ def _end(plain: str, start: int) -> int:
 
 def _unread(driver: Driver, plugin: Element, hardware: Element, quoted: frozenset[str]) -> Iterator[HardwareParameter]:
     """Parameters beside a plugin that no source of the tree names."""
-    reads, joint = list(_READ.finditer(driver.plain)), list(_OF_JOINT.finditer(driver.plain))
+    reads, joint = (list(islice(each.finditer(driver.plain), _MOST)) for each in (_READ, _OF_JOINT))
     plugins = {str(each.text).strip() for each in hardware.walk() if each.local == "plugin"}
-    if not reads or _HANDED_ON.search(driver.plain) or (plugin.parent is hardware and len(plugins) > 1):
+    handed_on = _HANDED_ON.search(driver.plain) or _COMPUTED.search(driver.plain)
+    if not reads or handed_on or (plugin.parent is hardware and len(plugins) > 1):
         return
     system = hardware.parent or hardware
     given = {str(each.get("name")) for each in system.walk() if each.local == "param"}
     for each in _beside(plugin):
         name = each.get("name")
-        if name is not None and "$" not in name and str(name) not in quoted:
+        if name is not None and "$" not in name and str(name) not in quoted and not _is_joined(str(name), quoted):
             meant = next((match for match in (*reads, *joint) if _is_like(str(name), match["name"], given)), None)
             where = driver.source.span(*(meant or reads[0]).span("name"))
             like = meant["name"] if meant is not None else None
             yield HardwareParameter("unread", str(name), name.span, _name(plugin), where, like=like)
+
+
+def _is_joined(name: str, quoted: frozenset[str]) -> bool:
+    """Whether a source has the begin or the end of a name, to which it may join the rest."""
+    cuts = [at for at, sign in enumerate(name) if sign in _JOINTS]
+    return any(name[at:] in quoted or name[: at + 1] in quoted for at in cuts)
 
 
 def _is_like(name: str, read: str, given: set[str]) -> bool:
@@ -191,12 +221,13 @@ def _boolean(driver: Driver, plugin: Element, values: XacroValues, files: Files)
     """Truth values that xacro writes as Python does, and that the source compares with a word in small letters."""
     compared: dict[str, set[str]] = {}
     places = {}
+    set_anew = set(_SET.findall(driver.plain))
     for match in _TRUE.finditer(driver.plain):
         compared.setdefault(match["name"], set()).add(match["word"])
         places[match["name"]] = driver.source.span(match.start("name"), match.end())
     for each in _beside(plugin):
         name = str(each.get("name"))
-        if "true" in compared.get(name, ()) and "True" not in compared[name]:
+        if "true" in compared.get(name, ()) and "True" not in compared[name] and name not in set_anew:
             value = _written_true(each, values, files)
             if value is not None:
                 yield HardwareParameter("boolean", name, each.text.span, _name(plugin), places[name], value=value)
