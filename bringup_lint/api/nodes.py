@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.half_made import half_made
     from bringup_lint.graph.nodes.questions.hardware_interfaces import blocking_reads
     from bringup_lint.graph.nodes.questions.hardware_interfaces import zeroed_commands
+    from bringup_lint.graph.nodes.questions.heard_parameters import heard_parameters
     from bringup_lint.graph.nodes.questions.inactive_publishers import inactive_publishers
     from bringup_lint.graph.nodes.questions.late_attributes import late_attributes
     from bringup_lint.graph.nodes.questions.late_spins import late_spins
@@ -116,6 +117,7 @@ __all__ = [
     "guards_commands",
     "half_made",
     "handler_never_runs",
+    "heard_parameters",
     "held",
     "import_edits",
     "inactive_publishers",

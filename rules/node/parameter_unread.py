@@ -5,6 +5,9 @@
 and a parameter file that a launch file gives to the node sets it. Programs that read parameters by computed names, or
 hear of changes, are left out.
 
+A C++ node that only compares the name in the callback for changes is found as well, whoever sets the parameter, when it
+registers that callback after the declaration: the callback is told of later changes, not of the first value.
+
 ## Why it matters on a robot
 `ros2 param get` shows the value of the file, and the node works with a number of its own. Whoever lowers a speed or a
 timeout there changes nothing.
@@ -46,4 +49,12 @@ def parameter_unread(robot: Robot) -> Iterator[Finding]:
             advice=f"use get_parameter('{found.name}').value, or remove the parameter",
             related=[note(each.span, "set here") for each in found.given[:5]],
             severity=nodes.lowered(robot.nodes.purpose(found.file.source), "warning"),
+        )
+    for source, parameter in nodes.heard_parameters(robot.nodes):
+        yield finding(
+            parameter.name,
+            f"The node hears of changes of '{parameter.name}', and never reads the value that it starts with: what a "
+            "file or launch sets has no effect",
+            advice="register the callback before the declaration, or call get_parameter() once",
+            severity=nodes.lowered(robot.nodes.purpose(source.source), "warning"),
         )
