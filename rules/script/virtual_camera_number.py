@@ -40,9 +40,11 @@ from bringup_lint.api import regex
 from bringup_lint.api import rule
 
 MODULE = regex(
-    r"\bmodprobe[ \t]{1,8}(?:-[^-\s]\S{0,40}[ \t]{1,8}|--\S{1,40}[ \t]{1,8}){0,8}(?P<module>v4l2loopback)\b",
+    r"\bmodprobe[ \t]{1,8}(?:-[^-\s]\S{0,40}[ \t]{1,8}|--\S{1,40}[ \t]{1,8}){0,8}(?P<module>v4l2loopback)\b"
+    r"(?![^\n;&|$`{]{0,400}[$`{])",
     hints="v4l2loopback",
 )
+"""Without a variable after it, which may give the number."""
 REMOVES = regex(r"[ \t](?:-r|--remove)\b")
 NUMBERED = regex(r"\bvideo_nr\b|\bv4l2loopback-ctl\b")
 SINK = regex(
