@@ -31,6 +31,8 @@ def _names(use: str) -> frozenset[str]:
 
 LOOPED = 2_000
 """Commands that the loops of one file run."""
+LONGEST = 20_000
+"""Characters of a value."""
 
 
 def _end_of_loop(given: list[Command], at: int) -> int:
@@ -47,7 +49,11 @@ class Reader:
     def __init__(self, build: Build, variables: dict[str, str]) -> None:
         self.build = build
         self.variables = variables
+        self.unknown: set[str] = set()
+        """What was given a value that is not known."""
         self.looped = 0
+        self.skips = self.returns = False
+        """A command before may have left the turn of the loop, or the file."""
         self.sure = False
         """The installation that is read happens in any case."""
         self.output_names: dict[str, Located] = {}
@@ -56,11 +62,14 @@ class Reader:
     def expand(self, text: Located) -> Located | None:
         """The text with known variables filled in; None when one is not known."""
         missing = False
+        length = 0
 
         def known(match: re.Match) -> str:
-            nonlocal missing
-            missing = missing or match[1] not in self.variables
-            return self.variables.get(match[1], "")
+            nonlocal missing, length
+            value = self.variables.get(match[1], "")
+            length += len(value)
+            missing = missing or match[1] not in self.variables or length > LONGEST
+            return "" if missing else value
 
         expanded = _VARIABLE.sub(known, text)
         return None if missing or "$" in expanded else Located(expanded, text.span)
@@ -105,7 +114,7 @@ class Reader:
 
     def loop(self, command: Command, body: list[Command]) -> None:
         """The body for each item; once, with an item that is not known, when these are not known, or too many."""
-        items = self.items(command.arguments)
+        items, skips = self.items(command.arguments), self.skips
         self.looped += len(items) * len(body)
         if not command.arguments or self.looped > LOOPED or None in items:
             self.open()
@@ -113,10 +122,10 @@ class Reader:
         else:
             body = [Command(each.name, each.arguments, each.depth - 1) for each in body]
         for item in items:
-            self.variables.pop(str(command.arguments[0]) if command.arguments else "", None)
-            if item is not None:
-                self.variables[str(command.arguments[0])] = str(item)
+            if command.arguments:
+                self.give(str(command.arguments[0]), None if item is None else str(item))
             self.run(body)
+        self.skips = skips
 
     def items(self, arguments: list[Located]) -> list[Located | None]:
         """What ``foreach(variable ...)`` goes through."""
@@ -141,8 +150,9 @@ class Reader:
 
     def do_project(self, command: Command) -> None:
         if command.arguments:
-            name = str(self.expand(command.arguments[0]) or "")
-            self.variables["PROJECT_NAME"] = self.variables["CMAKE_PROJECT_NAME"] = name
+            name = self.expand(command.arguments[0])
+            for variable in ("PROJECT_NAME", "CMAKE_PROJECT_NAME"):
+                self.give(variable, None if name is None else str(name))
 
     def do_set(self, command: Command) -> None:
         if not command.arguments:
@@ -150,22 +160,37 @@ class Reader:
         words = self.words([word for word in command.arguments[1:] if word not in ("PARENT_SCOPE", "CACHE", "FORCE")])
         name = str(command.arguments[0])
         known = [word for word in words if word is not None]
-        if command.conditional or len(known) < len(words):
-            self.variables.pop(name, None)
-        else:
-            self.variables[name] = ";".join(known)
+        self.compute(command, name, None if len(known) < len(words) else ";".join(known))
+
+    def do_unset(self, command: Command) -> None:
+        if command.arguments:
+            self.compute(command, str(command.arguments[0]), "")
+
+    def do_return(self, command: Command) -> None:
+        self.returns = True
+
+    def do_continue(self, command: Command) -> None:
+        self.skips = True
+
+    do_break = do_continue
 
     def known(self, arguments: list[Located]) -> list[str] | None:
         """The arguments with variables filled in; None when one is not known."""
         words = [word for word in self.words(arguments) if word is not None]
         return None if len(words) < len(self.words(arguments)) else [str(word) for word in words]
 
-    def give(self, command: Command, name: str, value: str | None) -> None:
-        """A command gives a variable a value, which is None when it is not known."""
-        if value is None or command.conditional:
+    def give(self, name: str, value: str | None) -> None:
+        """Give a variable a value, which is None when it is not known."""
+        if value is None or len(value) > LONGEST:
             self.variables.pop(name, None)
+            self.unknown.add(name)
         else:
             self.variables[name] = value
+            self.unknown.discard(name)
+
+    def compute(self, command: Command, name: str, value: str | None) -> None:
+        """A command gives a variable a value; which one it has then is not known where the command may not run."""
+        self.give(name, None if command.conditional or self.skips else value)
 
     def do_list(self, command: Command) -> None:
         if len(command.arguments) < 2:
@@ -174,35 +199,35 @@ class Reader:
         items = self.variables.get(name)
         split = items.split(";") if items else []
         match action, self.known(command.arguments[2:]):
-            case "APPEND", [*words]:
-                self.give(command, name, ";".join([*split, *words]))
+            case "APPEND", [*words] if name not in self.unknown:
+                self.compute(command, name, ";".join([*split, *words]))
             case "GET", [index, output]:
-                self.give(command, output, None if items is None else element(split, index))
+                self.compute(command, output, None if items is None else element(split, index))
             case "LENGTH", [output]:
-                self.give(command, output, None if items is None else str(len(split)))
+                self.compute(command, output, None if items is None else str(len(split)))
             case "GET" | "LENGTH" | "JOIN" | "FIND" | "SUBLIST", _:
-                self.give(command, str(command.arguments[-1]), None)
+                self.compute(command, str(command.arguments[-1]), None)
             case _:
-                self.give(command, name, None)
+                self.compute(command, name, None)
 
     def do_math(self, command: Command) -> None:
         if len(command.arguments) > 2:
             expression = self.expand(command.arguments[2])
-            self.give(command, str(command.arguments[1]), None if expression is None else number(expression))
+            self.compute(command, str(command.arguments[1]), None if expression is None else number(expression))
 
     def do_get_filename_component(self, command: Command) -> None:
         if len(command.arguments) > 2:
             path, part = self.expand(command.arguments[1]), str(command.arguments[2])
-            self.give(command, str(command.arguments[0]), None if path is None else part_of_path(path, part))
+            self.compute(command, str(command.arguments[0]), None if path is None else part_of_path(path, part))
 
     def do_string(self, command: Command) -> None:
         """What it writes is the last word, or that of a form which may hold it anywhere: none of them is known."""
         for word in command.arguments:
-            self.variables.pop(str(word), None)
+            self.give(str(word), None)
 
     def do_file(self, command: Command) -> None:
         if len(command.arguments) > 1 and str(command.arguments[0]).upper() in ("GLOB", "GLOB_RECURSE"):
-            self.variables.pop(str(command.arguments[1]), None)
+            self.give(str(command.arguments[1]), None)
 
     def do_include(self, command: Command) -> None:
         """A module of CMake changes nothing; a file of the package may install anything."""
@@ -329,7 +354,8 @@ class Reader:
         for argument in command.arguments[1:]:
             (options if options or argument in _names("install") else sources).append(argument)
         destination = self.destination(options)
-        self.sure = not command.conditional and not {"OPTIONAL", "EXCLUDE_FROM_ALL"} & set(command.arguments)
+        self.sure = not (command.conditional or self.skips or self.returns)
+        self.sure &= not {"OPTIONAL", "EXCLUDE_FROM_ALL"} & set(command.arguments)
         if kind in ("SCRIPT", "CODE"):
             self.build.installs_known = False
         elif kind not in ("TARGETS", "PROGRAMS", "FILES", "DIRECTORY"):

@@ -28,6 +28,8 @@ def number(expression: str) -> str | None:
 def part_of_path(path: str, part: str) -> str | None:
     """``get_filename_component``; None for parts that depend on the machine."""
     folder, name = os.path.split(path)
+    if name in ("", ".", ".."):
+        return None  # the name of the folder is that of the checkout
     stem = name.partition(".")[0]
     parts = {"NAME": name, "NAME_WE": stem, "EXT": name[len(stem) :], "DIRECTORY": folder, "PATH": folder}
     return parts.get(part)

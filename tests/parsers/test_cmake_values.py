@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import pytest
 
+from bringup_lint.parsers import cmake
 from bringup_lint.parsers import cmake_values
+from bringup_lint.source import Source
 
 
 @pytest.mark.parametrize(
@@ -42,3 +44,10 @@ def test_the_extension_is_the_longest_one(part: str, expected: str | None) -> No
 def test_items_and_numbers() -> None:
     assert [cmake_values.element(["a", "b"], each) for each in ("1", "-2", "2", "x")] == ["b", "a", None, None]
     assert [cmake_values.number(each) for each in ("7 - 1", "2 * (3 + 4)", "1 << 2")] == ["6", "14", None]
+
+
+def test_a_list_that_doubles_is_not_followed() -> None:
+    lines = ["set(A one two)", *["set(A ${A} ${A})"] * 60, "install(PROGRAMS ${A} DESTINATION lib/kite)"]
+    build = cmake.parse(Source("CMakeLists.txt", "\n".join(lines)), "kite")
+    assert not build.executables
+    assert not build.executables_known

@@ -25,6 +25,13 @@ _LARGE = regex(
     re.I,
 )
 """What is kept apart from the sources of many repositories."""
+_MAKES = regex(
+    r"^[ \t]*(?:configure_file|add_custom_command|execute_process|xacro_add_files"
+    r"|file[ \t]*\(\s*"
+    r"(?:WRITE|APPEND|TOUCH|GENERATE|CONFIGURE|DOWNLOAD|COPY|COPY_FILE|RENAME|CREATE_LINK|ARCHIVE_EXTRACT))\b",
+    re.M | re.I,
+)
+"""Commands of CMake that make files."""
 
 
 def missing_files(files: Files, package: Package) -> list[Install]:
@@ -38,8 +45,15 @@ def _absent(files: Files, package: Package) -> Iterator[Install]:
         folder = os.path.dirname(build.source.absolute)
         for install in build.installs:
             path = os.path.normpath(os.path.join(folder, install.source))
-            if install.sure and _is_absent(files.tree, build.source, install.source, path):
+            if not install.sure or _may_be_made(build.source, install):
+                continue
+            if _is_absent(files.tree, build.source, install.source, path):
                 yield install
+
+
+def _may_be_made(build: Source, install: Install) -> bool:
+    """Whether a name is computed, in a build whose commands may compute the same name to make the file."""
+    return "$" in os.path.basename(install.where.text) and _MAKES.search(build.text) is not None
 
 
 def _holds_sources(tree: Tree, folder: str) -> bool:
