@@ -7,7 +7,7 @@ build on, images that start systemd, images that only build or test something (`
 services in compose files all set `user:`. Silent if the Dockerfile or the entry script mentions gosu, su-exec, setpriv,
 runuser or fixuid, which drop privileges, or if the entry script is that of a base image that is not known.
 
-Images of a tree that run as root because of the same base image are one finding.
+Images of a tree that run as root because of the same base image, and for the same purpose, are one finding.
 
 It is info for images that a robot hardly runs by themselves: without USER, CMD and ENTRYPOINT; a shell in which
 somebody works or logs in with ssh, also as ENTRYPOINT of an image that no service runs; a builder, a simulator or a
@@ -45,6 +45,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Purpose
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -73,6 +74,11 @@ DISTRIBUTION = regex(r"(?:ubuntu|debian|alpine)(?::|$)")
 PACKAGES = regex(r"\b(?:apt-get|apt|apk)\b")
 OWN = regex(r"\bros|colcon|catkin|\bgit\b|curl|wget|\bpip3?\b|npm|cargo|make", re.I)
 """What brings ROS, or programs of other people, into an image."""
+LEAVES = regex(
+    r"(?:^|[\s\"'/\[])(?:su[\s\"',]{1,8}(?:-[\w-]{0,20}[\s\"',]{1,8}){0,4}(?!root\b)[a-z$]"
+    r"|sudo[\s\"',]{1,8}(?:-\S{1,20}[\s\"',]{1,8}){0,4}(?:-u|--user)\b(?![\s\"',=]{1,8}root\b)|chroot[\s\"',]{1,8}--userspec\b)"
+)
+"""A command that another user runs."""
 SHELLS = ("bash", "sh", "dash", "zsh")
 SYSTEMD = regex(r"/(?:s?bin/init|lib/systemd/systemd)\b")
 
@@ -98,12 +104,13 @@ class AsRoot(NamedTuple):
 
 @rule("warning", silent="root may do everything, so nothing fails", tags=["CWE-250"])
 def root_user(robot: Robot) -> Iterator[Finding]:
-    by_base: dict[str, list[AsRoot]] = {}
+    by_base: dict[tuple[str, Purpose], list[AsRoot]] = {}
     for image in _found(robot):
         if image.is_info or last_user(image.stage) is not None:
             yield _finding(image)
         else:
-            by_base.setdefault(image.stage.origin, []).append(image)
+            purpose = robot.purpose(image.stage.start.keyword)
+            by_base.setdefault((image.stage.origin, purpose), []).append(image)
     for images in by_base.values():
         images.sort(key=lambda image: len(image.far), reverse=True)
         yield _finding(*images)
@@ -159,9 +166,9 @@ def _builds(stage: Stage) -> bool:
 
 
 def _needs_root(stage: Stage) -> bool:
-    """Whether the first process is systemd, or a daemon that drops root itself."""
+    """Whether the first process is systemd, a daemon that drops root itself, or what starts the robot's as a user."""
     starts = (stage.last("ENTRYPOINT"), stage.last("CMD"))
-    return any(each is not None and (SYSTEMD.search(each.value) or DAEMONS.search(each.value)) for each in starts)
+    return any(each is not None and known.search(each.value) for each in starts for known in (SYSTEMD, DAEMONS, LEAVES))
 
 
 def _serves_logins(stage: Stage) -> bool:

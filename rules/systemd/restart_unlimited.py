@@ -87,10 +87,10 @@ from bringup_lint.api.systemd import sufficient_limit
     ],
 )
 def restart_unlimited(robot: Robot) -> Iterator[Finding]:
-    for crash, others in crash_loops(robot.units):
-        also = [note(other.cause or other.unit.where, f"{other.unit.name} as well") for other in others]
+    for crash, others in crash_loops(robot.units, robot.purpose):
+        also = [note(other.place, f"{other.unit.name} as well") for other in others]
         yield finding(
-            crash.cause or crash.unit.where,
+            crash.place,
             _message(crash),
             advice=_advice(crash),
             related=[*_settings(crash), *also],

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Callable
 from collections.abc import Iterator
 from enum import Enum
 
 from bringup_lint.graph.commands.wrappers import unwrapped
+from bringup_lint.graph.purpose import Purpose
 from bringup_lint.graph.systemd.restart import DEFAULT_BURST
 from bringup_lint.graph.systemd.restart import RestartPolicy
 from bringup_lint.graph.systemd.unit import Unit
@@ -72,26 +74,33 @@ class CrashLoop(NamedTuple):
         return policy.restart_at
 
     @property
+    def place(self) -> Located | Span:
+        return self.cause or self.unit.where
+
+    @property
     def spare(self) -> float:
         """Seconds that each start may take to fail so that the limit still trips."""
         return (self.policy.interval - self.policy.loop()) / self.policy.burst
 
 
-def crash_loops(units: Units) -> Iterator[tuple[CrashLoop, list[CrashLoop]]]:
-    """The crash loops that need attention; those that count on the default limit as one, with the others of them."""
-    by_default: list[CrashLoop] = []
-    found = []
+def crash_loops(
+    units: Units, purpose: Callable[[Located | Span], Purpose]
+) -> Iterator[tuple[CrashLoop, list[CrashLoop]]]:
+    """The crash loops that need attention; those that count on the default limit as one for each purpose, with the
+    others of them."""
+    by_default: dict[Purpose, list[CrashLoop]] = {}
+    found: list[list[CrashLoop]] = []
     for unit in units.services:
         policy = units.restart(unit)
         loop = restart_loop(unit, policy, units)
         if loop is None:
             continue
         crash = CrashLoop(unit, policy, loop)
-        if crash.counts_on_default:
-            by_default.append(crash)
-        if not crash.counts_on_default or len(by_default) == 1:
-            found.append(crash)
-    return ((crash, by_default[1:] if crash.counts_on_default else []) for crash in found)
+        group = by_default.setdefault(purpose(crash.place), []) if crash.counts_on_default else []
+        group.append(crash)
+        if len(group) == 1:
+            found.append(group)
+    return ((first, others) for first, *others in found)
 
 
 class Limit(NamedTuple):
