@@ -21,8 +21,8 @@ _EVERY = regex(
 )
 """Names for all files of a folder."""
 _HIDDEN = regex(
-    r"^[ \t]*-?[ \t]*(?:src|cmd):(?![ \t]*[\"']?\{\{[ \t]*item(?:\.\w+)?[ \t]*\}\}[\"']?[ \t\r]*$)"
-    r"[ \t]*[\"']?(?:[^\n]*\{\{|[^\n]*/[\"']?[ \t\r]*$|\.[\"']?[ \t\r]*$)"
+    r"^[ \t]*(?:-[ \t]*)?(?:src|cmd):(?![ \t]*[\"']?\{\{[ \t]*item(?:\.\w+)?[ \t]*\}\}[\"']?[ \t\r]*$)"
+    r"(?:[^\n]*\{\{|[^\n]*/[\"']?[ \t\r]*$|[ \t]*[\"']?\.[\"']?[ \t\r]*$)"
     r"|\bsrc=|\b(?:copy|template|synchronize|unarchive):[ \t]*\S",
     re.M,
 )
