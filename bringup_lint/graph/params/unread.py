@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import sys
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -28,7 +29,9 @@ _READ = regex(
 )
 _LOOPED = regex(
     r"get_parameters_by_prefix|list_parameters|get_parameter_overrides|parameter_overrides\(\)"
-    r"|\b(?:get|declare)_parameter\s{0,4}(?:<[^;(){}]{0,80}>\s{0,40})?\(\s{0,80}[A-Za-z_*][^\"',;(){}]{0,80}(?:\(\))?\s{0,40}[,)]"
+    r"|\bParamListener\b|\bClassLoader\b|^[ \t]{0,20}#[ \t]{0,4}define\b[^\n]{0,200}param"
+    r"|\b(?:get|declare)_parameter\s{0,4}(?:<[^;(){}]{0,80}>\s{0,40})?\(\s{0,80}[A-Za-z_*][^\"',;(){}]{0,80}(?:\(\))?\s{0,40}[,)]",
+    re.I | re.M,
 )
 """What reads parameters whatever they are called."""
 _MADE = regex(
@@ -42,7 +45,12 @@ _BASES = regex(
 )
 _NODES = frozenset({"Node", "LifecycleNode"})
 _INCLUDE = regex(r"^[ \t]*#[ \t]*include[ \t]*[<\"]([\w-]+)/", re.M)
-_GIVEN = r"::[^;}]{0,200}[(,{*]\s{0,40}(?:this|shared_from_this\(\)|rclcpp::Node::SharedPtr\(this)\b"
+_IMPORT = regex(r"^from[ \t]+(?P<package>\w{1,80})[\w.]{0,80}[ \t]+import[ \t]+(?P<names>[^\n#]{1,300})", re.M)
+_WORD = regex(r"\w+")
+_GIVEN = (
+    r"::[^;}]{0,200}[(,{*]\s{0,40}"
+    r"(?:this|shared_from_this|rclcpp::Node::SharedPtr\(this|(?:this->)?\w{0,40}node\w{0,40})\b"
+)
 """What gives the node to a class of a library."""
 _HOLE = regex(r"\{[^{}]{0,80}\}|%s")
 _SURE = 5
@@ -101,13 +109,17 @@ def _readers(reading: dict[Source, frozenset[str]], own: list[Parameter]) -> tup
 
 def _is_helped(source: Source, launch: Launch) -> bool:
     """Whether a class or library that is not in the tree may declare parameters in the node of a source, too."""
-    for found in _BASES.finditer(source.text):
-        for base in (found["python"] or found["cpp"]).split(","):
-            name = re.split(r"::|\.|\s", base.partition("<")[0].strip())[-1]
-            if name.endswith("Node") and name not in _NODES:
-                return True
     own = launch.workspace.packages
     libraries = {each for each in _INCLUDE.findall(source.text) if each not in own and hands_parameters(each)}
+    for found in _IMPORT.finditer(source.text):
+        package = found["package"]
+        if package not in own and package not in sys.stdlib_module_names and hands_parameters(package):
+            libraries.update(_WORD.findall(found["names"]))
+    for found in _BASES.finditer(source.text):
+        for base in (found["python"] or found["cpp"]).split(","):
+            words = re.split(r"::|\.|\s", base.partition("<")[0].strip())
+            if not libraries.isdisjoint(words) or (words[-1].endswith("Node") and words[-1] not in _NODES):
+                return True
     return any(re.search(rf"\b{re.escape(each)}{_GIVEN}", source.text) for each in libraries)
 
 
