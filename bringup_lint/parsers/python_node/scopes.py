@@ -306,7 +306,7 @@ def _children(module: Module, todo: Todo) -> Iterator[Todo]:
 
 
 def _may_not_run(node: ast.AST, name: str) -> bool:
-    if isinstance(node, (ast.If, ast.For, ast.AsyncFor, ast.While, ast.IfExp)):
+    if isinstance(node, (ast.If, ast.For, ast.AsyncFor, ast.While, ast.IfExp, ast.match_case)):
         return name in ("body", "orelse")
     return (isinstance(node, ast.Try) and name == "handlers") or isinstance(node, (ast.Lambda, ast.comprehension))
 
