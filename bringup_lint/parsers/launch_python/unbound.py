@@ -31,10 +31,11 @@ def unbound(state: State, tree: ast.Module) -> Iterator[UnboundName]:
     bound = {name for node in nodes for name in _bound(node)}
     if "*" in bound or any(isinstance(node, ast.Name) and node.id in _DYNAMIC for node in nodes):
         return
-    caught = {id(inner) for node in nodes if isinstance(node, ast.Try) and _catches(node) for inner in _body(node)}
+    caught = {id(inner) for node in nodes if _catches(node) for inner in _body(node)}
+    chosen = _chosen(nodes)
     for name, (node, is_conditional) in lacking.items():
         if name not in bound | _OF_MODULES and id(node) not in caught:
-            yield UnboundName(Located(name, state.positions.span(node)), is_conditional)
+            yield UnboundName(Located(name, state.positions.span(node)), is_conditional or id(node) in chosen)
 
 
 def _bound(node: ast.AST) -> Iterator[str]:
@@ -52,11 +53,26 @@ def _bound(node: ast.AST) -> Iterator[str]:
             yield name
 
 
-def _catches(node: ast.Try) -> bool:
-    types = [handler.type for handler in node.handlers]
+def _chosen(nodes: list[ast.AST]) -> set[int]:
+    """What a value before it may leave out, in ``x if y else z``, ``x and y`` and ``x or y``; outer nodes first."""
+    found: set[int] = set()
+    for node in nodes:
+        if id(node) in found:
+            found.update(map(id, ast.iter_child_nodes(node)))
+        elif isinstance(node, ast.IfExp):
+            found |= {id(node.body), id(node.orelse)}
+        elif isinstance(node, ast.BoolOp):
+            found.update(map(id, node.values[1:]))
+    return found
+
+
+def _catches(node: ast.AST) -> bool:
+    """``try``, and ``with suppress(NameError)``."""
+    types: list[ast.expr | None] = [handler.type for handler in node.handlers] if isinstance(node, ast.Try) else []
+    types += [item.context_expr for item in node.items] if isinstance(node, ast.With) else []
     words = (each for kind in types if kind is not None for each in ast.walk(kind) if isinstance(each, ast.Name))
     return None in types or any(word.id in _CATCHING for word in words)
 
 
-def _body(node: ast.Try) -> Iterator[ast.AST]:
-    return (inner for statement in node.body for inner in ast.walk(statement))
+def _body(node: ast.AST) -> Iterator[ast.AST]:
+    return (inner for statement in getattr(node, "body", ()) for inner in ast.walk(statement))
