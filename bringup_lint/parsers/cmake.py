@@ -341,6 +341,8 @@ class Reader:
 
     def do_ament_python_install_package(self, command: Command) -> None:
         """The scripts of a setup.cfg beside it, if there is one."""
+        if "SCRIPTS_DESTINATION" in command.arguments:
+            self.open()
         self.build.installs_python = True
 
     do_ament_python_install_module = do_ament_python_install_package

@@ -62,8 +62,11 @@ SYMLINKS = regex(r"--symlink-install\b")
 """With links in the place of files, a script keeps the mode that it has in the source."""
 UNKNOWN = regex(r"[$`%*{\\^]")
 """What a shell, systemd or a template fills in."""
-TESTS = regex(r"(?:\[|\btest)[ \t][^\n]{0,40}-[efsx][ \t]|\b(?:command -v|which|type)[ \t]")
-"""Whether there is a file, or a program."""
+TESTS = regex(
+    r"(?:\[|\btest)[ \t][^\n]{0,40}-[efsx][ \t]|\b(?:command -v|which|type)[ \t]"
+    r"|\b(?:if|while|until)[ \t][^\n;]{0,80}\bros2[ \t]"
+)
+"""Whether there is a file, or a program, or what a command ends with."""
 ASKS = regex(r"\bros2[ \t]+pkg[ \t]")
 ABORTS = "launch aborts"
 ENDS = "ros2 run ends with 'No executable found'"
