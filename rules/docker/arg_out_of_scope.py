@@ -4,8 +4,8 @@
 A step, or another instruction of a stage, with a variable whose `ARG` is above the first FROM, or in an earlier stage
 on which it does not build, and that neither the stage nor the images below it declare. Images of Ubuntu and Debian are
 known to set no such variable, those of ROS set `ROS_DISTRO` alone, and those of CUDA what begins with `CUDA` or `NV`;
-what other images set is not known. Silent for the proxies that Docker declares itself, and in steps that source a file,
-which may set the variable.
+what other images set is not known. Silent for the proxies that Docker declares itself, and in steps that source or
+evaluate something, which may set the variable.
 
 ## Why it matters on a robot
 An ARG above the first FROM is there for FROM only, and one of a stage ends with it. Inside another stage the variable
@@ -50,10 +50,13 @@ from bringup_lint.api.docker import assignments
 from bringup_lint.api.docker import may_set
 
 READING = ("RUN", "ENV", "WORKDIR", "COPY", "ADD", "USER", "LABEL", "EXPOSE", "VOLUME")
-ASSIGNED = r"(?:^|[\s;&(\"'])(?:export\s+|local\s+)?{name}=|\bread\b[^\n]{{0,80}}\b{name}\b|\bfor\s+{name}\b"
+ASSIGNED = (
+    r"(?:^|[\s;&(\"'])(?:export\s+|local\s+)?{name}=|\$\{{{name}:?=|\bfor\s+{name}\b"
+    r"|\b(?:read|mapfile|readarray|getopts|printf[ \t]+-v)\b[^\n]{{0,80}}\b{name}\b"
+)
 OF_DOCKER = regex(r"(?i:https?|ftp|no|all)_proxy")
 """Arguments that Docker declares itself."""
-SOURCES = regex(r"(?:^|[\s;&(\"'])(?:source|\.)[ \t]+[^\s;&|]")
+SOURCES = regex(r"(?:^|[\s;&(\"'])(?:(?:source|\.|eval)[ \t]+[^\s;&|]|export[ \t]+[\"']?(?:\$\(|`))")
 OF_SHELL = ("HOME", "USER", "UID", "EUID", "PATH", "SHELL", "PWD", "HOSTNAME", "DEBIAN_FRONTEND")
 
 
