@@ -2,7 +2,8 @@
 
 ## What it finds
 Python programs that CMakeLists.txt installs below `lib/` and that import `rospy`, in packages that are built with
-ament. Silent in packages for both, whose package.xml or CMakeLists.txt mentions `rospy` or `catkin`.
+ament. Silent in packages for both, whose package.xml or CMakeLists.txt mentions `rospy`, `roscpp`, `catkin`,
+`ros1_bridge` or `ROS_VERSION`, and where the tree has a module `rospy` of its own.
 
 ## Why it matters on a robot
 No distribution of ROS 2 has rospy. `ros2 run` finds the program, and it ends with "No module named 'rospy'".
