@@ -9,7 +9,7 @@ A command of a `RUN` that installs packages or builds the workspace, and whose f
 
 A fallback directly after another command that installs something is taken for meant, and so is one that does more than
 print a message. So is one that is followed, with `&&`, by commands that need what was installed: they end the build.
-Loops are not judged.
+Loops are not judged, nor is a step that asks for `$?` or has a trap for ERR.
 
 ## Why it matters on a robot
 A mirror that does not answer for a moment, or a package that does not compile, gives an image that looks well and lacks
@@ -67,6 +67,8 @@ STRICT_SHELL = regex(r'"-\w{0,8}e\w{0,8}"|"errexit"')
 """In SHELL."""
 STRICT_READER = regex(r"\b(?:ba|da|z)?sh[ \t]+(?:-\w+[ \t]+)*-\w{0,8}e")
 """The shell that a here-document is for."""
+TRAP = regex(r"\btrap\b[^\n]{0,200}\bERR\b", hints="trap")
+STATUS = regex(r"\$(?:\?|\{\?\})")
 PIPES = regex(r"\bpipefail\b")
 PASSIVE = ("echo", "printf", "true", ":")
 """Fallbacks that make up for nothing."""
@@ -112,7 +114,7 @@ def _of_stage(stage: Stage) -> Iterator[Hidden]:
     strict = STRICT_SHELL.search(shells) is not None
     for run in stage.all("RUN"):
         text = "\n".join([str(run.value), *map(str, run.heredocs)])
-        if strict or STOPS.search(text) or (run.heredocs and STRICT_READER.search(run.value)):
+        if strict or STOPS.search(text) or TRAP.search(text) or (run.heredocs and STRICT_READER.search(run.value)):
             continue
         pipefail = PIPES.search(text + shells) is not None
         found = (each for blocks in blocks_of_run(run) for each in _hidden(list(blocks), pipefail))
@@ -164,6 +166,8 @@ def _hiding(blocks: Sequence[Block], at: int, pipefail: bool) -> Hiding | None:
             advice = remedy if here == at else GROUP
             return Hiding(_words(following)[0], f"'|| {fallback}' takes the failure for its own", advice)
         if ends != "&&":
+            if any(STATUS.search(word) for word in _words(following)):
+                return None
             if not builds and not _succeeds(blocks[here + 1 :]):
                 return None
             return Hiding(_words(following)[0], "the next command runs", JOIN, "this runs all the same")
