@@ -131,11 +131,11 @@ def controller_names(source: Source) -> list[Located]:
 
 def _actions(source: Source, params: Params) -> Iterator[MoveItProblem]:
     """Actions that a controller of the same folder does not serve, by its type."""
-    beside = {
-        each.name.removesuffix(".type"): Located(str(each.value.data), each.span)
-        for file, each in params.parameters
-        if each.name.endswith(".type") and os.path.dirname(file.source.absolute) == os.path.dirname(source.absolute)
-    }
+    beside: dict[str, dict[str, Located]] = {}
+    for file, each in params.parameters:
+        if each.name.endswith(".type") and os.path.dirname(file.source.absolute) == os.path.dirname(source.absolute):
+            kind = Located(str(each.value.data), each.span)
+            beside.setdefault(each.name.removesuffix(".type"), {})[str(kind)] = kind
     root = _root(source)
     manager = root.mapping(_MANAGER) if root is not None else None
     if manager is None:
@@ -143,9 +143,9 @@ def _actions(source: Source, params: Params) -> Iterator[MoveItProblem]:
     for name in controller_names(source):
         own = manager.mapping(name)
         action = own.scalar("action_ns") if own is not None else None
-        given = beside.get(_tail(name))
+        given, *others = beside.get(_tail(name), {"": None}).values()
         served = _SERVED.get(str(given))
-        if given is not None and action is not None and served not in (None, action.value.strip("/")):
+        if given is not None and not others and action is not None and served not in (None, action.value.strip("/")):
             yield MoveItProblem("action", action.value, (given,), served)
 
 
