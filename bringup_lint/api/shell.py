@@ -8,6 +8,7 @@ from bringup_lint.type_names import TYPE_CHECKING
 if TYPE_CHECKING:
     from bringup_lint.graph.commands.background import Job
     from bringup_lint.graph.commands.background import background_jobs
+    from bringup_lint.graph.commands.expected_failure import may_fail
     from bringup_lint.graph.commands.shells import SH_IS_BASH
     from bringup_lint.graph.commands.shells import STRICT
     from bringup_lint.graph.commands.wrappers import program_name
@@ -39,6 +40,7 @@ __all__ = [
     "Task",
     "Written",
     "background_jobs",
+    "may_fail",
     "missing_files",
     "missing_names",
     "plays",

@@ -36,7 +36,6 @@ external project generates.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
@@ -55,19 +54,13 @@ from bringup_lint.api import launch
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
-from bringup_lint.api.shell import Command
+from bringup_lint.api.shell import may_fail
 from bringup_lint.api.spelling import nearest
 
 SYMLINKS = regex(r"--symlink-install\b")
 """With links in the place of files, a script keeps the mode that it has in the source."""
 UNKNOWN = regex(r"[$`%*{\\^]")
 """What a shell, systemd or a template fills in."""
-TESTS = regex(
-    r"(?:\[|\btest)[ \t][^\n]{0,40}-[efsx][ \t]|\b(?:command -v|which|type)[ \t]"
-    r"|\b(?:if|while|until)[ \t][^\n;]{0,80}\bros2[ \t]"
-)
-"""Whether there is a file, or a program, or what a command ends with."""
-ASKS = regex(r"\bros2[ \t]+pkg[ \t]")
 ABORTS = "launch aborts"
 ENDS = "ros2 run ends with 'No executable found'"
 
@@ -140,21 +133,12 @@ def _of_commands(robot: Robot) -> Iterator[Start]:
             continue
         if ros.package is None or ros.target is None or UNKNOWN.search(ros.target):
             continue
-        if _may_fail(ros.command, ros.target):
+        if may_fail(ros.command, ros.target):
             continue
         severity = None if robot.runners.is_supervised(runner) else "warning"
         chain = partial(robot.provenance.chain_to, ros.target, f"'{ros.target}' is run")
         found.setdefault(ros.target.span, Start(str(ros.package), ros.target, chain, ENDS, severity))
     yield from found.values()
-
-
-def _may_fail(command: Command, name: str) -> bool:
-    """Whether nobody minds that a command fails, or its script asks before what there is."""
-    text = command.words[0].span.source.text
-    named = re.compile(rf"\b{re.escape(name)}\b")
-    tested = any(named.search(line) and TESTS.search(line) for line in text.splitlines())
-    unheard = any(each.target == "/dev/null" for each in command.redirects)
-    return unheard or tested or command.ends == "||" or ASKS.search(text) is not None
 
 
 def of_workspace(robot: Robot, start: Start, package: launch.Package) -> Iterator[Finding]:

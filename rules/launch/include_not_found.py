@@ -3,7 +3,8 @@
 ## What it finds
 Includes of a file that does not exist in a package of this workspace or next to the launch file. An optional
 include is a warning. `ros2 launch` commands in units, scripts, and compose services that are built from this tree, are
-checked in the same way, also where a script hands them to tmux, a terminal window or an alias.
+checked in the same way, also where a script hands them to tmux, a terminal window or an alias. Not reported: commands
+whose failure is expected (`||`, `2>/dev/null`), and those of scripts that test what there is.
 
 ## Why it matters on a robot
 launch aborts when it reaches the include. Nothing after it starts.
@@ -34,6 +35,8 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.launch import Launching
+from bringup_lint.api.launch import Package
+from bringup_lint.api.shell import may_fail
 from bringup_lint.api.spelling import nearest
 
 
@@ -66,6 +69,8 @@ def _of_command(robot: Robot, command: Launching, effect: str, severity: str | N
         return
     if any(sign in command.target for sign in "$%"):
         return
+    if may_fail(command.start.ros.command, command.target) or _is_renamed(package, command.target):
+        return
     if not command.runner.certain or robot.purpose(command.target).value == "archive":
         return
     known = [os.path.basename(each.source.name) for each in robot.launch.files_of(package)]
@@ -80,3 +85,9 @@ def _of_command(robot: Robot, command: Launching, effect: str, severity: str | N
         chain=robot.provenance.chain_to(command.target, f"{command.target} is launched"),
         severity=severity,
     )
+
+
+def _is_renamed(package: Package, name: str) -> bool:
+    """Whether the build installs a launch file under this name, which has another one in the source."""
+    places = (f"share/{package.name}/{folder}{name}" for folder in ("launch/", ""))
+    return any(os.path.basename(origin) != name for place in places for origin in package.origins(place))
