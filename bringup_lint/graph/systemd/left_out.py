@@ -16,17 +16,22 @@ if TYPE_CHECKING:
 
 _FILE = regex(r"(?P<role>(?:^|.*/)roles/(?P<name>[^/]+))/files/(?P<path>.+)")
 _EVERY = regex(
-    r"\*\.(?:service|timer|socket|path)\b|\bwith_file(?:glob|tree)\b|\bfileglob\b|\bbuiltin\.find\b|^[ \t-]*\bfind:",
+    r"\*\.(?:service|timer|socket|path)\b|\bwith_file(?:glob|tree)\b|\bfileglob\b|\bbuiltin\.find\b"
+    r"|\brole_path\b|^[ \t-]*\bfind:",
     re.M,
 )
 """Names for all files of a folder."""
 _HIDDEN = regex(
     r"^[ \t]*(?:-[ \t]*)?(?:src|cmd):(?![ \t]*[\"']?\{\{[ \t]*item(?:\.\w+)?[ \t]*\}\}[\"']?[ \t\r]*$)"
     r"(?:[^\n]*\{\{|[^\n]*/[\"']?[ \t\r]*$|[ \t]*[\"']?\.[\"']?[ \t\r]*$)"
-    r"|\bsrc=|\b(?:copy|template|synchronize|unarchive):[ \t]*\S",
+    r"|\b(?:lookup|query)\([ \t]*[\"'](?:ansible\.builtin\.)?(?:file|template)[\"'][ \t]*,(?![ \t]*[\"'])"
+    r"|\bsrc=|\b(?:copy|template|synchronize|unarchive):[ \t]*"
+    r"(?!\{[^{}\n]*\bsrc:[ \t]*[\"']?[\w./-]{1,200}\.\w{1,10}[\"']?[ \t]*[,}])[^ \t\n]",
     re.M,
 )
 """What a task copies, where that is a whole folder or the name is made of parts."""
+_LISTED = regex(r"^[ \t]*(?:loop|with_\w+):[ \t]*[\"']?\{\{[ \t]*(?P<name>\w+)", re.M)
+"""A list that has a name."""
 _GUIDE = regex(r"(?<!CHANGELOG)(?<!changelog)\.(?:md|rst|txt|adoc|json|html|conf|cfg)$")
 _SIZE = 512 * 1024
 
@@ -50,10 +55,18 @@ def _copies_by_name(files: Files, role: re.Match[str]) -> bool:
     others = (source.text for source in files.of_kind("ansible", "shell-script") if source not in tasks)
     if not tasks or any(f"{role['name']}/files" in text for text in others):
         return False
+    lists = {match["name"] for each in tasks for match in _LISTED.finditer(each.text)}
+    if not all(any(_gives(source.text, name) for source in files.sources) for name in lists):
+        return False
     folders = "|".join(map(re.escape, role["path"].split("/")[:-1])) or "files"
     named = rf"[\"']?(?:[\w./-]*/)?(?:{folders})/?[\"']?"
     whole = re.compile(rf"(?:\b(?:src|source|path):|^[ \t]*-|[\[,])[ \t]*{named}[ \t\r]*(?:[,}}\]]|$)", re.M)
     return not any(_EVERY.search(each.text) or _HIDDEN.search(each.text) or whole.search(each.text) for each in tasks)
+
+
+def _gives(text: str, name: str) -> bool:
+    """Whether a text says what a list holds."""
+    return name in text and re.search(rf"^[ \t]*{re.escape(name)}:", text, re.M) is not None
 
 
 def _is_named(files: Files, unit: Unit) -> bool:
