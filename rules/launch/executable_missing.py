@@ -131,7 +131,7 @@ def _of_commands(robot: Robot) -> Iterator[Start]:
     for runner, ros in robot.runners.run:
         if not runner.certain or runner.purpose.value in ("test", "archive"):
             continue
-        if ros.package is None or ros.target is None or UNKNOWN.search(ros.target):
+        if ros.package is None or ros.target is None or ros.target.span in found or UNKNOWN.search(ros.target):
             continue
         if may_fail(ros.command, ros.target):
             continue

@@ -25,10 +25,13 @@ distributions.
 - launch and launch_ros, public names of each distribution
 """
 
+import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
+from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
@@ -51,8 +54,15 @@ def unknown_import(robot: Robot) -> Iterator[Finding]:
                 imported.name,
                 f"{imported.module} has no '{imported.name}': the import fails and nothing starts",
                 advice=f"import {near[0]}",
-                fix=fix(f"import {near[0]}", (imported.name, near[0]), safe=False),
+                fix=fix(f"import {near[0]}", *((place, near[0]) for place in _uses(imported.name)), safe=False),
             )
+
+
+def _uses(name: Located) -> Iterator[Span]:
+    """Where a file uses a name that it imports, the import included; not as an attribute or in a quoted word."""
+    source = name.span.source
+    for match in re.finditer(rf"(?<![\w.'\"]){re.escape(name)}(?![\w'\"])", source.text):
+        yield source.span(*match.span())
 
 
 def _may_be_module(name: str) -> bool:

@@ -30,7 +30,6 @@ REVEALED = {
         "cyclonedds/no-multicast-participantindex-none": "the file is read, and multicast is off, as it says",
     },
     "fastdds/bool-case": {"fastdds/no-transport": "the file is read, and the built-in transports are off, as it says"},
-    "launch/package-missing": {"launch/executable-missing": "the package has its name, and its program is looked for"},
     "launch/ros1-construct": {"launch/ros1-construct": "the next word of ROS 1 in the file comes to light"},
     "udev/syntax": {"udev/duplicate-symlink": "the rule is read, and makes the link of another one"},
 }

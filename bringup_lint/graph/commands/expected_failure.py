@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 
 from bringup_lint.model.shell import Command
 from bringup_lint.pattern import regex
@@ -17,8 +18,13 @@ _ASKS = regex(r"\bros2[ \t]+pkg[ \t]")
 
 def may_fail(command: Command, name: str) -> bool:
     """Whether nobody minds that a command fails, or its script asks before for what the command names."""
-    text = command.words[0].span.source.text
+    if command.ends == "||" or any(each.target == "/dev/null" for each in command.redirects):
+        return True
     named = re.compile(rf"\b{re.escape(name)}\b")
-    tested = any(named.search(line) and _TESTS.search(line) for line in text.splitlines() if name in line)
-    unheard = any(each.target == "/dev/null" for each in command.redirects)
-    return unheard or tested or command.ends == "||" or _ASKS.search(text) is not None
+    return any(_ASKS.search(line) or named.search(line) for line in _tests(command.words[0].span.source.text))
+
+
+@lru_cache(maxsize=1)
+def _tests(text: str) -> tuple[str, ...]:
+    """The lines of a script with a test, for all of its commands in a row."""
+    return tuple(line for line in text.splitlines() if _TESTS.search(line) or _ASKS.search(line))

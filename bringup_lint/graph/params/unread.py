@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import sys
+from collections import Counter
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -81,10 +82,14 @@ def unread(params: Params, launch: Launch) -> Iterator[Unread]:
     if not named:
         return
     reading = {source: names for source in params.code if len(names := _names(source)) >= _SURE}
+    by_name: dict[str, list[Source]] = {}
+    for source, names in reading.items():
+        for name in names:
+            by_name.setdefault(name, []).append(source)
     foreign = _foreign(launch)
     pieces = _pieces(params)
     for block, own, lacking in named:
-        readers, count = _readers(reading, own)
+        readers, count = _readers(by_name, own)
         names = frozenset().union(*(reading[each] for each in readers))
         left = [each for each in lacking if not _is_made(str(each.name), names, pieces)]
         is_alone = not any(_is_helped(each, launch) for each in readers)
@@ -97,11 +102,11 @@ def _unnamed(params: Params, own: list[Parameter]) -> list[Parameter]:
     return [each for each in own if not params.is_named_in_code(str(each.name))]
 
 
-def _readers(reading: dict[Source, frozenset[str]], own: list[Parameter]) -> tuple[list[Source], int]:
+def _readers(by_name: dict[str, list[Source]], own: list[Parameter]) -> tuple[list[Source], int]:
     """The sources that read the most of some parameters, and how many; none where one takes names from elsewhere."""
-    counted = {source: sum(str(each.name) in names for each in own) for source, names in reading.items()}
+    counted = Counter(source for each in own for source in by_name.get(str(each.name), ()))
     count = max(counted.values(), default=0)
-    readers = [source for source, number in counted.items() if number == count]
+    readers = sorted((source for source, number in counted.items() if number == count), key=lambda each: each.name)
     if any(each.matches(_LOOPED) or is_simulation(each.basename) for each in readers):
         return [], 0
     return readers, count
@@ -160,4 +165,6 @@ def _is_made(name: str, names: frozenset[str], pieces: set[str]) -> bool:
     """Whether a source reads a parameter, also under a name that it puts together."""
     if name in names:
         return True
-    return any(name.startswith(piece) or name.endswith(piece) or f".{piece}" in name for piece in pieces)
+    starts = [0, *(at + 1 for at, letter in enumerate(name) if letter == ".")]
+    ends = range(1, len(name) + 1)
+    return any(name[start:end] in pieces for start in starts for end in ends) or any(name[at:] in pieces for at in ends)
