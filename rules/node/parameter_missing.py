@@ -77,6 +77,8 @@ def parameter_missing(robot: Robot) -> Iterator[Finding]:
             confidence="medium",
         )
     for each in switchless(robot.topics):
+        if robot.dependencies.is_forked("twist_mux"):
+            return
         yield finding(
             each.node.started.span,
             f"{each.node.label()} is not given '{each.parameter}': the releases of twist_mux for "
