@@ -35,6 +35,9 @@ _GIVEN = regex(
     r"\./(?:[\w.-]+/)*(?:configs?|conf|params?|launch|scripts?|src|urdf|description|rviz|behavior_trees|maps)/?"
 )
 """A folder of files that a container is to read, not of those that it writes."""
+_RECIPES = regex(r"(?:^|/)(?:(?:GNU)?[Mm]akefile|[Jj]ustfile|Taskfile\.ya?ml)$")
+"""Files of commands that are no scripts of a shell."""
+_RECIPES_READ = 200_000
 _DOCKERFILES = ("Dockerfile", "dockerfile", "Containerfile")
 
 
@@ -187,13 +190,16 @@ def _elsewhere(files: Files, service: Service, relative: str) -> bool:
 
 
 def _is_made(files: Files, path: str) -> bool:
-    """Whether something of the tree may put it there: a template beside it, a submodule or a script."""
+    """Whether something of the tree may put it there: a template beside it, a submodule, a script or a
+    recipe of make."""
     folder, name = os.path.split(path)
     if any(path.startswith(each) for each in files.tree.submodules):
         return True
     if any(os.path.basename(each).startswith(name) for each in files.tree.walked_in(folder)):
         return True
-    return any(name in source.text for source in files.sources if source.kind == "shell-script")
+    recipes = (files.tree.head(each, _RECIPES_READ) for each in files.tree.like(_RECIPES))
+    scripts = (source.text for source in files.sources if source.kind in ("shell-script", "ansible"))
+    return any(name in text for texts in (scripts, recipes) for text in texts)
 
 
 def undefined_names(compose: Compose) -> Iterator[UndefinedName]:
