@@ -48,7 +48,7 @@ def _is_xml(path: str, head: Head) -> bool:
 
 
 def _is_ros1(path: str, head: Head) -> bool:
-    return path.endswith(".launch") and bool(_ROOT.match(head()))
+    return path.endswith(".launch") and bool(_ROOT.match(head())) and not _is_xml(path, head)
 
 
 def _is_yaml(path: str, head: Head) -> bool:
