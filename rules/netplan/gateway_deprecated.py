@@ -54,8 +54,8 @@ def gateway_deprecated(robot: Robot) -> Iterator[Finding]:
 
 
 def _is_unspecified(value: Node) -> bool:
-    """Whether an address stands for none (RFC 1122 and RFC 4291)."""
-    return isinstance(value, Scalar) and value.value in ("0.0.0.0", "::")
+    """Whether an address stands for none (RFC 1122 and RFC 4291), or is empty."""
+    return isinstance(value, Scalar) and value.value in ("0.0.0.0", "::", "")
 
 
 def _of_no_gateway(name: Scalar, value: Node) -> Finding:
