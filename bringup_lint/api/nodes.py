@@ -15,6 +15,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.blocking_calls import UNTIL_TIMEOUT
     from bringup_lint.graph.nodes.questions.callback_fit import Unfit
     from bringup_lint.graph.nodes.questions.callback_fit import unfit_callbacks
+    from bringup_lint.graph.nodes.questions.dict_ranges import dict_ranges
+    from bringup_lint.graph.nodes.questions.dict_ranges import range_text
     from bringup_lint.graph.nodes.questions.early_results import early_results
     from bringup_lint.graph.nodes.questions.endless_threads import endless_threads
     from bringup_lint.graph.nodes.questions.half_made import half_made
@@ -69,8 +71,6 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.time_clocks import clock_mixes
     from bringup_lint.graph.nodes.questions.transforms import early_lookups
     from bringup_lint.graph.nodes.questions.transforms import unhandled_transforms
-    from bringup_lint.graph.nodes.questions.undefined_names import dict_ranges
-    from bringup_lint.graph.nodes.questions.undefined_names import range_text
     from bringup_lint.graph.nodes.questions.undefined_names import undefined
     from bringup_lint.graph.nodes.questions.unreached_stops import unreached_stops
     from bringup_lint.graph.nodes.questions.unread_parameters import unread_parameters

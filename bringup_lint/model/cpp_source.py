@@ -10,17 +10,13 @@ from bringup_lint.model.node_source import Misread
 from bringup_lint.model.node_source import Parameter
 from bringup_lint.model.node_source import Timer
 from bringup_lint.named_tuple import NamedTuple
-from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 
-COMMENT = regex(r"//[^\n]*|/\*(?:[^*]|\*(?!/))*(?:\*/|\Z)")
 UNTIL_OTHER_NODE = "until the other node appears"
 """How long a wait for a service without a timeout lasts."""
-
-
 FOREVER = "forever"
 
 

@@ -68,3 +68,20 @@ def walk(node: ast.AST) -> Iterator[ast.AST]:
         node = todo.popleft()
         _add_children(node, todo.append)
         yield node
+
+
+def bound_names(node: ast.AST) -> Iterator[str]:
+    """The names that a node binds by itself, where it stands or, as ``global`` does, further out."""
+    if isinstance(node, ast.Name) and not isinstance(node.ctx, ast.Load):
+        yield node.id
+    elif isinstance(node, ast.arg):
+        yield node.arg
+    elif isinstance(node, ast.alias):
+        yield node.asname or node.name.partition(".")[0]
+    elif isinstance(node, (ast.Global, ast.Nonlocal)):
+        yield from node.names
+    else:  # definitions, handlers, patterns and parameters of types; the name of an attribute is in another field
+        name = getattr(node, "name", None) or getattr(node, "rest", None)
+        if isinstance(name, str):
+            yield name
+        yield from (str(each.name) for each in getattr(node, "type_params", ()))

@@ -9,7 +9,8 @@ from itertools import islice
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.plugins.xacro_values import XacroValues
-from bringup_lint.model.cpp_source import COMMENT
+from bringup_lint.model.cpp_text import blanked
+from bringup_lint.model.cpp_text import end_of_block
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.xml import parse
 from bringup_lint.pattern import regex
@@ -55,7 +56,6 @@ _SET = regex(r"\bhardware_parameters\s{0,4}\[\s{0,40}\"(?P<name>[\w.-]{1,80})\"\
 _LEAVES = regex(r"\btry\b|\breturn\b[^;]{0,80}\b(?:SUCCESS|OK)\b|^[ \t]*#[ \t]*if", re.M)
 """What handles an exception, ends ``on_init`` well before its end, or is not compiled everywhere."""
 _CONDITION = regex(r"\s*(?:if|else|for|while|case|switch)\b|[^;{}]*\?")
-_BRACES = regex(r"[{}]")
 _QUOTED = regex(r"\"([\w./-]{1,80})\"")
 _JOINTS = "_.-"
 """What is between the parts of a name."""
@@ -122,11 +122,7 @@ def _drivers(files: Files) -> dict[str, Driver]:
         for name in classes:
             found.setdefault(name, []).extend([source] * len(classes))
     single = {name: sources[0] for name, sources in found.items() if len(sources) == 1}
-    return {name: Driver(each, COMMENT.sub(_blanks, each.text)) for name, each in single.items()}
-
-
-def _blanks(comment: re.Match[str]) -> str:
-    return " " * len(comment[0])
+    return {name: Driver(each, blanked(each.text)) for name, each in single.items()}
 
 
 def _quoted(files: Files) -> frozenset[str]:
@@ -161,7 +157,7 @@ def _missing(driver: Driver, plugin: Element, hardware: Element) -> Iterator[Har
 
 
 def _needed(driver: Driver) -> Iterator[tuple[str, Span]]:
-    bodies = [(each.end(), _end(driver.plain, each.end())) for each in _ON_INIT.finditer(driver.plain)]
+    bodies = [(each.end(), end_of_block(driver.plain, each.end())) for each in _ON_INIT.finditer(driver.plain)]
     if len(bodies) != 1:
         return  # of several classes
     start, end = bodies[0]
@@ -176,15 +172,6 @@ def _needed(driver: Driver) -> Iterator[tuple[str, Span]]:
         is_looked_up = driver.plain.count(f'"{name}"') > taken[name]
         if before.count("{") == before.count("}") and not _CONDITION.match(statement) and not is_looked_up:
             yield name, driver.source.span(start + match.start(), start + match.end())
-
-
-def _end(plain: str, start: int) -> int:
-    level = 1
-    for brace in _BRACES.finditer(plain, start):
-        level += 1 if brace[0] == "{" else -1
-        if level == 0:
-            return brace.start()
-    return len(plain)
 
 
 def _unread(driver: Driver, plugin: Element, hardware: Element, quoted: frozenset[str]) -> Iterator[HardwareParameter]:

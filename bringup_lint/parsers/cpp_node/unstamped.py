@@ -6,8 +6,8 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from bringup_lint.model.cpp_source import COMMENT
 from bringup_lint.model.cpp_source import Unstamped
+from bringup_lint.model.cpp_text import COMMENT
 from bringup_lint.model.node_source import JOINTS
 from bringup_lint.model.node_source import TIMED
 from bringup_lint.model.node_source import TRANSFORM

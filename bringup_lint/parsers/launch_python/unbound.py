@@ -7,6 +7,7 @@ import builtins
 from collections.abc import Iterator
 
 from bringup_lint.model.launch import UnboundName
+from bringup_lint.model.python import bound_names
 from bringup_lint.parsers.launch_python.state import State
 from bringup_lint.source import Located
 
@@ -28,7 +29,7 @@ def unbound(state: State, tree: ast.Module) -> Iterator[UnboundName]:
     if not lacking:
         return
     nodes = list(ast.walk(tree))
-    bound = {name for node in nodes for name in _bound(node)}
+    bound = {name for node in nodes for name in bound_names(node)}
     if "*" in bound or any(isinstance(node, ast.Name) and node.id in _DYNAMIC for node in nodes):
         return
     caught = {id(inner) for node in nodes if _catches(node) for inner in _body(node)}
@@ -36,21 +37,6 @@ def unbound(state: State, tree: ast.Module) -> Iterator[UnboundName]:
     for name, (node, is_conditional) in lacking.items():
         if name not in bound | _OF_MODULES and id(node) not in caught:
             yield UnboundName(Located(name, state.positions.span(node)), is_conditional or id(node) in chosen)
-
-
-def _bound(node: ast.AST) -> Iterator[str]:
-    if isinstance(node, ast.Name) and not isinstance(node.ctx, ast.Load):
-        yield node.id
-    elif isinstance(node, ast.arg):
-        yield node.arg
-    elif isinstance(node, ast.alias):
-        yield (node.asname or node.name).partition(".")[0]
-    elif isinstance(node, (ast.Global, ast.Nonlocal)):
-        yield from node.names
-    else:  # definitions, handlers and patterns; names of attributes have another field
-        name = getattr(node, "name", None) or getattr(node, "rest", None)
-        if isinstance(name, str):
-            yield name
 
 
 def _chosen(nodes: list[ast.AST]) -> set[int]:

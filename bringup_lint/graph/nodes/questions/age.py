@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from bringup_lint.model.cpp_source import COMMENT
+from bringup_lint.model.cpp_text import COMMENT
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 

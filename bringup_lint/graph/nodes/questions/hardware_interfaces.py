@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.facts.ros import simulation
 from bringup_lint.graph.nodes.questions.with_header import with_header
-from bringup_lint.model.cpp_source import COMMENT
+from bringup_lint.model.cpp_text import blanked
+from bringup_lint.model.cpp_text import end_of_block
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.cpp_node.sockets import KNOWN_CALLS
 from bringup_lint.parsers.cpp_node.sockets import OPENS
@@ -23,11 +24,10 @@ if TYPE_CHECKING:
 _HARDWARE = regex(r"\b(?:System|Actuator)Interface\b")
 _METHOD = regex(
     r"\b(?:\w{1,80}::)?(?P<name>on_activate|export_command_interfaces|read|write)\s{0,4}\([^;{}()]{0,300}\)"
-    r"(?:\s{0,4}(?:override|noexcept|const|final)){0,3}\s{0,40}(?P<body>\{)"
+    r"(?:\s{0,4}(?:override|noexcept|const|final)){0,3}\s{0,40}\{(?P<body>)"
 )
 _ZERO = regex(r"0(?:\.0*)?f?\s*\Z")
 _SUCCEEDS = regex(r"\breturn\b[^;]{0,80}\bOK\s{0,4};")
-_BRACE = regex(r"[{}]")
 _POSITION = regex(r"(?:HW_IF_POSITION|\"position\")\s{0,4},\s{0,40}&\s{0,4}(?P<member>[A-Za-z_]\w{0,80})")
 _SLOWED = regex(
     r"(?i)profile_?vel|max_?vel|vel(?:ocity)?_?limit|\bramp|interpolat|is_?first|first_|isnan|initial|homing|home"
@@ -141,7 +141,7 @@ def _hardware(nodes: Nodes) -> Iterator[tuple[Source, str, dict[str, tuple[int, 
     for each in nodes.cpp:
         text = each.source.text
         if "hardware_interface" in text and _HARDWARE.search(text):
-            plain = COMMENT.sub(lambda found: " " * len(found[0]), text)
+            plain = blanked(text)
             yield each.source, plain, _bodies(plain)
 
 
@@ -150,14 +150,4 @@ def _bodies(plain: str) -> dict[str, tuple[int, int]]:
     found: dict[str, list[int]] = {}
     for match in _METHOD.finditer(plain):
         found.setdefault(match["name"], []).append(match.start("body"))
-    return {name: (starts[0], _end(plain, starts[0])) for name, starts in found.items() if len(starts) == 1}
-
-
-def _end(plain: str, start: int) -> int:
-    """Where the block that starts at a brace ends."""
-    level = 0
-    for brace in _BRACE.finditer(plain, start):
-        level += 1 if brace[0] == "{" else -1
-        if level == 0:
-            return brace.end()
-    return len(plain)
+    return {name: (starts[0], end_of_block(plain, starts[0])) for name, starts in found.items() if len(starts) == 1}

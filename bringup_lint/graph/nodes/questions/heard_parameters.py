@@ -7,7 +7,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.discover.kinds.cpp_node import SUFFIXES
-from bringup_lint.model.cpp_source import COMMENT
+from bringup_lint.model.cpp_text import COMMENT
+from bringup_lint.model.cpp_text import end_of_block
 from bringup_lint.model.node_source import Parameter
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
@@ -68,9 +69,4 @@ def _is_only_heard(source: Source, parameter: Parameter, texts: list[str]) -> bo
 
 def _is_same_function(between: str) -> bool:
     """Whether no block that was open before a piece of code ends in it."""
-    level = 0
-    for each in re.finditer(r"[{}]", between):
-        level += 1 if each[0] == "{" else -1
-        if level < 0:
-            return False
-    return True
+    return end_of_block(between, 0) == len(between)

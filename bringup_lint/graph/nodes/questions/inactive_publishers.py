@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.nodes.questions.with_header import with_header
-from bringup_lint.model.cpp_source import COMMENT
+from bringup_lint.model.cpp_text import COMMENT
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex

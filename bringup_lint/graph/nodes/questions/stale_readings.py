@@ -17,7 +17,7 @@ from bringup_lint.graph.nodes.questions.repeating import is_motion
 from bringup_lint.graph.nodes.questions.with_header import with_header
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import body_of
-from bringup_lint.model.cpp_source import COMMENT
+from bringup_lint.model.cpp_text import COMMENT
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.python import is_self

@@ -1,19 +1,18 @@
-"""Names that a node source uses and nothing binds, and ranges of parameters that are no ranges."""
+"""Names that a node source uses and nothing binds."""
 
 from __future__ import annotations
 
 import ast
 import builtins
-import re
 import sys
 from collections.abc import Iterable
 from collections.abc import Iterator
-from collections.abc import Sequence
 
 from bringup_lint.facts import table
 from bringup_lint.graph.nodes.sources.syntax import FUNCTIONS
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import own
+from bringup_lint.model.python import bound_names
 from bringup_lint.model.python import walk
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
@@ -22,8 +21,6 @@ _DYNAMIC = regex(
     r"\b(?:exec|eval|globals|locals|__import__|importlib|builtins)\b|\bvars\(",
     hints="exec eval globals locals __import__ importlib builtins vars(",
 )
-_RANGES = {"floating_point_range": "FloatingPointRange", "integer_range": "IntegerRange"}
-_FIELDS = ("from_value", "to_value", "step")
 _OF_MODULES = frozenset({"__file__", "__path__", "__class__", "__module__", "__qualname__", "__annotations__", "_"})
 """Names that no statement binds; ``_`` is that of gettext.install()."""
 _DEPTH = 3
@@ -156,29 +153,7 @@ def _says_unfinished(node: ast.AST) -> bool:
 
 
 def _all_bound(nodes: Iterable[ast.AST]) -> Iterator[str]:
-    return (name for node in nodes if type(node) not in _BINDING_NOTHING for name in _bound(node))
-
-
-def _bound(node: ast.AST) -> Iterator[str]:
-    if isinstance(node, ast.Name) and not isinstance(node.ctx, ast.Load):
-        yield node.id
-    elif isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)):
-        yield node.name
-        yield from (str(each.name) for each in getattr(node, "type_params", ()))
-    elif isinstance(node, ast.arg):
-        yield node.arg
-    elif isinstance(node, ast.alias):
-        yield node.asname or node.name.partition(".")[0]
-    elif isinstance(node, ast.ExceptHandler) and node.name:
-        yield node.name
-    elif isinstance(node, (ast.MatchAs, ast.MatchStar)) and node.name:
-        yield node.name
-    elif isinstance(node, ast.MatchMapping) and node.rest:
-        yield node.rest
-    elif isinstance(node, (ast.Global, ast.Nonlocal)):
-        yield from node.names
-    else:
-        yield from (str(each.name) for each in getattr(node, "type_params", ()))
+    return (name for node in nodes if type(node) not in _BINDING_NOTHING for name in bound_names(node))
 
 
 def _is_harmless(syntax: Syntax, node: ast.Name, lazy: bool) -> bool:
@@ -206,58 +181,3 @@ def _function(syntax: Syntax, node: ast.AST) -> str | None:
         if isinstance(above, FUNCTIONS) and name == "body":
             return getattr(above, "name", "a lambda")
     return None
-
-
-class DictRange(NamedTuple):
-    """``floating_point_range=[{...}]``: ``values`` are the fields as they are written."""
-
-    place: ast.expr
-    type: str
-    values: dict[str, ast.expr] | None
-    """None when the dictionary has other keys than the type has fields."""
-
-
-def dict_ranges(syntax: Syntax) -> Iterator[DictRange]:
-    """Dictionaries where a descriptor of a parameter wants a range."""
-    for node in syntax.file.nodes:
-        if isinstance(node, ast.Call) and (syntax.qualified(node) or "").endswith(".ParameterDescriptor"):
-            for keyword in node.keywords:
-                if keyword.arg in _RANGES:
-                    yield from _dicts(syntax, keyword.value, _RANGES[keyword.arg])
-        elif isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Attribute):
-            target = node.targets[0]
-            made = syntax.file.named(target.value, syntax.function(node)) or ""
-            if target.attr in _RANGES and made.endswith(".ParameterDescriptor"):
-                yield from _dicts(syntax, node.value, _RANGES[target.attr])
-
-
-def _dicts(syntax: Syntax, value: ast.expr, wanted: str) -> Iterator[DictRange]:
-    if not isinstance(value, (ast.List, ast.Tuple)):
-        return
-    for element in value.elts:
-        if isinstance(element, ast.Dict):
-            keys = [key.value if isinstance(key, ast.Constant) else None for key in element.keys]
-            yield DictRange(element, wanted, _fields(keys, element.values))
-        elif isinstance(element, ast.Call) and isinstance(element.func, ast.Name) and element.func.id == "dict":
-            names = [each.arg for each in element.keywords]
-            fields = _fields(names, [each.value for each in element.keywords]) if not element.args else None
-            yield DictRange(element, wanted, fields)
-
-
-def _fields(keys: Sequence[object], values: list[ast.expr]) -> dict[str, ast.expr] | None:
-    """The fields of a range by name; None when a key is not one of them."""
-    names = [key for key in keys if isinstance(key, str) and key in _FIELDS]
-    return dict(zip(names, values, strict=True)) if len(names) == len(keys) else None
-
-
-def range_text(syntax: Syntax, found: DictRange) -> str | None:
-    """The range object that the dictionary stands for; None when its values are not plain."""
-    if found.values is None:
-        return None
-    words = []
-    for name, value in found.values.items():
-        text = syntax.file.span_of(value).text
-        if found.type == "FloatingPointRange" and re.fullmatch(r"-?\d+", text):
-            text += ".0"
-        words.append(f"{name}={text}")
-    return f"{found.type}({', '.join(words)})"

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from bringup_lint.graph.nodes.questions.wrong_unit import PERCENT
 from bringup_lint.graph.nodes.questions.wrong_unit import TELLS_APART
 from bringup_lint.graph.nodes.questions.wrong_unit import WrongUnit
-from bringup_lint.model.cpp_source import COMMENT
+from bringup_lint.model.cpp_text import blanked
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 from bringup_lint.source import Span
@@ -29,7 +29,7 @@ def in_cpp(source: Source) -> Iterator[WrongUnit]:
     text = source.text
     if "sensor_msgs/msg/battery_state" not in text or "percentage" not in text:
         return
-    plain = COMMENT.sub(lambda found: " " * len(found[0]), text)
+    plain = blanked(text)
     types = _declared(plain)
     for found in _FIELD.finditer(plain):
         if PERCENT <= float(found["number"]) <= 100 and types.get(found["message"], _UNKNOWN) <= _BATTERIES:
