@@ -47,7 +47,7 @@ from bringup_lint.api.yaml import Sequence
 
 GROUPS = regex(r"-[a-zA-Z]*G|--groups")
 APPENDS = regex(r"-[a-zA-Z]{0,9}a[a-zA-Z]{0,9}|--append")
-APPENDED = regex(r"\bmodule_defaults:(?:[^\n]*\n){1,20}?[^\n]*\bappend:[ \t]*[\"']?(?i:true|yes|on)\b")
+APPENDED = regex(r"\bmodule_defaults:(?:[^\n]{0,200}\n){1,20}?[^\n]{0,200}\bappend:[ \t]*[\"']?(?i:true|yes|on)\b")
 """A play lets all its tasks add groups."""
 MOST_SETTINGS = 64 * 1024
 """Characters of an ``ansible.cfg`` that are read."""

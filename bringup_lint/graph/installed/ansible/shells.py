@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 _OTHER_SHELL = regex(r"\bansible_shell_executable\b|\bansible_shell_type\b|\bwin_\w+:|\b(?:dnf5?|yum|pacman|rpm_key):")
 """A variable with the shell, or a task for a distribution whose /bin/sh is bash."""
-_DEFAULTS = regex(r"\bmodule_defaults:(?:[^\n]*\n){1,20}?[^\n]*\bexecutable:")
+_DEFAULTS = regex(r"\bmodule_defaults:(?:[^\n]{0,200}\n){1,20}?[^\n]{0,200}\bexecutable:")
 """A play gives all its tasks a shell."""
 _CONFIGURED = regex(r"(?m)^[ \t]*executable[ \t]*=[ \t]*\S*(?:bash|zsh)")
 
