@@ -23,7 +23,7 @@ class IndexOfRules(BuildHookInterface):
             sys.path.remove(self.root)
         self._folder = tempfile.TemporaryDirectory()
         index = Path(self._folder.name) / FILE
-        index.write_bytes(made_for_wheel(Path(self.root) / "rules"))
+        index.write_bytes(made_for_wheel(str(Path(self.root) / "rules")))
         build_data["force_include"][str(index)] = f"bringup_lint/rules/{FILE}"
 
     def finalize(self, version: str, build_data: dict[str, Any], artifact_path: str) -> None:

@@ -5,10 +5,10 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Iterator
 from itertools import islice
-from pathlib import Path
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
@@ -107,7 +107,7 @@ class Config:
     purpose: dict[str, str] = field(default_factory=dict)
     baseline: str | None = None
     rules: tuple[str, ...] = ()
-    path: Path | None = None
+    path: str | None = None
     """The file that was read, or None."""
     text: str = ""
     """What the file holds."""
@@ -124,26 +124,30 @@ class Config:
         return f"{_place(self.path, self.text, word)}: " if self.path and word in self.text else ""
 
     @property
-    def folder(self) -> Path:
+    def folder(self) -> str:
         """What relative paths in the configuration are relative to."""
-        return self.path.parent if self.path else Path.cwd()
+        return os.path.dirname(self.path) if self.path else os.getcwd()
+
+    def beside(self, path: str) -> str:
+        """What a relative path in the configuration leads to."""
+        return disk.tidied(os.path.join(self.folder, path))
 
 
-def find(start: Path) -> Path | None:
+def find(start: str) -> str | None:
     """The nearest configuration at or above ``start``; the search ends at the top of a repository."""
-    for folder in (start, *start.parents):
-        own = folder / FILE_NAME
+    for folder in (start, *disk.above(start)):
+        own = os.path.join(folder, FILE_NAME)
         if disk.lexists(own):
             return own
-        pyproject = folder / "pyproject.toml"
+        pyproject = os.path.join(folder, "pyproject.toml")
         if disk.lexists(pyproject) and _TABLE.search(_text_of(pyproject, named=False)):
             return pyproject
-        if disk.lexists(folder / ".git"):
+        if disk.lexists(os.path.join(folder, ".git")):
             return None
     return None
 
 
-def read(path: Path, *, named: bool = True) -> Config:
+def read(path: str, *, named: bool = True) -> Config:
     """Read a configuration file. Raises ConfigError with the file's name in the text.
 
     One that the user did not name was found in the tree and is not trusted: it is no link out of the tree, and names
@@ -184,12 +188,12 @@ def _setting(key: str, value: object, named: bool) -> object:
     return checked
 
 
-def _text_of(path: Path, named: bool) -> str:
+def _text_of(path: str, named: bool) -> str:
     """The text of a configuration file. Raises ConfigError."""
-    if not named and not _is_inside(path, path.parent):
+    if not named and not _is_inside(path, os.path.dirname(path)):
         raise ConfigError(f"{path}: a symbolic link leads out of the tree; --isolated reads no configuration")
     try:
-        data, _ = read_bytes(str(path), SIZE_LIMIT, follow=True)
+        data, _ = read_bytes(path, SIZE_LIMIT, follow=True)
         return data.decode("utf-8")
     except Unreadable as error:
         raise ConfigError(f"{path}: {error}") from error
@@ -197,9 +201,9 @@ def _text_of(path: Path, named: bool) -> str:
         raise ConfigError(f"{path}: not UTF-8: byte 0x{data[error.start]:02x}") from error
 
 
-def _is_inside(path: Path, folder: Path) -> bool:
+def _is_inside(path: str, folder: str) -> bool:
     """Whether a path leads to a place in the repository around a folder, or else in the folder."""
-    tops = (each for each in (folder, *folder.parents) if disk.lexists(each / ".git"))
+    tops = (each for each in (folder, *disk.above(folder)) if disk.lexists(os.path.join(each, ".git")))
     top = disk.realpath(next(tops, folder))
     try:
         real = disk.realpath(path)
@@ -215,9 +219,9 @@ def _size(value: object) -> int:
     return len(value) if isinstance(value, tuple) else 0
 
 
-def _table(path: Path, text: str, data: dict[str, Any]) -> dict[str, Any]:
+def _table(path: str, text: str, data: dict[str, Any]) -> dict[str, Any]:
     """The settings: all of the file's own, or the table of ``pyproject.toml``. Raises ConfigError."""
-    if path.name != "pyproject.toml":
+    if os.path.basename(path) != "pyproject.toml":
         if "tool" in data:
             raise ConfigError(f"{_place(path, text, 'tool')}: write the keys themselves, without [tool.bringup-lint]")
         return data
@@ -240,18 +244,18 @@ def _without_effect(config: Config, named: bool) -> Iterator[tuple[str, str]]:
         yield str(version), f"target-systemd must be {OLDEST_SYSTEMD} to {NEWEST_SYSTEMD}, not {version}"
     for key, table in (("deploy", config.deploy), ("purpose", config.purpose)):
         for path in table:
-            if "\0" in path or not disk.lexists(config.folder / path):
+            if "\0" in path or not disk.lexists(config.beside(path)):
                 yield path, f"{key}: there is no '{path}' beside the configuration"
     for pattern in config.exclude:
         try:
             pattern_of(pattern)
         except PatternError as error:
             yield pattern, f"exclude: {error}"
-    if config.baseline and not named and not _is_inside(config.folder / config.baseline, config.folder):
+    if config.baseline and not named and not _is_inside(config.beside(config.baseline), config.folder):
         yield config.baseline, f"baseline: '{config.baseline}' lies outside of the tree; name it with --baseline"
 
 
-def _place(path: Path, text: str, word: str) -> str:
+def _place(path: str, text: str, word: str) -> str:
     """The file, and the line that says a word: as a key, else anywhere."""
     lines = text.splitlines()
     key = re.compile(rf"""\s*\[?\s*["']?{re.escape(word)}["']?\s*[=\]]""")
@@ -259,7 +263,7 @@ def _place(path: Path, text: str, word: str) -> str:
         for number, line in enumerate(lines, 1):
             if says(line):
                 return f"{path}:{number}"
-    return str(path)
+    return path
 
 
 _CHOICES = {

@@ -66,7 +66,7 @@ def finish(
     picture, ``told`` for what a text for people needs.
     """
     cwd, target = invocation.cwd, robot.target
-    root = str(robot.tree.root or cwd)
+    root = robot.tree.root or cwd
     steps = Steps()
     findings, mask = _masked(outcome.findings, root, cwd, steps)
     sifted = sift(findings, baseline)

@@ -7,6 +7,7 @@ is its path. A family's files are loaded only when the tree holds something that
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Callable
 from collections.abc import Iterable
@@ -15,7 +16,6 @@ from collections.abc import Mapping
 from functools import cache
 from functools import cached_property
 from importlib.machinery import SourceFileLoader
-from pathlib import Path
 from types import ModuleType
 
 from bringup_lint.api import Check
@@ -41,6 +41,8 @@ from bringup_lint.type_names import TYPE_CHECKING
 from bringup_lint.type_names import Any
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from bringup_lint.report import RuleDoc
 
 DOCS = "https://bringup-lint.github.io/bringup-lint/rules/{}/"
@@ -56,7 +58,7 @@ class Rule:
     """A rule file, loaded or known from the index."""
 
     id: str
-    folder: Path
+    folder: str
     file: str
     title: str
     check: Check
@@ -68,7 +70,7 @@ class Rule:
 
     @property
     def path(self) -> Path:
-        return self.folder / self.file
+        return _path(self.folder, self.file)
 
     @cached_property
     def meta(self) -> Metadata:
@@ -86,7 +88,7 @@ class Rule:
     @property
     def builtin(self) -> bool:
         """Whether the rule came with the package, not from a user's own folder."""
-        return self.folder.parent == builtin_folder()
+        return os.path.dirname(self.folder) == builtin_folder()
 
     @property
     def severity(self) -> Severity:
@@ -101,7 +103,7 @@ class Family:
     title: str
     description: str
     reads: frozenset[str]
-    path: Path
+    folder: str
     mentions: re.Pattern[str] | None = None
     """What a file of any kind says when it concerns the family."""
     purposes: dict[Purpose, Severity | None] = field(default_factory=dict)
@@ -132,48 +134,59 @@ class Family:
         """Rule id -> name of the file."""
         names = self.indexed
         if names is None:
-            names = tuple(sorted(path.name for path in self.path.glob("*.py") if not path.name.startswith("_")))
+            names = tuple(
+                name for name in sorted(os.listdir(self.folder)) if name.endswith(".py") and name[0] not in "._"
+            )
         return {f"{self.name}/{name.removesuffix('.py').replace('_', '-')}": name for name in names}
 
     @property
     def rule_paths(self) -> list[Path]:
-        return [self.path / name for name in self.files.values()]
+        return [_path(self.folder, name) for name in self.files.values()]
 
     def rule_id(self, path: Path) -> str:
         return f"{self.name}/{path.stem.replace('_', '-')}"
 
 
 @cache
-def builtin_folder() -> Path:
-    package = Path(__file__).resolve().parent
-    packaged = package / "rules"
-    return packaged if packaged.is_dir() else package.parent / "rules"
+def builtin_folder() -> str:
+    package = os.path.dirname(os.path.realpath(__file__))
+    packaged = os.path.join(package, "rules")
+    return packaged if os.path.isdir(packaged) else os.path.join(os.path.dirname(package), "rules")
 
 
-def families(folders: Iterable[Path]) -> list[Family]:
+def _path(folder: str, file: str) -> Path:
+    """For those who ask for more than its text: ``pathlib`` takes as long to import as forty modules."""
+    from pathlib import Path
+
+    return Path(folder, file)
+
+
+def families(folders: Iterable[str]) -> list[Family]:
     """Every family below the folders. A folder without ``family.toml`` is read whatever the tree holds."""
     found = []
     for folder in folders:
-        if not folder.is_dir():
+        if not os.path.isdir(folder):
             raise RuleError(f"{folder} is not a folder of rules")
-        for path in sorted(folder.iterdir()):
-            if path.is_dir() and not path.name.startswith((".", "_")):
+        for name in sorted(os.listdir(folder)):
+            path = os.path.join(folder, name)
+            if os.path.isdir(path) and not name.startswith((".", "_")):
                 found.append(_family(path))
     return found
 
 
-def _family(path: Path) -> Family:
-    description = path / "family.toml"
-    return _described_family(path, read_toml(description.read_text("utf-8")) if description.is_file() else {})
+def _family(folder: str) -> Family:
+    description = _path(folder, "family.toml")
+    return _described_family(folder, read_toml(description.read_text("utf-8")) if description.is_file() else {})
 
 
-def _described_family(path: Path, data: Mapping[str, Any], indexed: tuple[str, ...] | None = None) -> Family:
+def _described_family(folder: str, data: Mapping[str, Any], indexed: tuple[str, ...] | None = None) -> Family:
+    name = os.path.basename(folder)
     return Family(
-        path.name.replace("_", "-"),
-        data.get("title", path.name),
+        name.replace("_", "-"),
+        data.get("title", name),
         data.get("description", ""),
         _kinds(data.get("reads", ())),
-        path,
+        folder,
         regex(data["mentions"], hints=data.get("hints", "")) if "mentions" in data else None,
         _purposes(data.get("purpose", {})),
         frozenset(data.get("purpose", {}).get("rules", ())),
@@ -183,14 +196,15 @@ def _described_family(path: Path, data: Mapping[str, Any], indexed: tuple[str, .
     )
 
 
-def _indexed_families(folder: Path, index: Index) -> list[Family]:
+def _indexed_families(folder: str, index: Index) -> list[Family]:
     """The same families as ``families`` finds, without a look at the folder."""
     names: dict[str, list[str]] = {name: [] for name in index.families}
     for file in index.rules:
         family, _, name = file.partition("/")
         names.setdefault(family, []).append(name)
     return [
-        _described_family(folder / name, index.families.get(name, {}), tuple(names[name])) for name in sorted(names)
+        _described_family(os.path.join(folder, name), index.families.get(name, {}), tuple(names[name]))
+        for name in sorted(names)
     ]
 
 
@@ -207,27 +221,27 @@ def _purposes(table: Mapping[str, Any]) -> dict[Purpose, Severity | None]:
 
 def load(path: Path, rule_id: str) -> Rule:
     """Load one rule file. Raises RuleError when the file fails or lacks its metadata."""
-    module = _module(path, rule_id)
-    meta = _metadata(module, path)
+    module = _module(str(path), rule_id)
+    meta = _metadata(module, str(path))
     doc = module.__doc__ or _docstring(path)
     missing = missing_headings(doc)
     if missing:
         raise RuleError(f"{path}: the docstring lacks the heading {', '.join(missing)}")
-    return Rule(rule_id, path.parent, path.name, _title(doc), meta.check, lambda: meta, doc)
+    return Rule(rule_id, str(path.parent), path.name, _title(doc), meta.check, lambda: meta, doc)
 
 
-def _module(path: Path, rule_id: str) -> ModuleType:
+def _module(path: str, rule_id: str) -> ModuleType:
     name = "bringup_lint_rules." + rule_id.replace("-", "_").replace("/", ".")
     module = ModuleType(name)
-    module.__file__ = str(path)
+    module.__file__ = path
     try:
-        SourceFileLoader(name, str(path)).exec_module(module)
+        SourceFileLoader(name, path).exec_module(module)
     except Exception as error:
         raise RuleError(f"{path}: {type(error).__name__}: {error}") from error
     return module
 
 
-def _metadata(module: ModuleType, path: Path) -> Metadata:
+def _metadata(module: ModuleType, path: str) -> Metadata:
     found = [value for value in vars(module).values() if isinstance(value, Metadata)]
     if len(found) != 1:
         raise RuleError(f"{path}: a rule file holds exactly one @rule, this one holds {len(found)}")
@@ -243,12 +257,12 @@ def described(path: Path, rule_id: str) -> Rule:
     all rules takes a sixth of the time. A file of an unusual form is loaded. Raises RuleError as ``load`` does."""
     try:
         text = path.read_text("utf-8")
-        return _unloaded(path.parent, path.name, rule_id, read_description(text), None, documentation(text))
+        return _unloaded(str(path.parent), path.name, rule_id, read_description(text), None, documentation(text))
     except (ValueError, TypeError, KeyError):
         return load(path, rule_id)
 
 
-def _unloaded(folder: Path, file: str, rule_id: str, found: Described, needs: Any, doc: str | None = None) -> Rule:
+def _unloaded(folder: str, file: str, rule_id: str, found: Described, needs: Any, doc: str | None = None) -> Rule:
     """A rule that is loaded when a robot has what it needs; all have where nothing is known of its needs."""
 
     loaded: list[Check] = []
@@ -257,7 +271,7 @@ def _unloaded(folder: Path, file: str, rule_id: str, found: Described, needs: An
         if needs is not None and not is_met(needs, robot):
             return iter(())
         if not loaded:
-            path = folder / file
+            path = os.path.join(folder, file)
             loaded.append(_metadata(_module(path, rule_id), path).check)
         return loaded[0](robot)
 
@@ -283,12 +297,12 @@ class Registry:
     """What is known of the built-in rules."""
 
     @classmethod
-    def of(cls, extra: Iterable[Path] = ()) -> Registry:
+    def of(cls, extra: Iterable[str | Path] = ()) -> Registry:
         """The built-in rules, which a process reads once, and those of a user's folders."""
-        extra = list(extra)
-        if extra:
+        folders = list(map(str, extra))
+        if folders:
             disk.depends_on_more()
-        own = families(extra)
+        own = families(folders)
         return cls([*_builtin().families, *own], _builtin().index) if own else _builtin()
 
     @cached_property
@@ -298,7 +312,7 @@ class Registry:
         for family in self.families:
             for rule_id in family.files:
                 if rule_id in owners:
-                    path, other = (each.path / each.files[rule_id] for each in (family, owners[rule_id]))
+                    path, other = (_path(each.folder, each.files[rule_id]) for each in (family, owners[rule_id]))
                     raise RuleError(f"{path}: the id {rule_id} is taken by {other}")
                 owners[rule_id] = family
         return owners
@@ -306,7 +320,7 @@ class Registry:
     @property
     def paths(self) -> dict[str, Path]:
         """Rule id -> file. Raises RuleError when a user's rule takes the id of another."""
-        return {rule_id: family.path / family.files[rule_id] for rule_id, family in self.family_of.items()}
+        return {rule_id: _path(family.folder, family.files[rule_id]) for rule_id, family in self.family_of.items()}
 
     @cached_property
     def _loaded(self) -> dict[str, Rule]:
@@ -317,15 +331,15 @@ class Registry:
         if rule_id not in self._loaded:
             family = self.family_of[rule_id]
             found = self._from_index(family, rule_id)
-            self._loaded[rule_id] = found or load(family.path / family.files[rule_id], rule_id)
+            self._loaded[rule_id] = found or load(_path(family.folder, family.files[rule_id]), rule_id)
         return self._loaded[rule_id]
 
     def _from_index(self, family: Family, rule_id: str) -> Rule | None:
         if self.index is None or family.indexed is None:
             return None
         file = family.files[rule_id]
-        entry = self.index.entry(f"{family.path.name}/{file}")
-        return None if entry is None else _unloaded(family.path, file, rule_id, entry.described, entry.needs)
+        entry = self.index.entry(f"{os.path.basename(family.folder)}/{file}")
+        return None if entry is None else _unloaded(family.folder, file, rule_id, entry.described, entry.needs)
 
     def purposes(self, rule_id: str) -> Mapping[Purpose, Severity | None]:
         """What a purpose makes of the findings of a rule (``family.toml``: purpose)."""
@@ -354,8 +368,8 @@ class Registry:
         """All rules, the built-in ones not loaded yet."""
         builtin = builtin_folder()
         for rule_id, family in self.family_of.items():
-            path = family.path / family.files[rule_id]
-            if family.path.parent != builtin:
+            path = _path(family.folder, family.files[rule_id])
+            if os.path.dirname(family.folder) != builtin:
                 yield load(path, rule_id)
             else:
                 yield self._from_index(family, rule_id) or described(path, rule_id)

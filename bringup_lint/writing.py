@@ -14,12 +14,15 @@ import signal
 import stat
 from collections.abc import Iterable
 from collections.abc import Iterator
-from pathlib import Path
 
 from bringup_lint.discover.reading import FLAGS
 from bringup_lint.discover.reading import describe
 from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.type_names import TYPE_CHECKING
 from bringup_lint.type_names import BinaryIO
+
+if TYPE_CHECKING:
+    from pathlib import Path
 
 _NEW = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_CLOEXEC", 0)
 _FOLDER = os.O_RDONLY | getattr(os, "O_DIRECTORY", 0) | getattr(os, "O_CLOEXEC", 0)

@@ -9,7 +9,6 @@ import sys
 import time
 from collections.abc import Callable
 from collections.abc import Iterable
-from pathlib import Path
 
 from bringup_lint.cli.answering import keep
 from bringup_lint.cli.reports import Output
@@ -277,18 +276,18 @@ def baseline_usage(config: Config, options: dict[str, Any]) -> None:
         raise _usage_error(f"--prune-baseline needs a run over all files: leave out --{given.replace('_', '-')}")
 
 
-def configuration(paths: tuple[str, ...], options: dict[str, Any]) -> tuple[Config, list[Path]]:
+def configuration(paths: tuple[str, ...], options: dict[str, Any]) -> tuple[Config, list[str]]:
     """The settings from file and command line, and the folders of further rules. Raises ConfigError."""
-    named = options["config_path"]
+    named = str(options["config_path"] or "")
     path = named or (None if options["isolated"] else find(_start(paths, options["root"])))
     try:
         config = read(path, named=bool(named)) if path else Config()
     except ConfigError as error:
-        raise _with_unknown_names(error, options["rule_folders"]) from error
+        raise _with_unknown_names(error, map(str, options["rule_folders"])) from error
     found = config if path and not named else None
-    rule_folders = list(options["rule_folders"])
+    rule_folders = [str(folder) for folder in options["rule_folders"]]
     if config.rules and named:
-        rule_folders += [config.folder / folder for folder in config.rules]
+        rule_folders += map(config.beside, config.rules)
     elif config.rules:
         complain(f"{path}: 'rules' is only read from a file named by --config")
     given = {
@@ -305,7 +304,7 @@ def configuration(paths: tuple[str, ...], options: dict[str, Any]) -> tuple[Conf
     return replace(config, **{key: value for key, value in given.items() if value}), rule_folders
 
 
-def _with_unknown_names(error: ConfigError, rule_folders: Iterable[Path]) -> ConfigError:
+def _with_unknown_names(error: ConfigError, rule_folders: Iterable[str]) -> ConfigError:
     """The mistakes of a configuration, and the names in it that mean no rule."""
     from bringup_lint.engine import Selection
     from bringup_lint.registry import Registry
@@ -319,17 +318,17 @@ def _with_unknown_names(error: ConfigError, rule_folders: Iterable[Path]) -> Con
     return error
 
 
-def _start(paths: tuple[str, ...], root: str | None) -> Path:
+def _start(paths: tuple[str, ...], root: str | None) -> str:
     """Where the search for a configuration begins: at the first path, which lies in the root when there is one."""
-    first = (Path(root, paths[0].lstrip("/")) if root else Path(paths[0])).absolute()
-    return first if disk.isdir(first) else first.parent
+    first = disk.absolute(os.path.join(root, paths[0].lstrip("/")) if root else paths[0])
+    return first if disk.isdir(first) else os.path.dirname(first)
 
 
 def _folders(paths: Iterable[str], root: str | None) -> list[str]:
     """The absolute folders among the paths of the command line, with a slash at the end."""
     from bringup_lint.discover.walk import inside
 
-    places = [os.path.abspath(path) if root is None else inside(Path(root).absolute(), path) for path in paths]
+    places = [os.path.abspath(path) if root is None else inside(disk.absolute(root), path) for path in paths]
     return [f"{place.rstrip('/')}/" for place in places if disk.isdir(place)]
 
 
@@ -355,7 +354,7 @@ def read_robot(paths: tuple[str, ...], config: Config, options: dict[str, Any], 
     else:
         if why := missing(paths, options["root"]):
             raise ConfigError(why)
-        deploy = {str(config.folder / path): place for path, place in config.deploy.items()}
+        deploy = {config.beside(path): place for path, place in config.deploy.items()}
         excluded = exclusion(config.folder, config.exclude, _folders(paths, options["root"]))
         met: set[str] = set()
         if config.found and config.found.exclude:
@@ -365,5 +364,5 @@ def read_robot(paths: tuple[str, ...], config: Config, options: dict[str, Any], 
         tree = discover(paths, root=options["root"], deploy=deploy, excluded=excluded, held=held)
         tree.excluded = met
     now = options.get("now")
-    purposes = {display_name(str(config.folder / path)): name for path, name in config.purpose.items()}
+    purposes = {display_name(config.beside(path)): name for path, name in config.purpose.items()}
     return Robot(tree, config.target_ros, config.target_systemd, now.date() if now else None, purposes)

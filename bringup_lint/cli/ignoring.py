@@ -65,7 +65,7 @@ def _new(robot: Robot, outcome: Outcome, config: Config) -> Iterator[Finding]:
     from bringup_lint.finding.presented import presented
 
     known, cwd = known_to(config), os.getcwd()
-    shown = presented(outcome.findings, str(robot.tree.root or cwd), cwd).findings
+    shown = presented(outcome.findings, robot.tree.root or cwd, cwd).findings
     for found, named in zip(outcome.findings, shown):
         if found.suppression is None and named.fingerprint not in known:
             yield from (found, *found.copies)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Iterator
-from pathlib import Path
 
 from bringup_lint.cli.streams import say
 from bringup_lint.cli.terminal import terminal_width
@@ -19,6 +18,8 @@ _BASELINE_LIMIT = 64 * 1024 * 1024
 """Bytes."""
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from bringup_lint.baseline import Entry
     from bringup_lint.config import Config
     from bringup_lint.engine import Outcome
@@ -59,7 +60,7 @@ def _narrowed(outcome: Outcome, robot: Robot, config: Config) -> Iterator[str]:
 
 
 def _name(config: Config) -> str:
-    return config.path.name if config.path else ""
+    return os.path.basename(config.path) if config.path else ""
 
 
 def known_to(config: Config) -> frozenset[str]:
@@ -76,9 +77,9 @@ def baseline_of(config: Config) -> tuple[Entry, ...]:
     from bringup_lint.discover.reading import Unreadable
     from bringup_lint.discover.reading import read_bytes
 
-    path = config.folder / config.baseline
+    path = config.beside(config.baseline)
     try:
-        data, _ = read_bytes(str(path), _BASELINE_LIMIT, follow=True)
+        data, _ = read_bytes(path, _BASELINE_LIMIT, follow=True)
         return read(data.decode("utf-8"))
     except UnicodeDecodeError as error:
         raise ConfigError(f"{path}: not a baseline: not UTF-8") from error
@@ -107,10 +108,12 @@ def prune_baseline(report: Report, config: Config) -> Report:
     from bringup_lint.cli.reports import write
 
     entries, gone = baseline_of(config), frozenset(report.stale)
-    path = os.path.relpath(config.folder / str(config.baseline))
+    path = os.path.relpath(config.beside(str(config.baseline)))
     left = [entry for entry in entries if entry.fingerprint not in gone]
     removed = [entry for entry in entries if entry.fingerprint in gone]
     if removed:
+        from pathlib import Path
+
         write(written(left), Path(path))
     say(f"{path}: {counted(len(removed), 'finding')} removed, {len(left)} left")
     for entry in removed:

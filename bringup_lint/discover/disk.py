@@ -51,6 +51,24 @@ def opened(question: str, path: str, status: os.stat_result | OSError, data: byt
         _record.text(question, path, status, data)
 
 
+def absolute(path: str) -> str:
+    """A path from ``/`` on, without ``.`` and empty parts."""
+    return tidied(os.path.join(os.getcwd(), path))
+
+
+def tidied(path: str) -> str:
+    """A path without ``.`` and empty parts, but for one with ``..``: what is before that may be a link."""
+    return path if ".." in path.split("/") else os.path.normpath(path)
+
+
+def above(path: str) -> Iterator[str]:
+    """The folders that a path lies in, the nearest first."""
+    folder = os.path.dirname(path)
+    while folder != path:
+        yield folder
+        path, folder = folder, os.path.dirname(folder)
+
+
 def lexists(path: Path) -> bool:
     _note(path)
     return os.path.lexists(path)

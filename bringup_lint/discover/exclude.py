@@ -6,10 +6,9 @@ import os
 from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Sequence
-from pathlib import Path
 
 
-def exclusion(folder: Path | str, patterns: Sequence[str], named: Iterable[str] = ()) -> Callable[[str], bool]:
+def exclusion(folder: str, patterns: Sequence[str], named: Iterable[str] = ()) -> Callable[[str], bool]:
     """A test for paths (folders end in ``/``): does one of the gitignore patterns, relative to ``folder``, match?
 
     A pattern that leaves out one of the absolute paths that a user has ``named`` does not count.

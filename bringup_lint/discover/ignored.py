@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
-from pathlib import Path
 
 from bringup_lint.discover import disk
 from bringup_lint.discover.gitignore import Patterns
@@ -21,9 +20,9 @@ def is_ignored(path: str) -> bool:
 
 def _folders(path: str) -> Iterator[str]:
     """The folders above a path, up to the top of the repository."""
-    for folder in Path(os.path.abspath(path)).parents:
-        yield str(folder)
-        if disk.lexists(folder / ".git"):
+    for folder in disk.above(os.path.abspath(path)):
+        yield folder
+        if disk.lexists(os.path.join(folder, ".git")):
             return
 
 

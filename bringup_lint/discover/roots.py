@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from pathlib import Path
 
 from bringup_lint.discover import disk
 from bringup_lint.pattern import regex
@@ -41,26 +40,26 @@ _OVERLAY = regex(
 )
 
 
-def is_root(folder: Path) -> bool:
+def is_root(folder: str) -> bool:
     """Whether the folder is a root file system: it names its release and its users, and has a /usr."""
-    release = (folder / "etc/os-release", folder / "usr/lib/os-release")
+    release = (os.path.join(folder, name) for name in ("etc/os-release", "usr/lib/os-release"))
     if not any(map(disk.lexists, release)):
         return False
     users, programs = resolve_inside(folder, "/etc/passwd"), resolve_inside(folder, "/usr")
     return users is not None and disk.isfile(users) and programs is not None and disk.isdir(programs)
 
 
-def root_of(path: Path) -> Path | None:
+def root_of(path: str) -> str | None:
     """The root file system that an absolute path lies in, or None for a path of a repository."""
-    for folder in (path, *path.parents):
+    for folder in (path, *disk.above(path)):
         if is_root(folder):
-            return None if folder == Path("/") and not _is_system_path(path) else folder
+            return None if folder == "/" and not _is_system_path(path) else folder
     return None
 
 
-def _is_system_path(path: Path) -> bool:
+def _is_system_path(path: str) -> bool:
     """Whether a path of the running system is configuration of this machine, not a checkout that lies on it."""
-    return str(path) == "/" or path.parts[1:2] in (("etc",), ("usr",), ("lib",), ("run",))
+    return path == "/" or path.split("/")[1] in ("etc", "usr", "lib", "run")
 
 
 def overlay_path(path: str) -> tuple[str, str] | None:
@@ -71,7 +70,7 @@ def overlay_path(path: str) -> tuple[str, str] | None:
     return path[: match.start(1)], "/" + match.group(1)
 
 
-def resolve_inside(root: Path, path: str, hops: int = 40) -> Path | None:
+def resolve_inside(root: str, path: str, hops: int = 40) -> str | None:
     """Follow a path as the system booted from ``root`` would; None when it leaves the root, loops or dangles."""
     base = disk.realpath(root)
     pending = [part for part in path.split("/") if part not in ("", ".")][::-1]
@@ -94,4 +93,4 @@ def resolve_inside(root: Path, path: str, hops: int = 40) -> Path | None:
             done = []
         pending += [step for step in target.split("/") if step not in ("", ".")][::-1]
     resolved = os.path.join(base, *done)
-    return Path(resolved) if disk.exists(resolved) else None
+    return resolved if disk.exists(resolved) else None

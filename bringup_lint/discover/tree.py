@@ -10,7 +10,6 @@ from collections.abc import Collection
 from collections.abc import Iterable
 from collections.abc import Iterator
 from functools import cached_property
-from pathlib import Path
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
@@ -50,7 +49,7 @@ _PROGRAMS = frozenset({"", "shell-script"})
 class Tree:
     """What was walked, what of it was read, and the root it is on."""
 
-    root: Path | None = None
+    root: str | None = None
     """The root file system, or None in a repository."""
     complete: bool = False
     """Whether this is a whole root file system, so that what is not there is missing."""
@@ -89,7 +88,7 @@ class Tree:
     _placed: dict[str, list[Source]] = field(default_factory=dict)
     _named: dict[str, Source] = field(default_factory=dict)
     _there: dict[str, bool] = field(default_factory=dict)
-    _inside: dict[str, Path | None] = field(default_factory=dict)
+    _inside: dict[str, str | None] = field(default_factory=dict)
     _texts: dict[str, Source] = field(default_factory=dict)
     """Path -> the file, as it was read first."""
     _shared: dict[tuple[str, str, bool], Source] = field(default_factory=dict)
@@ -184,7 +183,7 @@ class Tree:
             target = self._link_target(path)
             if target is None:
                 return "", ""
-            path = str(target)
+            path = target
         shown = None if self.held is None else self.held.texts.get(path)
         if shown is not None and not disk.lexists(path):
             return shown, ""
@@ -195,14 +194,14 @@ class Tree:
         text, complaint = decode(data)
         return (text, complaint) if shown is None else (over(text, shown), "")
 
-    def _link_target(self, path: str) -> Path | None:
+    def _link_target(self, path: str) -> str | None:
         """The file behind a link, if it lies inside the tree."""
         if self.root is not None:
             return self.inside("/" + os.path.relpath(path, self.root))
         target = disk.realpath(path)
-        return Path(target) if target in self._paths.get(os.path.basename(target), ()) else None
+        return target if target in self._paths.get(os.path.basename(target), ()) else None
 
-    def inside(self, robot_path: str) -> Path | None:
+    def inside(self, robot_path: str) -> str | None:
         """What a path leads to in the root file system, as ``resolve_inside``; None where there is none."""
         if robot_path not in self._inside:
             self._inside[robot_path] = resolve_inside(self.root, robot_path) if self.root is not None else None
@@ -211,7 +210,7 @@ class Tree:
     def robot_path(self, path: str) -> str | None:
         """Where the file lies on the robot: by the root, the deploy map, or an overlay that is shaped like one."""
         if self.root is not None:
-            relative = _relative(path, str(self.root))
+            relative = _relative(path, self.root)
             return None if relative.startswith("..") else f"/{relative}"
         for prefix, place in self.deploy.items():
             prefix = prefix.rstrip("/")
@@ -235,7 +234,7 @@ class Tree:
             return None
         if self.root is not None:
             path = self.inside(robot_path)
-            return self.at(str(path)) if path and disk.isfile(path) else None
+            return self.at(path) if path and disk.isfile(path) else None
         walked = self._by_suffix(robot_path)
         return None if walked is None else self.at(walked)
 
@@ -417,8 +416,8 @@ class Tree:
     def _is_checkout(self) -> bool:
         """Whether the root lies in a repository: what git tracks there has not the modes and owners that it has on the
         robot. A repository inside of a root, such as that of etckeeper in /etc, says nothing of that."""
-        tops = (self.root, *self.root.parents) if self.is_found and self.root is not None else ()
-        return any(index_of(str(folder)) is not None for folder in tops)
+        tops = (self.root, *disk.above(self.root)) if self.is_found and self.root is not None else ()
+        return any(index_of(folder) is not None for folder in tops)
 
     @staticmethod
     def is_ignored(path: str) -> bool:
@@ -450,7 +449,7 @@ class Tree:
         if self.root is not None and self.complete:
             folder, _, name = robot_path.rstrip("/").rpartition("/")
             inside = self.inside(folder)
-            return inside is not None and disk.lexists(inside / name)
+            return inside is not None and disk.lexists(os.path.join(inside, name))
         return True if self.find(robot_path) is not None else None
 
     @property

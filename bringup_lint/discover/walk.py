@@ -9,7 +9,6 @@ from collections.abc import Callable
 from collections.abc import Collection
 from collections.abc import Iterable
 from collections.abc import Iterator
-from pathlib import Path
 
 from bringup_lint.discover import disk
 from bringup_lint.discover.held import Held
@@ -75,16 +74,16 @@ def discover(
     paths = list(paths)
     tree = Tree(deploy=deploy or {}, held=held)
     if root is not None:
-        tree.root = Path(root).absolute()
+        tree.root = disk.absolute(root)
         tree.complete = True
         paths = [inside_resolved(tree.root, path) for path in paths]
     else:
         paths = [os.path.abspath(path) for path in paths]
-        tree.root = next(filter(None, (root_of(Path(path)) for path in paths)), None)
+        tree.root = next(filter(None, map(root_of, paths)), None)
         tree.complete = tree.root is not None and is_root(tree.root)
         tree.is_found = tree.root is not None
     tree.asked = tuple(paths)
-    tree.tops = tuple(dict.fromkeys(map(_top_of, paths))) if tree.root is None else (str(tree.root),)
+    tree.tops = tuple(dict.fromkeys(map(_top_of, paths))) if tree.root is None else (tree.root,)
     walked: set[str] = set()
     ignored: set[str] = set()
     for path in paths:
@@ -105,7 +104,7 @@ def discover(
     return tree
 
 
-def _context_folders(root: Path) -> list[str]:
+def _context_folders(root: str) -> list[str]:
     """/etc and the vendor's folders; what lies behind a link (``/lib`` on a merged /usr) has another name there."""
     base = disk.realpath(root)
     plain = [
@@ -128,15 +127,15 @@ def discover_text(name: str, data: bytes) -> Tree:
     return tree
 
 
-def inside(root: Path, path: str) -> str:
+def inside(root: str, path: str) -> str:
     """A path of the command line inside a mounted root: ``/etc`` and ``mnt/etc`` both mean the root's /etc."""
     absolute = os.path.abspath(path)
-    if absolute == str(root) or absolute.startswith(f"{root}/"):
+    if absolute == root or absolute.startswith(f"{root}/"):
         return absolute
     return os.path.join(root, path.lstrip("/"))
 
 
-def inside_resolved(root: Path, path: str) -> str:
+def inside_resolved(root: str, path: str) -> str:
     """The same, where the links of the mounted root lead, as they do on the system that boots from it; a link that is
     configuration itself stays one."""
     place = inside(root, path)
@@ -150,7 +149,7 @@ def inside_resolved(root: Path, path: str) -> str:
 def missing(paths: Iterable[str], root: str | None) -> str:
     """What to say of the first path that does not exist; empty when all do."""
     for path in paths:
-        place = os.path.abspath(path) if root is None else inside(Path(root).absolute(), path)
+        place = os.path.abspath(path) if root is None else inside(disk.absolute(root), path)
         if not disk.lexists(place):
             near = meant(os.path.basename(place), _names_in(os.path.dirname(place)))
             there = os.path.join(os.path.dirname(path.rstrip("/")), near) if near else ""
@@ -188,7 +187,7 @@ def walk(
         ignored.add(top)
     if "package.xml" in names and is_below(top, ignored):
         return
-    if depth == 0 and is_root(Path(top)):
+    if depth == 0 and is_root(top):
         excluded = _with_system_folders(excluded, top)
     for entry in entries:
         if entry.is_dir(follow_symlinks=False):
@@ -254,7 +253,7 @@ def leads_out(tree: Tree, path: str) -> bool:
     if path in tree.tops:
         return False
     if tree.root is not None:
-        return disk.islink(path) and _leaves(path, str(tree.root))
+        return disk.islink(path) and _leaves(path, tree.root)
     return any(is_below(path, (top,)) and _leaves(path, top) for top in tree.tops)
 
 
@@ -299,7 +298,7 @@ def _is_vendor(tree: Tree, file: str, named: str) -> bool:
 
 def repository_of(path: str) -> str | None:
     """The top of the git repository that a file lies in: the rest of it tells what the file alone cannot."""
-    return next((str(folder) for folder in Path(path).parents if disk.lexists(folder / ".git")), None)
+    return next((folder for folder in disk.above(path) if disk.lexists(os.path.join(folder, ".git"))), None)
 
 
 def _read_context(

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
+import os
 from functools import cache
-from pathlib import Path
 
-_FOLDER = Path(__file__).parent
+_FOLDER = os.path.dirname(__file__)
 
 
 @cache
 def rows(name: str) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
     """Column names and rows of ``NAME.tsv``, such as ``systemd/units``: tab-separated, no quoting, comments only at the
     top."""
-    lines = _FOLDER.joinpath(f"{name}.tsv").read_text(encoding="utf-8").split("\n")
+    with open(os.path.join(_FOLDER, f"{name}.tsv"), encoding="utf-8") as file:
+        lines = file.read().split("\n")
     at = 0
     while lines[at].startswith("#"):
         at += 1

@@ -8,7 +8,6 @@ import time
 from collections.abc import Callable
 from collections.abc import Container
 from datetime import date
-from pathlib import Path
 
 from bringup_lint.config import Config
 from bringup_lint.dataclass import dataclass
@@ -41,7 +40,7 @@ class Job:
     config: Config
     key: bytes
     today: date
-    rule_folders: tuple[Path, ...] = ()
+    rule_folders: tuple[str, ...] = ()
     ignores: bool = True
     folder: str = "/"
     """The working folder of the run, which relative paths are of."""

@@ -100,7 +100,7 @@ class State:
         if not self._checked_by:
             digest = hashlib.sha256(program(by_content=True).encode())
             for folder in job.rule_folders:
-                for part in _content(str(folder)):
+                for part in _content(folder):
                     digest.update(hashlib.sha256(part).digest())
             self._checked_by = digest.hexdigest()
         return self._checked_by

@@ -10,8 +10,8 @@ import marshal
 import os
 import sys
 from collections.abc import Iterator
+from contextlib import suppress
 from importlib.util import cache_from_source
-from pathlib import Path
 
 from bringup_lint import __version__
 from bringup_lint.named_tuple import NamedTuple
@@ -52,12 +52,12 @@ class Index(NamedTuple):
         return Entry(Described(*described), needs)
 
 
-def index_of(folder: Path) -> Index | None:
+def index_of(folder: str) -> Index | None:
     """The index of a folder of rules; None where there is none, and none can be written."""
-    carried = _read(folder / FILE)
+    carried = _read(os.path.join(folder, FILE))
     if carried is not None and carried.get("version") == __version__:
         return Index(carried["families"], carried["rules"])
-    place = Path(cache_from_source(str(folder / "index.py"))).with_suffix(".marshal")
+    place = cache_from_source(os.path.join(folder, "index.py")).removesuffix("pyc") + "marshal"
     stamps = _stamps(folder)
     known = _read(place) or {}
     if known.get("stamps") == stamps:
@@ -69,21 +69,22 @@ def index_of(folder: Path) -> Index | None:
     return Index(made["families"], made["rules"])
 
 
-def made_for_wheel(folder: Path) -> bytes:
+def made_for_wheel(folder: str) -> bytes:
     """The index that a wheel carries."""
     made = _made(folder, _stamps(folder), {})
     return marshal.dumps({**made, "stamps": {}, "version": __version__}, _FORMAT)
 
 
-def _read(place: Path) -> dict[str, Any] | None:
+def _read(place: str) -> dict[str, Any] | None:
     try:
-        data = marshal.loads(place.read_bytes())
+        with open(place, "rb") as file:
+            data = marshal.loads(file.read())
     except (OSError, ValueError, EOFError, TypeError):
         return None
     return data if isinstance(data, dict) else None
 
 
-def _stamps(folder: Path) -> dict[str, Stamp]:
+def _stamps(folder: str) -> dict[str, Stamp]:
     """The files that the index is made from: the rules, and the modules that read them."""
     stamps: dict[str, Stamp] = {}
     places = [(os.path.join(folder, family), f"{family}/") for family in sorted(_folders(folder))]
@@ -97,12 +98,12 @@ def _stamps(folder: Path) -> dict[str, Stamp]:
     return stamps
 
 
-def _folders(folder: Path) -> Iterator[str]:
+def _folders(folder: str) -> Iterator[str]:
     with os.scandir(folder) as entries:
         yield from (entry.name for entry in entries if entry.is_dir() and not entry.name.startswith((".", "_")))
 
 
-def _made(folder: Path, stamps: dict[str, Stamp], known: dict[str, Any]) -> dict[str, Any]:
+def _made(folder: str, stamps: dict[str, Stamp], known: dict[str, Any]) -> dict[str, Any]:
     """The index, with what is known of files that have not changed."""
     before = known.get("stamps", {})
     makers = [name for name in stamps if "/" not in name]
@@ -114,16 +115,21 @@ def _made(folder: Path, stamps: dict[str, Stamp], known: dict[str, Any]) -> dict
             continue
         same = before.get(name) == stamp
         if name.endswith(FAMILY):
-            families[name.partition("/")[0]] = _family(folder / name)
+            families[name.partition("/")[0]] = _family(_text(folder, name))
         else:
-            rules[name] = known["rules"][name] if same else _entry((folder / name).read_text("utf-8"))
+            rules[name] = known["rules"][name] if same else _entry(_text(folder, name))
     return {"stamps": stamps, "families": families, "rules": dict(sorted(rules.items()))}
 
 
-def _family(path: Path) -> dict[str, Any]:
+def _text(folder: str, name: str) -> str:
+    with open(os.path.join(folder, name), encoding="utf-8") as file:
+        return file.read()
+
+
+def _family(text: str) -> dict[str, Any]:
     from bringup_lint.toml import read_toml
 
-    return read_toml(path.read_text("utf-8"))
+    return read_toml(text)
 
 
 def _entry(text: str) -> bytes | None:
@@ -137,17 +143,19 @@ def _entry(text: str) -> bytes | None:
         return None
 
 
-def _is_writable(place: Path) -> bool:
-    folder = place.parent
-    return os.access(folder if folder.is_dir() else folder.parent, os.W_OK)
+def _is_writable(place: str) -> bool:
+    folder = os.path.dirname(place)
+    return os.access(folder if os.path.isdir(folder) else os.path.dirname(folder), os.W_OK)
 
 
-def _write(place: Path, data: dict[str, Any]) -> None:
+def _write(place: str, data: dict[str, Any]) -> None:
     """Whole or not at all, as two processes may write at once."""
-    temporary = place.with_name(f"{place.name}.{os.getpid()}")
+    temporary = f"{place}.{os.getpid()}"
     try:
-        place.parent.mkdir(exist_ok=True)
-        temporary.write_bytes(marshal.dumps(data, _FORMAT))
+        os.makedirs(os.path.dirname(place), exist_ok=True)
+        with open(temporary, "wb") as file:
+            file.write(marshal.dumps(data, _FORMAT))
         os.replace(temporary, place)
     except OSError:
-        temporary.unlink(missing_ok=True)
+        with suppress(OSError):
+            os.unlink(temporary)

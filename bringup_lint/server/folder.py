@@ -88,10 +88,10 @@ class Folder:
         config = self._config()
         self._held.texts = {path: document.text for path, document in state.documents.items()}
         tree = self._tree(config)
-        purposes = {display_name(str(config.folder / path)): name for path, name in config.purpose.items()}
+        purposes = {display_name(config.beside(path)): name for path, name in config.purpose.items()}
         robot = Robot(tree, config.target_ros, config.target_systemd, date.today(), purposes)
         outcome = run(robot, self.registry, config, between=go_on)
-        shown = presented(outcome.findings, str(tree.root or self.path), self.path).findings
+        shown = presented(outcome.findings, tree.root or self.path, self.path).findings
         found = of_findings(outcome.findings, shown, self.known(config))
         analysis = Analysis(self.path, robot, found, outcome.rules, state.documents, state.encoding)
         self._last = (state.generation, analysis)
@@ -103,7 +103,7 @@ class Folder:
         return replace(config, **self.settings)
 
     def _tree(self, config: Config) -> Tree:
-        deploy = {str(config.folder / path): place for path, place in config.deploy.items()}
+        deploy = {config.beside(path): place for path, place in config.deploy.items()}
         opened = () if self.asked else (f"{self.path.rstrip('/')}/",)
         excluded = exclusion(config.folder, config.exclude, opened)
         return discover(self.asked or (self.path,), deploy=deploy, excluded=excluded, held=self._held)

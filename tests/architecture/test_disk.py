@@ -18,7 +18,6 @@ ALLOWED = {
     "cli": "reads what the command line names, and writes reports",
     "live": "starts the process that looks at the running graph",
     "fleet": "reads the inventory, and asks whether there is what it names",
-    "config.py": "reads the configuration",
     "registry.py": "loads the rules",
     "on_demand.py": "reads the imports of its modules",
     "rule_index": "keeps what the rules say of themselves",

@@ -44,7 +44,7 @@ Restart=on-failure
 WantedBy=multi-user.target
 """
 OF_OTHER_FILES = (
-    *("inspect", "dataclasses", "ast", "shlex", "traceback", "typing"),
+    *("inspect", "dataclasses", "ast", "pathlib", "shlex", "traceback", "typing", "urllib"),
     *(f"bringup_lint.{name}" for name in ("api.launch", "graph.launch", "model.launch", "parsers.logrotate")),
     *(f"bringup_lint.discover.kinds.{name}" for name in ("params", "shell", "udev")),
 )

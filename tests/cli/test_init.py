@@ -78,7 +78,7 @@ def test_what_is_not_the_robots_own_is_left_out(tmp_path: Path) -> None:
     subprocess.run(["git", "init", "-q"], cwd=tmp_path, check=True)
     subprocess.run(["git", "add", ".gitignore"], cwd=tmp_path, check=True)
     lint("init", cwd=tmp_path)
-    assert read(tmp_path / "bringup-lint.toml").exclude == (
+    assert read(str(tmp_path / "bringup-lint.toml")).exclude == (
         "/deep/fixtures/",
         "/lib/driver/",
         "/made/",
@@ -133,7 +133,7 @@ def test_where_files_go_on_the_robot(tmp_path: Path) -> None:
     tree(tmp_path, {"deploy/units/README.md": "text", "conf/ros.env": "A=1\n", "conf/other.yaml": "a: 1\n"})
     tree(tmp_path, {"udev/60-a.rules": 'KERNEL=="a", MODE="0660"\n', "more/60-a.rules": 'KERNEL=="a", MODE="0660"\n'})
     lint("init", cwd=tmp_path)
-    assert read(tmp_path / "bringup-lint.toml").deploy == {
+    assert read(str(tmp_path / "bringup-lint.toml")).deploy == {
         "deploy/units": "/etc/systemd/system",
         "conf/ros.env": "/etc/otter/ros.env",
     }
@@ -147,7 +147,7 @@ def test_what_folders_are_for(tmp_path: Path) -> None:
     tree(tmp_path, {"sandbox/deep/scratch/a.service": UNIT, "test/scratch/a.service": UNIT})
     tree(tmp_path, {"otter_world/package.xml": PACKAGE, "otter_world/launch/w.launch.py": "import launch\n"})
     lint("init", cwd=tmp_path)
-    config = read(tmp_path / "bringup-lint.toml")
+    config = read(str(tmp_path / "bringup-lint.toml"))
     assert config.purpose == {"otter_world/": "simulation", "sandbox/": "development"}
     assert config.deploy == {}
 
@@ -169,7 +169,7 @@ def test_a_template_of_a_project_is_an_example(tmp_path: Path, folder: str) -> N
 def test_names_of_files_stay_in_their_comment(tmp_path: Path) -> None:
     tree(tmp_path, {'vendor/a"\n[x]\n/a.service': UNIT, 'b"\n[y]/fixtures/a.service': UNIT})
     lint("init", cwd=tmp_path)
-    assert read(tmp_path / "bringup-lint.toml").exclude == ('/b"\n\\[y\\]/fixtures/', "/vendor/")
+    assert read(str(tmp_path / "bringup-lint.toml")).exclude == ('/b"\n\\[y\\]/fixtures/', "/vendor/")
 
 
 def test_names_that_toml_cannot_hold_as_they_are(tmp_path: Path) -> None:
@@ -178,4 +178,4 @@ def test_names_that_toml_cannot_hold_as_they_are(tmp_path: Path) -> None:
     undecodable.mkdir(parents=True)
     (undecodable / "a.service").write_text(UNIT)
     assert lint("init", cwd=tmp_path).code == 0
-    assert read(tmp_path / "bringup-lint.toml").exclude == ("/vendor/", "/x\x7fdel/fixtures/")
+    assert read(str(tmp_path / "bringup-lint.toml")).exclude == ("/vendor/", "/x\x7fdel/fixtures/")

@@ -23,7 +23,7 @@ def checkout(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     unit = tmp_path / "fixtures/systemd/root_user/good/robot.service"
     unit.parent.mkdir(parents=True)
     unit.write_text("[Service]\nUser=robot\nExecStart=/bin/true\n")
-    monkeypatch.setattr(new_rule, "builtin_folder", lambda: tmp_path / "rules")
+    monkeypatch.setattr(new_rule, "builtin_folder", lambda: str(tmp_path / "rules"))
     return tmp_path
 
 

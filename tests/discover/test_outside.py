@@ -191,11 +191,11 @@ def test_a_root_is_recognized_without_a_look_outside(tmp_path: Path) -> None:
     from bringup_lint.discover.roots import is_root
 
     root = a_root(tmp_path / "root")
-    assert is_root(root)
+    assert is_root(str(root))
     (root / "etc/passwd").unlink()
     (root / "etc/passwd").symlink_to(tmp_path / "passwd")
     (tmp_path / "passwd").write_text("root:x:0:0:root:/root:/bin/bash\n")
-    assert not is_root(root)
+    assert not is_root(str(root))
 
 
 def test_a_real_path_stays_in_the_tree(tree: Path) -> None:

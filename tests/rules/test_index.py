@@ -84,49 +84,49 @@ def test_families_are_those_of_the_files() -> None:
 
 
 def test_it_is_kept_beside_the_byte_code(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    assert titles(index_of(folder)) == {"host/one.py": "One thing"}
+    assert titles(index_of(str(folder))) == {"host/one.py": "One thing"}
     assert place(folder).is_file()
     monkeypatch.setattr(stored, "_made", lambda *arguments: pytest.fail("made again"))
-    assert index_of(folder) == index_of(folder)
+    assert index_of(str(folder)) == index_of(str(folder))
 
 
 def test_it_follows_the_files(folder: Path) -> None:
-    index_of(folder)
+    index_of(str(folder))
     write(folder, "two", "Another thing")
-    assert titles(index_of(folder)) == {"host/one.py": "One thing", "host/two.py": "Another thing"}
+    assert titles(index_of(str(folder))) == {"host/one.py": "One thing", "host/two.py": "Another thing"}
     write(folder, "one", "One thing more")
     (folder / "host/two.py").unlink()
-    assert titles(index_of(folder)) == {"host/one.py": "One thing more"}
+    assert titles(index_of(str(folder))) == {"host/one.py": "One thing more"}
 
 
 @pytest.mark.parametrize("content", [b"", b"{", b"i\x01\x00\x00\x00", b"\xe3" + b"\x01" * 40])
 def test_what_is_damaged_is_made_again(folder: Path, content: bytes) -> None:
-    index_of(folder)
+    index_of(str(folder))
     place(folder).write_bytes(content)
-    assert titles(index_of(folder)) == {"host/one.py": "One thing"}
+    assert titles(index_of(str(folder))) == {"host/one.py": "One thing"}
 
 
 def test_nothing_is_written_where_python_writes_no_byte_code(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sys, "dont_write_bytecode", True)
-    assert index_of(folder) is None
+    assert index_of(str(folder)) is None
     assert not place(folder).exists()
 
 
 def test_nothing_is_made_where_it_cannot_be_kept(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(os, "access", lambda path, mode: False)
-    assert index_of(folder) is None
+    assert index_of(str(folder)) is None
 
 
 def test_a_rule_of_an_unusual_form_is_loaded(folder: Path) -> None:
     (folder / "host/odd.py").write_text('"""Odd.\n"""\n\n@rule(SEVERITY)\ndef odd(robot):\n    yield 1\n')
-    index = index_of(folder)
+    index = index_of(str(folder))
     assert index is not None and "host/odd.py" in index.rules and index.entry("host/odd.py") is None
 
 
 def test_a_rule_that_lacks_a_heading_is_loaded_and_refused(folder: Path) -> None:
     path = folder / "host/one.py"
     path.write_text(path.read_text().replace("## Bad\n", ""))
-    index = index_of(folder)
+    index = index_of(str(folder))
     assert index is not None and index.entry("host/one.py") is None
     path.write_text(path.read_text().replace("@rule", "from bringup_lint.api import rule\n\n@rule"))
     with pytest.raises(RuleError, match=r"one\.py: the docstring lacks the heading Bad$"):
@@ -134,8 +134,8 @@ def test_a_rule_that_lacks_a_heading_is_loaded_and_refused(folder: Path) -> None
 
 
 def test_a_wheel_carries_its_own(folder: Path) -> None:
-    content = stored.made_for_wheel(folder)
-    assert content == stored.made_for_wheel(folder)
+    content = stored.made_for_wheel(str(folder))
+    assert content == stored.made_for_wheel(str(folder))
     (folder / stored.FILE).write_bytes(content)
-    assert titles(index_of(folder)) == {"host/one.py": "One thing"}
+    assert titles(index_of(str(folder))) == {"host/one.py": "One thing"}
     assert not place(folder).exists()

@@ -72,7 +72,7 @@ def command(ctx: click.Context, rule_id: str) -> None:
         complain(problem)
         ctx.exit(2)
     try:
-        written = write(rule_id, builtin_folder().parent)
+        written = write(rule_id, Path(builtin_folder()).parent)
     except NotWritten as error:
         complain(error)
         ctx.exit(2)
@@ -84,7 +84,7 @@ def command(ctx: click.Context, rule_id: str) -> None:
 
 def _problem(rule_id: str) -> str:
     """Why no rule of this id can be written; empty when it can."""
-    rules = builtin_folder()
+    rules = Path(builtin_folder())
     family, _, name = rule_id.replace("-", "_").partition("/")
     fixtures = rules.parent / "fixtures"
     if not fixtures.is_dir():
@@ -109,7 +109,7 @@ def write(rule_id: str, project: Path) -> list[Path]:
 
     family, _, name = rule_id.replace("-", "_").partition("/")
     rule = project / "rules" / family / f"{name}.py"
-    reads = next(each.reads for each in families([project / "rules"]) if each.path.name == family)
+    reads = next(each.reads for each in families([str(project / "rules")]) if Path(each.folder).name == family)
     kinds = ", ".join(f'"{kind}"' for kind in sorted(reads))
     create(rule, RULE.format(function=name, kinds=kinds).encode("utf-8"))
     fixtures = project / "fixtures" / family
