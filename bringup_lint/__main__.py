@@ -15,6 +15,7 @@ def program() -> None:
     """``main`` in a process of its own, which ends without taking apart the objects of the run one by one: that would
     take a tenth of the time."""
     code: str | int | None = 0
+    gc.disable()  # until the modules are there, of which nothing is garbage
     try:
         main()
     except SystemExit as ended:
@@ -70,6 +71,7 @@ def _settle() -> None:
 
     gc.freeze()
     collect_seldom()
+    gc.enable()
 
 
 if __name__ == "__main__":

@@ -18,7 +18,6 @@ from bringup_lint.cache.folder import Folder
 from bringup_lint.cache.folder import opened
 from bringup_lint.cache.program import program
 from bringup_lint.digest import blake2b
-from bringup_lint.discover.again import fact_now
 from bringup_lint.discover.record import Record
 from bringup_lint.discover.record import stamp_of
 
@@ -96,6 +95,8 @@ class Question:
             question, path, stamp, fact = look
             now = "" if self.by_content else stamp_of(question, path)
             if not now or now != stamp:
+                from bringup_lint.discover.again import fact_now
+
                 if fact_now(question, path) != fact:
                     return
                 look = [question, path, now or stamp, fact]

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import contextlib
+import marshal
 import os
 import sys
 import time
 from collections.abc import Iterator
+from operator import attrgetter
 
 from bringup_lint import __version__
 from bringup_lint.digest import blake2b
@@ -14,43 +16,58 @@ from bringup_lint.discover.record import content
 
 _PACKAGE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 _MADE_BY_PYTHON = "__pycache__"
+_FORMAT = 2
+"""Of marshal, which writes the numbers of all files in half the time of making them decimal: the last format in which
+equal lists are equal bytes."""
 _STEP = 1 << 16
 """Bytes that are read at a time; nearly every file of the program is smaller."""
+
+
+Mark = str | int
+"""A name, a digest, or a number of a file."""
 
 
 def program(*, by_content: bool) -> str:
     """A digest that is another one after any change that could change an answer. By content, it is the same on another
     machine with the same files."""
-    return blake2b(os.fsencode("\0".join(_words(by_content))), digest_size=16).hexdigest()
+    return blake2b(marshal.dumps(_marks(by_content), _FORMAT), digest_size=16).hexdigest()
 
 
-def _words(by_content: bool) -> Iterator[str]:
+def _marks(by_content: bool) -> list[Mark]:
     """The day counts because certificates expire."""
-    yield from (__version__, sys.version, str(sys.flags), time.strftime("%Y-%m-%d"))
+    marks: list[Mark] = [__version__, sys.version, str(sys.flags), time.strftime("%Y-%m-%d")]
     for folder in (_PACKAGE, os.path.join(os.path.dirname(_PACKAGE), "rules")):
-        yield from _files(folder, by_content)
+        marks += _files(folder, by_content)
     for folder in sys.path:
-        yield folder
-        yield from _names(folder) if by_content else _times(folder)
+        marks.append(folder)
+        marks += _names(folder) if by_content else _times(folder)
+    return marks
 
 
-def _files(folder: str, by_content: bool) -> Iterator[str]:
+def _files(top: str, by_content: bool) -> list[Mark]:
     """Every file below a folder, in the order of its names."""
+    marks: list[Mark] = []
+    folders = [top]
+    for folder in folders:
+        marks.append(folder)
+        for entry in _entries(folder):
+            if entry.is_dir(follow_symlinks=False):
+                if entry.name != _MADE_BY_PYTHON:
+                    folders.append(entry.path)
+            elif by_content:
+                marks += (entry.name, *_content(entry.path))
+            else:
+                status = entry.stat(follow_symlinks=False)
+                marks += (entry.name, status.st_ino, status.st_size, status.st_mtime_ns, status.st_ctime_ns)
+    return marks
+
+
+def _entries(folder: str) -> list[os.DirEntry[str]]:
     try:
-        with os.scandir(folder) as iterator:
-            entries = sorted(iterator, key=lambda entry: entry.name)
+        with os.scandir(folder) as entries:
+            return sorted(entries, key=attrgetter("name"))
     except OSError:
-        return
-    for entry in entries:
-        if entry.is_dir(follow_symlinks=False):
-            if entry.name != _MADE_BY_PYTHON:
-                yield from _files(entry.path, by_content)
-        elif by_content:
-            yield entry.path
-            yield from _content(entry.path)
-        else:
-            status = entry.stat(follow_symlinks=False)
-            yield f"{entry.path} {status.st_ino} {status.st_size} {status.st_mtime_ns} {status.st_ctime_ns}"
+        return []
 
 
 def _content(path: str) -> Iterator[str]:

@@ -14,7 +14,7 @@ files_of, times_of, names_in = program_module._files, program_module._times, pro
 
 
 @cache
-def files_of_the_project(folder: str, by_content: bool) -> tuple[str, ...]:
+def files_of_the_project(folder: str, by_content: bool) -> tuple[program_module.Mark, ...]:
     return tuple(files_of(folder, by_content))
 
 
@@ -22,7 +22,7 @@ times_of_the_project = cache(lambda: tuple(times_of(str(PROJECT))))
 names_in_the_project = cache(lambda: tuple(names_in(str(PROJECT))))
 
 
-def _files(folder: str, by_content: bool) -> Iterable[str]:
+def _files(folder: str, by_content: bool) -> Iterable[program_module.Mark]:
     is_own = folder.startswith(f"{PROJECT}/")
     return files_of_the_project(folder, by_content) if is_own else files_of(folder, by_content)
 

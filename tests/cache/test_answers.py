@@ -45,7 +45,7 @@ def test_stamps_are_trusted_when_files_are_old_enough(robot: Program, monkeypatc
     robot.run()
     monkeypatch.setattr(record, "YOUNG", 0)
     assert robot.run().is_answered
-    monkeypatch.setattr("bringup_lint.cache.answers.fact_now", lambda *look: pytest.fail("read once more"))
+    monkeypatch.setattr("bringup_lint.discover.again.fact_now", lambda *look: pytest.fail("read once more"))
     assert robot.run().is_answered
 
 
