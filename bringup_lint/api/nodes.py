@@ -49,6 +49,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.python_releases import python_of
     from bringup_lint.graph.nodes.questions.quaternion_order import misordered_quaternions
     from bringup_lint.graph.nodes.questions.rates import endless_rates
+    from bringup_lint.graph.nodes.questions.refused_logs import RefusedLog
+    from bringup_lint.graph.nodes.questions.refused_logs import refused_logs
     from bringup_lint.graph.nodes.questions.rejected_goals import stuck_flags
     from bringup_lint.graph.nodes.questions.repeating import guards_commands
     from bringup_lint.graph.nodes.questions.repeating import held
@@ -97,6 +99,7 @@ __all__ = [
     "NoField",
     "NodeSource",
     "Purpose",
+    "RefusedLog",
     "Timer",
     "Unfit",
     "WrongUnit",
@@ -141,6 +144,7 @@ __all__ = [
     "python_of",
     "range_text",
     "rare_signals",
+    "refused_logs",
     "relays",
     "repeated",
     "shell_commands",
