@@ -1,13 +1,14 @@
 """A package needs another one that its package.xml does not declare.
 
 ## What it finds
-Packages that launch files start or include, that nodes import at their top or that CMake finds with REQUIRED, if
-neither the package.xml nor that of a package of the workspace on which it depends declares them. It is a warning
+Packages that launch files start or include, that nodes and launch files import at their top or that CMake finds with
+REQUIRED, and xacro where a launch file runs it, if neither the package.xml nor that of a package of the workspace on
+which it depends declares them. It is a warning
 
 - when CMake finds a package of the same workspace;
 - when ros-base lacks the package, module or library, and no package.xml, script, image, list of repositories or
-  command of the documentation installs it or something that brings it. For a module or library, each mention in the
-  documentation counts;
+  command of the documentation installs it or something that brings it. A link, a sentence or `install_requires` of a
+  setup.py installs nothing; the name of a Debian package of ROS counts wherever it is written;
 - when launch files start another package of the same workspace, and a script or an image builds the one that needs it
   with `--packages-up-to`, without the other;
 - when the same is so, and the changelog of the package shows that it is released, which makes a Debian package of it
@@ -79,6 +80,7 @@ SHOWN = 12
 ASKED = {
     "node": "{} is started here",
     "include": "a launch file of {} is included here",
+    "program": "{} is run here",
     "module": "{} is imported here",
     "library": "CMake looks for {} here",
 }
@@ -177,6 +179,8 @@ def _end(need: Need) -> str:
     file = need.name.span.source.basename
     if need.use == "module":
         return f"{file} ends with \"No module named '{need.name}'\""
+    if need.use == "program":
+        return f"{file} ends, because there is no program '{need.name}'"
     if need.use == "library":
         return f"the build stops at find_package({need.name})"
     return f"{file} ends with \"package '{need.name}' not found\""

@@ -11,6 +11,8 @@ from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.spelling import edits
 from bringup_lint.spelling import numbered
 
+_MESSAGES = ("_msgs", "_interfaces")
+
 
 class Needed(NamedTuple):
     is_package: bool
@@ -18,12 +20,17 @@ class Needed(NamedTuple):
     key: str
     """The rosdep key; empty when rosdep knows none."""
     also: tuple[str, ...]
-    """The other names that bring it; patterns are for names of dependencies."""
+    """The other names that bring it, by patterns, and after ``!`` what does not bring it in spite of its name. Patterns
+    with a star in front are for names of dependencies alone."""
 
     def comes_with(self, dependency: str) -> bool:
-        """Whether a dependency brings it."""
+        """Whether a dependency brings it. Packages of messages bring nothing but messages."""
         found = dependency.replace("-", "_")
-        return found in (self.name, self.key.replace("-", "_")) or any(fnmatchcase(found, each) for each in self.also)
+        if found in (self.name, self.key.replace("-", "_")):
+            return True
+        if f"!{found}" in self.also or (found.endswith(_MESSAGES) and not self.name.endswith(_MESSAGES)):
+            return False
+        return any(fnmatchcase(found, each) for each in self.also)
 
     @property
     def declared(self) -> str:
@@ -33,7 +40,13 @@ class Needed(NamedTuple):
     @property
     def words(self) -> frozenset[str]:
         """The plain names, with underscores."""
-        return frozenset(each for each in (self.key.replace("-", "_"), *self.also) if each and "*" not in each)
+        names = (self.key.replace("-", "_"), *self.also)
+        return frozenset(each for each in names if each and "*" not in each and "!" not in each)
+
+    @property
+    def beginnings(self) -> tuple[str, ...]:
+        """How the names of packages begin that bring it."""
+        return tuple(each[:-1] for each in self.also if each.find("*") == len(each) - 1)
 
 
 @cache
@@ -47,7 +60,7 @@ def _by_name() -> dict[tuple[str, str], Needed]:
 def needed(use: str, name: str) -> Needed | None:
     """``use``: ``package``, ``module`` or ``library``; None when nothing is known of the name."""
     own = _by_name().get((use, name))
-    if own is not None or use != "package":
+    if own is not None:
         return own
     family = _by_name().get((use, f"{name.partition('_')[0]}_*"))
     return family and family._replace(name=name)

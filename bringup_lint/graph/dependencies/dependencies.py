@@ -12,6 +12,8 @@ from bringup_lint.facts.ros.needed import base
 from bringup_lint.facts.ros.needed import instead_of
 from bringup_lint.facts.ros.needed import not_rosdep
 from bringup_lint.graph.dependencies.apart import Apart
+from bringup_lint.graph.dependencies.installers import ROSDEP
+from bringup_lint.graph.dependencies.installers import Installers
 from bringup_lint.graph.dependencies.interfaces import MissingInterface
 from bringup_lint.graph.dependencies.interfaces import PackageInterfaces
 from bringup_lint.graph.dependencies.interfaces import Ungenerated
@@ -21,8 +23,8 @@ from bringup_lint.graph.dependencies.missing_files import missing_files
 from bringup_lint.graph.dependencies.needs import Need
 from bringup_lint.graph.dependencies.needs import of_builds
 from bringup_lint.graph.dependencies.needs import of_launch
+from bringup_lint.graph.dependencies.needs import of_launch_files
 from bringup_lint.graph.dependencies.needs import of_nodes
-from bringup_lint.graph.dependencies.provided import ROSDEP
 from bringup_lint.graph.dependencies.provided import Provided
 from bringup_lint.graph.dependencies.ros1_programs import ros1_programs
 from bringup_lint.graph.dependencies.subpackages import LeftOut
@@ -48,9 +50,10 @@ _FOREIGN = regex(r"(?:^|_)(?:vendor|stubs?|template)(?:_|$)|[{}$<]")
 
 
 _COMMON = frozenset(
-    ("numpy", "yaml", "pytest", "setuptools", "pkg_resources", "packaging", "psutil", "requests", "em", "lark")
+    "numpy yaml pytest setuptools pkg_resources packaging psutil requests em lark lxml cryptography netifaces click gi"
+    " apt dbus systemd".split()
 )
-"""Modules that come with ros-base."""
+"""Modules that come with ros-base or Ubuntu."""
 
 
 class Dependencies:
@@ -74,7 +77,7 @@ class Dependencies:
         return {name: list(needs.values()) for name, needs in found.items()}
 
     def _needs(self) -> Iterator[Need]:
-        for needs in (of_builds, of_launch, of_nodes):
+        for needs in (of_builds, of_launch, of_launch_files, of_nodes):
             for need in needs(self._files, self._launch):
                 if need.name != need.owner.name and need.name not in self._required(need.owner):
                     yield need
@@ -194,13 +197,25 @@ class Dependencies:
         return Apart(self._files, self._launch.workspace)
 
     def _asks_for_others(self, package: Package) -> bool:
-        """Whether nodes of a package import what no table knows: it may bring further modules."""
-        modules = (need for need in self.undeclared(package) if need.use == "module")
-        return any(need.fact is None and not self._is_there(str(need.name)) for need in modules)
+        """Whether nodes import what no table knows: it may bring further modules. Where the tree says of no package how
+        it is installed, those of all packages count."""
+        packages = [package] if self.uses_rosdep else self._launch.workspace.packages.values()
+        return any(self._asks_for_unknown(each) for each in packages)
+
+    @memo
+    def _asks_for_unknown(self, package: Package) -> bool:
+        modules = (need for need in self.undeclared(package) if need.use == "module" and need.fact is None)
+        return not all(self._is_there(str(need.name)) for need in modules)
 
     def _is_there(self, module: str) -> bool:
-        """Whether a module is one of Python, of ros-base or of the workspace."""
-        return module in sys.stdlib_module_names or module in base() or module in self._own or module in _COMMON
+        """Whether a module is one of Python, of ros-base, of messages or of the workspace."""
+        return (
+            module.endswith(("_msgs", "_interfaces"))
+            or module in sys.stdlib_module_names
+            or module in base()
+            or module in self._own
+            or module in _COMMON
+        )
 
     def _is_example(self, need: Need) -> bool:
         """Whether a launch file is called like what it starts, and nothing else of the tree names it: it shows how to
@@ -214,8 +229,10 @@ class Dependencies:
 
     @cached_property
     def _declared(self) -> frozenset[str]:
-        packages = self._launch.workspace.packages.values()
-        return frozenset(str(name) for package in packages for _, name in package.manifest.depends) | self._own
+        """What rosdep installs for the whole workspace, and the packages of which there are several."""
+        workspace = self._launch.workspace
+        depends = (name for package in workspace.packages.values() for _, name in package.manifest.depends)
+        return frozenset(map(str, depends)) - workspace.packages.keys() | frozenset(workspace.ambiguous)
 
     @cached_property
     def _own(self) -> frozenset[str]:
@@ -223,8 +240,12 @@ class Dependencies:
         return frozenset(workspace.packages) | frozenset(workspace.ambiguous)
 
     @cached_property
+    def _installers(self) -> Installers:
+        return Installers(self._files.tree)
+
+    @cached_property
     def _provided(self) -> Provided:
-        return Provided(self._files.tree, self._dockerfiles())
+        return Provided(self._installers, self._dockerfiles())
 
     @cached_property
     def uses_rosdep(self) -> bool:
@@ -235,13 +256,13 @@ class Dependencies:
     def _rosdep_commands(self) -> list[str]:
         sources = self._files.of_kind("dockerfile", "shell-script", "ansible")
         own = [command for source in sources for command in ROSDEP.findall(source.text)]
-        return own + self._provided.rosdep_commands
+        return own + self._installers.rosdep_commands
 
     def stops_rosdep(self, name: str) -> bool:
         """Whether rosdep installs nothing when a name cannot be resolved, in each command of the tree: one that goes on
         may be the one for this workspace. Where the tree has no command, it is the one that people type."""
         if not self._rosdep_commands:
-            return not self._provided.mentions_rosdep
+            return not self._installers.mentions_rosdep
         commands = [command for command in self._rosdep_commands if "--from-path" in command]
         return bool(commands) and not any(_GOES_ON.search(command) or name in command for command in commands)
 

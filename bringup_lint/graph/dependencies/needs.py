@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterable
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -12,7 +13,9 @@ from bringup_lint.graph.dependencies.imports import imported
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.model.launch import LaunchFile
+from bringup_lint.model.launch import Node
 from bringup_lint.model.launch_values import Choice
+from bringup_lint.model.launch_values import Command
 from bringup_lint.model.launch_values import Literal
 from bringup_lint.model.launch_values import PackageShare
 from bringup_lint.model.launch_values import Value
@@ -30,7 +33,8 @@ if TYPE_CHECKING:
 
 class Need(NamedTuple):
     use: str
-    """``node`` and ``include`` in a launch file, ``module`` that Python imports, ``library`` that CMake finds."""
+    """``node``, ``include`` and ``program`` in a launch file, ``module`` that Python imports, ``library`` that CMake
+    finds."""
     name: Located
     owner: Package
     """The package whose file asks for it."""
@@ -62,6 +66,35 @@ def of_launch(files: Files, launch: Launch) -> Iterator[Need]:
                 yield from (Need("include", name, owner, always) for name in _shares(include.file))
 
 
+def of_launch_files(files: Files, launch: Launch) -> Iterator[Need]:
+    """What ends a launch file when it is missing: the modules that it imports, and xacro."""
+    folders = _python_packages(files)
+    for file in launch.judged:
+        owner = launch.workspace.owner(file.source)
+        if owner is None:
+            continue
+        always = _is_of_robot(files, launch, file) and _is_installed(owner, file.source)
+        if file.source.kind == "launch-python":
+            yield from (Need("module", module, owner, always) for module in _foreign(files, folders, file.source))
+    for node in launch.nodes:
+        owner = launch.workspace.owner(node.file.source)
+        if owner is not None and isinstance(node.action, Node):
+            always = node.by_default is True and _is_of_robot(files, launch, node.file)
+            for program in _programs(node.action.parameters):
+                yield Need("program", program, owner, always and _is_installed(owner, node.file.source))
+
+
+def _programs(values: Iterable[Value]) -> Iterator[Located]:
+    """The programs whose output is a parameter."""
+    for value in values:
+        for command in walk(value):
+            if isinstance(command, Command):
+                first = next((each for each in walk(command.command) if isinstance(each, Literal)), None)
+                words = first.value.split() if first is not None and isinstance(first.value, str) else []
+                if first is not None and words:
+                    yield Located(words[0], first.span)
+
+
 def _is_of_robot(files: Files, launch: Launch, file: LaunchFile) -> bool:
     """Neither for a simulation nor for tests."""
     return files.purpose(file.source) is Purpose.ROBOT and not launch.simulated(file)
@@ -79,17 +112,26 @@ def _is_installed(owner: Package, source: Source) -> bool:
 
 def of_nodes(files: Files, launch: Launch) -> Iterator[Need]:
     """The modules that the nodes of packages import whenever they start, and that are not in the tree."""
-    folders = {os.path.basename(os.path.dirname(path)) for path in files.tree.named("__init__.py")}
+    folders = _python_packages(files)
     for source in files.of_kind("python-node"):
         owner = launch.workspace.owner(source)
         if owner is None or not source.judged or files.purpose(source) is not Purpose.ROBOT:
             continue
         if owner.manifest.build_type != "ament_python" and not _is_installed(owner, source):
             continue
-        for module in imported(source):
-            name = module.partition(".")[0]
-            if name not in folders and not any(files.tree.named(f"{name}.py")):
-                yield Need("module", Located(name, module.span), owner)
+        yield from (Need("module", module, owner) for module in _foreign(files, folders, source))
+
+
+def _foreign(files: Files, folders: frozenset[str], source: Source) -> Iterator[Located]:
+    """The modules that a file imports and that are not in the tree, which has Python packages in these folders."""
+    for module in imported(source):
+        name = module.partition(".")[0]
+        if name not in folders and not any(files.tree.named(f"{name}.py")):
+            yield Located(name, module.span)
+
+
+def _python_packages(files: Files) -> frozenset[str]:
+    return frozenset(os.path.basename(os.path.dirname(path)) for path in files.tree.named("__init__.py"))
 
 
 def of_builds(files: Files, launch: Launch) -> Iterator[Need]:
