@@ -34,7 +34,9 @@ _INSTALLS = regex(
 """A command of the documentation that installs, with the lines that it goes on in."""
 _COMMENTS = regex(r"^[ \t]*#[^\n]*$", re.M)
 _USES = regex(
-    r"\bros2[\"', \t]+(?:run|launch)[\"', \t]+[\w.-]{1,100}|--packages-[a-z-]+(?:[ \t]+\w+)*", hints="ros2 --packages-"
+    r"\bros2[\"', \t]{1,8}(?:run|launch)[\"', \t]{1,8}[\w.-]{1,100}"
+    r"|--packages-[a-z-]{1,20}(?:[ \t]{1,4}\w{1,100}){0,40}",
+    hints="ros2 --packages-",
 )
 """A command that asks for a package instead of installing it."""
 _MOST = 200_000
@@ -42,9 +44,9 @@ _MOST = 200_000
 ADDRESS = regex(r"(?:https?://|git@|ssh://git@)[\w.-]{1,80}[/:]([\w./-]{1,160})", hints="http:// https:// git@")
 ROSDEP = regex(r"\brosdep\s+install\b(?:\\\r?\n|[^\n`&;])*", hints="rosdep")
 """A command, with the lines that it goes on in."""
-_LOCAL = regex(r"\bpip3?\s+install(?:\s+--?[a-z-]+)*\s+[\"']?[./$]", hints="pip")
+_LOCAL = regex(r"\bpip3?[ \t]{1,4}install(?:[ \t]{1,4}-[a-z-]{1,40}){0,10}[ \t]{1,4}[\"']?[./$]", hints="pip")
 """A command that installs Python packages of the tree, with what they require."""
-_LIST = regex(r"\s(?:-r|--requirement)[ =]*[\"']?([\w./-]+\.txt)", hints="-r --requirement")
+_LIST = regex(r"\s(?:-r|--requirement)[ =]{0,4}[\"']?([\w./-]{1,200}\.txt)", hints="-r --requirement")
 """A file that names what pip installs."""
 _PARAMETERS = "ros__parameters"
 
