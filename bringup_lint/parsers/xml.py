@@ -21,8 +21,8 @@ from collections import Counter
 
 from bringup_lint.model.xml import Document
 from bringup_lint.model.xml import Element
-from bringup_lint.parsers.xml_tags import NAME
 from bringup_lint.parsers.xml_tags import StartTag
+from bringup_lint.parsers.xml_tags import name_at
 from bringup_lint.parsers.xml_tags import start_tag
 from bringup_lint.parsers.xml_text import FORBIDDEN
 from bringup_lint.parsers.xml_text import decode
@@ -166,7 +166,7 @@ class _Reader:
 
     def instruction(self) -> None:
         start = self.at
-        name = NAME.match(self.text, start + 2)
+        name = name_at(self.text, start + 2)
         end = self.skip("?>", start + 2, "processing instruction")
         if name is None:
             self.report("bad-instruction", start, end, "no name")
