@@ -5,8 +5,8 @@ from __future__ import annotations
 import ast
 import warnings
 from collections import deque
-from collections.abc import Callable
 from collections.abc import Iterator
+from collections.abc import Sequence
 from typing import Union
 
 PlacedNode = Union["ast.expr", "ast.stmt", "ast.keyword", "ast.arg", "ast.excepthandler", "ast.alias"]
@@ -38,23 +38,24 @@ def fields_of(node: ast.AST) -> tuple[str, ...]:
     return _FIELDS[kind]
 
 
-def children(node: ast.AST) -> list[ast.AST]:
-    """As ``ast.iter_child_nodes``, in a third of the time, without contexts and operators."""
+def children(node: ast.AST) -> Sequence[ast.AST]:
+    """As ``ast.iter_child_nodes``, without contexts and operators. The node keeps them: a tree is walked some ten
+    times."""
+    kept: Sequence[ast.AST] | None = getattr(node, "below", None)
+    if kept is None:
+        kept = node.below = _children(node)  # type: ignore[attr-defined]
+    return kept
+
+
+def _children(node: ast.AST) -> Sequence[ast.AST]:
     found: list[ast.AST] = []
-    _add_children(node, found.append)
-    return found
-
-
-def _add_children(node: ast.AST, add: Callable[[ast.AST], object]) -> None:
-    fields = _FIELDS.get(type(node))
-    for name in fields_of(node) if fields is None else fields:
+    for name in fields_of(node):
         value = getattr(node, name, None)
         if isinstance(value, ast.AST):
-            add(value)
+            found.append(value)
         elif isinstance(value, list):
-            for child in value:
-                if isinstance(child, ast.AST):
-                    add(child)
+            found += [child for child in value if isinstance(child, ast.AST)]
+    return found or ()
 
 
 def is_self(node: ast.AST | None) -> bool:
@@ -66,7 +67,7 @@ def walk(node: ast.AST) -> Iterator[ast.AST]:
     todo = deque([node])
     while todo:
         node = todo.popleft()
-        _add_children(node, todo.append)
+        todo += children(node)
         yield node
 
 
