@@ -14,7 +14,7 @@ from bringup_lint.type_names import cast
 
 _FEW = 16
 """Texts in which hints are looked for, before the pattern is compiled: that takes as long."""
-_LONG = 400
+_LONG = 60
 """Characters of a text for which to look for the hints pays even when the pattern is compiled."""
 _LOOKING: dict[str, Callable[[], Any]] = {
     "search": lambda: None,

@@ -25,6 +25,8 @@ class Kind(NamedTuple):
 
     name: str
     claims: Callable[[str, Head], bool]
+    word: str = ""
+    """What each path of the kind holds, which is looked for first: most files are of none."""
 
 
 UNIT_TYPES = (
@@ -62,4 +64,7 @@ def _of_module(name: str) -> tuple[Kind, ...]:
 
 
 def _claim(asked: tuple[Kind, ...], path: str, head: Head) -> str:
-    return next((kind.name for kind in asked if kind.claims(path, head)), "")
+    for name, claims, word in asked:
+        if word in path and claims(path, head):
+            return name
+    return ""

@@ -15,4 +15,4 @@ def _is_sysusers(path: str, head: Head) -> bool:
     return in_place or bool(_SOURCE.search(path))
 
 
-KINDS = (Kind("sysusers", _is_sysusers),)
+KINDS = (Kind("sysusers", _is_sysusers, "sysusers"),)

@@ -16,4 +16,4 @@ def _is_mosquitto(path: str, head: Head) -> bool:
     return bool(_NAME.search(path)) and bool(_KEY.search(head()))
 
 
-KINDS = (Kind("mosquitto", _is_mosquitto),)
+KINDS = (Kind("mosquitto", _is_mosquitto, "mosquitto"),)

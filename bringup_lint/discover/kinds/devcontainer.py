@@ -13,4 +13,4 @@ def _is_devcontainer(path: str, head: Head) -> bool:
     return bool(_PATH.search(path))
 
 
-KINDS = (Kind("devcontainer", _is_devcontainer),)
+KINDS = (Kind("devcontainer", _is_devcontainer, "devcontainer"),)

@@ -15,5 +15,5 @@ _NFT = regex(r"^[^\S\n]*table\s+(?:inet|ip6?|bridge|netdev)\s+\w+", re.M)
 
 KINDS = (
     Kind("iptables-rules", lambda path, head: bool(_SAVED_NAME.search(path)) and bool(_SAVED.search(head()))),
-    Kind("nftables", lambda path, head: bool(_NFT_NAME.search(path)) and bool(_NFT.search(head()))),
+    Kind("nftables", lambda path, head: bool(_NFT_NAME.search(path)) and bool(_NFT.search(head())), "nft"),
 )

@@ -48,16 +48,20 @@ def _is_limits(path: str, head: Head) -> bool:
     return bool(_LIMITS.search(path)) and ("/security/" in f"/{path}" or bool(_LIMIT_LINE.search(head())))
 
 
+def _is_os_release(path: str, head: Head) -> bool:
+    return f"/{path}".endswith(("/etc/os-release", "/usr/lib/os-release"))
+
+
 KINDS = (
-    Kind("fstab", _is_fstab),
-    Kind("cron", _is_cron),
-    Kind("user-crontab", _is_user_cron),
-    Kind("audit-rules", _named(_AUDIT)),
-    Kind("apt-conf", _named(_APT)),
-    Kind("fail2ban-jail", _named(_FAIL2BAN)),
-    Kind("limits-conf", _is_limits),
-    Kind("overlayroot", _named(_OVERLAYROOT)),
-    Kind("tmpfiles", _named(_TMPFILES)),
-    Kind("watchdog-conf", _named(_WATCHDOG)),
-    Kind("os-release", lambda path, head: f"/{path}".endswith(("/etc/os-release", "/usr/lib/os-release"))),
+    Kind("fstab", _is_fstab, "fstab"),
+    Kind("cron", _is_cron, "cron"),
+    Kind("user-crontab", _is_user_cron, "cron"),
+    Kind("audit-rules", _named(_AUDIT), "audit"),
+    Kind("apt-conf", _named(_APT), "apt"),
+    Kind("fail2ban-jail", _named(_FAIL2BAN), "fail2ban"),
+    Kind("limits-conf", _is_limits, "limits"),
+    Kind("overlayroot", _named(_OVERLAYROOT), "overlayroot"),
+    Kind("tmpfiles", _named(_TMPFILES), "tmpfiles"),
+    Kind("watchdog-conf", _named(_WATCHDOG), "watchdog"),
+    Kind("os-release", _is_os_release, "os-release"),
 )

@@ -38,6 +38,6 @@ def _passed_over(name: str) -> bool:
 
 
 KINDS = (
-    Kind("logrotate", _is_logrotate),
-    Kind("logrotate-misnamed", _is_misnamed),
+    Kind("logrotate", _is_logrotate, "logrotate"),
+    Kind("logrotate-misnamed", _is_misnamed, "logrotate"),
 )

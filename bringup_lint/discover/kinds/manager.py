@@ -37,6 +37,6 @@ def _is_misnamed(path: str, head: Head) -> bool:
 
 
 KINDS = (
-    *(Kind(f"{daemon}-conf", _claims(daemon)) for daemon in _SECTION),
-    Kind("daemon-misnamed", _is_misnamed),
+    *(Kind(f"{daemon}-conf", _claims(daemon), f"{daemon}.conf") for daemon in _SECTION),
+    Kind("daemon-misnamed", _is_misnamed, ".conf.d/"),
 )

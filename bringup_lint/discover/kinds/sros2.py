@@ -42,6 +42,6 @@ KINDS = (
     Kind("sros2-governance", _is_governance),
     Kind("sros2-permissions", _is_permissions),
     Kind("sros2-policy", lambda path, head: _below(path, head) == ("policy", "enclaves")),
-    Kind("sros2-key", lambda path, head: bool(_KEY.search(path)) and "PRIVATE KEY" in head()),
-    Kind("sros2-certificate", lambda path, head: bool(_CERTIFICATE.search(path)) and "CERTIFICATE" in head()),
+    Kind("sros2-key", lambda path, head: bool(_KEY.search(path)) and "PRIVATE KEY" in head(), "key"),
+    Kind("sros2-certificate", lambda path, head: bool(_CERTIFICATE.search(path)) and "CERTIFICATE" in head(), "cert"),
 )
