@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
 from bringup_lint.model.schema import Item
@@ -44,23 +46,26 @@ class Domain:
     elements: list[tuple[Item, Element]] = field(default_factory=list)
     """Every recognised element, in document order."""
     remarks: list[Remark] = field(default_factory=list)
-    firsts: dict[str, Setting] = field(default_factory=dict)
-    """Path of a setting -> where it is given first."""
+    _by_path: dict[str, list[Setting]] = field(default_factory=dict)
     _by_owner: dict[int, list[Setting]] = field(default_factory=dict)
 
     def add(self, setting: Setting) -> None:
         self.settings.append(setting)
-        self.firsts.setdefault(setting.path, setting)
+        self._by_path.setdefault(setting.path, []).append(setting)
         self._by_owner.setdefault(id(setting.owner), []).append(setting)
 
     def get(self, path: str) -> Setting | None:
         """The last setting below ``CycloneDDS/Domain/``."""
-        wanted = f"CycloneDDS/Domain/{path}"
-        return next((each for each in reversed(self.settings) if each.path == wanted), None)
+        found = self.all(path)
+        return found[-1] if found else None
 
-    def all(self, path: str) -> list[Setting]:
-        wanted = f"CycloneDDS/Domain/{path}"
-        return [each for each in self.settings if each.path == wanted]
+    def all(self, path: str) -> Sequence[Setting]:
+        return self._by_path.get(f"CycloneDDS/Domain/{path}", ())
+
+    def first(self, path: str) -> Setting | None:
+        """Where a setting is given first, by its whole path."""
+        found = self._by_path.get(path)
+        return found[0] if found else None
 
     def found(self, path: str) -> list[Element]:
         """The elements at a path below ``CycloneDDS/Domain/``."""

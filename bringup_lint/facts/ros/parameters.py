@@ -5,10 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable
 from fnmatch import fnmatchcase
 from functools import cache
+from functools import lru_cache
 
 from bringup_lint.facts import table
 from bringup_lint.named_tuple import NamedTuple
 
+_MOST = 1000
+"""Names of parameters that are known again: those of one robot repeat each other."""
 OF_EVERY_NODE = ("use_sim_time", "start_type_description_service", "qos_overrides.*")
 """rclcpp and rclpy declare these themselves (rclcpp, time_source.cpp, node_type_descriptions.cpp, qos_overrides)."""
 
@@ -40,6 +43,7 @@ def _without_parameters() -> Names:
     return _names(row["package"] for row in table("ros/parameter_free"))
 
 
+@lru_cache(_MOST)
 def is_of_library(parameter: str) -> bool:
     """Whether the client library, or a common library, declares a parameter of this name."""
     return _of_libraries().has(parameter)

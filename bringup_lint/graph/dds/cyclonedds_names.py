@@ -105,7 +105,7 @@ def _ends(source: Source) -> dict[int, int]:
 def first_of(configuration: Configuration, remark: Remark) -> Located | None:
     """The first name of a setting that is given twice."""
     domain = configuration.domain_of(remark)
-    first = domain.firsts.get(remark.path) if domain and remark.item else None
+    first = domain.first(remark.path) if domain and remark.item else None
     return first.name if first else None
 
 

@@ -53,11 +53,16 @@ def _is_same(key: str, one: str, other: str) -> bool:
 
 
 def _first(rule: UdevRule, kind: str, name: str) -> dict[str, str] | None:
-    for row in facts.table("udev/order"):
-        later = rule.source.basename < row["file"]
-        if row["kind"] == kind and later and _is_for(rule, row["subsystem"]) and matches(row["name"], name):
+    file = rule.source.basename
+    for row in _rows(kind):
+        if file < row["file"] and _is_for(rule, row["subsystem"]) and matches(row["name"], name):
             return row
     return None
+
+
+@cache
+def _rows(kind: str) -> list[dict[str, str]]:
+    return [row for row in facts.table("udev/order") if row["kind"] == kind]
 
 
 def _is_for(rule: UdevRule, subsystem: str) -> bool:
