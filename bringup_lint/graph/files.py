@@ -9,6 +9,7 @@ from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Mapping
 from functools import cached_property
+from itertools import chain
 from types import FunctionType
 
 from bringup_lint import budget
@@ -91,7 +92,7 @@ class Files:
         self._mentioned.clear()
 
     def of_kind(self, *kinds: str) -> list[Source]:
-        return [source for kind in kinds for source in self._by_kind.get(kind, ())]
+        return list(chain.from_iterable(self._by_kind.get(kind, ()) for kind in kinds))
 
     def beside(self, source: Source) -> list[Source]:
         """The other files in the folder of one."""

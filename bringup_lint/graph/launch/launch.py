@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import re
 from collections.abc import Callable
 from collections.abc import Iterable
@@ -112,7 +111,7 @@ class Launch:
 
     @cached_property
     def _by_path(self) -> dict[str, LaunchFile]:
-        return {os.path.abspath(file.source.name): file for file in self.files}
+        return {file.source.absolute: file for file in self.files}
 
     def of_source(self, source: Source) -> LaunchFile | None:
         """The launch file that a source is."""
@@ -253,9 +252,10 @@ class Launch:
 
         return self._tree_files.parsed(parse, self._tree_files.of_kind("launch-ros1"))
 
-    def references(self, file: LaunchFile) -> Iterator[Reference]:
+    @memo
+    def references(self, file: LaunchFile) -> list[Reference]:
         """The files that a launch file names through a package or beside itself, when launched without arguments."""
-        return references(self.expansion(file), file, self.find)
+        return list(references(self.expansion(file), file, self.find))
 
     def missing(self, kind: str) -> Iterator[tuple[Reference, Package]]:
         """The files of a kind that launch files name and that do not exist in a package of the tree."""

@@ -98,7 +98,12 @@ class Started:
 
 def literal_text(value: Value | None) -> Located | None:
     """The text of a literal value, with its place."""
-    return value.text if isinstance(value, Literal) and isinstance(value.value, str) else None
+    if not isinstance(value, Literal):
+        return None
+    written = value.value
+    if isinstance(written, Located):
+        return written
+    return value.text if isinstance(written, str) else None
 
 
 def started(

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.started import literal_text
+from bringup_lint.graph.memo import memo
 from bringup_lint.graph.params import values as param_values
 from bringup_lint.graph.params.values import Item
 from bringup_lint.graph.purpose import Purpose
@@ -92,7 +93,7 @@ class Params:
     def _unclaimed(self) -> dict[str, list[Load]]:
         """Other YAML files of the tree that rcl gets from a launch file, with who gets them."""
         found: dict[str, list[Load]] = {}
-        known = {os.path.abspath(source.name) for source in self._tree_files.sources}
+        known = {source.absolute for source in self._tree_files.sources}
         for load in self._all_loads:
             path = os.path.normpath(load.path)
             odd = load.how not in ("rcl", "substituted") or not path.endswith((".yaml", ".yml")) or path in known
@@ -183,6 +184,7 @@ class Params:
     def tab_width(self, file: ParameterFile) -> int | None:
         return param_values.tab_width(file)
 
+    @memo
     def declared(self, parameter: Parameter) -> Declared | None:
         """How the workspace declares a parameter: what all nodes that may get it agree on, None when that is not
         known."""
@@ -464,5 +466,8 @@ def _for_named(parameter: Parameter, loads: list[Load]) -> list[Load]:
     """Without the nodes of unknown names beside one that the block names: two of one name do not start together."""
     if "*" in parameter.block.name:
         return loads
-    named = [load.expansion for load in loads if load.node.fqn is not None]
-    return [load for load in loads if load.node.fqn is not None or not any(load.expansion is each for each in named)]
+    named = [load for load in loads if load.node.fqn is not None]
+    if len(named) == len(loads):
+        return loads
+    beside = {id(load.expansion) for load in named}
+    return [load for load in loads if load.node.fqn is not None or id(load.expansion) not in beside]
