@@ -276,7 +276,7 @@ class Tree:
 
     def beside(self, source: Source, path: str) -> Source | None:
         """The file at a path relative to the folder of another; None when the tree does not hold it."""
-        absolute = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(source.name)), path))
+        absolute = os.path.normpath(os.path.join(os.path.dirname(source.absolute), path))
         if absolute not in self._paths.get(os.path.basename(absolute), ()):
             return None
         return self.at(absolute)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator
 from itertools import islice
 
@@ -26,7 +25,7 @@ _FOREIGN = regex(r"/(?:site-packages|dist-packages|\.?venv|env|node_modules|buil
 def modules(files: Files) -> Iterator[Source]:
     """The judged modules, at most so many; tests, examples and what others wrote are left out. Python knows other
     encodings than UTF-8: no module is refused for its own."""
-    known = {os.path.abspath(source.name) for source in files.sources}
+    known = {source.absolute for source in files.sources}
     paths = (path for path in sorted(files.tree.paths) if path.endswith(".py") and path not in known)
     own = (path for path in paths if not (TEST.search(path) or _LAUNCH.search(path) or _FOREIGN.search(path)))
     for path in islice(own, MODULES):

@@ -227,5 +227,5 @@ class Purposes:
 
     @cached_property
     def _top(self) -> str:
-        folders = {os.path.dirname(os.path.abspath(source.name)) for source in self.tree.sources}
+        folders = {os.path.dirname(source.absolute) for source in self.tree.sources}
         return os.path.commonpath(folders) if folders else "/"

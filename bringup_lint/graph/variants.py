@@ -64,7 +64,7 @@ class Variants:
         roots = overlay_of(one), overlay_of(other)
         if None not in roots:
             return roots[0] == roots[1]
-        ours, theirs = (os.path.abspath(source.name).split("/") for source in (one, other))
+        ours, theirs = (source.absolute.split("/") for source in (one, other))
         depth = next((at for at, (our, their) in enumerate(zip(ours, theirs)) if our != their), 0)
         one_side, other_side = (self._kinds_below.get("/".join(path[: depth + 1]), _NONE) for path in (ours, theirs))
         return not (one_side & other_side)
@@ -84,7 +84,7 @@ class Variants:
         found: dict[str, set[str]] = {}
         for source in self.tree.sources:
             if source.kind in TELLING:
-                folder = os.path.abspath(source.name)
+                folder = source.absolute
                 while len(folder) > 1:
                     folder = os.path.dirname(folder)
                     kinds = found.setdefault(folder, set())

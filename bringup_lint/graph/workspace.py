@@ -178,7 +178,7 @@ class Package:
     def taking_others(self, path: str) -> Install | None:
         """What installs other files of the folder of a file, by an absolute path."""
         for build in self.builds:
-            folder = os.path.dirname(os.path.abspath(build.source.name))
+            folder = os.path.dirname(build.source.absolute)
             for install in build.installs:
                 source = os.path.normpath(os.path.join(folder, install.source))
                 if not install.tree and os.path.dirname(source) == os.path.dirname(path):
@@ -188,7 +188,7 @@ class Package:
     def takes(self, path: str) -> bool:
         """Whether the build installs a source file, whatever becomes its name and place."""
         for build in self.builds:
-            folder = os.path.dirname(os.path.abspath(build.source.name))
+            folder = os.path.dirname(build.source.absolute)
             for install in build.installs:
                 source = os.path.normpath(os.path.join(folder, install.source))
                 if fnmatchcase(path, source) or (install.tree and path.startswith(f"{source}/")):
@@ -407,7 +407,7 @@ def load_workspace(files: Files) -> Workspace:
 
     packages: dict[str, Package] = {}
     ambiguous: set[str] = set()
-    builds = {os.path.abspath(source.name): source for source in files.of_kind("cmake", "setup-py", "setup-cfg")}
+    builds = {source.absolute: source for source in files.of_kind("cmake", "setup-py", "setup-cfg")}
     for manifest in files.parsed(package_xml.parse, files.of_kind("ros-package")):
         if not manifest.name:
             continue
@@ -416,7 +416,7 @@ def load_workspace(files: Files) -> Workspace:
             ambiguous.add(name)
             packages.pop(name, None)
             continue
-        package = Package(manifest, os.path.dirname(os.path.abspath(manifest.source.name)))
+        package = Package(manifest, os.path.dirname(manifest.source.absolute))
         _read_builds(files, package, builds)
         packages[name] = package
     return Workspace(files.tree, packages, ambiguous)

@@ -76,7 +76,7 @@ class FileIgnores:
         below = {path: name for path in walked if (name := self._below(path))}
         if len(below) * len(self.entries) > COMPARED:
             return
-        context = {os.path.abspath(source.name) for source in sources if not source.judged}
+        context = {source.absolute for source in sources if not source.judged}
         for entry in self.entries:
             meant = {path for path, name in below.items() if entry.patterns.match(name)}
             if not meant:

@@ -76,17 +76,17 @@ def _without_launch_files(robot: Robot, said: set[str]) -> Iterator[Finding]:
         own = [file.source for file in robot.launch.files_of(package) if _is_started(file.source.name)]
         if not own or robot.launch.workspace.is_vendored(own[0]):
             continue
-        if any(package.takes(os.path.abspath(source.name)) for source in own):
+        if any(package.takes(source.absolute) for source in own):
             continue
         build = package.builds[0].source
         judged = [source for source in own if source.judged and robot.purpose(source).value == "robot"]
         if judged and build.judged and not _is_launched_by_path(robot, judged):
-            folder = os.path.relpath(os.path.dirname(os.path.abspath(judged[0].name)), package.folder)
+            folder = os.path.relpath(os.path.dirname(judged[0].absolute), package.folder)
             yield finding(
                 judged[0],
                 f"No launch file of {package.name} is installed: ros2 launch {package.name} finds none of them",
                 advice=f"install the folder '{folder}' in {build.basename}",
-                related=[_installation(package, os.path.abspath(judged[0].name))],
+                related=[_installation(package, judged[0].absolute)],
                 severity="warning",
             )
 

@@ -115,7 +115,7 @@ def _judged(files: Files, file: Dockerfile, word: Located, builders: list[tuple[
 
 def _ignoring(files: Files, file: Dockerfile, context: str, word: str) -> Source | None:
     """The file that keeps a path out of a context; None, too, where it has exceptions (``!``)."""
-    own = f"{os.path.abspath(file.source.name)}.dockerignore"
+    own = f"{file.source.absolute}.dockerignore"
     path = next((each for each in (own, os.path.join(context, ".dockerignore")) if files.tree.is_file(each)), None)
     source = files.tree.read(path, judged=False) if path is not None else None
     if source is None or re.search(r"^[ \t]*!", source.text, re.M) or re.search(r"[*?]", word):

@@ -137,7 +137,7 @@ def _is_folder(files: Files, service: Service, context: Located) -> bool:
 
 
 def _beside(service: Service, *parts: str) -> str:
-    return os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(service.source.name)), *parts))
+    return os.path.normpath(os.path.join(os.path.dirname(service.source.absolute), *parts))
 
 
 def _is_missing(files: Files, service: Service, found: MissingFile) -> bool:

@@ -40,7 +40,7 @@ class _Container:
         return next((value for path in paths for value in self.values.get(path, ())), None)
 
     def beside(self, path: str) -> str:
-        return os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(self.source.name)), path))
+        return os.path.normpath(os.path.join(os.path.dirname(self.source.absolute), path))
 
 
 def broken_references(files: Files, compose: Compose) -> Iterator[Broken]:
@@ -84,7 +84,7 @@ def _undefined(compose: Compose, container: _Container) -> Iterator[Broken]:
 
 
 def _compose_file(compose: Compose, path: str) -> ComposeFile | None:
-    return next((file for file in compose.files if os.path.abspath(file.source.name) == path), None)
+    return next((file for file in compose.files if file.source.absolute == path), None)
 
 
 def _is_whole(file: ComposeFile) -> bool:

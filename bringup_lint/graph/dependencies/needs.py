@@ -107,7 +107,7 @@ def _shares(value: Value) -> Iterator[Located]:
 
 
 def _is_installed(owner: Package, source: Source) -> bool:
-    return owner.takes(os.path.abspath(source.name))
+    return owner.takes(source.absolute)
 
 
 def of_nodes(files: Files, launch: Launch) -> Iterator[Need]:

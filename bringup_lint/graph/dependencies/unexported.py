@@ -81,7 +81,7 @@ def _below(path: str, package: Package) -> str:
 
 def _copied(path: str, package: Package) -> Span | None:
     for build in package.builds:
-        folder = os.path.dirname(os.path.abspath(build.source.name))
+        folder = os.path.dirname(build.source.absolute)
         for each in build.installs:
             if os.path.normpath(os.path.join(folder, each.source)) == os.path.abspath(path):
                 return each.where

@@ -116,7 +116,7 @@ def _of_service(compose: Compose, service: Service, variable: Variable) -> Itera
 def _may_bring_ros(tree: Tree, service: Service, volume: Volume) -> bool:
     """Whether a volume may bring packages of ROS; the folders of the tree, which are known, bring none."""
     if volume.source is not None and re.match(r"\.{1,2}(?:/|$)", volume.source):
-        folder = os.path.join(os.path.dirname(os.path.abspath(service.source.name)), volume.source)
+        folder = os.path.join(os.path.dirname(service.source.absolute), volume.source)
         if tree.exists(os.path.normpath(folder)):
             return False
     return bool(re.search(r"/opt(?:/|$)|ws(?:/|$)|install(?:/|$)", str(volume.target)))

@@ -54,7 +54,7 @@ def _modules(files: Files) -> list[Source]:
     """The modules of the same package that nodes import, and that open something."""
     found: dict[str, Source] = {}
     for node in files.of_kind("python-node"):
-        package = os.path.basename(os.path.dirname(os.path.abspath(node.name)))
+        package = os.path.basename(os.path.dirname(node.absolute))
         for match in _IMPORT.finditer(node.text):
             if not node.judged or match["package"] not in ("", package):
                 continue

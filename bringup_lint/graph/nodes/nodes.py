@@ -165,7 +165,7 @@ class Nodes:
     def _path(self, source: Source) -> str:
         """The path from the folder of the package on; the last two components when that is not known."""
         owner = self.launch.workspace.owner(source)
-        path = os.path.abspath(source.name)
+        path = source.absolute
         if owner is not None:
             return os.path.relpath(path, os.path.dirname(owner.folder))
         return "/".join(path.split("/")[-2:]) if os.path.isabs(source.name) else source.name

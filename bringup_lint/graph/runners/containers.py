@@ -208,7 +208,7 @@ def _is_left_out(files: Files, dockerfile: Source, name: str) -> bool:
 
 def _of_contexts(dockerfile: Source, name: str) -> Iterator[str]:
     """Where a file of a build context may lie in the tree."""
-    beside = os.path.dirname(os.path.abspath(dockerfile.name))
+    beside = os.path.dirname(dockerfile.absolute)
     for up in range(_FOLDERS_ABOVE):
         yield os.path.normpath(os.path.join(beside, "../" * up, name.lstrip("/")))
 

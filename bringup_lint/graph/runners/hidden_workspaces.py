@@ -101,7 +101,7 @@ def _over(files: Files, service: Service, folder: str) -> Volume | None:
         if not covers or not source.startswith("."):
             continue
         below = folder[len(target) :].lstrip("/") if folder.startswith(target) else "."
-        beside = os.path.dirname(os.path.abspath(service.source.name))
+        beside = os.path.dirname(service.source.absolute)
         host = os.path.normpath(os.path.join(beside, source, below))
         if files.tree.exists(host) and not files.tree.exists(os.path.join(host, "install")):
             return volume

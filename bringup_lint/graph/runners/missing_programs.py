@@ -152,6 +152,6 @@ def _may_hold(files: Files, service: Service, volume: Volume, path: str) -> bool
     if not source.startswith("."):
         return True
     below = path[len(str(volume.target).rstrip("/")) :].lstrip("/")
-    folder = os.path.join(os.path.dirname(os.path.abspath(service.source.name)), source)
+    folder = os.path.join(os.path.dirname(service.source.absolute), source)
     host = os.path.normpath(os.path.join(folder, below))
     return not files.tree.exists(os.path.normpath(folder)) or files.tree.exists(host) or files.tree.is_ignored(host)

@@ -141,7 +141,7 @@ class Filesystem:
                 source = tree.find(process.program) if process.program.startswith("/") else None
                 if source is None or source.robot_path is not None:
                     continue
-                robot_parts, parts = process.program.split("/"), os.path.abspath(source.name).split("/")
+                robot_parts, parts = process.program.split("/"), source.absolute.split("/")
                 same = sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], zip(robot_parts[::-1], parts[::-1])))
                 if same >= _SURE_TAIL:
                     found.add(("/".join(robot_parts[:-same]), "/".join(parts[:-same])))

@@ -100,7 +100,7 @@ class Roles:
 
     def _is_near(self, source: Source, name: str) -> bool:
         """Whether a role is beside the file or in a folder ``roles`` near it."""
-        folder = os.path.dirname(os.path.abspath(source.name))
+        folder = os.path.dirname(source.absolute)
         near = (folder, f"{folder}/roles", f"{folder}/../roles", f"{folder}/../../roles")
         paths = (os.path.normpath(f"{each}/{name}") for each in near)
         tree = self.files.tree

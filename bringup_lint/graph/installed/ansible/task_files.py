@@ -75,8 +75,8 @@ class TaskFiles:
     def _is_missing(self, source: Source, path: str, folders: tuple[str, ...]) -> bool:
         if "{{" in path or "*" in path or _ELSEWHERE.match(path) or GENERATED.search(path):
             return False
-        here = os.path.dirname(os.path.abspath(source.name))
-        role = _ROLE.match(os.path.abspath(source.name))
+        here = os.path.dirname(source.absolute)
+        role = _ROLE.match(source.absolute)
         if role is None and not self._is_project and not self._has_folder(here, folders, path):
             return False
         tree = self.files.tree

@@ -68,7 +68,7 @@ def _sent(nodes: Nodes, source: CppNode) -> Iterator[Endpoint]:
 def _beside(nodes: Nodes, source: Source) -> Iterator[str]:
     """The code of the package that a file is in, or of its folder; also what does not look like that of a node."""
     owner = nodes.launch.workspace.owner(source)
-    folder = owner.folder if owner is not None else os.path.dirname(os.path.abspath(source.name))
+    folder = owner.folder if owner is not None else os.path.dirname(source.absolute)
     for path in nodes.files.tree.walked_below(folder):
         if path.endswith(_CODE):
             yield COMMENT.sub("", nodes.files.tree.head(path, _MOST))

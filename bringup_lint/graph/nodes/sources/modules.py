@@ -34,7 +34,7 @@ class Modules:
         self._tree = tree
         self._workspace = workspace
         self._parsed = parsed
-        self.by_path: dict[str, NodeSource | None] = {os.path.abspath(file.source.name): file for file in files}
+        self.by_path: dict[str, NodeSource | None] = {file.source.absolute: file for file in files}
         self.by_source = {file.source: file for file in files}
         self._modules: dict[tuple[str, str], NodeSource | None] = {}
         self._names: dict[tuple[str, NodeSource], NodeClass | None] = {}

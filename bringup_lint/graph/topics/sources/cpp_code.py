@@ -65,7 +65,7 @@ class CppCode:
         return own if len(own) == 1 and len(own[0].components) == 1 else []
 
     def _nodes(self, build: Build, target: str) -> Iterator[CppNode]:
-        folder = os.path.dirname(os.path.abspath(build.source.name))
+        folder = os.path.dirname(build.source.absolute)
         for file in build.targets.get(target, ())[:FILES]:
             path = os.path.normpath(os.path.join(folder, file))
             if path not in self._read:
@@ -84,7 +84,7 @@ class CppCode:
 
     @cached_property
     def _known_sources(self) -> dict[str, Source]:
-        return {os.path.abspath(source.name): source for source in self._files.of_kind("cpp-node")}
+        return {source.absolute: source for source in self._files.of_kind("cpp-node")}
 
 
 def _plugin_of(build: Build, library: str) -> str | None:

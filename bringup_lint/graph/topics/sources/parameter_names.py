@@ -116,9 +116,7 @@ class ParameterNames:
             return None
         used = self._used(package, made)
         found = ((source, self._words(parse, source)) for source in sources)
-        return _joined(
-            words if os.path.abspath(source.name) in used else replace(words, unset=()) for source, words in found
-        )
+        return _joined(words if source.absolute in used else replace(words, unset=()) for source, words in found)
 
     def _words(self, parse: Callable[[Source], ParameterWords], source: Source) -> ParameterWords:
         if source not in self._parsed:
@@ -216,7 +214,7 @@ class ParameterNames:
 
     @cached_property
     def _known_sources(self) -> dict[str, Source]:
-        return {os.path.abspath(source.name): source for source in self._files.of_kind("cpp-node")}
+        return {source.absolute: source for source in self._files.of_kind("cpp-node")}
 
 
 def _made(package: Package, program: str) -> set[str] | None:
@@ -231,7 +229,7 @@ def _made(package: Package, program: str) -> set[str] | None:
 
 def _made_of(build: Build, target: str) -> Iterator[str]:
     """The sources of a target and of those that it links."""
-    folder = os.path.dirname(os.path.abspath(build.source.name))
+    folder = os.path.dirname(build.source.absolute)
     todo, seen = [target], {target}
     while todo:
         current = todo.pop()
