@@ -1,10 +1,11 @@
 """A parameter that is declared as an integer gets a double.
 
 ## What it finds
-Doubles in a parameter file for parameters that the sources of the workspace declare as an integer, with a literal
-name and type. The same for nodes of Navigation2 with its own plugins, slam_toolbox, robot_localization, twist_mux,
-teleop_twist_joy, joy, usb_cam and sllidar_ros2, which a launch file gives the file or a block of it names. Silent
-where the node allows any type, or declares the name with several types.
+Doubles in a parameter file or launch file for parameters that the sources of the workspace declare as an integer, with
+a literal name and type; the text of a launch argument counts as what YAML makes of it. The same for nodes of
+Navigation2 with its own plugins, slam_toolbox, robot_localization, twist_mux, teleop_twist_joy, joy, usb_cam and
+sllidar_ros2, which a launch file gives the value or the file, or a block of it names. Silent where the node allows any
+type, or declares the name with several types.
 
 ## Why it matters on a robot
 ROS does not convert the value: the node exits with InvalidParameterTypeException at start.
@@ -59,14 +60,15 @@ def double_for_int(robot: Robot) -> Iterator[Finding]:
     for each in wrong_types(robot.params, robot.launch, "double", "integer"):
         if each.package and robot.dependencies.is_forked(each.package):
             continue
-        whole = [match[1] for item in each.items if (match := _WHOLE.match(item.text))]
+        whole = [match[1] for item in each.items if not item.quoted and (match := _WHOLE.match(item.text))]
         plain = len(whole) == len(each.items)
         yield finding(
-            each.parameter.span,
-            f"'{each.parameter.name}: {each.parameter.text}' is a double, but {each.node} declares an integer: "
+            each.where,
+            f"'{each.name}: {each.text}' is a double, but {each.node} declares an integer: "
             "it exits with InvalidParameterTypeException",
             advice=f"write {whole[0]}" if plain else "write a whole number",
             related=[note(each.declared, "declared as an integer here")] if each.declared else [],
+            chain=robot.provenance.chain_to_node(each.started) if each.started is not None else (),
             fix=fix("write an integer", *((item.span, text) for item, text in zip(each.items, whole)))
             if plain
             else None,

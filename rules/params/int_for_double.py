@@ -1,10 +1,11 @@
 """A parameter that is declared as a double gets an integer.
 
 ## What it finds
-Integers in a parameter file for parameters that the sources of the workspace declare as a double, with a literal
-name and type. The same for nodes of Navigation2 with its own plugins, slam_toolbox, robot_localization, twist_mux,
-teleop_twist_joy, joy, usb_cam, sllidar_ros2 and pointcloud_to_laserscan, which a launch file gives the file or a block
-of it names. Silent where the node allows any type, or declares the name with several types.
+Integers in a parameter file or launch file for parameters that the sources of the workspace declare as a double, with a
+literal name and type; the text of a launch argument counts as what YAML makes of it. The same for nodes of Navigation2
+with its own plugins, slam_toolbox, robot_localization, twist_mux, teleop_twist_joy, joy, usb_cam, sllidar_ros2 and
+pointcloud_to_laserscan, which a launch file gives the value or the file, or a block of it names. Silent where the node
+allows any type, or declares the name with several types.
 
 ## Why it matters on a robot
 ROS does not convert the value: the node exits with InvalidParameterTypeException at start.
@@ -60,12 +61,13 @@ def int_for_double(robot: Robot) -> Iterator[Finding]:
     for each in wrong_types(robot.params, robot.launch, "integer", "double"):
         if each.package and robot.dependencies.is_forked(each.package):
             continue
-        plain = all(_DECIMAL.match(item.text) for item in each.items)
+        plain = all(_DECIMAL.match(item.text) and not item.quoted for item in each.items)
         yield finding(
-            each.parameter.span,
-            f"'{each.parameter.name}: {each.parameter.text}' is an integer, but {each.node} declares a double: "
+            each.where,
+            f"'{each.name}: {each.text}' is an integer, but {each.node} declares a double: "
             "it exits with InvalidParameterTypeException",
             advice=f"write {each.items[0].text}.0" if plain else "write a number with a decimal point",
             related=[note(each.declared, "declared as a double here")] if each.declared else [],
+            chain=robot.provenance.chain_to_node(each.started) if each.started is not None else (),
             fix=fix("write a double", *((item.span, f"{item.text}.0") for item in each.items)) if plain else None,
         )

@@ -195,7 +195,7 @@ class Params:
             return self._declared_in_own(file, parameter)
         found = None
         for load in _for_named(parameter, self.effective(file, parameter)):
-            each = self._declared_by(text_of(load.node.package) if load.node.package is not None else None).get(
+            each = self.declared_by(text_of(load.node.package) if load.node.package is not None else None).get(
                 parameter.name
             )
             if each is None or (found is not None and found.type != each.type):
@@ -209,7 +209,7 @@ class Params:
         owner = self._launch().workspace.owner(file.source)
         if owner is None or parameter.block.name.strip("/") not in owner.executables or not self.is_used(file):
             return None
-        return self._declared_by(owner.name).get(parameter.name)
+        return self.declared_by(owner.name).get(parameter.name)
 
     def declarations(self, name: str) -> list[Declared]:
         """Every declaration in the sources of a package of the workspace, in the order of the files."""
@@ -280,7 +280,8 @@ class Params:
     def _by_source(self) -> dict[int, ParameterFile]:
         return {id(file.source): file for file in self.files}
 
-    def _declared_by(self, name: str | None) -> dict[str, Declared]:
+    def declared_by(self, name: str | None) -> dict[str, Declared]:
+        """The parameters of which the sources of a package of the workspace say the type, by name."""
         if name not in self._declarations:
             from bringup_lint.graph.params.declared import declared_in
 

@@ -1,29 +1,38 @@
-"""Values of a parameter file that have another type than their node declares."""
+"""Values in parameter and launch files that have another type than their node declares."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.facts.ros.parameters import public_node
+from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.params.public import of_wrong_public_type
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.source import Located
+from bringup_lint.source import Span
 
 if TYPE_CHECKING:
     from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.launch.started import Started
     from bringup_lint.graph.params.params import Params
     from bringup_lint.graph.params.values import Item
-    from bringup_lint.model.params import Parameter
 
 
 class WrongType(NamedTuple):
-    parameter: Parameter
+    name: str
+    """Of the parameter."""
+    text: str
+    """The value as written."""
+    where: Span
     items: list[Item]
     """Those of an array; a single value is one."""
     package: str = ""
     """The public package of which a node declares it; empty for a node of the workspace."""
     declared: Located | None = None
     """Where the workspace declares it."""
+    started: Started | None = None
+    """The node to which a launch file gives it."""
 
     @property
     def node(self) -> str:
@@ -33,6 +42,30 @@ class WrongType(NamedTuple):
 def wrong_types(params: Params, launch: Launch, given: str, declared: str) -> Iterator[WrongType]:
     """The values of one type that a node of the workspace or a public one declares as another; arrays of them too."""
     for parameter, found, items in params.of_wrong_type(given, declared):
-        yield WrongType(parameter, items, declared=found.place)
+        yield WrongType(parameter.name, parameter.text, parameter.span, items, declared=found.place)
     for parameter, node, items in of_wrong_public_type(params, launch, given, declared):
-        yield WrongType(parameter, items, node.package)
+        yield WrongType(parameter.name, parameter.text, parameter.span, items, node.package)
+    if params.is_typed:
+        yield from _launched(params, launch, given, declared)
+
+
+def _launched(params: Params, launch: Launch, given: str, declared: str) -> Iterator[WrongType]:
+    from bringup_lint.graph.params.launched_values import launched_numbers
+
+    pairs = ((given, declared), (f"{given}_array", f"{declared}_array"))
+    for each in launched_numbers(params, launch):
+        package = str(literal_text(each.node.package))
+        text = ", ".join(item.text for item in each.items)
+        text = f"[{text}]" if each.type.endswith("_array") else text
+        found = params.declared_by(package).get(each.name)
+        if found is not None and (each.type, found.type) in pairs:
+            yield WrongType(each.name, text, each.where, each.items, declared=found.place, started=each.node)
+        if package not in launch.workspace.packages and (each.type, _public_type(each.node, each.name)) in pairs:
+            yield WrongType(each.name, text, each.where, each.items, package, started=each.node)
+
+
+def _public_type(started: Started, name: str) -> str | None:
+    """The type of a parameter of a public node, but not of one in the section of a plugin."""
+    program = literal_text(started.plugin) or literal_text(started.executable)
+    node = public_node(str(literal_text(started.package)), str(program))
+    return node.type_of(name) if node is not None and not (node.has_plugins and "." in name) else None
