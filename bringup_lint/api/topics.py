@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.topics.questions.monitored_velocities import unmonitored
     from bringup_lint.graph.topics.questions.namespaces import shared_by_namespaces
     from bringup_lint.graph.topics.questions.unmatched import without_publisher
+    from bringup_lint.graph.topics.questions.unserved import unserved
     from bringup_lint.graph.topics.resolved.endpoint_use import LaunchedNode
     from bringup_lint.graph.topics.resolved.endpoint_use import Pair
     from bringup_lint.graph.topics.resolved.endpoint_use import Use
@@ -56,5 +57,6 @@ __all__ = [
     "ungated",
     "unheard_commands",
     "unmonitored",
+    "unserved",
     "without_publisher",
 ]

@@ -1,4 +1,4 @@
-"""A topic name is probably misspelt.
+"""The name of a topic or service is probably misspelt.
 
 ## What it finds
 In a launch file whose nodes and topics are all known: a subscription without a publisher, while a publisher of the
@@ -8,9 +8,12 @@ checked in the same way. Names that differ only in a number are different names.
 Where some nodes are not known: a subscription whose name nothing else in the tree mentions, while a source of the tree
 publishes the same type under nearly the same name, or a type of the tree's own that nothing else uses.
 
+A client of a service or action that nobody offers, while all servers of its type, which is one of the tree's own, start
+beside it under the same name in another namespace, or under nearly the same name: `~/start` is `/mower/start`.
+
 ## Why it matters on a robot
 Nothing fails. The node waits for messages that go somewhere else, and `ros2 topic list` shows two names that look
-alike.
+alike. A client waits for its service forever, or gives up each call.
 
 ## Bad
 ```python
@@ -41,7 +44,11 @@ from bringup_lint.api import rule
 from bringup_lint.api import topics
 
 
-@rule("warning", fix="unsafe", symptoms=["does not appear to be published yet"])
+@rule(
+    "warning",
+    fix="unsafe",
+    symptoms=["does not appear to be published yet", "service not available, waiting again..."],
+)
 def topic_typo(robot: Robot) -> Iterator[Finding]:
     for use, meant, near, correction in topics.misspelt(robot.topics):
         nobody = "Nobody publishes" if use.role == "subscription" else "Nobody subscribes to"
@@ -57,4 +64,17 @@ def topic_typo(robot: Robot) -> Iterator[Finding]:
                 use.node.started, note(use.name_place or use.where, f"{use.topic} is used here")
             ),
             fix=fix(f"use {near}", correction, safe=False) if correction else None,
+        )
+    for use, meant in topics.unserved(robot.topics):
+        yield finding(
+            use.name_place or use.where,
+            f"Nobody offers {use.topic}, which {use.node.label()} calls: {meant.node.label()} offers {meant.topic}",
+            advice=f"call {meant.topic}, or remap one of them",
+            related=[
+                note(meant.name_place or meant.where, f"{meant.topic} is named here"),
+                note(use.node.started.span, f"{use.node.label()} is started here"),
+            ],
+            chain=robot.provenance.chain_to_node(
+                use.node.started, note(use.name_place or use.where, f"{use.topic} is called here")
+            ),
         )

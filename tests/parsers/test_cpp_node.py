@@ -38,6 +38,25 @@ RCLCPP_COMPONENTS_REGISTER_NODE(Relay)
 """
 
 
+def test_name_from_a_call() -> None:
+    """A parameter may give a name without a variable between them; one that gives a part of it does not."""
+    text = """
+#include "rclcpp/rclcpp.hpp"
+Mower::Mower() : rclcpp::Node("mower") {
+  declare_parameter("odometry", "odom");
+  declare_parameter<std::string>("blade");
+  declare_parameter("place", "left");
+  a_ = create_publisher<std_msgs::msg::Bool>(get_parameter("odometry").as_string(), 1);
+  b_ = create_publisher<std_msgs::msg::Bool>(this->get_parameter("blade").get_value<std::string>(), 1);
+  c_ = create_publisher<std_msgs::msg::Bool>(
+    get_parameter("place").as_string() + get_parameter("blade").as_string(), 1);
+  d_ = create_publisher<std_msgs::msg::Bool>(get_parameter(name_).as_string(), 1);
+}
+"""
+    found = [(each.name, each.parameter) for each in parse(Source("mower.cpp", text)).endpoints]
+    assert found == [("odom", "odometry"), (None, "blade"), (None, None), (None, None)]
+
+
 def test_node() -> None:
     node = parse(Source("relay.cpp", NODE))
     found = [(each.role, each.type, each.name, each.parameter, each.conditional) for each in node.endpoints]

@@ -17,7 +17,8 @@ if TYPE_CHECKING:
 _INTERFACE = regex(r"(?P<package>\w+)::(?P<kind>msg|srv|action)::(?P<type>\w+)\Z")
 _IDENTIFIER = regex(r"[A-Za-z_]\w*\Z")
 _DECLARING = ("declare_parameter", "declare_parameter_if_not_declared")
-_TEXT_OF = frozenset({"as_string", "get_value", "get"})
+_TEXT = regex(r"\)(?:\.get_parameter_value\(\))?\.(?:as_string|(?:get_value|get)<std::string>)\(\)\Z", hints=")")
+"""How a call ends that gives the text of the parameter that it begins with."""
 
 
 class FromParameter(NamedTuple):
@@ -114,9 +115,7 @@ class Names:
         others = [value for value in self._values.get(variable, []) if not self._is_read(value, str(names[0]))]
         if any(self.code.literal(value) is None for value in others):
             return None
-        defaults = self.defaults.get(str(names[0]), [])
-        one = defaults[0] if len({str(each) for each in defaults}) == 1 else None
-        return FromParameter(names[0], one)
+        return FromParameter(names[0], self._default(names[0]))
 
     def _is_read(self, value: Node | None, parameter: str) -> bool:
         """Whether an assigned value is a call that mentions a parameter."""
@@ -128,10 +127,26 @@ class Names:
         if literal is not None:
             return literal, None
         variable = self.code.text(node).removeprefix("this->")
+        is_call = node is not None and node.type == "call_expression" and _TEXT.search(variable) is not None
+        read = self._reads.get(node.start_byte) if node is not None and is_call else None
+        if read is not None:
+            return self._default(read), read
         found = self.from_parameter(variable)
         if found is not None:
             return found.default, found.parameter
         return self.constant(variable), None
+
+    @cached_property
+    def _reads(self) -> dict[int, Located]:
+        """Where an expression begins that asks for a parameter -> its name."""
+        asking = (call for call in self.code.calls if call.name == "get_parameter" and call.arguments)
+        named = ((call.node.start_byte, self.code.literal(call.arguments[0])) for call in asking)
+        return {start: name for start, name in named if name is not None}
+
+    def _default(self, parameter: Located) -> Located | None:
+        """The text with which a parameter is declared, where all declarations say the same."""
+        defaults = self.defaults.get(str(parameter), [])
+        return defaults[0] if len({str(each) for each in defaults}) == 1 else None
 
 
 def declared(code: Code, call: Call) -> tuple[Located | None, Node | None]:

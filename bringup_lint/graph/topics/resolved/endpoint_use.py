@@ -23,7 +23,8 @@ if TYPE_CHECKING:
 @dataclass(eq=False, slots=True)
 class Use:
     role: str
-    """``publisher`` or ``subscription``."""
+    """``publisher`` or ``subscription``; of a service or action ``service``, ``client``, ``action-server`` or
+    ``action-client``."""
     topic: str
     """The full name, after namespace, parameters and remappings."""
     type: str | None
@@ -87,6 +88,8 @@ class LaunchedNode:
     """Its class, when its source is in the tree."""
     given: GivenParameters | None = None
     uses: list[Use] = field(default_factory=list)
+    calls: list[Use] = field(default_factory=list)
+    """Its services and actions, and those that it calls, as far as the sources of the tree tell their names."""
     complete: bool = False
     """It uses no other topics than these, as far as launch files and sources can tell."""
     refused: list[Given] = field(default_factory=list)
@@ -125,6 +128,11 @@ class Running:
     def uses(self) -> Iterator[Use]:
         for node in self.nodes:
             yield from node.uses
+
+    @property
+    def calls(self) -> Iterator[Use]:
+        for node in self.nodes:
+            yield from node.calls
 
     def by_topic(self) -> dict[str, list[Use]]:
         found: dict[str, list[Use]] = {}

@@ -84,6 +84,8 @@ class _Resolver:
             for endpoint in self.code.endpoints:
                 if endpoint.role in TOPICS:
                     node.complete &= self.from_source(node, endpoint)
+                else:
+                    self.add_call(node, endpoint)
             drop_ambiguous(node)
             return node
         if self.known is None:
@@ -115,6 +117,14 @@ class _Resolver:
         use.method = endpoint.method
         node.uses.append(overridden(use, self.given))
         return True
+
+    def add_call(self, node: LaunchedNode, endpoint: Endpoint) -> None:
+        """A service or action, where its full name is known."""
+        is_given = endpoint.parameter is not None
+        written = self.parameter(str(endpoint.parameter), endpoint.name)[0] if is_given else endpoint.name
+        use = self.use(node, endpoint.role, written, endpoint.type, None, endpoint.span) if written else None
+        if use is not None:
+            node.calls.append(use)
 
     def parameter(self, name: str, default: Located | None) -> tuple[Located | str | None, Span | None]:
         if name in self.given.values:
