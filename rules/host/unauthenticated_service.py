@@ -2,14 +2,17 @@
 
 ## What it finds
 Services of the robot itself that listen on all addresses and ask for no password:
-- **error**: Jupyter with an empty token on `--ip=0.0.0.0`, a VNC server with `SecurityTypes None` or `-nopw`, a compose
-  service whose image serves a desktop without a password (`linuxserver/baseimage-kasmvnc`, `linuxserver/webtop`,
-  `theasp/novnc`), and Flask with `debug=True` on `0.0.0.0`: its debugger runs Python for whoever knows or guesses the
-  PIN, and its reloader runs the program, and so a node in it, twice.
+- **error**: Jupyter with an empty token on `--ip=0.0.0.0`, a VNC server with `SecurityTypes None` or `-nopw`, a
+  compose service whose image serves a desktop or an editor without a password (`linuxserver/baseimage-kasmvnc`,
+  `linuxserver/webtop`, `linuxserver/code-server`, `theasp/novnc`), and Flask with `debug=True` on `0.0.0.0`: its
+  debugger runs Python for whoever knows or guesses the PIN, and its reloader runs the program, and so a node in it,
+  twice.
 - **warning**: `rosbridge_server` and `foxglove_bridge`, which publish for their clients, in a tree that mentions
   `cmd_vel`; information in others. A mosquitto broker with `allow_anonymous true`, and a ser2net `accepter: tcp,PORT`
-  without an address. A web server (Flask, uvicorn, websockets, `http.server`) on all addresses in a node that publishes
-  velocities and has no login.
+  without an address. A compose service with the image of a database (`mongo`, `redis`, `influxdb:1`; `postgres`,
+  `mysql` and `elasticsearch` where a variable takes the password away), of Node-RED or of mosquitto 1 that is on the
+  host network or publishes its port, and sets no password. A web server (Flask, uvicorn, websockets, `http.server`)
+  on all addresses in a node that publishes velocities and has no login.
 
 Not reported: a service on the loopback address, with a password, with limits of its own (`topics_glob`,
 `capabilities`, `acl_file`), with parameters that are not known, and services for simulation, development and tests.
@@ -34,6 +37,7 @@ If only trusted machines are on the network of the robot, or a firewall or a pro
 ## References
 - rosbridge_server: parameter `address`; foxglove_bridge: parameters `address` and `capabilities`
 - Jupyter Server, "Running a public Jupyter server"; Xvnc(1), SecurityTypes; mosquitto.conf(5), allow_anonymous
+- https://hub.docker.com/_/redis, "Security"; https://hub.docker.com/_/mongo, "Authentication"
 """
 
 from collections.abc import Iterator
@@ -46,6 +50,7 @@ from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 
+WARNED = ("broker", "web", "serial", "database", "flows")
 DRIVES = regex(r"cmd_vel")
 TEXTS = {
     "shell": ("runs programs of everybody who reaches its port", "set a password, or listen on 127.0.0.1"),
@@ -65,6 +70,14 @@ TEXTS = {
     "serial": (
         "hands a serial port to everybody who reaches its port",
         "write the address too, as in 'accepter: tcp,127.0.0.1,2022', or close the port in the firewall",
+    ),
+    "database": (
+        "lets everybody who reaches its port read, change and delete its data",
+        "set a password, or publish the port on 127.0.0.1 alone",
+    ),
+    "flows": (
+        "lets everybody who reaches its port change its flows, which run commands",
+        "set adminAuth in settings.js, or publish the port on 127.0.0.1 alone",
     ),
     "broker": ("takes messages from everybody who reaches its port", "use password_file, or bind it to 127.0.0.1"),
 }
@@ -88,11 +101,11 @@ def unauthenticated_service(robot: Robot) -> Iterator[Finding]:
             advice=advice,
             related=[note(each, "and here") for each in others],
             severity=_severity(kind, motion),
-            confidence="medium" if kind in ("bridge", "broker", "web", "serial") else None,
+            confidence="medium" if kind in WARNED or kind == "bridge" else None,
         )
 
 
 def _severity(kind: str, motion: bool) -> str | None:
     if kind == "bridge":
         return "warning" if motion else "info"
-    return "warning" if kind in ("broker", "web", "serial") else None
+    return "warning" if kind in WARNED else None

@@ -7,7 +7,6 @@ from collections.abc import Callable
 from collections.abc import Iterator
 from itertools import pairwise
 
-from bringup_lint.addresses import is_loopback
 from bringup_lint.addresses import is_wildcard
 from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.graph.commands.open_access import Offer
@@ -30,8 +29,6 @@ if TYPE_CHECKING:
 
 BRIDGES = frozenset({"rosbridge_server", "foxglove_bridge"})
 """Packages whose server gives the graph to every client, on all addresses by default."""
-DESKTOPS = regex(r"(?:^|/)(?:linuxserver/)?(?:baseimage-kasmvnc|webtop)(?::|$)|(?:^|/)theasp/novnc(?::|$)")
-"""Images with a desktop that asks for nothing unless PASSWORD is set. Source: the README of each."""
 _ACCEPTER = regex(r"^[ \t]*accepter:[ \t]*(?P<where>(?:telnet\([^)\n]*\),|telnet,)?tcp,\d+)[ \t\r]*$", re.M)
 _FLASK = regex(r"\b(?:app|application|server|socketio)\.run\((?P<arguments>[^()]{0,300})\)")
 _ANY_HOST = regex(r"\bhost[ \t]*=[ \t]*[\"'](?:0\.0\.0\.0|::)[\"']")
@@ -45,7 +42,8 @@ _LIMITED = regex(r"^[ \t]*(?:acl_file|plugin|auth_plugin|bind_interface|require_
 
 class OpenService(NamedTuple):
     kind: str
-    """``bridge``, ``shell`` (of Jupyter), ``desktop``, ``broker``, ``serial``, ``web`` or ``debugger``."""
+    """``bridge``, ``shell`` (of Jupyter), ``desktop``, ``broker``, ``database``, ``flows`` (of Node-RED), ``serial``,
+    ``web`` or ``debugger``."""
     name: str
     where: Span
 
@@ -60,7 +58,7 @@ def open_services(files: Files, runners: Runners, launch: Callable[[], Launch]) 
     yield from _debuggers(files)
     for runner in runners.all:
         if runner.purpose is Purpose.ROBOT and runner.source.judged:
-            yield from _image(runner)
+            yield from _image(files, runner)
             for command in runner.commands:
                 yield from _command(command.words)
             for start in runner.starts:
@@ -84,22 +82,11 @@ def _is_limited(start: Start) -> bool:
     )
 
 
-def _image(runner: Runner) -> Iterator[OpenService]:
-    """A desktop that an image serves without a password as long as no variable sets one."""
-    service = runner.service
-    if (
-        service is None
-        or service.image is None
-        or service.env_files
-        or any("PASS" in name for name in service.environment)
-    ):
-        return
-    ports = service.items("ports")
-    is_reached = service.is_on_host_network or any(
-        not is_loopback(port.rpartition(":")[0].partition(":")[0]) for port in ports
-    )
-    if is_reached and DESKTOPS.search(service.image):
-        yield OpenService("desktop", f"service '{service.name}'", service.image.span)
+def _image(files: Files, runner: Runner) -> Iterator[OpenService]:
+    if runner.service is not None:
+        from bringup_lint.graph.host.open_images import open_image
+
+        yield from (OpenService(*each) for each in open_image(files, runner.service))
 
 
 def _serial_ports(files: Files) -> Iterator[OpenService]:
