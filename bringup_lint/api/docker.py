@@ -19,6 +19,9 @@ if TYPE_CHECKING:
     from bringup_lint.graph.containers.image_use import is_deployed
     from bringup_lint.graph.containers.images import can_be_pulled
     from bringup_lint.graph.containers.ros_in_image import distro_of
+    from bringup_lint.graph.containers.shell_texts import Reads
+    from bringup_lint.graph.containers.shell_texts import checks_of
+    from bringup_lint.graph.containers.shell_texts import shell_texts
     from bringup_lint.graph.host.container_folders import CONTAINER_KINDS
     from bringup_lint.graph.host.container_folders import container_folders
     from bringup_lint.graph.host.container_folders import is_in_container
@@ -57,6 +60,7 @@ __all__ = [
     "Instruction",
     "MissingProgram",
     "OtherDistro",
+    "Reads",
     "Runner",
     "Stage",
     "assignments",
@@ -64,6 +68,7 @@ __all__ = [
     "broken_references",
     "builds_of_others",
     "can_be_pulled",
+    "checks_of",
     "commands_of",
     "commands_of_run",
     "container_folders",
@@ -86,6 +91,7 @@ __all__ = [
     "recordings",
     "ros_distro",
     "runs_as_root",
+    "shell_texts",
     "stays_in_shell",
     "substituted",
     "ubuntu_codename",

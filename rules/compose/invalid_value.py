@@ -7,6 +7,7 @@ A value that compose or the Docker engine refuses:
 - a word that is not one of those allowed, or a number out of range
 - ports, mounts, devices, durations and sizes with a mistake
 - a missing key
+- `networks` beside `network_mode` in one service
 
 A mount option that compose does not know is a warning: it is passed over silently, so that `:r` mounts writable.
 
@@ -49,8 +50,11 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.compose import Service
 from bringup_lint.api.schema import Code
 from bringup_lint.api.schema import Remark
+from bringup_lint.api.yaml import Mapping
+from bringup_lint.api.yaml import Sequence
 
 REFUSED = "docker compose refuses the file"
 BY_ENGINE = ("container-name", "device", "restart", "stop-signal")
@@ -71,12 +75,32 @@ CODES = (Code.SHAPE, Code.UNQUOTED, Code.VALUE, Code.ENUM, Code.RANGE, Code.BOOL
         "to appropriate type: * is not a valid boolean value",
         "must be a mapping",
         "services must be a mapping",
+        "declares mutually exclusive `network_mode` and `networks`: invalid compose project",
     ],
 )
 def invalid_value(robot: Robot) -> Iterator[Finding]:
     for remark in robot.compose.remarks(*CODES):
         yield _refused(remark)
     yield from _ignored(list(robot.compose.remarks(Code.IGNORED)))
+    for service in robot.compose.services:
+        if (found := _two_networks(service)) is not None:
+            yield found
+
+
+def _two_networks(service: Service) -> Finding | None:
+    """A service that shares the network of another owner has none of its own."""
+    mode, networks = service.network_mode, service.get("networks")
+    if mode is None or not isinstance(networks, (Mapping, Sequence)):
+        return None
+    named = list(networks.merged) if isinstance(networks, Mapping) else networks.items
+    if not named or networks.tag == "!reset":
+        return None
+    return finding(
+        service.place_of("networks"),
+        f"'{service.name}' has networks beside network_mode: {mode}: {REFUSED}",
+        advice="keep one of the two",
+        related=[note(mode, "the other one")],
+    )
 
 
 def _ignored(remarks: list[Remark]) -> Iterator[Finding]:
