@@ -6,10 +6,11 @@ from collections.abc import Iterable
 
 from bringup_lint.finding import Finding
 from bringup_lint.finding import changed
-from bringup_lint.finding.fingerprint import fingerprints
-from bringup_lint.finding.redact import Mask
-from bringup_lint.finding.redact import mask_of
 from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.type_names import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from bringup_lint.finding.redact import Mask
 
 
 class Presented(NamedTuple):
@@ -25,6 +26,9 @@ def presented(findings: Iterable[Finding], root: str, cwd: str = "") -> Presente
     findings = tuple(findings)
     if all(finding.fingerprint for finding in findings):
         return Presented(findings, None)
+    from bringup_lint.finding.fingerprint import fingerprints
+    from bringup_lint.finding.redact import mask_of
+
     mask = mask_of(findings)
     masked = [mask.finding(finding) for finding in findings] if mask else list(findings)
     marks = fingerprints(masked, root, cwd)

@@ -21,30 +21,33 @@ from bringup_lint.rule_index.needs import Needs
 from bringup_lint.rule_index.needs import both
 from bringup_lint.rule_index.needs import either
 from bringup_lint.rule_index.syntax import assigned
+from bringup_lint.rule_index.syntax import constant_words
 from bringup_lint.rule_index.syntax import inner_blocks
 from bringup_lint.rule_index.syntax import is_fresh
 from bringup_lint.rule_index.syntax import is_generator
 from bringup_lint.rule_index.syntax import is_rule
 from bringup_lint.rule_index.syntax import looped
+from bringup_lint.rule_index.syntax import named_words
 from bringup_lint.rule_index.syntax import only_read
 from bringup_lint.rule_index.syntax import own
 from bringup_lint.rule_index.syntax import takes_plain_arguments
 
 _DEEPEST = 6
 """How many calls of a rule's own functions are followed."""
-_UNIT_LISTS = frozenset({"judged", "services", "ros", "ros1", "presumed_ros", "dds"})
+_UNIT_LISTS = frozenset({"judged", "services", "ros", "ros1", "presumed_ros", "dds", "running"})
 """The lists of ``robot.units`` that hold units."""
 
 
 def needs_of(text: str) -> Needs:
     """What the rule in a file needs."""
     tree = ast.parse(text)
+    words = {name: each for node in tree.body for name, each in named_words(node)}
     functions = {node.name: node for node in tree.body if isinstance(node, ast.FunctionDef)}
     rule = next((node for node in functions.values() if is_rule(node)), None)
     if rule is None or [parameter.arg for parameter in rule.args.args] != ["robot"]:
         return NOTHING
     try:
-        return Body(rule, {"robot": ROBOT}, functions).items
+        return Body(rule, {"robot": ROBOT}, functions, words).items
     except RecursionError:
         return NOTHING
 
@@ -57,9 +60,11 @@ class Body(Expressions):
         function: ast.FunctionDef,
         names: dict[str, Value],
         functions: dict[str, ast.FunctionDef],
+        words: dict[str, tuple[str, ...]],
         depth: int = 0,
     ) -> None:
         super().__init__(names, functions)
+        self._words = words
         self._function = function
         self._depth = depth
         self._is_generator = is_generator(function)
@@ -119,14 +124,23 @@ class Body(Expressions):
                 self.names[target.id] = Value(value, self)
         for node in own(self._function):
             for each, listed in looped(node):
-                if isinstance(each, ast.Name) and each.id in once and self._gives_units(listed):
-                    self.names[each.id] = UNIT
+                if isinstance(each, ast.Name) and each.id in once:
+                    self._bind_looped(each.id, listed)
+
+    def _bind_looped(self, name: str, listed: ast.expr) -> None:
+        words = self._words.get(listed.id) if isinstance(listed, ast.Name) else constant_words(listed)
+        if words:
+            self.keys[name] = words
+        elif self._gives_units(listed):
+            self.names[name] = UNIT
 
     def _gives_units(self, listed: ast.expr) -> bool:
         if isinstance(listed, (ast.Tuple, ast.List)):
             return all(isinstance(each, ast.Starred) and self._gives_units(each.value) for each in listed.elts)
         path = self.path(listed)
-        return path is not None and len(path) == 2 and path[0] == "units" and path[1] in _UNIT_LISTS
+        if path is None or len(path) != 2 or path[0] != "units":
+            return False
+        return (path[1] if isinstance(path[1], str) else path[1][0]) in _UNIT_LISTS
 
     # ``given`` is what is needed to get to a statement; what comes back is needed to get past it, or None.
 
@@ -198,7 +212,7 @@ class Body(Expressions):
             return NOTHING
         values = {each.arg: self._value(given) for each, given in zip(function.args.args, call.args, strict=False)}
         values.update((str(each.arg), self._value(each.value)) for each in call.keywords)
-        body = Body(function, values, self.functions, self._depth + 1)
+        body = Body(function, values, self.functions, self._words, self._depth + 1)
         if ask is Expressions.some:
             return body.items
         return body.truth if ask is Expressions.true else body.value

@@ -26,6 +26,13 @@ from bringup_lint.rule_index.syntax import is_fresh
 
 _KEYED = frozenset({"get", "flag", "has", "values", "words", "assignments", "seconds", "naming"})
 """Methods of a unit that give nothing for a key that it does not set."""
+_NEEDED: dict[Path, Needs] = {
+    ("devices", "meant_by"): one("true", (("of_kind", "udev-rules"),)),
+    ("devices", "untagged"): one("true", (("of_kind", "udev-rules"),)),
+    ("ros", "of"): one("some", ("ros", "settings")),
+    ("units", "environment_files"): one("key", "EnvironmentFile"),
+}
+"""Methods that give nothing without this, whatever they are asked for."""
 _FRESH = frozenset({"list", "dict", "set", "defaultdict", "Counter", "sorted"})
 
 
@@ -47,6 +54,8 @@ class Expressions(ABC):
     def __init__(self, names: dict[str, Value], functions: dict[str, ast.FunctionDef]) -> None:
         self.names = names
         self.functions = functions
+        self.keys: dict[str, tuple[str, ...]] = {}
+        """The names that stand for one of some words."""
         self._asked: set[str] = set()
 
     @abstractmethod
@@ -137,12 +146,19 @@ class Expressions(ABC):
             return self.some(function.value)
         if isinstance(function, ast.Attribute) and function.attr == "fromkeys" and node.args:
             return self.some(node.args[0])
-        return self._keys(node)
+        return self._asked_of(node)
+
+    def _asked_of(self, node: ast.Call) -> Needs:
+        """What is needed for a question to a unit, or to a part of the robot, to be answered."""
+        needed = _NEEDED.get(self.path(node.func) or ())
+        return self._keys(node) if needed is None else needed
 
     def _keys(self, node: ast.expr) -> Needs:
         """What is needed for a question to a unit to be answered."""
         if not isinstance(node, ast.Call) or not isinstance(node.func, ast.Attribute) or not self._is_unit(node.func):
             return NOTHING
+        if node.func.attr in _KEYED and node.args and isinstance(node.args[0], ast.Name):
+            return any_of("key", self.keys[node.args[0].id]) if node.args[0].id in self.keys else NOTHING
         words = [each.value for each in node.args if isinstance(each, ast.Constant) and isinstance(each.value, str)]
         if node.func.attr not in _KEYED or not words or not isinstance(node.args[0], ast.Constant):
             return NOTHING
@@ -248,6 +264,8 @@ class Expressions(ABC):
             return NEVER if node.value is None else NOTHING
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in self.functions:
             return self.of_function(node, self.functions[node.func.id], Expressions.given)
+        if isinstance(node, ast.Call) and self.path(node.func) in _NEEDED:
+            return self._asked_of(node)
         return self._keys(node) if asks_for_one(node) else NOTHING
 
 

@@ -30,6 +30,20 @@ def assigned(node: ast.AST) -> tuple[ast.Name | None, ast.expr | None]:
     return (target, node.value) if isinstance(target, ast.Name) else (None, None)
 
 
+def constant_words(node: ast.expr) -> tuple[str, ...]:
+    """The words of a list that is written out; none where it holds anything else."""
+    items = node.elts if isinstance(node, (ast.Tuple, ast.List, ast.Set)) else []
+    words = [each.value for each in items if isinstance(each, ast.Constant) and isinstance(each.value, str)]
+    return tuple(words) if len(words) == len(items) else ()
+
+
+def named_words(node: ast.stmt) -> Iterator[tuple[str, tuple[str, ...]]]:
+    """The name that a statement gives to constant words, with these."""
+    target, value = assigned(node)
+    if target is not None and value is not None and (words := constant_words(value)):
+        yield target.id, words
+
+
 def looped(node: ast.AST) -> Iterator[tuple[ast.expr, ast.expr]]:
     """The targets of loops with what they loop over."""
     if isinstance(node, (ast.For, ast.comprehension)):
@@ -68,6 +82,8 @@ def only_read(node: ast.AST) -> Iterator[ast.Name]:
             reads = [each.left, *each.comparators]
         elif isinstance(each, ast.comprehension):
             reads = [each.iter]
+        elif isinstance(each, ast.IfExp):
+            reads = [each.test]
         elif isinstance(each, (ast.Return, ast.YieldFrom)) and each.value is not None:
             reads = [each.value]
         yield from (name for name in reads if isinstance(name, ast.Name))

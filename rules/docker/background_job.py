@@ -50,8 +50,8 @@ IDLE = regex(r"\bsleep\s+(?:infinity|inf)\b|\btail\s+-[fF]\b")
 @rule("warning", silent="Docker watches the first process of a container only")
 def background_job(robot: Robot) -> Iterator[Finding]:
     found: dict[object, tuple[list[Job], list[Runner]]] = {}
-    for runner in robot.runners.all:
-        jobs = list(_jobs(runner)) if runner.in_container else []
+    for runner in robot.runners.in_containers:
+        jobs = list(_jobs(runner))
         if jobs:
             found.setdefault(jobs[0].step.command.words[0].span, (jobs, []))[1].append(runner)
     for (first, *others), runners in found.values():

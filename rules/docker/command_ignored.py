@@ -58,8 +58,8 @@ class Dropped(NamedTuple):
 @rule("error", silent="the entrypoint runs, and the command is dropped without a message")
 def command_ignored(robot: Robot) -> Iterator[Finding]:
     seen = set()
-    for runner in robot.runners.all:
-        dropped = _dropped(runner) if runner.in_container else None
+    for runner in robot.runners.in_containers:
+        dropped = _dropped(runner)
         if dropped is None or dropped.command in seen:
             continue
         seen.add(dropped.command)

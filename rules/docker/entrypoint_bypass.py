@@ -54,8 +54,8 @@ SETS = ("PATH", "AMENT_PREFIX_PATH", "BASH_ENV", "ENV")
 @rule("error", symptoms=['exec: "ros2": executable file not found in $PATH', "ros2: not found"])
 def entrypoint_bypass(robot: Robot) -> Iterator[Finding]:
     seen = set()
-    for runner in robot.runners.all:
-        ros = _unsourced(runner) if runner.in_container and _starts_bare(runner) else None
+    for runner in robot.runners.in_containers:
+        ros = _unsourced(runner) if _starts_bare(runner) else None
         if ros is not None and ros.program.span not in seen:
             seen.add(ros.program.span)
             yield finding(

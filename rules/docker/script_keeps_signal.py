@@ -55,9 +55,7 @@ FOREVER = regex(r"\bsleep\s+(?:infinity|inf)\b|\btail\s+-[fF]\b")
 @rule("warning", symptoms=["exited with code 137"])
 def script_keeps_signal(robot: Robot) -> Iterator[Finding]:
     found: dict[object, tuple[Step, Ros, list[Runner]]] = {}
-    for runner in robot.runners.all:
-        if not runner.in_container:
-            continue
+    for runner in robot.runners.in_containers:
         for step, ros in _kept(runner):
             found.setdefault(ros.where.span, (step, ros, []))[2].append(runner)
     for step, ros, runners in found.values():
@@ -87,9 +85,9 @@ def _given_at(step: Step, ros: Ros) -> Iterator[Related]:
 def _handing(robot: Robot, said: set[Source | None]) -> Iterator[Finding]:
     """Entry scripts that start as their child whatever command they are given."""
     scripts: dict[Source, tuple[Located, list[Runner]]] = {}
-    for runner in robot.runners.all:
+    for runner in robot.runners.in_containers:
         for step in _given(runner):
-            if runner.in_container and step.script is not None and step.script not in said:
+            if step.script is not None and step.script not in said:
                 scripts.setdefault(step.script, (step.command.words[0], []))[1].append(runner)
     for script, (word, runners) in scripts.items():
         if any("ros2" in " ".join(service.command) for service in robot.compose.services):

@@ -75,9 +75,7 @@ def script_not_executable(robot: Robot) -> Iterator[Finding]:
 
 def _started(robot: Robot) -> Iterator[tuple[Runner, Located, Source]]:
     """The containers whose first process is a script of the tree."""
-    for runner in robot.runners.all:
-        if not runner.in_container:
-            continue
+    for runner in robot.runners.in_containers:
         for line in runner.main:
             script = runner.reads(str(line.program))
             if script is not None and script.text.startswith("#!"):

@@ -52,6 +52,8 @@ from bringup_lint.api.environment import conflicts
     aliases=["env/set-twice-mismatch", "env/rmw-inconsistent-across-units"],
 )
 def conflict_between_sources(robot: Robot) -> Iterator[Finding]:
+    if not robot.ros.processes:
+        return
     for name in ("ROS_DOMAIN_ID", "RMW_IMPLEMENTATION"):
         for conflict in conflicts(robot.ros, name):
             yield _different(name, conflict) if isinstance(conflict, Different) else _overridden(name, conflict)

@@ -84,8 +84,8 @@ def _is_written(runner: docker.Runner, path: str) -> bool:
 def _of_containers(robot: Robot) -> Iterator[Finding]:
     """One finding for each value, at the first container that gets it."""
     seen = set()
-    for runner in robot.runners.all:
-        uri = runner.environment.get("CYCLONEDDS_URI") if runner.in_container and runner.runs_ros else None
+    for runner in robot.runners.in_containers:
+        uri = runner.environment.get("CYCLONEDDS_URI") if runner.runs_ros else None
         if uri is None or runner.environment.text("RMW_IMPLEMENTATION") != "rmw_cyclonedds_cpp":
             continue
         path = next((each for each in _paths(uri.text) if docker.lacks(robot.files, runner, each)), None)

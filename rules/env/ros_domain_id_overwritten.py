@@ -72,9 +72,7 @@ def ros_domain_id_overwritten(robot: Robot) -> Iterator[Finding]:
 def _entry_scripts(robot: Robot) -> dict[Source, list[Runner]]:
     """The scripts that run the command of their container, with what starts them."""
     found: dict[Source, list[Runner]] = {}
-    for runner in robot.runners.all:
-        if not runner.in_container:
-            continue
+    for runner in robot.runners.in_containers:
         for script in {step.script: None for line in runner.main for step in line.steps}:
             if script is not None and script.judged and '"$@"' in script.said:
                 found.setdefault(script, []).append(runner)

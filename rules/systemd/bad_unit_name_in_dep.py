@@ -43,7 +43,7 @@ from bringup_lint.api.systemd import ValueProblem
 
 @rule("error", fix="unsafe", symptoms=["Failed to add dependency on"])
 def bad_unit_name_in_dep(robot: Robot) -> Iterator[Finding]:
-    for line in robot.units.lines:
+    for line in robot.units.wrong_lines:
         if line.directive.type not in ("units", "socket-units"):
             continue
         for problem in line.problems:

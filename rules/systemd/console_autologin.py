@@ -45,7 +45,7 @@ SERIAL = regex(r"(?:/dev/)?tty(?:S|AMA|THS|USB|ACM|GS|mxc|PS)\d")
 
 @rule("warning", tags=["CWE-287"], symptoms=["automatic login"])
 def console_autologin(robot: Robot) -> Iterator[Finding]:
-    for unit in robot.units.services:
+    for unit in robot.units.running("getty"):
         for process in robot.units.started(unit):
             user = autologin(process)
             if user is None or not user.span.source.judged:

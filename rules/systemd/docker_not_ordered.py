@@ -54,7 +54,7 @@ _ASKS = ("docker info", "docker ps", "docker version", "is-active docker", "star
 @rule("warning", fix="unsafe", symptoms=["Cannot connect to the Docker daemon"])
 def docker_not_ordered(robot: Robot) -> Iterator[Finding]:
     units = robot.units
-    for unit in units.services:
+    for unit in units.running("docker"):
         if unit.manager == "user" or unit.unsure_of("After", "Requires", "Wants", "BindsTo"):
             continue
         if any(text in script for process in units.processes(unit) for script in process.texts for text in _ASKS):

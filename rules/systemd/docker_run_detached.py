@@ -47,7 +47,7 @@ from bringup_lint.api.systemd import docker_starts
 
 @rule("warning", silent="the docker client ends with success")
 def docker_run_detached(robot: Robot) -> Iterator[Finding]:
-    for unit in robot.units.services:
+    for unit in robot.units.running("docker"):
         remains = unit.flag("RemainAfterExit")
         if unit.get("Type") in ("oneshot", "forking") or remains.unknown or unit.uncertain:
             continue

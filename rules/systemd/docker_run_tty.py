@@ -45,7 +45,7 @@ INSIDE = ("ros2", "bash", "sh", "/bin/bash", "/bin/sh", "-c")
 
 @rule("error", symptoms=["the input device is not a TTY", "cannot attach stdin to a TTY-enabled container"])
 def docker_run_tty(robot: Robot) -> Iterator[Finding]:
-    for unit in robot.units.services:
+    for unit in robot.units.running("docker"):
         if unit.has("StandardInput"):
             continue
         for process in robot.units.processes(unit):

@@ -36,7 +36,7 @@ from bringup_lint.api import rule
 
 @rule("warning", symptoms=["Invalid URL, ignoring"])
 def documentation_url(robot: Robot) -> Iterator[Finding]:
-    for line in robot.units.lines:
+    for line in robot.units.wrong_lines:
         for problem in line.problems:
             if line.directive.type == "documentation" and problem.code == "invalid":
                 yield finding(

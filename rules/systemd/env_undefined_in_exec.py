@@ -54,7 +54,7 @@ OF_SYSTEMD = regex(
 @rule("error", symptoms=["Referenced but unset environment variable evaluates to an empty string"])
 def env_undefined_in_exec(robot: Robot) -> Iterator[Finding]:
     units = robot.units
-    for unit in units.services:
+    for unit in units.running("$"):
         environment = units.environment(unit)
         if unit.manager == "user" or not environment.complete:
             continue

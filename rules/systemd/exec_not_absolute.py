@@ -47,7 +47,7 @@ from bringup_lint.api import rule
     ],
 )
 def exec_not_absolute(robot: Robot) -> Iterator[Finding]:
-    for line in robot.units.lines:
+    for line in robot.units.wrong_lines:
         if line.directive.type != "command" or line.value == ".":
             continue
         for problem in line.problems:

@@ -42,7 +42,7 @@ from bringup_lint.api import rule
 
 @rule("info", silent="a sleep that is too short shows only in the errors of the program after it")
 def execstartpre_sleep(robot: Robot) -> Iterator[Finding]:
-    for unit in robot.units.services:
+    for unit in robot.units.running("sleep"):
         for process in robot.units.processes(unit):
             commands = [step.command for step in process.steps if not step.depth or process.shell]
             names = {command.name for command in commands} - {process.shell}

@@ -45,7 +45,7 @@ SIGNAL = regex(r"-{1,2}(?:s|signal|n)?=?\s*((?:SIG)?[A-Z][A-Z0-9]+|\d+)$")
 
 @rule("info", fix="unsafe", symptoms=["user interrupted with ctrl-c (SIGINT) again, ignoring"])
 def execstop_async_kill(robot: Robot) -> Iterator[Finding]:
-    for unit in robot.units.services:
+    for unit in robot.units.running("kill"):
         service = robot.units.supervision(unit)
         for process in robot.units.processes(unit):
             commands = [

@@ -50,7 +50,7 @@ STOPPING = ("ExecStop", "ExecStopPost")
 
 @rule("warning", symptoms=["Main process exited, code=killed, status=15/TERM"])
 def execstop_kills_others(robot: Robot) -> Iterator[Finding]:
-    for unit in robot.units.services:
+    for unit in robot.units.running("kill"):
         for process in robot.units.processes(unit):
             if process.key not in STOPPING:
                 continue

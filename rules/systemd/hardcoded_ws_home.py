@@ -45,7 +45,7 @@ HOME = regex(r"/home/([^/$%]+)/", hints="/home/")
 
 @rule("info", symptoms=["/home/*/install/setup.bash: No such file or directory"])
 def hardcoded_ws_home(robot: Robot) -> Iterator[Finding]:
-    for unit in robot.units.services:
+    for unit in robot.units.running("/home/"):
         user = unit.identity.user
         found = next(_in_other_homes(robot, unit), None) if unit.identity.is_other else None
         if user is None or found is None:

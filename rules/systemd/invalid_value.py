@@ -63,7 +63,7 @@ from bringup_lint.api.systemd import ValueProblem
     ],
 )
 def invalid_value(robot: Robot) -> Iterator[Finding]:
-    for line in robot.units.lines:
+    for line in robot.units.wrong_lines:
         problems = [problem for problem in line.problems if _is_reported(line, problem)]
         if problems:
             yield _finding(line, *problems)

@@ -38,7 +38,7 @@ from bringup_lint.api import rule
 
 @rule("warning", symptoms=["Permission denied: '/dev/tty"])
 def setpriv_without_groups(robot: Robot) -> Iterator[Finding]:
-    for unit in robot.units.services:
+    for unit in robot.units.running("setpriv"):
         for process in robot.units.processes(unit):
             for step in process.steps:
                 words = step.command.words

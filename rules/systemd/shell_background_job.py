@@ -49,7 +49,7 @@ from bringup_lint.api.systemd import Unit
 
 @rule("error", silent="systemd watches the main process only")
 def shell_background_job(robot: Robot) -> Iterator[Finding]:
-    for unit in robot.units.services:
+    for unit in robot.units.running("&"):
         remains = unit.flag("RemainAfterExit")
         if remains.unknown:
             continue

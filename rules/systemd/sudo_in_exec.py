@@ -54,7 +54,7 @@ from bringup_lint.api.systemd import Unit
     ],
 )
 def sudo_in_exec(robot: Robot) -> Iterator[Finding]:
-    for unit in robot.units.services:
+    for unit in robot.units.running("sudo"):
         privileges = unit.flag("NoNewPrivileges")
         locked = privileges.at if privileges else None
         found = [

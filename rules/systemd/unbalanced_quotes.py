@@ -38,7 +38,7 @@ from bringup_lint.api import rule
 
 @rule("error", symptoms=["Unbalanced quoting", "Invalid syntax, ignoring"])
 def unbalanced_quotes(robot: Robot) -> Iterator[Finding]:
-    for line in robot.units.lines:
+    for line in robot.units.wrong_lines:
         for problem in line.problems:
             if problem.code == "unbalanced-quotes":
                 yield finding(

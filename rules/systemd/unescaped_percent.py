@@ -46,7 +46,7 @@ from bringup_lint.api.systemd import Line
     symptoms=["Failed to resolve unit specifiers", "Failed to resolve specifiers", "Invalid slot"],
 )
 def unescaped_percent(robot: Robot) -> Iterator[Finding]:
-    for line in robot.units.lines:
+    for line in robot.units.wrong_lines:
         bad = [problem for problem in line.problems if problem.code == "unknown-specifier"]
         if not bad:
             continue

@@ -40,7 +40,7 @@ from bringup_lint.api import rule
 
 @rule("warning", fix="unsafe", symptoms=["Ignoring unknown escape sequences"])
 def unknown_escape(robot: Robot) -> Iterator[Finding]:
-    for line in robot.units.lines:
+    for line in robot.units.wrong_lines:
         bad = [problem for problem in line.problems if problem.code == "unknown-escape"]
         if not bad:
             continue

@@ -49,7 +49,7 @@ FOREVER = regex(r"--timeout=0$")
 
 @rule("warning", symptoms=["A start job is running for Wait for Network to be Configured"])
 def wait_online_unbounded(robot: Robot) -> Iterator[Finding]:
-    for unit in robot.units.services:
+    for unit in robot.units.running("systemd-networkd-wait-online"):
         for process in robot.units.started(unit):
             if not WAITER.search(process.program):
                 continue

@@ -50,7 +50,7 @@ def any_of(*atoms: Atom) -> Needs:
         ("yield from robot.sshd", all_of(("some", ("sshd",)))),
         ("units = robot.units\nfor unit in units.judged:\n    yield unit", all_of(JUDGED)),
         ("for each in robot.ros.of('A', 'B'):\n    yield each", all_of(("some", ("ros", ("of", "A", "B"))))),
-        ("for each in robot.ros.of(NAME):\n    yield each", NOTHING),
+        ("for each in robot.dds.of(NAME):\n    yield each", NOTHING),
         ("if not robot.of_kind('compose'):\n    return\nyield 1", all_of(("true", (("of_kind", "compose"),)))),
         (f"{UNITS}if unit.get('User'):\n        yield unit", all_of(JUDGED, ("key", "User"))),
         (
@@ -69,6 +69,18 @@ def any_of(*atoms: Atom) -> Needs:
             "    if found is None:\n        continue\n    yield unit",
             all_of(JUDGED, ("key", "A"), ("key", "User")),
         ),
+        ("for unit in robot.units.running('bag'):\n    yield unit", all_of(("some", ("units", ("running", "bag"))))),
+        (
+            f"{UNITS}for key in ('A', 'B'):\n        for word in unit.words(key):\n            yield word",
+            frozenset([frozenset([JUDGED, ("key", "A")]), frozenset([JUDGED, ("key", "B")])]),
+        ),
+        (f"{UNITS}for key in (NAME, 'B'):\n        yield from unit.words(key)", all_of(JUDGED)),
+        (f"{UNITS}for key in 'A', 'B':\n        key = 'C'\n        yield from unit.words(key)", all_of(JUDGED)),
+        ("for each in robot.ros.of(*NAMES):\n    yield each", all_of(("some", ("ros", "settings")))),
+        (
+            f"{UNITS}if robot.devices.meant_by(unit.name) is not None:\n        yield unit",
+            all_of(JUDGED, ("true", (("of_kind", "udev-rules"),))),
+        ),
         ("yield from (*robot.jails, *robot.sshd)", any_of(("some", ("jails",)), ("some", ("sshd",)))),
         ("for each in [robot]:\n    yield each", NOTHING),
         ("for unit in robot.units.judged:\n    pass\nelse:\n    yield 1", NOTHING),
@@ -85,6 +97,11 @@ def any_of(*atoms: Atom) -> Needs:
 )  # fmt: skip
 def test_needs(body: str, expected: Needs) -> None:
     assert needs(body) == expected
+
+
+def test_words_that_the_file_names() -> None:
+    rule = needs(f"{UNITS}for key in KEYS:\n        yield from unit.words(key)", "KEYS = ('A',)\n")
+    assert rule == all_of(JUDGED, ("key", "A"))
 
 
 def test_own_functions_are_followed() -> None:

@@ -52,6 +52,11 @@ class Runners:
         return found
 
     @cached_property
+    def in_containers(self) -> list[Runner]:
+        """Compose services, and images that no service starts."""
+        return [runner for runner in self.all if runner.in_container]
+
+    @cached_property
     def ros(self) -> list[Runner]:
         """Those that take part in the communication of ROS 2."""
         return [runner for runner in self.all if runner.runs_ros]

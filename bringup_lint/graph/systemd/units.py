@@ -123,6 +123,11 @@ class Units(NamedUnits):
         found = lines(self.unit_files, target.systemd if target.systemd_known else NEWEST)
         return [line for line in found if line.assignment.span not in reset]
 
+    @cached_property
+    def wrong_lines(self) -> list[Line]:
+        """Those of ``lines`` with whose value something is wrong."""
+        return [line for line in self.lines if line.problems]
+
     def mount_name(self, unit: Unit, where: str) -> str:
         """The name that a mount or automount unit of this path must have."""
         from bringup_lint.parsers.systemd_values import escape_path
@@ -197,6 +202,13 @@ class Units(NamedUnits):
     def processes(self, unit: Unit) -> list[Process]:
         """The command lines of a service with what they run."""
         return processes(unit, self.files)
+
+    def running(self, word: str) -> list[Unit]:
+        """The services with a command line that holds a word, itself or a script that it starts."""
+        return [unit for unit in self.services if self._runs(unit, word)]
+
+    def _runs(self, unit: Unit, word: str) -> bool:
+        return any(word in text for process in self.processes(unit) for text in process.texts)
 
     def started(self, unit: Unit) -> list[Process]:
         """The command lines of ExecStart= alone."""
