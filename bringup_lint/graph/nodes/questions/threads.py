@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.model.cpp_text import blanked
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
@@ -28,7 +29,7 @@ def ends_thread(files: Files, package: Package | None, source: Source, name: str
         rf"|\breturn\s+{written}\b"
     )
     sources = _sources(files, package, source)
-    return any(each is None or (name in each.text and ends.search(each.text)) for each in sources)
+    return any(each is None or (name in each.text and ends.search(blanked(each.text))) for each in sources)
 
 
 def _sources(files: Files, package: Package | None, source: Source) -> Iterator[Source | None]:
