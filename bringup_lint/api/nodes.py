@@ -69,6 +69,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.stopping import handler_never_runs
     from bringup_lint.graph.nodes.questions.stopping import stop_after_shutdown
     from bringup_lint.graph.nodes.questions.stopping import unhandled_shutdown
+    from bringup_lint.graph.nodes.questions.swallowed_failures import swallowed_failures
     from bringup_lint.graph.nodes.questions.time_clocks import ClockMix
     from bringup_lint.graph.nodes.questions.time_clocks import clock_mixes
     from bringup_lint.graph.nodes.questions.transforms import early_lookups
@@ -153,6 +154,7 @@ __all__ = [
     "stopped_callbacks",
     "stopped_in_cpp",
     "stuck_flags",
+    "swallowed_failures",
     "swap",
     "switchless",
     "taken_attributes",

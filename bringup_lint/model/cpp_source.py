@@ -63,6 +63,14 @@ class Unstamped(NamedTuple):
     """The call that publishes it."""
 
 
+class Swallowed(NamedTuple):
+    """A handler that takes what a spin throws, after which the program ends with status 0."""
+
+    place: Span
+    """What it takes."""
+    spin: Span
+
+
 class Dropped(NamedTuple):
     """What is destroyed before an executor can call it."""
 
@@ -149,6 +157,8 @@ class CppNode:
     parameters: list[Parameter] = field(default_factory=list)
     """What it declares under a literal name."""
     reads: list[Read] = field(default_factory=list)
+    texts_as_bool: list[Located] = field(default_factory=list)
+    """The defaults of truth values that are written as texts."""
     declares_others: bool = False
     """It may declare parameters under names that are not literal, or all that it is given."""
     waits: list[Waiting] = field(default_factory=list)
@@ -169,6 +179,7 @@ class CppNode:
     """Variables and members to which it gives a thread, each where it does."""
     deaf_loops: list[DeafLoop] = field(default_factory=list)
     unstamped: list[Unstamped] = field(default_factory=list)
+    swallowed: list[Swallowed] = field(default_factory=list)
     dropped: list[Dropped] = field(default_factory=list)
     early_pointers: list[EarlyPointer] = field(default_factory=list)
     few_handles: list[FewHandles] = field(default_factory=list)

@@ -25,6 +25,8 @@ from bringup_lint.parsers.cpp_node.parameters import LOOSE
 from bringup_lint.parsers.cpp_node.parameters import declarations
 from bringup_lint.parsers.cpp_node.parameters import is_open
 from bringup_lint.parsers.cpp_node.parameters import reads
+from bringup_lint.parsers.cpp_node.parameters import texts_as_bool
+from bringup_lint.parsers.cpp_node.swallowed import swallowed
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.parsers.cpp_node.threads import threads
 from bringup_lint.parsers.cpp_node.time_sources import time_members
@@ -92,6 +94,7 @@ def parse(source: Source) -> CppNode:
     node.activation = activation(code)
     node.misread = list(misread(code))
     node.unstamped = list(unstamped(code, names, node.endpoints))
+    node.swallowed = list(dict.fromkeys(swallowed(code)))
     node.dropped = list(dropped(code))
     node.early_pointers = list(dict.fromkeys(early_pointers(code)))
     node.time_members = list(time_members(code))
@@ -122,6 +125,7 @@ def _read_calls(node: CppNode, code: Code, names: Names) -> None:
         node.callbacks += [each[1] for each in (made, clocked) if each is not None and each[1] is not None]
         node.parameters += declarations(code, call)
         node.reads += reads(code, call)
+        node.texts_as_bool += texts_as_bool(code, call)
         node.declares_others |= is_open(code, call)
 
 

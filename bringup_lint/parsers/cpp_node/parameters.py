@@ -12,6 +12,7 @@ from bringup_lint.parsers.cpp_node.syntax import Call
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.parsers.cpp_node.values import declared
 from bringup_lint.pattern import regex
+from bringup_lint.source import Located
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -22,6 +23,8 @@ LOOSE = regex(
     r"automatically_declare_parameters_from_overrides|allow_undeclared_parameters|generate_parameter",
     hints="automatically_declare_parameters_from_overrides allow_undeclared_parameters generate_parameter",
 )
+_DEFAULTS = {"declare_parameter": 1, "get_parameter_or": -1}
+"""Where calls take the value of a parameter that nothing sets."""
 _NUMBER = regex(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?\Z")
 
 
@@ -63,3 +66,14 @@ def reads(code: Code, call: Call) -> Iterator[Read]:
         name = code.literal(call.arguments[0])
         if name is not None:
             yield Read(name, _READING[call.name] and len(call.arguments) == 1)
+
+
+def texts_as_bool(code: Code, call: Call) -> Iterator[Located]:
+    """The default of a ``bool`` that is a string literal, whose address converts to true."""
+    at = _DEFAULTS.get(call.name)
+    if at is None or len(call.arguments) < 2 or "".join(code.text(call.template).split()) != "<bool>":
+        return
+    given = call.arguments[at]
+    text = code.literal(given) if given.type == "string_literal" else None
+    if text is not None:
+        yield text

@@ -1,0 +1,58 @@
+"""A node that fails ends with status 0.
+
+## What it finds
+A `try` of `main` around a spin whose handler of `std::exception`, `std::runtime_error`, `...` or `Exception` only
+reports, where `main` returns nothing but 0 and the source has no other way to end with a status.
+
+## Why it matters on a robot
+What a callback throws ends the spin, and with it the node. The status says that all went well: `Restart=on-failure` and
+`restart: on-failure` leave the node down, `OnFailure=` does not run, and launch says "process has finished cleanly"
+between the lines of the other nodes. A safety node or a driver is gone, and nothing is red.
+
+## Bad
+```python
+except Exception as error:
+    node.get_logger().error(f"failed: {error}")
+```
+
+## Good
+```python
+except Exception as error:
+    node.get_logger().error(f"failed: {error}")
+    raise
+```
+
+## When to ignore it
+When whatever starts the node starts it again after each end, as `Restart=always` does.
+
+## References
+- launch, execute_local.py: "process has finished cleanly" for status 0, "process has died" for others
+- systemd.service(5), `Restart=`
+- tried with CPython 3.11 and g++ 12.2
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import nodes
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("warning", symptoms=["process has finished cleanly"])
+def failure_exits_zero(robot: Robot) -> Iterator[Finding]:
+    for first, *others in nodes.swallowed_failures(robot.nodes):
+        source = first.place.source
+        yield finding(
+            first.place,
+            "A failure ends this node with status 0: Restart=on-failure does not start it again, and launch says "
+            "'finished cleanly'",
+            advice="raise it again in the handler" if source.name.endswith(".py") else "return EXIT_FAILURE here",
+            related=[
+                note(first.spin, "what a callback throws comes out here"),
+                *(note(each.place, "this handler does the same") for each in others),
+            ],
+            severity=nodes.lowered(robot.nodes.purpose(source), "warning"),
+        )
