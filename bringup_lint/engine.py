@@ -253,7 +253,8 @@ def _suppressed(
     def ran(name: str) -> bool:
         return _counts(name, rules, selection)
 
-    comments = _comments(robot.sources, is_name_of, steps)
+    findings = list(findings)
+    comments = _comments(_with_modules(robot.sources, findings), is_name_of, steps)
     files = file_ignores(config.per_file_ignores, Source(display_name(str(config.path)), config.text), is_name_of)
 
     def silenced(found: Finding) -> Finding:
@@ -265,6 +266,13 @@ def _suppressed(
     if config.per_file_ignores and UNUSED in rules:
         applied += steps.attempt(COMMENTS, lambda: list(files.complaints(robot.tree.paths, robot.sources, ran)), [])
     return applied
+
+
+def _with_modules(sources: list[Source], findings: Iterable[Finding]) -> list[Source]:
+    """The sources, and those that were only read for another one, such as a module that a node imports, in which
+    something was found."""
+    known = {id(source) for source in sources}
+    return [*sources, *{id(each.source): each.source for each in findings if id(each.source) not in known}.values()]
 
 
 def _comments(sources: list[Source], is_name_of: Callable[[str, str], bool], steps: Steps) -> Ignores:

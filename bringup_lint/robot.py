@@ -141,6 +141,8 @@ class Robot:
         if "topics" in self.__dict__ and "entries" in self.topics.__dict__:
             with suppress(Exception):  # who asks for them later meets it again
                 _ = self._topic_joins
+        if "nodes" in self.__dict__:
+            self.nodes.let_go()
         for name in _HOLDING_SYNTAX:
             self.__dict__.pop(name, None)
         if self.of_kind("python-node"):

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.topics.questions.misspelt import probable_typos
     from bringup_lint.graph.topics.questions.monitored_velocities import unmonitored
     from bringup_lint.graph.topics.questions.namespaces import shared_by_namespaces
+    from bringup_lint.graph.topics.questions.other_ends import used_at
     from bringup_lint.graph.topics.questions.unmatched import without_publisher
     from bringup_lint.graph.topics.questions.unserved import unserved
     from bringup_lint.graph.topics.resolved.endpoint_use import LaunchedNode
@@ -58,5 +59,6 @@ __all__ = [
     "unheard_commands",
     "unmonitored",
     "unserved",
+    "used_at",
     "without_publisher",
 ]

@@ -313,6 +313,14 @@ class NodeSource:
     """``constant(expression, function)``: the literal value of an expression that is in a function, or None."""
     named: Callable[..., str | None] = field(default=_unread)
     """``named(expression, function)``: the dotted name of what was imported, or called to make the value, or None."""
+    joined: Callable[[Callable[[str], Any]], NodeSource] = field(default=_unread)
+    """``joined(imported)``: the file read with the values of what it imports from other files; ``imported`` gives them
+    by dotted names."""
+    exported: Callable[[list[str], Callable[[str], Any]], Any] = field(default=_unread)
+    """``exported(path, imported)``: the value of a name of the file, or of a class in it, for the files that import
+    it."""
+    is_alone: bool = True
+    """Whether all that is said here follows from the text of the file."""
     let_go: Callable[[], None] = field(default=_unread)
     """Takes the syntax apart when nobody asks for it any more: its parts know each other, so that they would wait for
     a search for garbage."""

@@ -38,14 +38,16 @@ from bringup_lint.api import topics
 
 @rule("info", confidence="medium", silent="a lost stop message leaves no trace")
 def estop_software_only(robot: Robot) -> Iterator[Finding]:
-    names = (each.name for each in robot.topics.endpoints)
-    stops = [name for name in names if name is not None and _is_command(name)]
+    named = ((each.name, each.span) for each in robot.topics.endpoints)
+    stops = [(name, where) for name, where in named if name is not None and _is_command(name)]
     if stops and not robot.topics.has_stop_hardware:
+        name, where = stops[0]
         yield finding(
-            stops[0],
-            f"The only visible emergency stop is the topic {stops[0]}: it fails together with the network, the "
+            name,
+            f"The only visible emergency stop is the topic {name}: it fails together with the network, the "
             "computer or the node",
             advice="let a wired circuit cut the drive power; if there is one, ignore this rule in the configuration",
+            related=topics.used_at(name, where),
         )
 
 

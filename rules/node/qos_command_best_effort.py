@@ -54,7 +54,10 @@ def qos_command_best_effort(robot: Robot) -> Iterator[Finding]:
             if endpoint.name is None or endpoint.qos is None or endpoint.role not in ("publisher", "subscription"):
                 continue
             stop, drive = topics.is_stop(endpoint.name), topics.is_velocity(endpoint.name, endpoint.type)
-            related = [note(endpoint.name, f"{endpoint.name} is set up here")]
+            related = [
+                note(endpoint.name, f"{endpoint.name} is set up here"),
+                *topics.used_at(endpoint.qos.span, endpoint.span),
+            ]
             if endpoint.qos.reliability == "BEST_EFFORT" and (stop or (drive and not timers)):
                 yield finding(
                     endpoint.qos.span,
@@ -67,7 +70,7 @@ def qos_command_best_effort(robot: Robot) -> Iterator[Finding]:
             elif (relay and timers) or endpoint.role != "subscription":
                 continue
             elif (stop or drive) and (endpoint.qos.depth or 0) > QUEUE:
-                watched = drive and not stop and nodes.guards_commands(endpoint.qos.span.source.text)
+                watched = drive and not stop and nodes.guards_commands(endpoint.span.source.text)
                 yield finding(
                     endpoint.qos.span,
                     f"{endpoint.name} queues {endpoint.qos.depth} commands: a node that falls behind does what "

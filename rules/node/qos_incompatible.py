@@ -76,6 +76,8 @@ def qos_incompatible(robot: Robot) -> Iterator[Finding]:
                 note(other.qos_place, f"{other.node.label()} {words[other]} it here"),
                 note(own.node.started.span, f"{own.node.label()} is started here"),
                 *([] if other.of_table else [note(other.node.started.span, f"{other.node.label()} is started here")]),
+                *topics.used_at(own.qos_place, own.where),
+                *topics.used_at(other.qos_place, other.where),
             ],
         )
     yield from of_autopilot(robot)

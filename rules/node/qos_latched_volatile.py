@@ -63,5 +63,8 @@ def qos_latched_volatile(robot: Robot) -> Iterator[Finding]:
                     endpoint.qos.span,
                     f"{endpoint.name} is published once and volatile: a node that starts later never gets it",
                     advice="use a profile with durability transient local and depth 1",
-                    related=[note(span, "published here, while the node starts") for span in published],
+                    related=[
+                        *(note(span, "published here, while the node starts") for span in published),
+                        *topics.used_at(endpoint.qos.span, endpoint.span),
+                    ],
                 )

@@ -51,6 +51,9 @@ def topic_absolute_under_namespace(robot: Robot) -> Iterator[Finding]:
                 f"'{name}' ignores the namespace: the same program in {spaces} shares one topic, "
                 "and a message for one reaches all",
                 advice=f"write '{name.lstrip('/')}', so that the namespace applies",
-                related=[note(use.node.started.span, f"{use.node.label()} is started here") for use in uses],
+                related=[
+                    *(note(use.node.started.span, f"{use.node.label()} is started here") for use in uses),
+                    *topics.used_at(name, uses[0].where),
+                ],
                 fix=fix("make the name relative", (name, name.lstrip("/")), safe=False),
             )

@@ -32,6 +32,7 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
+from bringup_lint.api import topics
 
 
 @rule("info", silent="both names are valid topics")
@@ -45,10 +46,12 @@ def topic_reserved_style(robot: Robot) -> Iterator[Finding]:
                 endpoint.name,
                 f"'{endpoint.name}' becomes rt/{endpoint.name.lstrip('/')} in DDS, because ROS itself adds the prefix",
                 advice=f"remove '{prefix[1]}'",
+                related=topics.used_at(endpoint.name, endpoint.span),
             )
         elif re.search(r"__", endpoint.name):
             yield finding(
                 endpoint.name,
                 f"'{endpoint.name}' contains '__', which is reserved for names that ROS and its tools generate",
                 advice="use a single underscore",
+                related=topics.used_at(endpoint.name, endpoint.span),
             )

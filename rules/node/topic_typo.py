@@ -59,6 +59,7 @@ def topic_typo(robot: Robot) -> Iterator[Finding]:
             related=[
                 note(meant.name_place or meant.where, f"{near} is named here"),
                 note(use.node.started.span, f"{use.node.label()} is started here"),
+                *topics.used_at(use.name_place or use.where, use.where),
             ],
             chain=robot.provenance.chain_to_node(
                 use.node.started, note(use.name_place or use.where, f"{use.topic} is used here")

@@ -48,5 +48,8 @@ def topic_unconnected(robot: Robot) -> Iterator[Finding]:
                     use.name_place or use.where,
                     f"Nobody publishes {use.topic}: {use.node.label()} waits for it forever",
                     advice="start a publisher, or check the remappings on both sides",
-                    related=[note(use.node.started.span, f"{use.node.label()} is started here")],
+                    related=[
+                        note(use.node.started.span, f"{use.node.label()} is started here"),
+                        *topics.used_at(use.name_place or use.where, use.where),
+                    ],
                 )

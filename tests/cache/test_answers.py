@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shutil
 import subprocess
 import sys
 import time
@@ -39,6 +40,16 @@ def test_the_second_run_repeats_the_first(robot: Program) -> None:
     assert (first.is_answered, second.is_answered) == (False, True)
     assert first.shown == second.shown
     assert "rover.service" in second.text and second.code == 1
+
+
+def test_a_change_of_a_module_that_a_node_imports_is_seen(program: Program) -> None:
+    shutil.copytree(PROJECT / "fixtures/node/topic_name_invalid/bad_modules", program.tree, dirs_exist_ok=True)
+    first, second = program.run(), program.run()
+    assert second.is_answered and "topics.py:5:14: error[node/topic-name-invalid]" in first.text
+    module = program.tree / "mower/mower/topics.py"
+    module.write_text(module.read_text().replace("-", "_"))
+    third = program.run()
+    assert not third.is_answered and "topic-name-invalid" not in third.text
 
 
 def test_stamps_are_trusted_when_files_are_old_enough(robot: Program, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -76,6 +76,38 @@ def test_edits_answer_as_from_nothing(top: Path, seed: int) -> None:
         assert answer(kept, documents) == answer(cold, documents), path
 
 
+def test_a_change_of_a_module_is_one_of_the_node_that_imports_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    shutil.copytree(PROJECT / "fixtures/node/topic_name_invalid/bad_modules", tmp_path, dirs_exist_ok=True)
+    monkeypatch.chdir(tmp_path)
+    path = tmp_path / "mower/mower/topics.py"
+    registry = Registry.of()
+    kept = Folder(str(tmp_path), registry, lambda config: frozenset())
+    told = []
+    for number, text in enumerate([path.read_text(), "", path.read_text().replace("-", "_"), path.read_text()]):
+        documents = {str(path): Document(uri_of(str(path)), text, number)}
+        cold = Folder(str(tmp_path), registry, lambda config: frozenset())
+        told.append(sum("topic-name-invalid" in each for each in answer(kept, documents)))
+        assert answer(kept, documents) == answer(cold, documents)
+    assert told == [2, 0, 0, 2]
+
+
+def test_a_base_of_another_file_is_the_one_of_now(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    base = "from rclpy.node import Node\n\n\nclass Base(Node):\n    {body}\n"
+    (tmp_path / "arm.py").write_text("import rclpy\nfrom base import Base\n\n\nclass Arm(Base):\n    pass\n")
+    (tmp_path / "base.py").write_text(base.format(body="pass"))
+    kept = Folder(str(tmp_path), Registry.of(), lambda config: frozenset())
+    for number, name in enumerate(("front", "rear")):
+        text = base.format(body=f"def {name}(self):\n        pass")
+        documents = {str(tmp_path / "base.py"): Document(uri_of(str(tmp_path / "base.py")), text, number)}
+        answer(kept, documents)
+        assert kept.last is not None
+        (arm,) = (each for each in kept.last.robot.nodes.classes if each.name == "Arm")
+        assert arm.method(name) is not None
+
+
 @pytest.mark.parametrize("top", ["guide"], indirect=True)
 def test_the_second_run_loads_no_rule(top: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     kept = Folder(str(top), Registry.of(), lambda config: frozenset())

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import shutil
+from pathlib import Path
+
 import pytest
 
 from bringup_lint.config import Config
@@ -12,7 +15,9 @@ from bringup_lint.robot import Robot
 from bringup_lint.source import Source
 from bringup_lint.suppress.comments import Ignore
 from bringup_lint.suppress.comments import read
+from tests.conftest import PROJECT
 from tests.growth import is_linear
+from tests.lint import lint
 
 
 def only(text: str, kind: str = "systemd-unit") -> Ignore:
@@ -85,3 +90,13 @@ def test_comments_that_name_no_rule_read_the_rules_once(monkeypatch: pytest.Monk
     text = "[Service]\n" + "# bringup-lint: ignore[a]: b\n" * 20
     run(Robot(discover_text("a.service", text.encode())), Registry.of(), Config())
     assert len(calls) <= 1
+
+
+def test_a_comment_counts_in_a_module_that_a_node_imports(tmp_path: Path) -> None:
+    shutil.copytree(PROJECT / "fixtures/node/topic_name_invalid/bad_modules", tmp_path, dirs_exist_ok=True)
+    module = tmp_path / "mower/mower/topics.py"
+    module.write_text(
+        "# bringup-lint: ignore-file[node/topic-name-invalid]: renamed by a bridge\n" + module.read_text()
+    )
+    run = lint("--select", "node", "--output-format", "concise", ".", cwd=tmp_path)
+    assert "topic-name-invalid" not in run.stdout

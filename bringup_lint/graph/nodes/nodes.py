@@ -93,6 +93,11 @@ class Nodes:
         modules.link()
         return modules
 
+    def let_go(self) -> None:
+        """Forget the syntax that belongs to this run alone."""
+        if "_modules" in self.__dict__:
+            self._modules.let_go()
+
     @cached_property
     def judged(self) -> list[NodeSource]:
         """Those that findings may be about."""
@@ -398,7 +403,7 @@ class Nodes:
     def ending(self, file: NodeSource) -> Ending:
         """How the programs of a file end."""
         if file not in self._endings:
-            syntax = file.source.kept((Syntax, file), lambda: Syntax(file))
+            syntax = file.source.kept((Syntax, file), lambda: Syntax(file)) if file.is_alone else Syntax(file)
             syntax.reached.clear()
             self._endings[file] = Ending(syntax, self.files.target.ros)
         return self._endings[file]

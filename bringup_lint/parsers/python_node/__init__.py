@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import ast
+from collections.abc import Callable
 from collections.abc import Iterable
+from functools import partial
 from typing import Any
 
 from bringup_lint.model.node_source import NodeClass
@@ -74,14 +76,31 @@ def _read(file: NodeSource, tree: ast.Module) -> None:
     values = Values(module, positions, {})
     file.tree, file.nodes, file.span_of = tree, list(walk(tree)), positions.span
     file.imports, file.stars = module.imports, module.stars
-    file.qualified = values.qualified
     file.functions = {name: function(values, node) for name, node in module.functions.items()}
     file.main = module.main if module.main is not None else "main" if "main" in module.functions else None
     if not module.complete:
         file.problems.append(Problem("too-large", file.source.whole))
+    file.joined, file.exported = partial(_joined, file, module, positions), partial(_exported, module, positions)
+    _run(file, module, values)
+
+
+def _run(file: NodeSource, module: Module, values: Values) -> None:
     reading = Reading(file, module, values)
+    file.qualified = values.qualified
     file.constant, file.named, file.let_go = reading.constant, reading.named, reading.let_go
     reading.run()
+
+
+def _joined(file: NodeSource, module: Module, positions: Positions, imported: Callable[[str], Any]) -> NodeSource:
+    again = NodeSource(file.source, main=file.main, tree=file.tree, nodes=file.nodes, span_of=file.span_of)
+    again.functions, again.imports, again.stars = file.functions, file.imports, file.stars
+    again.problems, again.is_alone = file.problems, False
+    _run(again, module, Values(module, positions, {}, imported))
+    return again
+
+
+def _exported(module: Module, positions: Positions, path: list[str], imported: Callable[[str], Any]) -> Any:
+    return Values(module, positions, {}, imported).exported(path)
 
 
 class Reading:
@@ -123,10 +142,13 @@ class Reading:
             self.name(scope)
 
     def let_go(self) -> None:
-        self.file.tree, self.file.nodes = None, []
-        self.file.constant = self.file.named = self.file.let_go = lambda *_: None
-        for scope in self.module.scopes.values():
-            scope.cls = scope.parent = None
+        file, unread = self.file, NodeSource(self.file.source)
+        file.tree, file.nodes = None, []
+        file.constant, file.named, file.let_go = unread.constant, unread.named, unread.let_go
+        file.joined, file.exported = unread.joined, unread.exported
+        if file.is_alone:  # else the scopes belong to the file that was read without the others
+            for scope in self.module.scopes.values():
+                scope.cls = scope.parent = None
 
     def constant(self, node: ast.expr, within: ast.AST | None = None) -> Any:
         """The literal value of an expression that is in a function; None when it is not known."""

@@ -100,7 +100,7 @@ def _of_rclpy(name: str) -> str | None:
 def _profile(values: Values, called: Called) -> Qos | None:
     if _of_rclpy(called.name) != "QoSProfile":
         return None
-    call = called.call
+    call, values = called.call, called.values or values
     span = values.span(call)
     if call.args or any(each.arg is None for each in call.keywords):
         return Qos(span)
@@ -138,7 +138,7 @@ def _seconds(values: Values, value: Any) -> float | None:
         return None
     total = 0.0
     for each in value.call.keywords:
-        amount = values.of(each.value, value.scope)
+        amount = (value.values or values).of(each.value, value.scope)
         if each.arg not in ("seconds", "nanoseconds") or not is_number(amount):
             return None
         total += amount if each.arg == "seconds" else amount / 1e9

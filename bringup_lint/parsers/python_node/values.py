@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import ast
+from collections.abc import Callable
 from typing import Any
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
 from bringup_lint.model.python import PlacedNode
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.python_node.scopes import ClassScope
@@ -39,6 +41,8 @@ class Called(NamedTuple):
     name: str
     call: ast.Call
     scope: Scope
+    values: Values | None = None
+    """Those of the module in which the call is, where that is another one."""
 
 
 class Read(NamedTuple):
@@ -46,6 +50,11 @@ class Read(NamedTuple):
 
     name: Located
     default: Any
+
+
+def _of_no_module(name: str) -> Any:
+    """Stands for the modules of a file that is read alone."""
+    return UNKNOWN
 
 
 @dataclass(eq=False, slots=True)
@@ -56,8 +65,11 @@ class Values:
     positions: Positions
     parameters: dict[int, dict[str, Any]]
     """Class (by ``id``) -> parameter -> declared default."""
+    imported: Callable[[str], Any] = _of_no_module
+    """The value of what is imported under a dotted name; UNKNOWN where no module of the tree makes it constant."""
     steps: int = 400_000
     """Expressions that are evaluated in one file."""
+    _set: frozenset[tuple[str, str]] | None = field(default=None, init=False)
 
     def span(self, node: PlacedNode) -> Span:
         return self.positions.span(node)
@@ -99,7 +111,7 @@ class Values:
         home = scope.binding(node.id)
         if home is None:
             name = self.qualified(node)
-            return UNKNOWN if name is None else Symbol(name)
+            return self._of_stars(node, scope) if name is None else self._symbol(name)
         if node.id in home.arguments or (home.parent is None and node.id in self.module.imports):
             return UNKNOWN
         found = home.names[node.id]
@@ -115,14 +127,55 @@ class Values:
                 return self._own(scope.cls, node.attr, depth)
             local = self.module.classes.get(owner.id)
             if local is not None:
-                return self._class_constant(local, node.attr, depth)
+                return UNKNOWN if _is_enum(local) else self._class_constant(local, node.attr, depth)
+        if node.attr in ("name", "value") and isinstance(owner, ast.Attribute) and isinstance(owner.value, ast.Name):
+            enum = self.module.classes.get(owner.value.id)
+            if enum is not None and _is_enum(enum):
+                return self._member(enum, owner.attr, node.attr, depth)
         name = self.qualified(node, scope)
         if name is not None:
-            return Symbol(name)
+            return Symbol(name) if self._is_set(node) else self._symbol(name)
         if node.attr in _VALUES:
             inner = self.of(owner, scope, depth)
             return inner if isinstance(inner, Read) else UNKNOWN
-        return UNKNOWN
+        return self._of_stars(node, scope)
+
+    def _symbol(self, name: str) -> Any:
+        value = self.imported(name)
+        return Symbol(name) if value is UNKNOWN else value
+
+    def _of_stars(self, node: ast.Name | ast.Attribute, scope: Scope) -> Any:
+        """What a name means, or an attribute of it, that nothing but ``from module import *`` can bind."""
+        path = _path(node) if self.module.stars else []
+        if not path or path[0].startswith("_") or scope.binding(path[0]) or path[0] in self.module.imports:
+            return UNKNOWN
+        dotted = (".".join([star.rstrip(".") if star.strip(".") else star[1:], *path]) for star in self.module.stars)
+        found = [value for value in map(self.imported, dotted) if value is not UNKNOWN]
+        return found[0] if len(found) == 1 else UNKNOWN
+
+    def _is_set(self, node: ast.Attribute) -> bool:
+        """Whether the file gives an attribute of something imported another value."""
+        if self._set is None:
+            scopes = (self.module.scope, *self.module.scopes.values())
+            self._set = frozenset(
+                (name, each.field) for scope in scopes for name in scope.sets for each in scope.sets[name]
+            )
+        return isinstance(node.value, ast.Name) and (node.value.id, node.attr) in self._set
+
+    def exported(self, path: list[str]) -> Any:
+        """The value of a name of the module, or of a class in it, for a file that imports it: one that means the same
+        there."""
+        node: ast.expr = ast.Name(path[0])
+        for name in path[1:]:
+            node = ast.Attribute(node, name)
+        value = self.of(node, self.module.scope)
+        if isinstance(value, Called):
+            known = value.name.startswith("rclpy.") and not self.module.scope.sets.get(path[0])
+            return value._replace(values=value.values or self) if known else UNKNOWN
+        if isinstance(value, Symbol):
+            top = value.name.partition(".")[0]
+            return value if top and top not in self.module.classes else UNKNOWN
+        return UNKNOWN if isinstance(value, Read) else value
 
     def _own(self, cls: ClassScope, name: str, depth: int) -> Any:
         """``self.name``: assigned once in the class, or a constant of the class or of what it builds on."""
@@ -142,9 +195,17 @@ class Values:
 
     def _class_constant(self, cls: ClassScope, name: str, depth: int) -> Any:
         found = cls.constants.get(name, ())
-        if len(found) != 1 or found[0] is None:
+        sets = cls.outer.sets.get(cls.node.name, ())
+        if len(found) != 1 or found[0] is None or any(each.field == name for each in sets):
             return UNKNOWN
         return self.of(found[0], cls.outer, depth)
+
+    def _member(self, enum: ClassScope, name: str, field: str, depth: int) -> Any:
+        """The name or value of a member of an enumeration."""
+        found = enum.constants.get(name, ())
+        if len(found) != 1 or found[0] is None:
+            return UNKNOWN
+        return self._class_constant(enum, name, depth) if field == "value" else Located(name, self.span(found[0]))
 
     def _call(self, node: ast.Call, scope: Scope, depth: int) -> Any:
         function = node.func
@@ -220,6 +281,20 @@ class Values:
         return values if plain else UNKNOWN
 
     _tuple = _list
+
+
+def _path(node: ast.AST) -> list[str]:
+    """The parts of a dotted name; empty for anything else."""
+    parts: list[str] = []
+    while isinstance(node, ast.Attribute) and len(parts) < DEPTH:
+        parts.append(node.attr)
+        node = node.value
+    return [node.id, *reversed(parts)] if isinstance(node, ast.Name) else []
+
+
+def _is_enum(cls: ClassScope) -> bool:
+    """Whether the members of a class are no texts or numbers, but have them as names and values."""
+    return len(cls.node.bases) == 1 and ast.unparse(cls.node.bases[0]).rpartition(".")[2] == "Enum"
 
 
 def is_number(value: Any) -> bool:

@@ -5,11 +5,16 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 from collections.abc import Iterable
+from collections.abc import Iterator
+from functools import cached_property
+from functools import partial
 from typing import TYPE_CHECKING
+from typing import Any
 
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
 from bringup_lint.parsers.python_node import parse
+from bringup_lint.parsers.python_node.values import UNKNOWN
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
@@ -22,6 +27,8 @@ _DEPTH = 6
 """Files through which a class is followed."""
 CLOSURE = 100
 """Files that one program imports."""
+STEPS = 20
+"""Files through which the value of a name is followed."""
 _GENERATED = frozenset({"msg", "srv", "action"})
 """Modules of a package that are made from its interfaces."""
 
@@ -30,14 +37,18 @@ class Modules:
     """``files``: the sources of nodes; ``parsed`` reads one more, noting failures."""
 
     def __init__(self, tree: Tree, workspace: Workspace, files: list[NodeSource], parsed: Parsed) -> None:
-        self.files = files
         self._tree = tree
         self._workspace = workspace
         self._parsed = parsed
-        self.by_path: dict[str, NodeSource | None] = {file.source.absolute: file for file in files}
-        self.by_source = {file.source: file for file in files}
-        self._modules: dict[tuple[str, str], NodeSource | None] = {}
+        self._alone: dict[str, NodeSource | None] = {file.source.absolute: file for file in files}
+        """The files by their absolute paths, each read without the others."""
+        self._places: dict[tuple[str, str], str | None] = {}
+        self._values: dict[tuple[str, str], Any] = {}
+        self._steps = 0
         self._names: dict[tuple[str, NodeSource], NodeClass | None] = {}
+        self.files = [self._joined(file) for file in files]
+        self.by_path: dict[str, NodeSource | None] = {file.source.absolute: file for file in self.files}
+        self.by_source = {file.source: file for file in self.files}
 
     def link(self) -> None:
         """Give each class the one it builds on, where it is in another file of the tree."""
@@ -85,10 +96,14 @@ class Modules:
 
     def module(self, dotted: str, file: NodeSource) -> NodeSource | None:
         """The file of a module as another file imports it: ``package.module`` or ``.module``."""
-        here = os.path.dirname(file.source.absolute)
-        if (dotted, here) not in self._modules:
-            self._modules[dotted, here] = self._find(dotted, here)
-        return self._modules[dotted, here]
+        place = self._place(dotted, os.path.dirname(file.source.absolute))
+        return self.at(place) if place is not None else None
+
+    def let_go(self) -> None:
+        """Forget the syntax of the files that were read with the values of others."""
+        for file in self.by_source.values():
+            if not file.is_alone:
+                file.let_go()
 
     def closure(self, file: NodeSource) -> list[NodeSource] | None:
         """A file and all of the workspace that it imports; None when a file is missing, or there are too many."""
@@ -120,36 +135,78 @@ class Modules:
         top, _, rest = dotted.partition(".")
         return not top or (top in self._workspace.packages and rest.partition(".")[0] not in _GENERATED)
 
-    def _find(self, dotted: str, here: str) -> NodeSource | None:
+    def _place(self, dotted: str, here: str) -> str | None:
+        """The path of a module of the tree, as a file in a folder imports it."""
+        if (dotted, here) not in self._places:
+            found = (path for path in self._candidates(dotted, here) if path in self._alone or path in self._there)
+            self._places[dotted, here] = next(found, None)
+        return self._places[dotted, here]
+
+    def _candidates(self, dotted: str, here: str) -> Iterator[str]:
         level = len(dotted) - len(dotted.lstrip("."))
         path = dotted.lstrip(".").replace(".", "/")
-        if level:
-            folder = os.path.normpath(os.path.join(here, *[".."] * (level - 1)))
-            return self._read(os.path.join(folder, path) if path else folder)
-        owner = self._workspace.packages.get(path.partition("/")[0])
-        for folder in (owner.folder, os.path.join(owner.folder, "src")) if owner is not None else (here,):
-            found = self._read(os.path.join(folder, path))
-            if found is not None:
-                return found
-        return None
+        owner = self._workspace.packages.get(path.partition("/")[0]) if not level else None
+        folders = [os.path.normpath(os.path.join(here, *[".."] * (level - 1)))] if level else [here]
+        if owner is not None:
+            folders = [owner.folder, os.path.join(owner.folder, "src")]
+        for stem in (os.path.join(folder, path) if path else folder for folder in folders):
+            yield from (f"{stem}.py", f"{stem}/__init__.py")
 
-    def _read(self, stem: str) -> NodeSource | None:
-        for path in (f"{stem}.py", f"{stem}/__init__.py"):
-            found = self.at(path)
-            if found is not None:
-                return found
-        return None
+    @cached_property
+    def _there(self) -> frozenset[str]:
+        """The walked Python files."""
+        return frozenset(path for path in self._tree.paths if path.endswith(".py"))
 
     def at(self, path: str) -> NodeSource | None:
         """The file at an absolute path, read now if it was not known as a node; None when the tree does not hold it."""
         if path not in self.by_path:
-            self.by_path[path] = None
-            if path in set(self._tree.named(os.path.basename(path))):
-                source = self._tree.read(path, judged=False)
-                for found in self._parsed(parse, [source] if source is not None else []):
-                    self.by_path[path] = found
-                    self.by_source[found.source] = found
+            found = self._read(path)
+            self.by_path[path] = found = self._joined(found) if found is not None else None
+            if found is not None:
+                self.by_source[found.source] = found
         return self.by_path[path]
+
+    def _read(self, path: str) -> NodeSource | None:
+        """The file alone."""
+        if path not in self._alone:
+            known = path in set(self._tree.named(os.path.basename(path)))
+            source = self._tree.at(path) if known else None
+            self._alone[path] = next(iter(self._parsed(parse, [source] if source is not None else [])), None)
+        return self._alone[path]
+
+    def _joined(self, file: NodeSource) -> NodeSource:
+        """A file with the values of what it imports from other files of the tree; itself where that is nothing."""
+        if file.tree is None or not self._imports(file):
+            return file
+        value = partial(self._value, os.path.dirname(file.source.absolute))
+        return next(iter(self._parsed(lambda source: file.joined(value), [file.source])), file)
+
+    def _imports(self, file: NodeSource) -> bool:
+        """Whether a file imports anything of the tree."""
+        here = os.path.dirname(file.source.absolute)
+        names = [name for name in file.imports.values() if name is not None]
+        return any(self._place(name, here) or self._place(self._parent(name), here) for name in (*names, *file.stars))
+
+    def _value(self, here: str, dotted: str) -> Any:
+        """The value of a dotted name for a file in a folder; UNKNOWN where no module of the tree makes it constant."""
+        if (here, dotted) not in self._values:
+            self._values[here, dotted] = UNKNOWN
+            if self._steps < STEPS:
+                self._steps += 1
+                self._values[here, dotted] = self._exported(here, dotted)
+                self._steps -= 1
+        return self._values[here, dotted]
+
+    def _exported(self, here: str, dotted: str) -> Any:
+        module, path = dotted, list[str]()
+        while (parent := self._parent(module)) != module:
+            path.insert(0, module[len(parent) :].lstrip("."))
+            module = parent
+            place = self._place(module, here)
+            other = self._read(place) if place is not None else None
+            if other is not None and other.tree is not None:
+                return other.exported(path, partial(self._value, os.path.dirname(other.source.absolute)))
+        return UNKNOWN
 
 
 def _inherit(node: NodeClass) -> None:
