@@ -333,6 +333,7 @@ class Robot:
             compose=lambda: self.compose,
             launch=lambda: self.launch,
             params=lambda: self.params,
+            python=lambda: self.nodes.with_modules,
         )
 
     @cached_property

@@ -57,7 +57,11 @@ def link_undefined(robot: Robot) -> Iterator[Finding]:
             use.path,
             f"No udev rule creates {use.path}: the device never appears",
             advice=f"did you mean {near.path}?" if near else "add a rule that creates the link, or correct the name",
-            related=[*_made(robot, use, near), *_same(robot, use)],
+            related=[
+                *_made(robot, use, near),
+                *(note(each, "opened here") for each in [use.opened_elsewhere] if each is not None),
+                *_same(robot, use),
+            ],
             chain=robot.provenance.chain_to(use.path, f"{use.path} is opened"),
         )
     for use in robot.devices.without_rules:

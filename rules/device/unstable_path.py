@@ -8,6 +8,9 @@
 - Info: any other default of a launch argument or of an Ansible role; the default of a driver in its own launch file;
   the only camera of the robot in a launch file, a script or code.
 
+In the source of a node it counts where it is opened, also under the name of a constant, and in a module that a node
+imports.
+
 Several uses of one path in a file are one finding.
 
 On-board ports (ttyS, ttyTHS, ttyAMA), links by id or path, and files for simulation are not reported.
@@ -93,6 +96,7 @@ def _finding(robot: Robot, use: DeviceUse, links: list[Link], others: list[Devic
         advice=f"use {names}" if links else f"create a link with a udev rule, or use a path below {_folder(use.path)}",
         related=[
             *(note(link.name, f"creates {link.path}") for link in links[:3]),
+            *(note(each, "opened here") for each in [use.opened_elsewhere] if each is not None),
             *(note(other.path, "also used here") for other in others[:10]),
             *(note(each, "another device of this kind") for each in [beside] if each is not None),
         ],

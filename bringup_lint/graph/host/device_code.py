@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import ast
-import os
-import re
+from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.discover.starters import STARTING
 from bringup_lint.graph.host.device_uses import DeviceUse
+from bringup_lint.model.python import walk
 from bringup_lint.parsers.cpp_node import parse as parse_cpp
-from bringup_lint.parsers.python_node import parse as parse_python
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
@@ -25,18 +24,17 @@ if TYPE_CHECKING:
 _OPENING = frozenset({"serial.Serial", "cv2.VideoCapture", "open", "evdev.InputDevice", "os.open"})
 _CAMERA = "cv2.VideoCapture"
 _GIVING = (*STARTING, "params", "env-file", "launch-python", "launch-xml", "launch-yaml")
-_IMPORT = regex(r"^from (?P<package>\w*)\.(?P<module>\w+) import ", re.M)
 _NAMES = regex(r"/dev/|VideoCapture", hints="/dev/ VideoCapture")
+_OPENS = regex(r"/dev/|VideoCapture|\bSerial\b|\bInputDevice\b", hints="/dev/ VideoCapture Serial InputDevice")
 
 
-def of_sources(files: Files) -> Iterator[DeviceUse]:
-    """What nodes open under a literal path, and the defaults of parameters that no other file gives."""
+def of_sources(files: Files, python: Callable[[], Iterable[NodeSource]]) -> Iterator[DeviceUse]:
+    """What nodes open under a path that is known, and the defaults of parameters that no other file gives. ``python``
+    gives the nodes in Python, with the modules that they import."""
     given = _Given([source.text for source in files.of_kind(*_GIVING)])
-    for file in files.parsed(parse_python, _naming(files, "python-node")):
-        if file.tree is not None:
-            yield from _of_python(file, given)
-    for file in files.parsed(parse_python, _modules(files)):
-        yield from _of_python(file, given)
+    if files.of_kind("python-node"):
+        opening = (file for file in python() if file.source.judged and file.source.matches(_OPENS))
+        yield from (use for file in opening if file.tree is not None for use in _of_python(file, given))
     for node in files.parsed(parse_cpp, _naming(files, "cpp-node")):
         for path in node.devices:
             yield DeviceUse(path, "the source of a node", "default")
@@ -48,20 +46,6 @@ def _defaults(parameters: Iterable[Parameter], given: _Given) -> Iterator[Device
         path = parameter.default
         if isinstance(path, Located) and path.startswith("/dev/") and not given.has(str(parameter.name)):
             yield DeviceUse(path, f"the parameter {parameter.name}", "argument")
-
-
-def _modules(files: Files) -> list[Source]:
-    """The modules of the same package that nodes import, and that open something."""
-    found: dict[str, Source] = {}
-    for node in files.of_kind("python-node"):
-        package = os.path.basename(os.path.dirname(node.absolute))
-        for match in _IMPORT.finditer(node.text):
-            if not node.judged or match["package"] not in ("", package):
-                continue
-            module = files.tree.beside(node, f"{match['module']}.py")
-            if module is not None and module.judged and module.kind == "" and module.matches(_NAMES):
-                found[module.name] = module
-    return list(found.values())
 
 
 def _naming(files: Files, kind: str) -> list[Source]:
@@ -83,16 +67,29 @@ class _Given:
 
 
 def _of_python(file: NodeSource, given: _Given) -> Iterator[DeviceUse]:
+    opening: list[tuple[ast.Call, str, ast.expr]] = []
     for call in file.nodes:
-        if not isinstance(call, ast.Call):
-            continue
-        name = file.qualified(call.func) or (call.func.id if isinstance(call.func, ast.Name) else "")
-        opened = _opened(call) if name in _OPENING else None
-        path = _path(file, opened, name) if opened is not None else None
+        if isinstance(call, ast.Call):
+            name = file.qualified(call.func) or (call.func.id if isinstance(call.func, ast.Name) else "")
+            opened = _opened(call) if name in _OPENING else None
+            if opened is not None:
+                opening.append((call, name, opened))
+    within = _functions(file) if any(not isinstance(opened, ast.Constant) for _, _, opened in opening) else {}
+    for call, name, opened in opening:
+        path = _path(file, opened, file.constant(opened, within.get(call)), name)
         if path is not None:
-            yield DeviceUse(path, "the source of a node", "default")
+            yield DeviceUse(path, "the source of a node", "default", file.span_of(call))
     for node in file.classes:
         yield from _defaults(node.parameters.values(), given)
+
+
+def _functions(file: NodeSource) -> dict[ast.AST, ast.AST]:
+    """All syntax that is in a function -> the innermost."""
+    found: dict[ast.AST, ast.AST] = {}
+    for each in file.nodes:
+        if isinstance(each, (ast.FunctionDef, ast.AsyncFunctionDef)):
+            found.update(dict.fromkeys(walk(each), each))
+    return found
 
 
 def _opened(call: ast.Call) -> ast.expr | None:
@@ -102,11 +99,9 @@ def _opened(call: ast.Call) -> ast.expr | None:
     return next((each.value for each in call.keywords if each.arg in ("port", "index", "filename", "dev")), None)
 
 
-def _path(file: NodeSource, node: ast.expr, name: str) -> Located | None:
-    if not isinstance(node, ast.Constant):
-        return None
-    span = file.span_of(node)
-    if isinstance(node.value, str) and node.value.startswith("/dev/"):
-        return Located(node.value, span)
-    index = node.value if name == _CAMERA and isinstance(node.value, int) and not isinstance(node.value, bool) else 0
-    return Located(f"/dev/video{index}", span) if index > 0 else None
+def _path(file: NodeSource, node: ast.expr, value: object, name: str) -> Located | None:
+    """The device of an argument with a value, as far as it is known."""
+    if isinstance(value, Located):
+        return value if value.startswith("/dev/") else None
+    index = value if name == _CAMERA and isinstance(value, int) and not isinstance(value, bool) else 0
+    return Located(f"/dev/video{index}", file.span_of(node)) if index > 0 else None

@@ -10,6 +10,7 @@ from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.systemd_values import unescape_path
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
+from bringup_lint.source import Span
 from bringup_lint.type_names import TYPE_CHECKING
 from bringup_lint.type_names import Literal
 
@@ -43,6 +44,14 @@ class DeviceUse(NamedTuple):
     user: str
     """Who opens it, in words."""
     certainty: Certainty = "literal"
+    opened: Span | None = None
+    """The call of a source that opens it."""
+
+    @property
+    def opened_elsewhere(self) -> Span | None:
+        """That call, where another file holds the path."""
+        is_elsewhere = self.opened is not None and self.opened.source is not self.path.span.source
+        return self.opened if is_elsewhere else None
 
 
 def uses_in(text: Located, user: str, certainty: Certainty = "literal") -> Iterator[DeviceUse]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from collections.abc import Iterable
 from collections.abc import Iterator
 from functools import cached_property
 
@@ -35,6 +36,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.systemd.units import Units
     from bringup_lint.graph.udev.rule import Link
     from bringup_lint.graph.udev.udev import Udev
+    from bringup_lint.model.node_source import NodeSource
 
 _BY_DISCOVERY = regex(r"/dev/(?:ttyUSB\d+|ttyACM\d+|video\d)")
 _LOOP = regex(r"^\s*for\s+\w+\s+in\s")
@@ -94,6 +96,8 @@ class Devices:
     compose: Callable[[], Compose]
     launch: Callable[[], Launch]
     params: Callable[[], Params]
+    python: Callable[[], Iterable[NodeSource]]
+    """The nodes in Python, with the modules that they import."""
 
     @cached_property
     def uses(self) -> tuple[DeviceUse, ...]:
@@ -122,7 +126,7 @@ class Devices:
         if self.files.of_kind("python-node", "cpp-node"):
             from bringup_lint.graph.host.device_code import of_sources
 
-            yield from of_sources(self.files)
+            yield from of_sources(self.files, self.python)
 
     @cached_property
     def _inside_containers(self) -> frozenset[str]:

@@ -103,6 +103,18 @@ class Nodes:
         """Those that findings may be about."""
         return [file for file in self.sources if file.source.judged and file.tree is not None]
 
+    @cached_property
+    def with_modules(self) -> list[NodeSource]:
+        """Those, and the files of the tree that they import, also through each other, in the order of imports."""
+        found = {file.source: file for file in self.judged}
+        todo = list(reversed(self.judged))
+        while todo:
+            new = (each for each in self._modules.imported(todo.pop()) if each.source not in found)
+            for file in new:
+                found[file.source] = file
+                todo.append(file)
+        return list(found.values())
+
     def __iter__(self) -> Iterator[NodeSource]:
         return iter(self.judged)
 

@@ -122,6 +122,13 @@ class Modules:
                 return None
         return list(found.values())
 
+    def imported(self, file: NodeSource) -> Iterator[NodeSource]:
+        """The files of the tree that a file imports itself."""
+        for name in self._imports(file):
+            found = self.module(name, file) or self.module(self._parent(name), file)
+            if found is not None:
+                yield found
+
     @staticmethod
     def _parent(dotted: str) -> str:
         """The module that a name is imported from."""
@@ -146,9 +153,13 @@ class Modules:
         level = len(dotted) - len(dotted.lstrip("."))
         path = dotted.lstrip(".").replace(".", "/")
         owner = self._workspace.packages.get(path.partition("/")[0]) if not level else None
-        folders = [os.path.normpath(os.path.join(here, *[".."] * (level - 1)))] if level else [here]
-        if owner is not None:
+        if level:
+            folders = [os.path.normpath(os.path.join(here, *[".."] * (level - 1)))]
+        elif owner is not None:
             folders = [owner.folder, os.path.join(owner.folder, "src")]
+        else:
+            around, name, _ = f"{here}/".rpartition(f"/{path.partition('/')[0]}/")
+            folders = [here, around] if name else [here]
         for stem in (os.path.join(folder, path) if path else folder for folder in folders):
             yield from (f"{stem}.py", f"{stem}/__init__.py")
 
@@ -176,16 +187,18 @@ class Modules:
 
     def _joined(self, file: NodeSource) -> NodeSource:
         """A file with the values of what it imports from other files of the tree; itself where that is nothing."""
-        if file.tree is None or not self._imports(file):
+        if file.tree is None or next(self._imports(file), None) is None:
             return file
         value = partial(self._value, os.path.dirname(file.source.absolute))
         return next(iter(self._parsed(lambda source: file.joined(value), [file.source])), file)
 
-    def _imports(self, file: NodeSource) -> bool:
-        """Whether a file imports anything of the tree."""
+    def _imports(self, file: NodeSource) -> Iterator[str]:
+        """What a file imports of the tree, under its dotted name."""
         here = os.path.dirname(file.source.absolute)
         names = [name for name in file.imports.values() if name is not None]
-        return any(self._place(name, here) or self._place(self._parent(name), here) for name in (*names, *file.stars))
+        for name in (*names, *file.stars):
+            if self._place(name, here) or self._place(self._parent(name), here):
+                yield name
 
     def _value(self, here: str, dotted: str) -> Any:
         """The value of a dotted name for a file in a folder; UNKNOWN where no module of the tree makes it constant."""
