@@ -55,5 +55,7 @@ def topic_absolute_under_namespace(robot: Robot) -> Iterator[Finding]:
                     *(note(use.node.started.span, f"{use.node.label()} is started here") for use in uses),
                     *topics.used_at(name, uses[0].where),
                 ],
-                fix=fix("make the name relative", (name, name.lstrip("/")), safe=False),
+                fix=fix("make the name relative", (name, name.lstrip("/")), safe=False)
+                if name.span.text == name
+                else None,
             )

@@ -78,7 +78,9 @@ def topic_name_invalid(robot: Robot) -> Iterator[Finding]:
                 if good
                 else "use letters, digits, '_' and '/' only, and no part that begins with a digit",
                 related=topics.used_at(endpoint.name, endpoint.span),
-                fix=fix(f"rename it to '{better}'", (endpoint.name, better), safe=False) if good else None,
+                fix=fix(f"rename it to '{better}'", (endpoint.name, better), safe=False)
+                if good and endpoint.name.span.text == endpoint.name
+                else None,
             )
     for (node, where, name, when), others in refused(robot):
         yield finding(

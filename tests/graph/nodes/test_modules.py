@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from pathlib import Path
 
 import pytest
@@ -9,8 +10,10 @@ import pytest
 from bringup_lint.graph.nodes.sources.modules import STEPS
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import NodeClass
+from tests.conftest import PROJECT
 from tests.graph.nodes.test_nodes import python_package
 from tests.graph.nodes.test_nodes import robot
+from tests.lint import lint
 
 NODE = """from rclpy.node import Node
 from sensor_msgs.msg import LaserScan
@@ -170,3 +173,10 @@ def test_the_syntax_goes_when_nobody_asks_for_it(tmp_path: Path) -> None:
     assert file.tree is None and file.constant(file.source) is None
     (again,) = found.nodes.judged
     assert again.classes[0].endpoints[0].name == "scan"
+
+
+def test_a_name_is_corrected_where_it_is_written_and_no_f_string_is(tmp_path: Path) -> None:
+    shutil.copytree(PROJECT / "fixtures/node/topic_name_invalid/bad_modules", tmp_path, dirs_exist_ok=True)
+    lint("--select", "node/topic-name-invalid", "--fix", "--unsafe-fixes", ".", cwd=tmp_path)
+    text = (tmp_path / "mower/mower/topics.py").read_text()
+    assert 'IMAGE = "camera_1/image"' in text and 'INFO = f"{PREFIX}/camera_info"' in text

@@ -172,6 +172,8 @@ def _corrected(use: Use, name: str) -> tuple[Located, str] | None:
     written = use.written
     if use.remapping is not None or use.given is not None or not isinstance(written, Located) or use.of_table:
         return None
+    if written.span.text != written:  # an f-string or a sum
+        return None
     if written.startswith("/"):
         return written, name
     before = use.topic[: len(use.topic) - len(written)] if use.topic.endswith(written) else None
