@@ -32,8 +32,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.runners.image_distros import foreign_workspaces
     from bringup_lint.graph.runners.image_distros import other_distros
     from bringup_lint.graph.runners.missing_programs import MissingProgram
-    from bringup_lint.graph.runners.missing_programs import lacks
     from bringup_lint.graph.runners.missing_programs import missing_programs
+    from bringup_lint.graph.runners.missing_settings import missing_settings
     from bringup_lint.graph.runners.processors import foreign_programs
     from bringup_lint.graph.runners.recordings import recordings
     from bringup_lint.graph.runners.runner import Runner
@@ -83,10 +83,10 @@ __all__ = [
     "is_deployed",
     "is_in_container",
     "lacking_sources",
-    "lacks",
     "last_user",
     "may_set",
     "missing_programs",
+    "missing_settings",
     "other_distros",
     "recordings",
     "ros_distro",

@@ -74,25 +74,15 @@ def _paths(text: str | None) -> list[str]:
     return [path for path in paths if path.startswith("/")]
 
 
-def _is_written(runner: docker.Runner, path: str) -> bool:
-    """Whether the container may make the file itself when it starts."""
-    words = (word for each in runner.commands if each.name not in ("export", "test", "[", "[[") for word in each.words)
-    targets = (str(redirect.target) for each in runner.commands for redirect in each.redirects)
-    return path.startswith(("/tmp/", "/run/")) or any(path in word for word in (*words, *targets))
-
-
 def _of_containers(robot: Robot) -> Iterator[Finding]:
     """One finding for each value, at the first container that gets it."""
     seen = set()
-    for runner in robot.runners.in_containers:
-        uri = runner.environment.get("CYCLONEDDS_URI") if runner.runs_ros else None
-        if uri is None or runner.environment.text("RMW_IMPLEMENTATION") != "rmw_cyclonedds_cpp":
-            continue
-        path = next((each for each in _paths(uri.text) if docker.lacks(robot.files, runner, each)), None)
-        if path is not None and not _is_written(runner, path) and uri.value.span not in seen:
-            seen.add(uri.value.span)
+    containers = robot.runners.in_containers
+    for value, path, runner in docker.missing_settings(robot.files, containers, "CYCLONEDDS_URI", _paths):
+        if runner.environment.text("RMW_IMPLEMENTATION") == "rmw_cyclonedds_cpp" and value.span not in seen:
+            seen.add(value.span)
             yield finding(
-                uri.value,
+                value,
                 f"Nothing brings {path} into {runner.name}: Cyclone DDS fails, and no node starts",
                 advice="copy or mount the file there, or correct the path",
                 confidence="medium",

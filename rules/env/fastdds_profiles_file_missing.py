@@ -3,7 +3,8 @@
 ## What it finds
 A path in the FASTRTPS_DEFAULT_PROFILES_FILE or FASTDDS_DEFAULT_PROFILES_FILE of a unit that does not exist in a
 whole root file system; in a repository, a path that nothing of it ships or makes, in a folder for which it ships a file
-of nearly the same name.
+of nearly the same name. For containers, a path to which nothing brings a file: neither an instruction of the
+Dockerfile of the tree, on an official image, nor a volume.
 
 ## Why it matters on a robot
 Fast DDS logs one line and runs with its defaults: multicast discovery, no peers. The robot seems to work until it
@@ -26,14 +27,18 @@ When a script or unit generates the file before the nodes start.
 - tried with Fast DDS 2.14.5: "realpath failed"
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import Span
+from bringup_lint.api import docker
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.ros import at_least
 
 VARIABLES = ("FASTRTPS_DEFAULT_PROFILES_FILE", "FASTDDS_DEFAULT_PROFILES_FILE")
 
@@ -64,3 +69,38 @@ def fastdds_profiles_file_missing(robot: Robot) -> Iterator[Finding]:
                     ),
                     related=[note(process.where, f"{process.name} gets the variable")],
                 )
+    yield from _of_containers(robot)
+
+
+def _paths(text: str | None) -> list[str]:
+    return [text] if text is not None and text.startswith("/") else []
+
+
+def _of_containers(robot: Robot) -> Iterator[Finding]:
+    """One finding for each value, at the first container that gets it."""
+    seen: set[Span] = set()
+    containers = robot.runners.in_containers
+    missing = (docker.missing_settings(robot.files, containers, name, _paths) for name in _read(robot))
+    for value, path, runner in (each for found in missing for each in found):
+        if _is_fast(runner) and value.span not in seen:
+            seen.add(value.span)
+            yield finding(
+                value,
+                f"Nothing brings {path} into {runner.name}: Fast DDS runs with its defaults (multicast, no peers)",
+                advice="copy or mount the file there, or correct the path",
+                confidence="medium",
+                related=[note(runner.where, "has no such file")],
+            )
+
+
+def _read(robot: Robot) -> tuple[str, ...]:
+    """The variables that Fast DDS reads: Fast DDS 3, of Kilted, knows the new name alone."""
+    newer = at_least(robot.target.ros, "kilted")
+    return VARIABLES if newer is None else (VARIABLES[newer],)
+
+
+def _is_fast(runner: docker.Runner) -> bool:
+    """Whether the nodes of a container certainly run on Fast DDS, which they do by default."""
+    name = "RMW_IMPLEMENTATION"
+    chosen = runner.environment.text(name)
+    return chosen.startswith("rmw_fastrtps") if chosen else runner.environment.defines(name) is False
