@@ -83,6 +83,16 @@ class UnboundName(NamedTuple):
     """The code that looks it up runs only under a condition."""
 
 
+class UnplacedAction(NamedTuple):
+    """An action that Python code keeps in a variable which nothing reads."""
+
+    variable: Located
+    owner: str
+    """The class of the action."""
+    name: str
+    """The first argument, or ``name=``, where it is a text."""
+
+
 class RefusedCall(NamedTuple):
     """A call of a class of launch or launch_ros that ends with an exception, in every distribution."""
 
@@ -340,6 +350,8 @@ class LaunchFile:
     waits: list[Wait] = field(default_factory=list)
     unbound: list[UnboundName] = field(default_factory=list)
     """Names that Python code looks up and that nothing binds."""
+    unplaced: list[UnplacedAction] = field(default_factory=list)
+    """Actions that Python code makes and hands to nothing."""
     tag: Tag | None = None
     """The root of an XML or YAML file, as it is written."""
     ros1: list[Located] = field(default_factory=list)

@@ -6,8 +6,9 @@ a row; an `inflation_radius` below the inscribed radius of the robot; `observati
 a section of their own, where no other file knows the name; a source that marks farther away than it clears; limits of
 `velocity_smoother` with the wrong sign or not one for each axis; `polygons` of the collision monitor without a section;
 `min_particles` of amcl above `max_particles`; an `initial_pose` without `set_initial_pose`; from Humble on the names
-that amcl's motion models had before; a local costmap that rolls in the frame that amcl corrects; and from Jazzy on
-libraries in `plugin_lib_names` that bt_navigator loads by itself.
+that amcl's motion models had before, and a section `recoveries_server` without one for `behavior_server`; a local
+costmap that rolls in the frame that amcl corrects; and from Jazzy on libraries in `plugin_lib_names` that bt_navigator
+loads by itself.
 
 ## Why it matters on a robot
 A footprint that is refused leaves the robot with its radius, and the costmap lets it drive into what the corners touch.
@@ -16,6 +17,7 @@ the range of clearing stays in the costmap after it left. In the frame of the ma
 robot against the obstacles that it has seen. Without `set_initial_pose`, amcl waits for a pose and publishes no
 transform. A limit of the wrong sign or length, a polygon without a type, an old motion model, or a library that
 registers its nodes twice ends the server when it configures, and the lifecycle manager takes the whole navigation down.
+A section that no node reads leaves the recoveries with the frames, speeds and plugins of the source.
 
 ## Bad
 ```yaml
@@ -37,6 +39,7 @@ When a launch file writes another value over the one in the file.
 ## References
 - navigation2, array_parser.cpp, footprint.cpp, inflation_layer.cpp, obstacle_layer.cpp, velocity_smoother.cpp,
   collision_monitor_node.cpp, amcl_node.cpp, bt_navigator.cpp
+- https://docs.nav2.org/migration/Galactic.html (Galactic to Humble: "Recovery Behavior Server Renamed")
 - https://docs.nav2.org/migration/Iron.html (Iron to Jazzy: standard libraries are loaded by default)
 - https://docs.nav2.org/configuration/
 """
@@ -108,6 +111,8 @@ def _message(each: NavigationProblem) -> str:
             return (
                 f"The local costmap rolls in {each.detail}: each correction of amcl moves its obstacles off the robot"
             )
+        case "section":
+            return f"No node is called {each.name} since Humble: {each.detail} runs with the defaults of its source"
         case "library":
             return f"bt_navigator loads {each.name}{each.detail} by itself: it ends when it registers their nodes again"
     return f"amcl has no motion model '{each.name}' since Humble: it ends when it configures"
@@ -141,6 +146,8 @@ def _advice(each: NavigationProblem) -> str:
             return "swap the numbers"
         case "frame":
             return "write odom"
+        case "section":
+            return f"call it {each.detail}, recovery_plugins behavior_plugins, and the plugins nav2_behaviors/..."
         case "library":
             return "list libraries of your own only, or remove plugin_lib_names"
     return f"write {each.detail}"

@@ -48,10 +48,14 @@ _SINCE_HUMBLE = frozenset(("velocity_smoother", "behavior_server", "collision_mo
 """Nodes that no distribution before Humble has."""
 
 
+_RECOVERIES, _BEHAVIORS = "recoveries_server", "behavior_server"
+"""One server, before Humble and since."""
+
+
 class NavigationProblem(NamedTuple):
     kind: str
     """``footprint``, ``corner``, ``inflation``, ``ranges``, ``source``, ``sign``, ``length``, ``particles``, ``pose``,
-    ``model``, ``frame``, ``polygon`` or ``library``."""
+    ``model``, ``frame``, ``polygon``, ``library`` or ``section``."""
     where: Span
     name: str
     """The parameter or observation source."""
@@ -288,6 +292,22 @@ def _amcl(params: Params, file: ParameterFile, block: Block) -> Iterator[Navigat
         yield NavigationProblem("model", model.span, str(model.value.data), _OLD_MODELS[str(model.value.data)])
 
 
+def _recoveries(params: Params, file: ParameterFile, block: Block) -> Iterator[NavigationProblem]:
+    """The section of the server that Humble calls behavior_server, where the file has none for that name."""
+    has_both = any(_name(each) == _BEHAVIORS for each in file.blocks)
+    if has_both or not block.parameters or not _is_since_humble(params, file):
+        return
+    if _starts_recoveries(params, file):
+        return
+    yield NavigationProblem("section", block.key.span, _name(block), _BEHAVIORS)
+
+
+def _starts_recoveries(params: Params, file: ParameterFile) -> bool:
+    """Whether a launch file starts a node of the old name, or nodes of which not all names are known."""
+    names = [load.node.fqn for load in params.loads(file)]
+    return None in names or any(str(name).endswith(f"/{_RECOVERIES}") for name in names)
+
+
 def _is_since_humble(params: Params, file: ParameterFile) -> bool:
     """Whether a file is for Humble or newer: the tree says so, or it is for a node that older ones do not have."""
     if params.distribution is not None:
@@ -315,4 +335,5 @@ _CHECKS: dict[str, Callable[[Params, ParameterFile, Block], Iterator[NavigationP
     "collision_monitor": _monitor,
     "collision_detector": _monitor,
     "bt_navigator": _navigator,
+    _RECOVERIES: _recoveries,
 }

@@ -313,11 +313,21 @@ class Params:
         return self._mentions[count].outside(name, known)
 
     def is_used(self, file: ParameterFile) -> bool:
-        """Whether a launch file loads a file, or something names it, and means no other one of its name."""
-        if self.loads(file):
+        """Whether a launch file loads a file or hands its path on, or something names it, and means no other one of its
+        name."""
+        if self.loads(file) or file.source.absolute in self._handed_on:
             return True
         name = file.source.basename
         return len(list(self._tree_files.tree.named(name))) == 1 and self.named_elsewhere(name, {file.source})
+
+    @cached_property
+    def _handed_on(self) -> frozenset[str]:
+        """The files of the tree that launch files name as values of arguments, and so give to what they include."""
+        if not self._tree_files.of_kind(*LAUNCH):
+            return frozenset()
+        launch = self._launch()
+        named = (each for file in launch.judged for each in launch.references(file) if each.kind == "path" and each.key)
+        return frozenset(os.path.abspath(each.found.file) for each in named if each.found.file is not None)
 
     @cached_property
     def _mentions(self) -> dict[int, Mentions]:

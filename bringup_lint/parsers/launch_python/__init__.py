@@ -21,6 +21,7 @@ from bringup_lint.parsers.launch_python.state import Evaluator
 from bringup_lint.parsers.launch_python.state import State
 from bringup_lint.parsers.launch_python.statements import run
 from bringup_lint.parsers.launch_python.unbound import unbound
+from bringup_lint.parsers.launch_python.unplaced import unplaced
 from bringup_lint.parsers.launch_python.waits import MENTIONED
 from bringup_lint.parsers.launch_python.waits import waits
 from bringup_lint.parsers.python_syntax import Positions
@@ -56,6 +57,7 @@ def parse(source: Source) -> LaunchFile:
         file.actions += (Other(span=source.whole, why="nested too deeply"),)
     else:
         file.unbound += unbound(state, tree)
+        file.unplaced += unplaced(tree, positions, source.text)
     finally:
         module.names.clear()  # its functions know it: without this, the syntax tree would wait for a search for garbage
     return file

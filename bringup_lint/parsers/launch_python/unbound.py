@@ -12,7 +12,7 @@ from bringup_lint.parsers.launch_python.state import State
 from bringup_lint.source import Located
 
 _OF_MODULES = frozenset({"__file__", "__name__", "__doc__", "__spec__", "__loader__", "__package__", "__builtins__"})
-_DYNAMIC = frozenset({"exec", "eval", "globals", "locals", "vars", "setattr", "__import__"})
+DYNAMIC = frozenset({"exec", "eval", "globals", "locals", "vars", "setattr", "__import__"})
 """Functions that may bind any name."""
 _CATCHING = frozenset({"NameError", "Exception", "BaseException"})
 
@@ -30,7 +30,7 @@ def unbound(state: State, tree: ast.Module) -> Iterator[UnboundName]:
         return
     nodes = list(ast.walk(tree))
     bound = {name for node in nodes for name in bound_names(node)}
-    if "*" in bound or any(isinstance(node, ast.Name) and node.id in _DYNAMIC for node in nodes):
+    if "*" in bound or any(isinstance(node, ast.Name) and node.id in DYNAMIC for node in nodes):
         return
     caught = {id(inner) for node in nodes if _catches(node) for inner in _body(node)}
     chosen = _chosen(nodes)

@@ -1,0 +1,86 @@
+"""Actions that the code of a launch file makes, keeps in a variable and hands to nothing."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterator
+
+from bringup_lint.dataclass import dataclass
+from bringup_lint.dataclass import field
+from bringup_lint.model.launch import UnplacedAction
+from bringup_lint.model.python import children
+from bringup_lint.parsers.launch_python.unbound import DYNAMIC
+from bringup_lint.parsers.python_syntax import Positions
+from bringup_lint.source import Located
+
+_MODULES = ("launch.actions", "launch_ros.actions")
+_SCOPES = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)
+
+
+@dataclass(eq=False, slots=True)
+class _Seen:
+    classes: dict[str, str] = field(default_factory=dict)
+    """The classes of actions by the names that the file has for them."""
+    read: set[str] = field(default_factory=set)
+    put_away: list[str] = field(default_factory=list)
+    """Texts that stand alone."""
+
+
+def unplaced(tree: ast.Module, positions: Positions, text: str) -> Iterator[UnplacedAction]:
+    """Those whose variable nothing reads, and that no comment or text that stands alone mentions."""
+    seen = _Seen()
+    made: list[tuple[ast.Name, ast.Call]] = []
+    todo: list[tuple[ast.AST, bool]] = [(tree, False)]
+    while todo:
+        node, is_local = todo.pop()
+        _note(seen, node)
+        made += _kept_call(node) if is_local else ()
+        is_inner = isinstance(node, _SCOPES) or (is_local and not isinstance(node, ast.ClassDef))
+        todo.extend((child, is_inner) for child in children(node))
+    if seen.read & DYNAMIC:
+        return
+    for name, call in sorted(made, key=lambda each: each[0].lineno):
+        owner = _class_of(call.func, seen.classes)
+        if owner and name.id not in seen.read and not _is_put_away(name.id, text, seen.put_away):
+            yield UnplacedAction(Located(name.id, positions.span(name)), owner, _first_text(call))
+
+
+def _note(seen: _Seen, node: ast.AST) -> None:
+    if isinstance(node, ast.ImportFrom) and node.module in _MODULES:
+        seen.classes.update((alias.asname or alias.name, alias.name) for alias in node.names)
+    elif isinstance(node, ast.Name) and not isinstance(node.ctx, ast.Store):
+        seen.read.add(node.id)
+    elif isinstance(node, (ast.Global, ast.Nonlocal)):
+        seen.read.update(node.names)
+    elif isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant):
+        seen.put_away.append(str(node.value.value))
+
+
+def _kept_call(node: ast.AST) -> Iterator[tuple[ast.Name, ast.Call]]:
+    """The variable that a statement gives the value of a call."""
+    if isinstance(node, ast.Assign) and len(node.targets) == 1 and isinstance(node.value, ast.Call):
+        target = node.targets[0]
+        if isinstance(target, ast.Name):
+            yield target, node.value
+
+
+def _class_of(function: ast.expr, classes: dict[str, str]) -> str:
+    """The class of an action that is called, as its module calls it; empty for anything else."""
+    if isinstance(function, ast.Name):
+        return classes.get(function.id, "")
+    is_qualified = isinstance(function, ast.Attribute) and ast.unparse(function.value) in _MODULES
+    return function.attr if isinstance(function, ast.Attribute) and is_qualified else ""
+
+
+def _first_text(call: ast.Call) -> str:
+    """The name that a call gives what it makes."""
+    named = [*call.args[:1], *(word.value for word in call.keywords if word.arg == "name")]
+    texts = (each.value for each in named if isinstance(each, ast.Constant))
+    return str(next(texts, ""))
+
+
+def _is_put_away(name: str, text: str, put_away: list[str]) -> bool:
+    mentioned = re.compile(rf"\b{re.escape(name)}\b")
+    comments = (line.partition("#")[2] for line in text.splitlines() if "#" in line)
+    return any(mentioned.search(each) for each in (*comments, *put_away))

@@ -1,0 +1,65 @@
+"""A launch file makes an action and never adds it to the launch description.
+
+## What it finds
+Nodes, includes and other actions of launch that a function of a Python launch file gives to a variable which nothing
+reads. Left alone is what a comment mentions, because it was taken out on purpose, and the declaration of an argument
+that the file reads, which `launch/undeclared-arg` judges.
+
+## Why it matters on a robot
+launch starts only what the description holds: the node does not run, and no message says so. A transform, a filter or
+a driver is missing although the launch file seems to start it.
+
+## Bad
+```python
+def generate_launch_description():
+    drive = Node(package='rover_drive', executable='drive')
+    laser_frame = Node(package='tf2_ros', executable='static_transform_publisher', arguments=[...])
+    return LaunchDescription([drive])
+```
+
+## Good
+```python
+def generate_launch_description():
+    drive = Node(package='rover_drive', executable='drive')
+    laser_frame = Node(package='tf2_ros', executable='static_transform_publisher', arguments=[...])
+    return LaunchDescription([drive, laser_frame])
+```
+
+## When to ignore it
+When the action is kept for later. A comment that names its variable says so, too.
+
+## References
+- launch, `LaunchDescription.add_action`
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+
+_EFFECTS = {
+    "DeclareLaunchArgument": "the argument is not declared",
+    "IncludeLaunchDescription": "nothing of that launch file starts",
+    "RegisterEventHandler": "the event has no handler",
+}
+_STARTING = frozenset(
+    ("Node", "LifecycleNode", "ComposableNodeContainer", "ExecuteProcess", "ExecuteLocal", "LoadComposableNodes")
+)
+
+
+@rule("warning", silent="launch starts what the description holds, without a message")
+def action_unplaced(robot: Robot) -> Iterator[Finding]:
+    for file in robot.launch.judged:
+        read = {str(each.name) for each in file.reads}
+        for each in file.unplaced:
+            if each.owner == "DeclareLaunchArgument" and each.name in read:
+                continue
+            effect = "it never starts" if each.owner in _STARTING else _EFFECTS.get(each.owner, "it has no effect")
+            yield finding(
+                each.variable,
+                f"{each.owner} '{each.variable}' is made and not added to the launch description: {effect}",
+                advice="add it to the launch description, or remove it",
+                severity="info" if robot.launch.workspace.is_vendored(file.source) else None,
+            )
