@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ast
-import re
 from collections.abc import Iterator
 
 from bringup_lint.dataclass import dataclass
@@ -12,9 +11,11 @@ from bringup_lint.model.launch import UnplacedAction
 from bringup_lint.model.python import children
 from bringup_lint.parsers.launch_python.unbound import DYNAMIC
 from bringup_lint.parsers.python_syntax import Positions
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
 _MODULES = ("launch.actions", "launch_ros.actions")
+_WORD = regex(r"\w+")
 _SCOPES = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)
 
 
@@ -40,9 +41,10 @@ def unplaced(tree: ast.Module, positions: Positions, text: str) -> Iterator[Unpl
         todo.extend((child, is_inner) for child in children(node))
     if seen.read & DYNAMIC:
         return
+    used = seen.read | _mentioned(text, seen.put_away) if made else seen.read
     for name, call in sorted(made, key=lambda each: each[0].lineno):
         owner = _class_of(call.func, seen.classes)
-        if owner and name.id not in seen.read and not _is_put_away(name.id, text, seen.put_away):
+        if owner and name.id not in used:
             yield UnplacedAction(Located(name.id, positions.span(name)), owner, _first_text(call))
 
 
@@ -69,8 +71,11 @@ def _class_of(function: ast.expr, classes: dict[str, str]) -> str:
     """The class of an action that is called, as its module calls it; empty for anything else."""
     if isinstance(function, ast.Name):
         return classes.get(function.id, "")
-    is_qualified = isinstance(function, ast.Attribute) and ast.unparse(function.value) in _MODULES
-    return function.attr if isinstance(function, ast.Attribute) and is_qualified else ""
+    module = function.value if isinstance(function, ast.Attribute) else None
+    package = module.value if isinstance(module, ast.Attribute) else None
+    if isinstance(module, ast.Attribute) and isinstance(package, ast.Name):
+        return getattr(function, "attr", "") if f"{package.id}.{module.attr}" in _MODULES else ""
+    return ""
 
 
 def _first_text(call: ast.Call) -> str:
@@ -80,7 +85,7 @@ def _first_text(call: ast.Call) -> str:
     return str(next(texts, ""))
 
 
-def _is_put_away(name: str, text: str, put_away: list[str]) -> bool:
-    mentioned = re.compile(rf"\b{re.escape(name)}\b")
+def _mentioned(text: str, put_away: list[str]) -> set[str]:
+    """The words of comments, and of texts that stand alone."""
     comments = (line.partition("#")[2] for line in text.splitlines() if "#" in line)
-    return any(mentioned.search(each) for each in (*comments, *put_away))
+    return {word for each in (*comments, *put_away) for word in _WORD.findall(each)}
