@@ -90,7 +90,7 @@ def invalid_value(robot: Robot) -> Iterator[Finding]:
 def _two_networks(service: Service) -> Finding | None:
     """A service that shares the network of another owner has none of its own."""
     mode, networks = service.network_mode, service.get("networks")
-    if mode is None or not isinstance(networks, (Mapping, Sequence)):
+    if not mode or "$" in mode or not isinstance(networks, (Mapping, Sequence)):
         return None
     named = list(networks.merged) if isinstance(networks, Mapping) else networks.items
     if not named or networks.tag == "!reset":

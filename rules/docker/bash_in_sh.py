@@ -51,7 +51,7 @@ from bringup_lint.api.shell import Command
 
 SH_IS_BASH = regex(
     r"\b(?:ln|cp|mv)\b[^;&]{0,80}\bbash\s{1,80}[^\n;&]{0,80}/bin/sh\b|/bin/sh\b[^\n;&]{0,80}\bbash\b"
-    r"|dpkg-reconfigure[^\n;&]{0,80}\bdash\b"
+    r"|\bln\b[^\n;&]{0,80}\bbash[ \t]{1,80}sh\b|dpkg-reconfigure[^\n;&]{0,80}\bdash\b"
 )
 BRACES = regex(r"[^\s\"'$]*(?<!\$)\{(?=[^\s{}\"'.,]*(?:\.(?!\.)[^\s{}\"'.,]*)*(?:,|\.\.))[^\s{}\"']*\}[^\s\"']*")
 ENDS = {

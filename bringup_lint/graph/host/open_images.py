@@ -11,6 +11,8 @@ from bringup_lint import facts
 from bringup_lint.addresses import is_loopback
 from bringup_lint.model.compose_ports import published
 from bringup_lint.model.image_build import image_name
+from bringup_lint.model.yaml_node import Mapping
+from bringup_lint.model.yaml_node import Sequence
 from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
@@ -26,7 +28,7 @@ _LOGIN = regex(r"^[ \t]*[\"']?adminAuth\b", re.M)
 def open_image(files: Files, service: Service) -> Iterator[tuple[str, str, Span]]:
     """What the image of a service gives to everybody who reaches its port, such as ``database``, with the name of the
     service and its image; nothing where a password may be asked for, or the port is not reached from outside."""
-    if service.image is None or "$" in service.image:
+    if service.image is None or "$" in service.image or service.build is not None:
         return
     name = image_name(service.image)
     for row in facts.table("docker/open_images"):
@@ -60,14 +62,25 @@ def _settings(service: Service) -> Iterator[str]:
         yield f"{name}={variable.value or ''}"[:_LONGEST]
     for script in service.scripts:
         yield from str(script)[:_LONGEST].split()
+    for target in _mounted(service):
+        yield target[:_LONGEST]
+
+
+def _mounted(service: Service) -> Iterator[str]:
+    """Where its volumes, and the files of ``configs``, are in the container."""
     for volume in service.volumes:
-        yield str(volume.target or "")[:_LONGEST]
+        yield str(volume.target or "")
+    configs = service.get("configs")
+    if isinstance(configs, Sequence):
+        for each in configs.items:
+            target = each.scalar("target") if isinstance(each, Mapping) else None
+            yield str(target.value if target is not None else "")
 
 
 def _has_login(files: Files, service: Service) -> bool:
     """Whether the settings of Node-RED may ask for a password: those in its mounted folder do, or are not known."""
     folder = next((each.source for each in service.volumes if (each.target or "").rstrip("/") == "/data"), None)
     if folder is None or not folder.startswith("."):
-        return any("settings" in (each.target or "") for each in service.volumes)
+        return any("settings" in target for target in _mounted(service))
     settings = files.tree.beside(service.source, posixpath.join(str(folder), "settings.js"))
     return settings is None or _LOGIN.search(settings.text) is not None

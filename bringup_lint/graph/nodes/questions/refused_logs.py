@@ -5,10 +5,14 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
+
+if TYPE_CHECKING:
+    from bringup_lint.model.node_source import NodeClass
 
 _ALWAYS = frozenset({"info", "warn", "warning", "error", "fatal"})
 """The levels that are on unless somebody raises the level: the message is written, and must be a text."""
@@ -17,6 +21,8 @@ _OPTIONS = frozenset({"name", "once", "skip_first", "throttle_duration_sec", "th
 _NUMBERS = frozenset({"len", "int", "float", "list", "dict", "tuple", "set"})
 """Functions of Python that make no text."""
 _PLACEHOLDER = regex(r"%(?:%|[-+ #0]{0,4}\d{0,4}(?:\.\d{1,4})?[sdrifgexX])")
+_NODE = regex(r"(?i:node)\w*\Z")
+"""How a variable or attribute ends that holds a node: other things have loggers too."""
 CAUGHT = frozenset({"TypeError", "Exception", "BaseException"})
 
 
@@ -65,7 +71,7 @@ def _wrong(syntax: Syntax, call: ast.Call, level: str) -> tuple[str, ast.expr | 
 
 def _is_no_text(syntax: Syntax, message: ast.expr) -> bool:
     if isinstance(message, ast.Constant):
-        return not isinstance(message.value, str)
+        return message.value is not None and not isinstance(message.value, (str, bytes))
     if isinstance(message, ast.Name):
         return _is_exception(syntax, message)
     if isinstance(message, ast.Call):
@@ -85,6 +91,15 @@ def _is_exception(syntax: Syntax, name: ast.Name) -> bool:
     )
 
 
+def _takes_logger_of_rclpy(node: NodeClass) -> bool:
+    """Whether all classes that a node builds on are known, and none has a ``get_logger`` of its own."""
+    for each in node.lineage:
+        others = [base for base in each.bases if base.partition(".")[0] != "rclpy"]
+        if "get_logger" in each.methods or len(others) > (each.base is not None):
+            return False
+    return True
+
+
 class _Loggers:
     """What is a logger of rclpy in one file."""
 
@@ -94,25 +109,37 @@ class _Loggers:
     def has(self, value: ast.expr) -> bool:
         if isinstance(value, ast.Call):
             return self._is_made(value)
-        if not isinstance(value, (ast.Name, ast.Attribute)):
+        if not isinstance(value, (ast.Name, ast.Attribute)) or self._is_imported(value):
             return False
         kept = self._kept.get(ast.unparse(value), [])
-        return bool(kept) and all(isinstance(each, ast.Call) and self._is_made(each) for each in kept)
+        is_made = bool(kept) and all(isinstance(each, ast.Call) and self._is_made(each) for each in kept)
+        return is_made and (isinstance(value, ast.Name) or self._is_of_same_class(value, kept))
+
+    def _is_of_same_class(self, value: ast.Attribute, kept: list[ast.AST]) -> bool:
+        """Whether the class that uses an attribute of its own also sets it: one of a base may be another logger."""
+        return any(self._syntax.definition(value) is self._syntax.definition(each) for each in kept)
 
     def _is_made(self, call: ast.Call) -> bool:
         """``rclpy.logging.get_logger(name)``, and ``get_logger()`` of a node."""
         if self._syntax.qualified(call) == "rclpy.logging.get_logger":
             return True
-        if not isinstance(call.func, ast.Attribute) or call.func.attr != "get_logger" or call.args:
+        if not isinstance(call.func, ast.Attribute) or call.func.attr != "get_logger" or call.args or self._is_own:
             return False
         owner = call.func.value
         if isinstance(owner, ast.Name) and owner.id == "self":
             node = self._syntax.class_of(call)
-            return node is not None and node.is_node is True and "get_logger" not in self._defined
-        return self._uses_rclpy and "get_logger" not in self._defined and not self._is_imported(owner)
+            return node is not None and node.is_node is True and _takes_logger_of_rclpy(node)
+        return self._uses_rclpy and _NODE.search(ast.unparse(owner)) is not None and not self._is_imported(owner)
 
-    def _is_imported(self, owner: ast.expr) -> bool:
-        return isinstance(owner, ast.Name) and owner.id in self._syntax.file.imports
+    def _is_imported(self, value: ast.expr) -> bool:
+        while isinstance(value, ast.Attribute):
+            value = value.value
+        return isinstance(value, ast.Name) and value.id in self._syntax.file.imports
+
+    @cached_property
+    def _is_own(self) -> bool:
+        """Whether the file says itself what ``get_logger()`` is."""
+        return "get_logger" in self._defined or "self.get_logger" in self._kept
 
     @cached_property
     def _uses_rclpy(self) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -12,6 +13,7 @@ from bringup_lint.graph.topics.resolved.endpoint_use import Use
 from bringup_lint.graph.topics.resolved.names import tail
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.source import Span
+from bringup_lint.spelling import numbered
 
 if TYPE_CHECKING:
     from bringup_lint.graph.topics.topics import Topics
@@ -39,9 +41,23 @@ def unserved(topics: Topics) -> Iterator[Unserved]:
             if server is None or use.where in said or (server, use.topic) in offered or not _is_own(topics, use):
                 continue
             meant = _meant(running, use, servers)
-            if meant is not None:
+            if meant is not None and not _may_be_elsewhere(topics, use, meant):
                 said.add(use.where)
                 yield Unserved(use, meant)
+
+
+def _may_be_elsewhere(topics: Topics, use: Use, meant: Use) -> bool:
+    """Whether another computer, or a program whose source is not read, may offer the name: the two differ in a number
+    alone, or another file than that of the client mentions a namespace that is not the server's."""
+    if numbered(use.topic, meant.topic):
+        return True
+    foreign = set(use.topic.split("/")[:-1]) - set(meant.topic.split("/")) - set((use.node.fqn or "").split("/"))
+    return any(
+        name.search(source.text)
+        for name in (re.compile(rf"\b{re.escape(each)}\b") for each in sorted(foreign))
+        for source in topics.files.sources
+        if source is not use.where.source
+    )
 
 
 def _is_own(topics: Topics, use: Use) -> bool:
