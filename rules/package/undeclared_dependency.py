@@ -13,10 +13,10 @@ which it depends declares them. It is a warning
   with `--packages-up-to`, without the other;
 - when the same is so, and the changelog of the package shows that it is released, which makes a Debian package of it
   alone;
-- when the package.xml declares nothing that is needed at run time, and launch files start three packages or more,
-  viewers and simulators aside;
-- when launch files always start three packages or more that are not declared, and these are more than half of all that
-  they start. Those of ros-base, viewers and simulators do not count.
+- when the package.xml declares nothing that is needed at run time, and launch files start three packages or more, or
+  these and the nodes need three or more, of which ros-base lacks one. Viewers and simulators do not count;
+- when launch files always start five packages or more that are not declared, or three that are more than half of all
+  that they start. Those of ros-base, viewers and simulators do not count.
 
 Other packages of which launch files start nodes or include files are an info: they are there on most robots. Nothing is
 said of other modules and libraries.
@@ -125,9 +125,9 @@ def _finding(robot: Robot, package: launch.Package, found: Undeclared) -> Findin
         case Effect.RELEASE:
             return _found(package, needs, started, _of_release(package, needs[0]), None)
         case Effect.EMPTY:
-            return _found(package, needs, started, _of_nothing(package, started), None)
-        case Effect.MOST:
-            return _found(package, needs, started, _of_most(robot, package, needs), None)
+            return _found(package, needs, started, _of_nothing(package, found.needs), None)
+        case Effect.SEVERAL:
+            return _found(package, needs, started, _of_several(robot, package, needs), None)
     return _harmless(robot, package, started)
 
 
@@ -150,15 +150,15 @@ def _of_release(package: launch.Package, need: Need) -> str:
     return f"The Debian package of {package.name} does not bring {need.name}: installed alone, its {_end(need)}"
 
 
-def _of_nothing(package: launch.Package, started: list[Need]) -> str:
-    first, *others = of_robots(started)
+def _of_nothing(package: launch.Package, needs: list[Need]) -> str:
+    first, *others = of_robots(needs)
     return (
         f"{package.name} declares nothing that it needs at run time: rosdep and colcon build --packages-up-to do not "
-        f"know that its launch files start {first.name} and {len(others)} others"
+        f"know that it needs {first.name} and {len(others)} others"
     )
 
 
-def _of_most(robot: Robot, package: launch.Package, needs: list[Need]) -> str:
+def _of_several(robot: Robot, package: launch.Package, needs: list[Need]) -> str:
     first, *others = needs
     count = len(brought_up(robot.dependencies, package))
     return (

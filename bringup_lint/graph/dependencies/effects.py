@@ -20,7 +20,11 @@ AT_RUN_TIME = ("exec_depend", "run_depend", "depend")
 _PLACEHOLDER = regex(r"^(?:your|my)_(?:package|pkg|robot|node)|package_name$")
 _VIEWER = regex(r"^(?:rviz|rqt|plotjuggler)|_gui$")
 """Viewers and simulators, which no robot needs."""
+_COMMENTED_OUT = regex(r"<!--\s{0,20}<(?:exec_|run_)?depend\b", hints="<!--")
+_OF_LAUNCH_FILES = frozenset(("launch", "launch_ros", "ament_index_python"))
 _SEVERAL = 3
+_MANY = 5
+"""Packages, whatever the share of those that are declared."""
 
 
 class Effect(Enum):
@@ -29,7 +33,7 @@ class Effect(Enum):
     APART = "a command builds the package without another one"
     RELEASE = "the Debian package comes without another one"
     EMPTY = "nothing that is needed at run time is declared"
-    MOST = "most of what launch files start is not declared"
+    SEVERAL = "several packages that launch files start are not declared"
     HARMLESS = "the packages are there all the same"
 
 
@@ -60,13 +64,30 @@ def effect_of(dependencies: Dependencies, launch: Launch, package: Package) -> U
         return Undeclared(Effect.APART, apart, [], started)
     if released:
         return Undeclared(Effect.RELEASE, released, [], started)
-    is_empty = not any(tag in AT_RUN_TIME for tag, _ in package.manifest.depends)
-    if is_empty and len(of_robots(started)) >= _SEVERAL:
-        return Undeclared(Effect.EMPTY, started, [], started)
-    missed = [need for need in of_robots(started) if need.always and _is_missed(launch, package, need)]
-    if len(missed) >= max(_SEVERAL, len(brought_up(dependencies, package)) // 2 + 1):
-        return Undeclared(Effect.MOST, missed, [], started)
+    asked = [*started, *(need for need in needs if need.use == "module" and _is_known(dependencies, need))]
+    missed = [need for need in of_robots(asked) if need.always and _is_missed(launch, package, need)]
+    is_empty = _is_empty(package)
+    if is_empty and (len(of_robots(started)) >= _SEVERAL or (missed and len(asked) >= _SEVERAL)):
+        return Undeclared(Effect.EMPTY, [*missed, *(need for need in asked if need not in missed)], [], started)
+    unbuilt = [need for need in missed if need in started]
+    if len(unbuilt) >= min(_MANY, max(_SEVERAL, len(brought_up(dependencies, package)) // 2 + 1)):
+        return Undeclared(Effect.SEVERAL, unbuilt, [], started)
     return Undeclared(Effect.HARMLESS, started, [], started) if started else None
+
+
+def _is_empty(package: Package) -> bool:
+    """Whether a package declares nothing that it needs at run time, not even in a comment, which says why."""
+    declares = any(tag in AT_RUN_TIME for tag, _ in package.manifest.depends)
+    return not declares and not _COMMENTED_OUT.search(package.manifest.source.text)
+
+
+def _is_known(dependencies: Dependencies, need: Need) -> bool:
+    """Whether a package of ROS is imported: of ros-base, of the tables, of messages or of the workspace. What every
+    launch file imports does not count."""
+    name = str(need.name)
+    if name in _OF_LAUNCH_FILES:
+        return False
+    return need.fact is not None or name in base() or name.endswith("_msgs") or dependencies.is_of_workspace(need)
 
 
 def brought_up(dependencies: Dependencies, package: Package) -> list[str]:
