@@ -10,8 +10,9 @@ from bringup_lint.discover.tree import Tree
 from bringup_lint.pattern import regex
 
 _TELLING = regex(
-    r"(?:^|/)(?:[^/]*dockerfile[^/]*|\.gitmodules|[Mm]akefile|[Jj]ustfile|setup\.py"
-    r"|[^/]+\.(?:sh|bash|zsh|md|rst|txt|repos|rosinstall|ya?ml|j2|toml|nix|bb|bbappend|cfg|json|ipynb|html?))$",
+    r"(?:^|/)(?:[^/]*(?:dockerfile|containerfile)[^/]*|\.gitmodules|(?:make|just|earth|pip)file|setup\.py"
+    r"|user-data|debian/control|(?:[^/]*[-_.])?packages"
+    r"|[^/]+\.(?:sh|bash|zsh|fish|md|rst|txt|in|hcl|repos|rosinstall|ya?ml|j2|toml|nix|bb|bbappend|cfg|json|ipynb|html?))$",
     re.I,
 )
 _PAGE = regex(r"\.(?:md|rst|txt|html?)$", re.I)

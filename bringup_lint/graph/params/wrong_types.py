@@ -58,10 +58,23 @@ def _launched(params: Params, launch: Launch, given: str, declared: str) -> Iter
         text = ", ".join(item.text for item in each.items)
         text = f"[{text}]" if each.type.endswith("_array") else text
         found = params.declared_by(package).get(each.name)
-        if found is not None and (each.type, found.type) in pairs:
+        if (
+            found is not None
+            and (each.type, found.type) in pairs
+            and not _is_of_another(launch, each.node, found.place)
+        ):
             yield WrongType(each.name, text, each.where, each.items, declared=found.place, started=each.node)
         if package not in launch.workspace.packages and (each.type, _public_type(each.node, each.name)) in pairs:
             yield WrongType(each.name, text, each.where, each.items, package, started=each.node)
+
+
+def _is_of_another(launch: Launch, started: Started, place: Located) -> bool:
+    """Whether the module of another console script of the package declares a parameter: that is another node."""
+    points = launch.workspace.packages[str(literal_text(started.package))].entry_points
+    modules = {name: target.partition(":")[0].rpartition(".")[2] for name, target in points.items()}
+    own = modules.get(str(literal_text(started.executable)))
+    declaring = place.span.source.basename.removesuffix(".py")
+    return own is not None and declaring != own and declaring in modules.values()
 
 
 def _public_type(started: Started, name: str) -> str | None:
