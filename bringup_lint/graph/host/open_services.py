@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import os
 import re
+from collections import Counter
 from collections.abc import Callable
 from collections.abc import Iterator
 from itertools import pairwise
@@ -23,6 +25,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.runners.runner import Runner
     from bringup_lint.graph.runners.runner import Start
     from bringup_lint.graph.runners.runners import Runners
+    from bringup_lint.model.compose import Service
     from bringup_lint.source import Located
     from bringup_lint.source import Source
     from bringup_lint.source import Span
@@ -56,9 +59,10 @@ def open_services(files: Files, runners: Runners, launch: Callable[[], Launch]) 
         yield from (OpenService("bridge", *each) for each in launched_bridges(files, launch()))
     yield from _serial_ports(files)
     yield from _debuggers(files)
+    named = Counter(_place(runner.service) for runner in runners.all if runner.service is not None)
     for runner in runners.all:
         if runner.purpose is Purpose.ROBOT and runner.source.judged:
-            yield from _image(files, runner)
+            yield from _image(files, runner, named)
             for command in runner.commands:
                 yield from _command(command.words)
             for start in runner.starts:
@@ -82,8 +86,13 @@ def _is_limited(start: Start) -> bool:
     )
 
 
-def _image(files: Files, runner: Runner) -> Iterator[OpenService]:
-    if runner.service is not None:
+def _place(service: Service) -> tuple[str, str]:
+    """The folder and the name: compose may put together what several files of a folder say of a service."""
+    return os.path.dirname(service.source.absolute), str(service.name)
+
+
+def _image(files: Files, runner: Runner, named: Counter[tuple[str, str]]) -> Iterator[OpenService]:
+    if runner.service is not None and named[_place(runner.service)] == 1:
         from bringup_lint.graph.host.open_images import open_image
 
         yield from (OpenService(*each) for each in open_image(files, runner.service))
