@@ -85,6 +85,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.topics.questions.undeclared import is_called_nowhere
     from bringup_lint.graph.topics.questions.undeclared import switchless
     from bringup_lint.graph.topics.questions.undeclared import unset
+    from bringup_lint.model.cpp_source import Swallowed
     from bringup_lint.model.node_source import Callback
     from bringup_lint.model.node_source import Endpoint
     from bringup_lint.model.node_source import NodeSource
@@ -101,6 +102,7 @@ __all__ = [
     "NodeSource",
     "Purpose",
     "RefusedLog",
+    "Swallowed",
     "Timer",
     "Unfit",
     "WrongUnit",

@@ -2,7 +2,9 @@
 
 ## What it finds
 A `try` of `main` around a spin whose handler of `std::exception`, `std::runtime_error`, `...` or `Exception` only
-reports, where `main` returns nothing but 0 and the source has no other way to end with a status.
+reports, where `main` returns nothing but 0 and the source has no other way to end with a status. It is a warning where
+units, containers or the like start the programs of the robot, and an info where people do. The programs of a package
+are one finding.
 
 ## Why it matters on a robot
 What a callback throws ends the spin, and with it the node. The status says that all went well: `Restart=on-failure` and
@@ -43,7 +45,13 @@ from bringup_lint.api import rule
 
 @rule("warning", symptoms=["process has finished cleanly"])
 def failure_exits_zero(robot: Robot) -> Iterator[Finding]:
-    for first, *others in nodes.swallowed_failures(robot.nodes):
+    alike: dict[object, list[nodes.Swallowed]] = {}
+    for found in nodes.swallowed_failures(robot.nodes):
+        source = found[0].place.source
+        owner = robot.launch.workspace.owner(source) or source
+        alike.setdefault((owner, robot.nodes.purpose(source)), []).extend(found)
+    is_supervised = any(map(robot.runners.is_supervised, robot.runners.all))
+    for first, *others in alike.values():
         source = first.place.source
         yield finding(
             first.place,
@@ -54,5 +62,5 @@ def failure_exits_zero(robot: Robot) -> Iterator[Finding]:
                 note(first.spin, "what a callback throws comes out here"),
                 *(note(each.place, "this handler does the same") for each in others),
             ],
-            severity=nodes.lowered(robot.nodes.purpose(source), "warning"),
+            severity=nodes.lowered(robot.nodes.purpose(source), "warning") if is_supervised else "info",
         )
