@@ -21,8 +21,6 @@ _OPTIONS = frozenset({"name", "once", "skip_first", "throttle_duration_sec", "th
 _NUMBERS = frozenset({"len", "int", "float", "list", "dict", "tuple", "set"})
 """Functions of Python that make no text."""
 _PLACEHOLDER = regex(r"%(?:%|[-+ #0]{0,4}\d{0,4}(?:\.\d{1,4})?[sdrifgexX])")
-_NODE = regex(r"(?i:node)\w*\Z")
-"""How a variable or attribute ends that holds a node: other things have loggers too."""
 CAUGHT = frozenset({"TypeError", "Exception", "BaseException"})
 
 
@@ -100,6 +98,12 @@ def _takes_logger_of_rclpy(node: NodeClass) -> bool:
     return True
 
 
+def _is_called_node(value: ast.expr) -> bool:
+    """Whether a variable or attribute has the name of a node: other things have loggers too."""
+    name = value.attr if isinstance(value, ast.Attribute) else value.id if isinstance(value, ast.Name) else ""
+    return "node" in name.lower()
+
+
 class _Loggers:
     """What is a logger of rclpy in one file."""
 
@@ -129,7 +133,7 @@ class _Loggers:
         if isinstance(owner, ast.Name) and owner.id == "self":
             node = self._syntax.class_of(call)
             return node is not None and node.is_node is True and _takes_logger_of_rclpy(node)
-        return self._uses_rclpy and _NODE.search(ast.unparse(owner)) is not None and not self._is_imported(owner)
+        return self._uses_rclpy and _is_called_node(owner) and not self._is_imported(owner)
 
     def _is_imported(self, value: ast.expr) -> bool:
         while isinstance(value, ast.Attribute):
