@@ -106,14 +106,32 @@ class Nodes:
     @cached_property
     def with_modules(self) -> list[NodeSource]:
         """Those, and the files of the tree that they import, also through each other, in the order of imports."""
-        found = {file.source: file for file in self.judged}
-        todo = list(reversed(self.judged))
+        return self._reached(self.judged)
+
+    def _reached(self, files: list[NodeSource]) -> list[NodeSource]:
+        """Files, and those of the tree that they import, also through each other."""
+        found = {file.source: file for file in files}
+        todo = list(reversed(files))
         while todo:
             new = (each for each in self._modules.imported(todo.pop()) if each.source not in found)
             for file in new:
                 found[file.source] = file
                 todo.append(file)
         return list(found.values())
+
+    def importers(self, source: Source) -> list[NodeSource]:
+        """The files with classes of nodes that import a file, by themselves or through others."""
+        return self._importers.get(source, [])
+
+    @cached_property
+    def _importers(self) -> dict[Source, list[NodeSource]]:
+        found: dict[Source, list[NodeSource]] = {}
+        for file in self.judged:
+            if any(each.is_node is True for each in file.classes):
+                for module in self._reached([file]):
+                    if module is not file:
+                        found.setdefault(module.source, []).append(file)
+        return found
 
     def __iter__(self) -> Iterator[NodeSource]:
         return iter(self.judged)

@@ -99,6 +99,10 @@ class Topics:
         """The same for every program of the workspace of which it is known."""
         return self._parameter_names.all
 
+    def may_be_declared_for(self, name: Located) -> bool:
+        """Whether one of the nodes that import the file of a parameter's name may declare it."""
+        return self._parameter_names.may_be_declared_for(name)
+
     @cached_property
     def _parameter_names(self) -> ParameterNames:
         from bringup_lint.graph.topics.sources.parameter_names import ParameterNames

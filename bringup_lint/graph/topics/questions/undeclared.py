@@ -103,7 +103,8 @@ def asked_in_vain(topics: Topics) -> Iterator[Located]:
             lacks = asked.required and not words.name(asked.name) and not is_of_library(asked.name)
             verdicts[asked.name.span] = verdicts.get(asked.name.span, True) and lacks
             found[asked.name.span] = asked.name
-    return (name for span, name in found.items() if verdicts[span] and span.source.judged)
+    lacking = (name for span, name in found.items() if verdicts[span] and span.source.judged)
+    return (name for name in lacking if not topics.may_be_declared_for(name))
 
 
 def _given_together(topics: Topics) -> Iterator[tuple[LaunchedNode, GivenName]]:

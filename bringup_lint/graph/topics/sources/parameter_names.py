@@ -91,15 +91,25 @@ class ParameterNames:
         return ParameterWords(known) if known is not None else None
 
     def _python(self, program: Program) -> ParameterWords | None:
-        from bringup_lint.parsers.python_node.parameter_words import parse
-
         lineage = [each for node in program.classes for each in node.lineage]
         if not lineage or not all(each.is_node and self._is_followed(each.bases, each.base) for each in lineage):
             return None
-        files = self._nodes.imported(program.file)
-        if files is None or any(_hands_out(file, self._workspace) for file in files):
+        return self._python_file(program.file)
+
+    def _python_file(self, file: NodeSource) -> ParameterWords | None:
+        """The same for a file and all that it imports."""
+        from bringup_lint.parsers.python_node.parameter_words import parse
+
+        files = self._nodes.imported(file)
+        if files is None or any(_hands_out(each, self._workspace) for each in files):
             return None
-        return _joined(self._words(parse, file.source) for file in files)
+        return _joined(self._words(parse, each.source) for each in files)
+
+    def may_be_declared_for(self, name: Located) -> bool:
+        """Whether a node that imports the file of a name declares that parameter, or is not known: modules ask nodes
+        that others hand to them."""
+        words = (self._python_file(file) for file in self._nodes.importers(name.span.source))
+        return any(each is None or each.name(name) for each in words)
 
     @staticmethod
     def _is_followed(bases: tuple[str, ...], base: object) -> bool:
