@@ -10,6 +10,7 @@ YAML_KINDS = frozenset(
         "cloud-init-network",
         "code-server",
         "compose",
+        "driver-config",
         "launch-yaml",
         "netplan",
         "params",

@@ -10,8 +10,6 @@ A service of the system manager that runs as root (`User=` is not set or is root
 - in a long-running service: a plain network relay such as socat.
 
 Commands that change the user themselves, containers, and programs whose XAUTHORITY= is a file of root are exempt.
-It is an info where `User=root` is written and another ROS service in the same folder has a user of its own: somebody
-has separated what needs root.
 
 ## Why it matters on a robot
 Every node, every message parser and every script may then write firmware, change the network and read keys:
@@ -80,9 +78,7 @@ MOVE = "move it to /usr/local/sbin, where only root may write"
     symptoms=["$HOME is not set", "Failed to get logging directory"],
 )
 def root_user(robot: Robot) -> Iterator[Finding]:
-    elsewhere = [unit for unit in robot.units.ros if unit.identity.is_other]
-    others = {unit.identity.name for unit in elsewhere}
-    folders = {_folder(unit) for unit in elsewhere}
+    others = {unit.identity.name for unit in robot.units.ros if unit.identity.is_other}
     for unit in robot.units.services:
         is_root = unit.identity.is_root
         if unit.manager == "user" or is_root is None or reads_display_of_root(unit, robot.units):
@@ -94,8 +90,7 @@ def root_user(robot: Robot) -> Iterator[Finding]:
             if needless is None:
                 continue
             if is_root:
-                is_meant = _is_separated(robot, unit, folders)
-                yield _without_user(unit, needless, others, is_meant)
+                yield _without_user(unit, needless, others)
             else:
                 set_user = unit.identity.user or unit.identity.dynamic.at
                 says = f"User={unit.identity.user}" if unit.identity.user else "DynamicUser="
@@ -108,7 +103,7 @@ def root_user(robot: Robot) -> Iterator[Finding]:
             break
 
 
-def _without_user(unit: Unit, needless: NeedlessRoot, others: set[str | None], is_meant: bool) -> Finding:
+def _without_user(unit: Unit, needless: NeedlessRoot, others: set[str | None]) -> Finding:
     user = unit.identity.user
     sets_up = needless.work is Work.SET_UP_IN_HOME
     return finding(
@@ -117,24 +112,8 @@ def _without_user(unit: Unit, needless: NeedlessRoot, others: set[str | None], i
         advice=MOVE if sets_up else OWN_USER,
         related=[note(needless.where, "the unit starts it here")],
         fix=None if sets_up else _fix(unit, others),
-        severity="info" if is_meant else None,
         confidence="high" if needless.work in CERTAIN else "medium",
     )
-
-
-def _is_separated(robot: Robot, unit: Unit, folders: set[str]) -> bool:
-    """Whether the robot's ROS services are divided into those of root and those of another user, in these folders."""
-    user = unit.identity.user
-    if unit.fragment is None or unit not in robot.units.ros:
-        return False
-    if user is None or user != "root" or user.span.source is not unit.fragment.source:
-        return False
-    return _folder(unit) in folders
-
-
-def _folder(unit: Unit) -> str:
-    """The folder of the unit file itself, whatever drop-ins there are."""
-    return unit.fragment.source.name.rpartition("/")[0] if unit.fragment else ""
 
 
 def _text(needless: NeedlessRoot) -> str:

@@ -1,4 +1,4 @@
-"""Files of variables with which a machine is set up: Ansible's inventories, groups, hosts and roles; code-server."""
+"""Files of variables: Ansible's inventories, groups, hosts and roles; code-server; drivers with YAML of their own."""
 
 from __future__ import annotations
 
@@ -17,6 +17,8 @@ _TASKS = regex(r"^[ \t]*-[ \t]+(?:name|hosts|become|ansible\.builtin\.\w+)[ \t]*
 _OF_OTHERS = regex(r"\bros__parameters\b|^services:", re.M)
 _CODE_SERVER = (regex(r"^bind-addr:", re.M), regex(r"^auth:", re.M))
 """Keys that only the configuration of code-server has both of."""
+_OF_DRIVERS = regex(r"/(?:config|configs|cfg|params?)/(?:[^/]+/)*[^/]+\.ya?ml$")
+_DEVICE = regex(r"^[ \t]*(?:- )?[\w.-]+[ \t]*:[ \t]*[\"']?/dev/(?:tty|video|serial|i2c|spi|input)", re.M)
 
 
 def is_of_hosts(path: str) -> bool:
@@ -40,7 +42,13 @@ def _is_code_server(path: str, head: Head) -> bool:
     return path.endswith((".yaml", ".yml")) and "config" in path and _has_both(head())
 
 
+def _is_driver_config(path: str, head: Head) -> bool:
+    """Whether a file that no parameter file is names a device."""
+    return bool(_OF_DRIVERS.search(f"/{path}") and _DEVICE.search(head())) and not _OF_OTHERS.search(head())
+
+
 KINDS = (
     Kind("ansible-vars", _is_variables),
     Kind("code-server", _is_code_server),
+    Kind("driver-config", _is_driver_config),
 )

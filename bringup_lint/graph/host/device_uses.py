@@ -32,6 +32,9 @@ _GIVEN = regex(r"(?:^|^[ \t]*[-\w.]+[ \t]*[:=][ \t]*[\"']?)(?P<path>/dev/[\w./:+
 _PATH = regex(r"(?<![\w./$}])/dev/[A-Za-z][\w.+-]*(?:/[\w.:+-]+)*")
 
 
+OF_VARIABLES = {"ansible-vars": "a variable of Ansible", "driver-config": "the configuration of a driver"}
+"""Kinds of file that hold variables -> who opens the devices that they name, in words."""
+
 Certainty = Literal["literal", "unit", "host", "script", "default", "argument"]
 """``unit`` for the name of a device unit, ``host`` for a device that a container is handed; ``script``, ``default`` and
 ``argument`` (the default of a launch argument) when it may be only one of several values."""
@@ -203,14 +206,15 @@ def of_descriptions(files: Files) -> Iterator[DeviceUse]:
 
 
 def of_variables(files: Files) -> Iterator[DeviceUse]:
-    """The devices that Ansible's variables name; those of a role are only its defaults."""
+    """The devices that the variables of Ansible and of drivers name; those of a role are only its defaults."""
     from bringup_lint.model.yaml_node import Scalar
     from bringup_lint.parsers.yaml_nodes import parse
 
-    sources = [each for each in files.of_kind("ansible-vars") if each.judged and "/dev/" in each.text]
+    sources = [each for each in files.of_kind(*OF_VARIABLES) if each.judged and "/dev/" in each.text]
     for file in files.parsed(parse, sources):
         certainty: Certainty = "argument" if "/defaults/" in file.source.name else "literal"
+        user = OF_VARIABLES[file.source.kind]
         for node in file.nodes:
             if isinstance(node, Scalar) and "/dev/" in node.value:
                 for given in _GIVEN.finditer(node.value):
-                    yield from uses_in(node.value.part(*given.span("path")), "a variable of Ansible", certainty)
+                    yield from uses_in(node.value.part(*given.span("path")), user, certainty)

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from functools import cached_property
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.graph.host.device_uses import OF_VARIABLES
 from bringup_lint.graph.host.device_uses import DeviceUse
 from bringup_lint.graph.host.device_uses import device_path
 from bringup_lint.graph.host.device_uses import of_compose
@@ -45,7 +46,7 @@ _SEPARATORS = regex(r"[/_.-]")
 _PERHAPS = ("default", "argument", "script")
 _LEAST = 6
 """Characters of a name that is long enough to be a misspelt one."""
-_OF_THE_ROBOT = ("systemd-unit", "compose", "params", "udev-rules", "ansible-vars")
+_OF_THE_ROBOT = ("systemd-unit", "compose", "params", "udev-rules", *OF_VARIABLES)
 _OF_KERNEL = frozenset(
     [
         "block",
@@ -121,7 +122,7 @@ class Devices:
             yield from of_params(self.params())
         if self.files.of_kind("urdf"):
             yield from of_descriptions(self.files)
-        if self.files.of_kind("ansible-vars"):
+        if self.files.of_kind(*OF_VARIABLES):
             yield from of_variables(self.files)
         if self.files.of_kind("python-node", "cpp-node"):
             from bringup_lint.graph.host.device_code import of_sources

@@ -21,8 +21,6 @@ from bringup_lint.source import Span
 
 SLOW = 60.0
 """Seconds between restarts from which a loop is a deliberate, harmless retry."""
-PATIENT = 5.0
-"""The same, of a service that sets no limit of its own."""
 FAST = 1.0
 """Seconds between restarts below which an endless loop loads the computer and the journal."""
 FAILING_LAUNCH = 1.0
@@ -169,5 +167,5 @@ def _endless(policy: RestartPolicy, waits: bool) -> Loop | None:
         return Loop(Outcome.NO_LIMIT, policy.longest < FAST)
     if policy.own_limit:
         return Loop(Outcome.NEVER_TRIPS, policy.longest < SLOW)
-    retries = waits or policy.restart != "always" or policy.longest >= PATIENT
+    retries = waits or policy.restart != "always" or policy.longest >= SLOW
     return Loop(Outcome.NEVER_TRIPS, not retries)

@@ -48,6 +48,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.topics.sources.parameter_names import ParameterNames
     from bringup_lint.model.node_source import Endpoint
     from bringup_lint.model.parameter_words import ParameterWords
+    from bringup_lint.source import Located
     from bringup_lint.source import Source
     from bringup_lint.source import Span
 

@@ -29,6 +29,7 @@ from bringup_lint.model.package import Build
 from bringup_lint.model.parameter_words import ParameterWords
 from bringup_lint.parsers.python_node.classes import ROOTS
 from bringup_lint.pattern import regex
+from bringup_lint.source import Located
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
