@@ -69,7 +69,7 @@ class Values:
     """The value of what is imported under a dotted name; UNKNOWN where no module of the tree makes it constant."""
     steps: int = 400_000
     """Expressions that are evaluated in one file."""
-    _set: frozenset[tuple[str, str]] | None = field(default=None, init=False)
+    _assigned: frozenset[tuple[str, str]] | None = field(default=None, init=False)
 
     def span(self, node: PlacedNode) -> Span:
         return self.positions.span(node)
@@ -155,12 +155,12 @@ class Values:
 
     def _is_set(self, node: ast.Attribute) -> bool:
         """Whether the file gives an attribute of something imported another value."""
-        if self._set is None:
+        if self._assigned is None:
             scopes = (self.module.scope, *self.module.scopes.values())
-            self._set = frozenset(
+            self._assigned = frozenset(
                 (name, each.field) for scope in scopes for name in scope.sets for each in scope.sets[name]
             )
-        return isinstance(node.value, ast.Name) and (node.value.id, node.attr) in self._set
+        return isinstance(node.value, ast.Name) and (node.value.id, node.attr) in self._assigned
 
     def exported(self, path: list[str]) -> Any:
         """The value of a name of the module, or of a class in it, for a file that imports it: one that means the same
