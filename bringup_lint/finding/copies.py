@@ -1,5 +1,6 @@
-"""One finding for a line that a tree holds twice: in a template and in what was made of it, in a file and its copy
-under another name, or in two udev rules files of one name, of which only one is read on a robot."""
+"""One finding for what a rule says twice of one file, and for a line that a tree holds twice: in a template and in what
+was made of it, in a file and its copy under another name, or in two udev rules files of one name, of which only one is
+read on a robot."""
 
 from __future__ import annotations
 
@@ -14,13 +15,30 @@ from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 from bringup_lint.templates import final_name
 
+REPEATED = "the same here"
+"""What is said of a place in the same file."""
 _MADE = regex(r"(?:^|/)(?:deploy|dist|out|output|build|install|generated|release)/")
 """Folders for what is made of other files."""
 
 
 def merged(findings: Iterable[Finding]) -> Iterator[Finding]:
-    """The findings in their order, those on a copy of a line as related places of the first."""
-    ordered = list(findings)
+    """The findings in their order, those that say the same of one file or are on a copy of a line as related places of
+    the first."""
+    return _copied(_repeated(findings))
+
+
+def _repeated(findings: Iterable[Finding]) -> list[Finding]:
+    """The findings; of those in one file that are alike in all but their place, the first with the others."""
+    groups: dict[Hashable, list[Finding]] = {}
+    for found in findings:
+        alike = (found.rule, found.source, found.severity, found.message, found.confidence)
+        key = id(found) if found.suppression or not found.span.end else alike
+        groups.setdefault(key, []).append(found)
+    return [_with(first, others, REPEATED) for first, *others in groups.values()]
+
+
+def _copied(ordered: list[Finding]) -> Iterator[Finding]:
+    """The findings, those on a copy of a line with the first of them."""
     groups: dict[tuple[str, str, str], list[Finding]] = {}
     lines: dict[tuple[Source, int], str] = {}
     for found in ordered:
@@ -45,14 +63,15 @@ def merged(findings: Iterable[Finding]) -> Iterator[Finding]:
                 gone.add(id(found))
     for found in ordered:
         if id(found) not in gone:
-            yield _with(found, copies.get(id(found), []))
+            yield _with(found, copies.get(id(found), []), "the same line in a copy")
 
 
-def _with(found: Finding, copies: list[Finding]) -> Finding:
+def _with(found: Finding, copies: list[Finding], words: str) -> Finding:
     if not copies:
         return found
-    related = [Related(copy.span, "the same line in a copy") for copy in copies]
-    return replace(found, related=(*found.related, *related), copies=tuple(copies))
+    every = [each for copy in copies for each in (copy, *copy.copies)]
+    related = [Related(each.span, words) for each in every]
+    return replace(found, related=(*found.related, *related), copies=(*found.copies, *every))
 
 
 def _line(found: Finding, lines: dict[tuple[Source, int], str]) -> str:

@@ -1,12 +1,14 @@
-"""One line a finding: ``path:line:column: severity[rule] message``."""
+"""One line a finding: ``path:line:column: severity[rule] message``, and where else the same is to be found."""
 
 from __future__ import annotations
 
 from bringup_lint.finding import Finding
+from bringup_lint.finding.copies import REPEATED
 from bringup_lint.finding.place import inside
 from bringup_lint.report.columns import plain_start
 from bringup_lint.report.columns import printable
 from bringup_lint.report.model import Report
+from bringup_lint.source import Span
 
 
 def render(report: Report) -> str:
@@ -14,7 +16,14 @@ def render(report: Report) -> str:
 
 
 def line(finding: Finding) -> str:
-    row, column = finding.source.position(inside(finding.span).start)
-    place = f"{plain_start(finding.source.name)}:{row}:{column}"
     message = " ".join(finding.message.split())
-    return printable(f"{place}: {finding.severity}[{finding.rule}] {message}") + "\n"
+    repeated = ", ".join(_position(each.span) for each in finding.related if each.message == REPEATED)
+    also = f" (also at {repeated})" if repeated else ""
+    place = f"{plain_start(finding.source.name)}:{_position(finding.span)}"
+    return printable(f"{place}: {finding.severity}[{finding.rule}] {message}{also}") + "\n"
+
+
+def _position(span: Span) -> str:
+    """``line:column``."""
+    row, column = span.source.position(inside(span).start)
+    return f"{row}:{column}"

@@ -68,7 +68,15 @@ def ours(folder: Path, version: str) -> list[dict]:
     (folder / "bringup-lint.toml").write_text(f"target-systemd = {version}\n", "utf-8")
     run = lint("--select", "systemd", "--min-severity", "info", "--output-format", "json", ".", cwd=folder)
     assert run.code in (0, 1), run.stderr
-    return json.loads(run.stdout)["findings"]
+    return [place for finding in json.loads(run.stdout)["findings"] for place in places(finding)]
+
+
+def places(finding: dict) -> Iterator[dict]:
+    """A finding, and the same at the other places of the file that it names."""
+    yield finding
+    for related in finding["related"]:
+        if related["message"] == "the same here":
+            yield {**finding, "location": related["location"]}
 
 
 def last_lines(path: Path) -> dict[int, int]:

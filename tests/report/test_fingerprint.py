@@ -79,7 +79,15 @@ def test_secret_does_not_matter() -> None:
 def test_many_findings_of_one_long_line_take_time_as_they_are_many() -> None:
     def work(count: int) -> None:
         source = Source("a.launch.xml", "attribute " * count)
-        found = [Finding("Unknown", source.span(10 * n, 10 * n + 9), rule="launch/a") for n in range(count)]
+        found = [Finding(f"Unknown {n}", source.span(10 * n, 10 * n + 9), rule="launch/a") for n in range(count)]
         assert len(set(fingerprints(merged(found), "/"))) == count
 
     assert is_linear(work, 500)
+
+
+def test_alike_findings_of_a_file_are_one() -> None:
+    source = Source("a.launch.xml", "attribute attribute attribute")
+    first, *others = [Finding("Unknown", source.span(at, at + 9), rule="launch/a") for at in (0, 10, 20)]
+    (one,) = merged([first, *others])
+    assert (one.span, one.copies) == (first.span, tuple(others))
+    assert [each.span for each in one.related] == [each.span for each in others]
