@@ -1,8 +1,9 @@
 """The default of a LaunchConfiguration never applies.
 
 ## What it finds
-`LaunchConfiguration('x', default=D)` in a file that also declares `x` with another default. Info in
-packages of others that the tree only holds.
+`LaunchConfiguration('x', default=D)` in a file that also declares `x` with another default. It is a warning where the
+declared default is empty and the other one is a path, but in packages of others that the tree only holds; else it is an
+info.
 
 ## Why it matters on a robot
 The declaration runs first and binds `x`, even to an empty string. The default at the place of use looks like a
@@ -42,7 +43,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.python import without_keyword
 
 
-@rule("warning", fix="unsafe", silent="launch takes the declared default without a message")
+@rule("info", fix="unsafe", silent="launch takes the declared default without a message")
 def lc_default_shadowed(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         declared = {
@@ -70,8 +71,13 @@ def lc_default_shadowed(robot: Robot) -> Iterator[Finding]:
                 advice="move the default into the declaration",
                 related=[note(action.span, "declared here")],
                 fix=fix("remove the default that is never used", codemod=drop, safe=False) if drop else None,
-                severity="info" if robot.launch.workspace.is_vendored(file.source) else None,
+                severity="warning" if empty and _is_lost(robot, read.default, file) else None,
             )
+
+
+def _is_lost(robot: Robot, default: launch.Value, file: launch.LaunchFile) -> bool:
+    """Whether a path that never applies is of the robot's own files."""
+    return "/" in (robot.launch.text(default, file) or "") and not robot.launch.workspace.is_vendored(file.source)
 
 
 def means_the_same(first: str | None, second: str | None) -> bool:

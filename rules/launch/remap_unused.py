@@ -7,7 +7,7 @@
   names are known of nodes whose sources are in the tree and name no other, and of robot_state_publisher,
   joint_state_publisher, teleop_twist_joy, teleop_twist_keyboard, twist_mux, joy, robot_localization, slam_toolbox,
   amcl, velocity_smoother, the spawner of controllers and some filters of sensor data. It is info where the
-  remapping only takes the slash away.
+  remapping only takes the slash away, and where the node uses the name already that it would get.
 - Remappings of a relative name in a namespace, where the source names the absolute one (`/cmd_vel`), and the reverse.
 
 Remappings that reach several nodes are left alone when one of them uses the name or is not known.

@@ -35,7 +35,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("warning", fix="safe", silent="systemd reads the old name as an alias without a message")
+@rule("info", fix="safe", silent="systemd reads the old name as an alias without a message")
 def shutdown_watchdog_renamed(robot: Robot) -> Iterator[Finding]:
     for daemon in robot.system_conf:
         new = next((line.assignment for line in daemon.lines if line.assignment.key == "RebootWatchdogSec"), None)
@@ -49,4 +49,5 @@ def shutdown_watchdog_renamed(robot: Robot) -> Iterator[Finding]:
                     advice="delete one of the two" if new else "write RebootWatchdogSec=",
                     related=[note(new.key, "the same setting")] if new else (),
                     fix=None if new or line.file.source.template else fix("rename", (key, "RebootWatchdogSec")),
+                    severity="warning" if new else None,
                 )

@@ -3,7 +3,8 @@ r"""A link depends only on the vendor and product id.
 ## What it finds
 A rule for a serial port or camera that makes a link and identifies the device by `idVendor` and `idProduct`
 alone:
-- **warning**: a bridge chip that is used in many products (FTDI, CP210x, CH340, PL2303, STM32, Arduino), and any
+- **warning**: a bridge chip that is used in many products (FTDI, CP210x, CH340, PL2303, STM32, Arduino), on a robot
+  with several serial devices: its rules make links to others, too, or its files name ports by their numbers; and any
   device whose link ends in the number of the kernel (`gps_%n`).
 - **info**: any other device.
 
@@ -53,11 +54,13 @@ _WEAK = {
     ("ENV", "ID_BUS"),
 }
 NUMBERED = regex(r"(?:%n|\$number)$")
+SERIAL = regex(r"/dev/tty(?:USB|ACM)\d+")
 _DECIDING = ("PROGRAM", "IMPORT", "RESULT", "TEST")
 
 
 @rule("warning", symptoms=["appeared twice with different sysfs paths"])
 def symlink_vidpid_only(robot: Robot) -> Iterator[Finding]:
+    has_several = _has_several(robot)
     for line in robot.udev.matching:
         if not line.usb_ids or not (line.is_serial or line.is_for("video4linux")):
             continue
@@ -79,5 +82,12 @@ def symlink_vidpid_only(robot: Robot) -> Iterator[Finding]:
                     link.name,
                     f"{what}: {link.path} points to the one found last",
                     advice="add ATTRS{serial}, or match the USB port with KERNELS or ENV{ID_PATH}",
-                    severity=None if products else "info",
+                    severity=None if products and has_several else "info",
                 )
+
+
+def _has_several(robot: Robot) -> bool:
+    """Whether the robot has more than one serial device or camera: links to others, or ports with numbers."""
+    lines = (line for line in robot.udev.matching if line.is_serial or line.is_for("video4linux"))
+    links = {link.path for line in lines for link in line.links}
+    return len(links) > 1 or any(SERIAL.fullmatch(use.path) for use in robot.devices.uses)

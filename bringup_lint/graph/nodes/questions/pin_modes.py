@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 _MODULES = ("RPi.GPIO", "Jetson.GPIO")
 _SETS_MODE = regex(r"\bsetmode\b|^[ \t]*(?:import|from)[ \t]+(?:board|busio|digitalio|adafruit_\w+|gpiozero)\b", re.M)
 """What sets the mode: the program itself, or Blinka and gpiozero when they are imported."""
+_ELSEWHERE = ("setmode", "import board", "adafruit_")
+"""The same in another module of the package, which may be imported first."""
 
 
 def without_pin_mode(nodes: Nodes) -> Iterator[tuple[NodeSource, ast.Call]]:
@@ -28,6 +30,6 @@ def without_pin_mode(nodes: Nodes) -> Iterator[tuple[NodeSource, ast.Call]]:
             continue
         imported = nodes.imported(file)
         package = nodes.launch.workspace.owner(file.source)
-        elsewhere = package is not None and mentions(nodes.files, package, "setmode")
+        elsewhere = package is not None and any(mentions(nodes.files, package, word) for word in _ELSEWHERE)
         if imported is not None and not elsewhere and not any(each.source.matches(_SETS_MODE) for each in imported):
             yield file, calls[0]

@@ -34,17 +34,30 @@ def waits(ending: Ending, cls: NodeClass) -> Iterator[Waiting]:
     places += [code_of(ending, cls, callback) for callback in cls.callbacks]
     seen: set[ast.AST] = set()
     for where, body in places:
-        for node in reached(ending.syntax, body, cls):
-            if not isinstance(node, ast.Call) or node.args or node.keywords or node in seen:
+        calls = [node for node in reached(ending.syntax, body, cls) if isinstance(node, ast.Call) and _is_wait(node)]
+        bounded: dict[str, int] = {}
+        """The first line of each wait with a time-out."""
+        for call in calls:
+            if call.args or call.keywords:
+                bounded[_client(call)] = min(call.lineno, bounded.get(_client(call), call.lineno))
+        for call in calls:
+            is_found = bounded.get(_client(call), call.lineno) < call.lineno
+            if is_found or call.args or call.keywords or call in seen:
                 continue
-            function = node.func
-            if not isinstance(function, ast.Attribute) or function.attr not in ("wait_for_service", "wait_for_server"):
-                continue
-            kept = ast.unparse(function.value)
-            found = [each for each in cls.all_endpoints if each.attribute == kept and each.role.endswith("client")]
+            kept = [each for each in cls.all_endpoints if each.attribute == _client(call)]
+            found = [each for each in kept if each.role.endswith("client")]
             if found:
-                seen.add(node)
-                yield Waiting(node, found[0].name, where, _is_announced(ending.syntax, node))
+                seen.add(call)
+                yield Waiting(call, found[0].name, where, _is_announced(ending.syntax, call))
+
+
+def _is_wait(call: ast.Call) -> bool:
+    return isinstance(call.func, ast.Attribute) and call.func.attr in ("wait_for_service", "wait_for_server")
+
+
+def _client(wait: ast.Call) -> str:
+    """What a wait is called on."""
+    return ast.unparse(wait.func.value) if isinstance(wait.func, ast.Attribute) else ""
 
 
 def _is_announced(syntax: Syntax, call: ast.Call) -> bool:

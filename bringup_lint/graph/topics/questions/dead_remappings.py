@@ -48,11 +48,15 @@ class DeadRemapping(NamedTuple):
 
     @property
     def harmless(self) -> bool:
-        """Whether the rule would only take the namespace of the root away, as many are told to for all their nodes."""
-        targets = (
-            text_of(target) for source, target in self.node.started.remappings if literal_text(source) is self.source
-        )
-        return str(self.source).lstrip("/") in targets
+        """Whether the node uses the name that it should get all the same; or the rule would only take the namespace of
+        the root away, as many are told to for all their nodes."""
+        pairs = self.node.started.remappings
+        targets = (text_of(target) for source, target in pairs if literal_text(source) is self.source)
+        names = {str(self.source), *(str(use.written) for use in (*self.node.uses, *self.node.calls) if use.written)}
+        if self.node.given is not None:
+            names.update(str(each.value) for each in self.node.given.values.values())
+        own = {name.lstrip("/") for name in names}
+        return any(target is not None and target.lstrip("/") in own for target in targets)
 
 
 def dead_remappings(topics: Topics) -> Iterator[DeadRemapping]:
