@@ -12,6 +12,7 @@ import pytest
 
 from bringup_lint.discover.kinds import HEAD_SIZE
 from bringup_lint.discover.kinds import kind_of
+from bringup_lint.finding.copies import REPEATED
 from bringup_lint.registry import Registry
 from bringup_lint.source import Source
 from tests.lint import lint
@@ -50,7 +51,12 @@ def errors(found: list[dict[str, Any]]) -> Counter[tuple[str, str]]:
 
 
 def messages(rule_id: str, found: list[dict[str, Any]]) -> Counter[str]:
-    return Counter(each["message"] for each in found if each["rule"] == rule_id)
+    """What a rule says, as often as it says it, in places of its own or in those of one finding."""
+    said: Counter[str] = Counter()
+    for each in found:
+        if each["rule"] == rule_id:
+            said[each["message"]] += 1 + sum(place["message"] == REPEATED for place in each["related"])
+    return said
 
 
 def texts(folder: Path) -> dict[str, bytes]:

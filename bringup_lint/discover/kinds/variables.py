@@ -17,7 +17,7 @@ _TASKS = regex(r"^[ \t]*-[ \t]+(?:name|hosts|become|ansible\.builtin\.\w+)[ \t]*
 _OF_OTHERS = regex(r"\bros__parameters\b|^services:", re.M)
 _CODE_SERVER = (regex(r"^bind-addr:", re.M), regex(r"^auth:", re.M))
 """Keys that only the configuration of code-server has both of."""
-_OF_DRIVERS = regex(r"/(?:config|configs|cfg|params?)/(?:[^/]+/)*[^/]+\.ya?ml$")
+_OF_DRIVERS = regex(r"/(?:config|configs|cfg|params?)/")
 _DEVICE = regex(r"^[ \t]*(?:- )?[\w.-]+[ \t]*:[ \t]*[\"']?/dev/(?:tty|video|serial|i2c|spi|input)", re.M)
 
 
@@ -44,7 +44,9 @@ def _is_code_server(path: str, head: Head) -> bool:
 
 def _is_driver_config(path: str, head: Head) -> bool:
     """Whether a file that no parameter file is names a device."""
-    return bool(_OF_DRIVERS.search(f"/{path}") and _DEVICE.search(head())) and not _OF_OTHERS.search(head())
+    if not path.endswith((".yaml", ".yml")) or not _OF_DRIVERS.search(f"/{path}"):
+        return False
+    return bool(_DEVICE.search(head())) and not _OF_OTHERS.search(head())
 
 
 KINDS = (

@@ -82,15 +82,20 @@ class Syntax:
 
     def is_dead(self, node: ast.AST) -> bool:
         """Whether a statement that always leaves the block is before a node."""
-        inner = node
-        for outer, name in self.above(node):
-            block = getattr(outer, name)
-            if isinstance(block, list) and isinstance(inner, ast.stmt) and _leaves(block, inner):
-                return True
+        if node in self._left:
+            return True
+        for outer, _ in self.above(node):
             if isinstance(outer, (*FUNCTIONS, ast.ClassDef)):
                 return False
-            inner = outer
+            if outer in self._left:
+                return True
         return False
+
+    @cached_property
+    def _left(self) -> set[ast.AST]:
+        """The statements that come in their block after one that always leaves it."""
+        blocks = (getattr(outer, name) for outer, name in dict.fromkeys(self._above.values()))
+        return {each for block in blocks if isinstance(block, list) for each in _after_end(block)}
 
     def catches(self, node: ast.AST, names: frozenset[str]) -> bool:
         """Whether a ``try`` around a node, in the same function, takes one of some exceptions or all of them."""
@@ -112,11 +117,10 @@ class Syntax:
         return self._qualified[call]
 
 
-def _leaves(block: list[ast.stmt], until: ast.stmt) -> bool:
-    """Whether a statement of a block before another one always ends it."""
-    if until not in block:
-        return False
-    return any(isinstance(each, _ENDS) for each in block[: block.index(until)])
+def _after_end(block: list[ast.AST]) -> list[ast.AST]:
+    """The statements of a block after the first that always ends it."""
+    end = next((number for number, each in enumerate(block) if isinstance(each, _ENDS)), len(block))
+    return block[end + 1 :]
 
 
 def _takes(handler: ast.ExceptHandler, names: frozenset[str]) -> bool:
