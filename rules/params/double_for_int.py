@@ -3,12 +3,13 @@
 ## What it finds
 Doubles in a parameter file or launch file for parameters that the sources of the workspace declare as an integer, with
 a literal name and type; the text of a launch argument counts as what YAML makes of it. The same for nodes of
-Navigation2 with its own plugins, slam_toolbox, robot_localization, twist_mux, teleop_twist_joy, joy, usb_cam and
-sllidar_ros2, which a launch file gives the value or the file, or a block of it names. Silent where the node allows any
-type, or declares the name with several types.
+Navigation2 with its own plugins, slam_toolbox, robot_localization, twist_mux, teleop_twist_joy, joy, usb_cam,
+sllidar_ros2 and the controllers of ros2_controllers, which a launch file gives the value or the file, or a block of it
+names. Silent where the node allows any type, or declares the name with several types.
 
 ## Why it matters on a robot
-ROS does not convert the value: the node exits with InvalidParameterTypeException at start.
+ROS does not convert the value: the node exits with InvalidParameterTypeException at start. A controller
+of ros2_control is not loaded.
 
 ## Bad
 ```yaml
@@ -64,8 +65,7 @@ def double_for_int(robot: Robot) -> Iterator[Finding]:
         plain = len(whole) == len(each.items)
         yield finding(
             each.where,
-            f"'{each.name}: {each.text}' is a double, but {each.node} declares an integer: "
-            "it exits with InvalidParameterTypeException",
+            f"'{each.name}: {each.text}' is a double, but {each.node} declares an integer: {each.outcome}",
             advice=f"write {whole[0]}" if plain else "write a whole number",
             related=[note(each.declared, "declared as an integer here")] if each.declared else [],
             chain=robot.provenance.chain_to_node(each.started) if each.started is not None else (),

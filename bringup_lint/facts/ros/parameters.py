@@ -15,6 +15,10 @@ _MOST = 1000
 OF_EVERY_NODE = ("use_sim_time", "start_type_description_service", "qos_overrides.*")
 """rclcpp and rclpy declare these themselves (rclcpp, time_source.cpp, node_type_descriptions.cpp, qos_overrides)."""
 
+_OF_EVERY_CONTROLLER = ("type", "update_rate", "is_async", "thread_priority", "async_parameters.*", "params_file")
+"""What the controller manager and the base class of controllers declare (ros2_control, controller_manager.cpp and
+controller_interface_base.cpp)."""
+
 
 class Names(NamedTuple):
     """Names and patterns of names. Most are no patterns: fnmatch would compile one of each, and forget those of long
@@ -70,8 +74,15 @@ class PublicNode(NamedTuple):
         """Whether plugins, of this package or another, declare parameters below their names."""
         return self.package.startswith("nav2_")
 
+    @property
+    def is_controller(self) -> bool:
+        """Whether it is a controller of ros2_control, which the controller manager loads by its class."""
+        return any("/" in program for program in self.programs)
+
     def declares(self, parameter: str) -> bool:
         if "." in parameter and self.has_plugins:
+            return True
+        if self.is_controller and _of_controllers().has(parameter):
             return True
         return _names_of(self.parameters).has(parameter) or is_of_library(parameter)
 
@@ -82,6 +93,11 @@ class PublicNode(NamedTuple):
             subject, name = "nav2", parameter.rpartition(".")[2]
         typed = (kind for package, names, kind in _typed() if package == subject and names.has(name))
         return next(typed, None)
+
+
+@cache
+def _of_controllers() -> Names:
+    return _names(_OF_EVERY_CONTROLLER)
 
 
 @cache
@@ -112,6 +128,11 @@ def public_nodes() -> tuple[PublicNode, ...]:
 def public_node(package: str, program: str) -> PublicNode | None:
     """The node that an executable or component class of a public package runs."""
     return next((each for each in public_nodes() if each.package == package and program in each.programs), None)
+
+
+def controller_of(kind: str) -> PublicNode | None:
+    """The controller of ros2_controllers that has a class, written as ``diff_drive_controller/DiffDriveController``."""
+    return public_node(kind.partition("/")[0], kind) if "/" in kind else None
 
 
 def node_called(name: str) -> PublicNode | None:

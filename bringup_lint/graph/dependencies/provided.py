@@ -28,11 +28,16 @@ _SHORT = 3
 """Characters of a pattern that many packages begin with."""
 _REPOSITORY = regex(r"(?:github|gitlab)\.com[/:][\w.-]{1,60}/([\w.-]{1,80})")
 _OWNERS = frozenset(
-    "ros-navigation ros-planning stevemacenski cra-ros-pkg ros-teleop ros-drivers ros-perception slamtec ros2".split()
+    "ros-navigation ros-planning stevemacenski cra-ros-pkg ros-teleop ros-drivers ros-perception slamtec ros2 "
+    "ros-controls".split()
 )
 """Who has the public repositories themselves."""
 _SHARED = (("nav2_", "navigation2"), ("dwb_", "navigation2"), ("opennav_", "navigation2"), ("joy", "joystick_drivers"))
 """How packages begin that come with others in one repository."""
+_CONTROLLERS = ("_controller", "_controllers", "_broadcaster")
+"""How packages end that come with ros2_controllers."""
+_PATCHED = regex(r"\bpatch(?:es)?/([\w-]{1,80})/|/([\w-]{1,80})\s{1,8}apply\b")
+"""Repositories that are changed after they are fetched."""
 _HAS_ROS = regex(rf"\bcolcon\b|/opt/ros\b|\bros[-:_\d]|\b(?:{'|'.join(distros.every())})\b")
 _VARIANT = regex(
     rf"(?:{'|'.join(distros.every())}|[}}>])[-_](desktop[-_]full|desktop|perception|simulation)(?![a-z])",
@@ -82,16 +87,19 @@ class Provided:
         return name.lower() in self._named
 
     def has_fork(self, package: str) -> bool:
-        """Whether anything fetches the repository of a public package from others than those who release it."""
+        """Whether anything fetches the repository of a public package from others than those who release it, or
+        patches it."""
         name = next((repository for begin, repository in _SHARED if package.startswith(begin)), package)
-        return name in self._forks
+        is_controller = name.endswith(_CONTROLLERS)
+        return name in self._forks or (is_controller and any("controller" in each for each in self._forks))
 
     @cached_property
     def _forks(self) -> frozenset[str]:
         """The names of repositories that do not come from their first owners."""
         paths = (path.split("/") for text in self._installers.texts for path in ADDRESS.findall(text))
-        owned = ((owner, name) for parts in paths for owner, name in pairwise(parts) if owner not in _OWNERS)
-        return frozenset(name.removesuffix(".git").replace("-", "_") for _, name in owned)
+        owned = [name for parts in paths for owner, name in pairwise(parts) if owner not in _OWNERS]
+        owned += [name for text in self._installers.texts for pair in _PATCHED.findall(text) for name in pair]
+        return _plain(owned)
 
     @cached_property
     def _installed(self) -> frozenset[str]:

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.facts.ros.parameters import PublicNode
+from bringup_lint.facts.ros.parameters import controller_of
 from bringup_lint.facts.ros.parameters import node_called
 from bringup_lint.facts.ros.parameters import public_node
 from bringup_lint.graph.launch.started import literal_text
@@ -68,10 +69,20 @@ def of_wrong_public_type(
 def _blocks(params: Params, launch: Launch) -> Iterator[PublicBlock]:
     for file in params.judged:
         if file.accepted and not file.uncertain and params.is_used(file):
+            controllers = _controllers(file)
             for block in file.blocks:
-                node = _node_of(params.loads(file), block)
+                node = controllers.get(str(block.key).rpartition("/")[2]) or _node_of(params.loads(file), block)
                 if node is not None and node.package not in launch.workspace.packages:
                     yield PublicBlock(file, block, node)
+
+
+def _controllers(file: ParameterFile) -> dict[str, PublicNode]:
+    """The controllers of ros2_control whose class the file gives to the controller manager."""
+    types = {
+        each.name.removesuffix(".type"): each.value.data for each in file.parameters if each.name.endswith(".type")
+    }
+    found = ((name, controller_of(str(kind))) for name, kind in types.items())
+    return {name: node for name, node in found if node is not None}
 
 
 def _node_of(loads: list[Load], block: Block) -> PublicNode | None:

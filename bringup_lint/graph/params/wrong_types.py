@@ -33,10 +33,17 @@ class WrongType(NamedTuple):
     """Where the workspace declares it."""
     started: Started | None = None
     """The node to which a launch file gives it."""
+    is_controller: bool = False
+    """The controller manager loads it, and goes on without it."""
 
     @property
     def node(self) -> str:
         return self.package or "the node"
+
+    @property
+    def outcome(self) -> str:
+        exception = "InvalidParameterTypeException"
+        return f"it is not loaded ({exception})" if self.is_controller else f"it exits with {exception}"
 
 
 def wrong_types(params: Params, launch: Launch, given: str, declared: str) -> Iterator[WrongType]:
@@ -44,7 +51,9 @@ def wrong_types(params: Params, launch: Launch, given: str, declared: str) -> It
     for parameter, found, items in params.of_wrong_type(given, declared):
         yield WrongType(parameter.name, parameter.text, parameter.span, items, declared=found.place)
     for parameter, node, items in of_wrong_public_type(params, launch, given, declared):
-        yield WrongType(parameter.name, parameter.text, parameter.span, items, node.package)
+        yield WrongType(
+            parameter.name, parameter.text, parameter.span, items, node.package, is_controller=node.is_controller
+        )
     if params.is_typed:
         yield from _launched(params, launch, given, declared)
 
