@@ -10,7 +10,9 @@ if TYPE_CHECKING:
     from bringup_lint.graph.commands.background import background_jobs
     from bringup_lint.graph.commands.expected_failure import may_fail
     from bringup_lint.graph.commands.shells import SH_IS_BASH
+    from bringup_lint.graph.commands.shells import SHELLS
     from bringup_lint.graph.commands.shells import STRICT
+    from bringup_lint.graph.commands.shells import shell_input
     from bringup_lint.graph.commands.wrappers import program_name
     from bringup_lint.graph.commands.wrappers import unwrapped
     from bringup_lint.graph.installed.ansible.names import missing_names
@@ -24,6 +26,7 @@ if TYPE_CHECKING:
     from bringup_lint.parsers.ansible_tasks import Task
     from bringup_lint.parsers.ansible_tasks import plays
     from bringup_lint.parsers.ansible_tasks import tasks
+    from bringup_lint.parsers.shell import commands
     from bringup_lint.parsers.shell import shell_blocks
     from bringup_lint.parsers.shell import shell_commands
     from bringup_lint.parsers.shell_tokens import tokens
@@ -31,6 +34,7 @@ else:
     __getattr__ = on_demand(globals())
 
 __all__ = [
+    "SHELLS",
     "SH_IS_BASH",
     "STRICT",
     "Block",
@@ -40,6 +44,7 @@ __all__ = [
     "Task",
     "Written",
     "background_jobs",
+    "commands",
     "may_fail",
     "missing_files",
     "missing_names",
@@ -48,6 +53,7 @@ __all__ = [
     "sh_commands",
     "shell_blocks",
     "shell_commands",
+    "shell_input",
     "short_calls",
     "tasks",
     "tokens",
