@@ -44,6 +44,8 @@ class Undefined(NamedTuple):
     """An ``except Exception`` around it catches the NameError."""
     late: bool = False
     """The function spins, or waits for a thread to end, before: the node has done its work."""
+    handling: bool = False
+    """It is in an ``except``, which runs only after something else has failed."""
 
 
 def undefined(syntax: Syntax) -> Iterator[Undefined]:
@@ -61,8 +63,15 @@ def undefined(syntax: Syntax) -> Iterator[Undefined]:
             continue
         seen.add(name.id)
         module = modules.get(name.id, "" if name.id in sys.stdlib_module_names else None)
-        caught = syntax.catches(name, _CAUGHT)
-        yield Undefined(name, module, _function(syntax, name), is_idle(syntax, name), caught, is_late(syntax, name))
+        yield Undefined(
+            name,
+            module,
+            _function(syntax, name),
+            idle=is_idle(syntax, name),
+            caught=syntax.catches(name, _CAUGHT),
+            late=is_late(syntax, name),
+            handling=any(isinstance(outer, ast.ExceptHandler) for outer, _ in syntax.within(name)),
+        )
 
 
 class _Bindings:
