@@ -5,7 +5,8 @@ Names that the source of a node looks up and that neither the function, the file
 `sys` that is never imported, a variable of another function, a method that is called without `self.`, a misspelt name.
 
 It is an info after `spin()` and the `join()` of a thread, where the node has done its work, in tests, in examples and
-in a function that nothing calls or that is only a stub. In an `except`, which runs only after a failure, it is a warning.
+in a function that nothing calls or that is only a stub. It is a warning in an `except`, which runs only after a
+failure.
 
 ## Why it matters on a robot
 Python looks a name up when the line runs. In a callback for parameters or signals that can be weeks later, on the
