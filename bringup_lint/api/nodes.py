@@ -39,6 +39,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.missing_attributes import missing_attributes
     from bringup_lint.graph.nodes.questions.missing_attributes import taken_attributes
     from bringup_lint.graph.nodes.questions.missing_modules import missing_modules
+    from bringup_lint.graph.nodes.questions.missing_returns import missing_returns
     from bringup_lint.graph.nodes.questions.motion import moves
     from bringup_lint.graph.nodes.questions.offboard_signals import rare_signals
     from bringup_lint.graph.nodes.questions.parameter_calls import empty_defaults
@@ -140,6 +141,7 @@ __all__ = [
     "missing_attributes",
     "missing_fields",
     "missing_modules",
+    "missing_returns",
     "moves",
     "never_run",
     "not_there",

@@ -133,6 +133,20 @@ class TimeUse(NamedTuple):
     """Where a message sets the member; None when only the callback itself does, after the difference."""
 
 
+class MissingReturn(NamedTuple):
+    """A function with a type whose end may be reached."""
+
+    name: Span
+    """Where its definition names it."""
+    function: str
+    when: str
+    """When that is, in words; empty: whenever it is called."""
+    left: Span | None
+    """The statement by which the end is reached then."""
+    is_open: bool
+    """It is not known whether the statement always returns."""
+
+
 class Read(NamedTuple):
     """``get_parameter`` of a literal name."""
 
@@ -189,4 +203,5 @@ class CppNode:
     activation: Located | None = None
     """The one ``on_activate`` that it defines for a lifecycle node."""
     misread: list[Misread] = field(default_factory=list)
+    missing_returns: list[MissingReturn] = field(default_factory=list)
     problems: list[Problem] = field(default_factory=list)

@@ -1,4 +1,5 @@
-"""Python files of packages that nothing runs: no console script, installation, launch file or import names them."""
+"""Files of packages that nothing runs or builds: no console script, installation, launch file or import names a Python
+file, and no build description a C++ file."""
 
 from __future__ import annotations
 
@@ -25,6 +26,15 @@ _MODULE = regex(r"[ \t\"']-[A-Za-z]{0,8}m[\"', \t]{1,8}(?P<module>\w[\w.]*)")
 _WORD = regex(r"\w+|(?<=[ \t])\.(?=[.\w \t])")
 _TEXT = regex(r"""["']([\w.]{2,80})["']""")
 """What ``importlib`` and the like may be given."""
+_CPP = (".cpp", ".cc", ".cxx")
+_GATHERS = regex(
+    r"(?i)\bGLOB(?:_RECURSE)?\b|\baux_source_directory\b|add_\w{4,20}\s{0,4}\([^()]{0,200}\bDIRECTORY\b|\}[\w.-]{0,80}\.c(?:pp|c|xx)\b|\w\}\w"
+    r"|\binclude\s{0,4}\(\s{0,4}(?:\$|[\w./-]{1,80}\.cmake)"
+)
+"""Commands of CMake that may build files which they do not name."""
+_NAME = regex(r"\w[\w-]*")
+_INCLUDE = regex(r"#[ \t]{0,8}include[ \t]{0,8}[\"<]([^\">\n]{1,200})[\">]", hints="include")
+_REMARK = regex(r"#[^\n]*")
 
 
 class Unused:
@@ -34,8 +44,30 @@ class Unused:
 
     def has(self, source: Source) -> bool:
         """Whether a file is in a package whose programs are all known, and is none of them nor a part of one."""
+        if source.basename.endswith(_CPP):
+            return self._is_unbuilt(source)
         name = source.basename.removesuffix(".py")
         return self.is_no_program(source) and name not in self._imported and not self._is_beside(source, name)
+
+    def _is_unbuilt(self, source: Source) -> bool:
+        """Whether CMake builds the package of a C++ source, and nothing names the source, by whatever ending."""
+        owner = self._workspace.owner(source)
+        builds = [each.source.text for each in owner.builds if each.source.kind == "cmake"] if owner is not None else []
+        stem = source.basename.partition(".")[0]
+        if owner is None or not builds or stem.startswith(owner.name) or any(map(_GATHERS.search, builds)):
+            return False
+        return stem not in self._built and source.basename not in self._included
+
+    @cached_property
+    def _built(self) -> frozenset[str]:
+        """Every word of the build descriptions of the tree."""
+        texts = (_REMARK.sub("", each.text) for each in self._files.of_kind("cmake"))
+        return frozenset(word for text in texts for word in _NAME.findall(text))
+
+    @cached_property
+    def _included(self) -> frozenset[str]:
+        texts = (each.text for each in self._files.of_kind("cpp-node"))
+        return frozenset(os.path.basename(match[1]) for text in texts for match in _INCLUDE.finditer(text))
 
     def is_no_program(self, source: Source) -> bool:
         """Whether a file is in a package whose programs are all known, and is none of them."""

@@ -21,6 +21,7 @@ from bringup_lint.parsers.cpp_node.kept import kept
 from bringup_lint.parsers.cpp_node.kept import sent
 from bringup_lint.parsers.cpp_node.lookups import lookups
 from bringup_lint.parsers.cpp_node.misread import misread
+from bringup_lint.parsers.cpp_node.missing_returns import missing_returns
 from bringup_lint.parsers.cpp_node.parameters import LOOSE
 from bringup_lint.parsers.cpp_node.parameters import declarations
 from bringup_lint.parsers.cpp_node.parameters import is_open
@@ -47,8 +48,10 @@ CALLBACKS = 200
 """Callbacks of one file that are looked into."""
 _OF_NODES = regex(
     r"\bcreate_(?:publisher|subscription|service|client|server|wall_timer|timer)\b|_parameters?\w{0,64}\s*[<(]"
-    r"|\bNode\b|\bLifecycleNode\b|/dev/|RCLCPP_COMPONENTS_REGISTER_NODE|\bstd::thread\b|\brclc_executor_init\b",
-    hints="create_ _parameter Node /dev/ RCLCPP_COMPONENTS_REGISTER_NODE std::thread rclc_executor_init",
+    r"|\bNode\b|\bLifecycleNode\b|/dev/|RCLCPP_COMPONENTS_REGISTER_NODE|\bstd::thread\b|\brclc_executor_init\b"
+    r"|\bCallbackReturn\b|\breturn_type\b|\bNodeStatus\b",
+    hints="create_ _parameter Node /dev/ RCLCPP_COMPONENTS_REGISTER_NODE std::thread rclc_executor_init CallbackReturn "
+    "return_type",
 )
 _ROLES = {"subscription", "timer"}
 """The callbacks of a node that may go on with what it got before."""
@@ -93,6 +96,7 @@ def parse(source: Source) -> CppNode:
     node.waits = list(waits(code, node.callbacks[:CALLBACKS]))
     node.activation = activation(code)
     node.misread = list(misread(code))
+    node.missing_returns = list(missing_returns(code))
     node.unstamped = list(unstamped(code, names, node.endpoints))
     node.swallowed = list(dict.fromkeys(swallowed(code)))
     node.dropped = list(dropped(code))

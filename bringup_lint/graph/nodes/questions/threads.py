@@ -28,11 +28,11 @@ def ends_thread(files: Files, package: Package | None, source: Source, name: str
         rf"|\b(?:push_back|emplace_back|emplace|insert)\s*\([^;]*\b{written}\b|[^:]:\s*(?:this->)?{written}\s*\)"
         rf"|\breturn\s+{written}\b"
     )
-    sources = _sources(files, package, source)
+    sources = package_sources(files, package, source)
     return any(each is None or (name in each.text and ends.search(blanked(each.text))) for each in sources)
 
 
-def _sources(files: Files, package: Package | None, source: Source) -> Iterator[Source | None]:
+def package_sources(files: Files, package: Package | None, source: Source) -> Iterator[Source | None]:
     """The file and the others of its package; None where these are too many, or not known."""
     yield source
     if package is None:
