@@ -3,11 +3,12 @@
 ## What it finds
 A path that a unit, a `.device` dependency, or an environment, compose, launch or parameter file uses, in a folder
 where the tree's udev rules create links (such as /dev/robot/), when no rule creates it. In a tree without any
-rules, paths in such folders are info.
+rules, paths in such folders are info. Directly in /dev: what a compose service hands to its container, where the rules
+create another link that it hands over and the name is none of the kernel.
 
 ## Why it matters on a robot
 The driver waits for a device that never appears, or exits with 'no such file'. A unit that depends on the device
-unit times out after 90 s.
+unit times out after 90 s. Docker does not start a container one of whose devices is missing.
 
 ## Bad
 ```ini
@@ -47,6 +48,7 @@ from bringup_lint.api.udev import Link
         "Timed out waiting for device",
         "could not open port /dev/*: [Errno 2] No such file or directory",
         "No such file or directory: '/dev/",
+        'error gathering device information while adding custom device "/dev/*": no such file or directory',
         "Serial port not found. | device: /dev/*, error 2, waiting for connection",
         "/dev/*No such file or directory",
     ],
@@ -63,6 +65,14 @@ def link_undefined(robot: Robot) -> Iterator[Finding]:
                 *_same(robot, use),
             ],
             chain=robot.provenance.chain_to(use.path, f"{use.path} is opened"),
+        )
+    for use, made in robot.devices.not_handed:
+        yield finding(
+            use.path,
+            f"No udev rule creates {use.path}: docker does not start the container without it",
+            advice="add a rule that creates the link, or correct the name",
+            confidence="medium",
+            related=[note(made.name, f"creates {made.path}, which {use.user} gets, too")],
         )
     for use in robot.devices.without_rules:
         yield finding(

@@ -31,10 +31,16 @@ When the service is only ever started by hand, by a script or by a program throu
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import fix
+from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Unit
+
+ENABLES = ("enable", "reenable")
 
 
 @rule("info", fix="unsafe", symptoms=["The unit files have no installation config"])
@@ -44,9 +50,20 @@ def no_install_section(robot: Robot) -> Iterator[Finding]:
         if unit.fragment is None or unit.uncertain or not unit.fragment.source.judged or units.is_started(unit):
             continue
         target = "multi-user.target" if unit.manager == "system" else "default.target"
+        enabled = list(_enabled(robot, unit, unit.fragment.source))
         yield finding(
             unit.where,
             f"{unit.name} has no [Install] section, and nothing starts it: systemctl enable has no effect",
             advice=f"add [Install] with WantedBy={target}",
+            severity="warning" if enabled else None,
+            related=[note(word, "enabled here, in vain") for word in enabled[:20]],
             fix=fix("add an [Install] section", unit.new_line("Install", f"WantedBy={target}"), safe=False),
         )
+
+
+def _enabled(robot: Robot, unit: Unit, file: Source) -> Iterator[Located]:
+    """Where scripts for the same robot enable the unit."""
+    names = (unit.name, unit.name.removesuffix(".service"))
+    for source, run in robot.scripts.run("systemctl"):
+        if any(verb in run.words for verb in ENABLES) and robot.same_robot(source, file):
+            yield from (word for word in run.words[1:] if run.text(word) in names)

@@ -81,6 +81,14 @@ _SHARED = frozenset({"input", "serial", "usb"})
 """Those among them where robots put links of their own beside the kernel's names."""
 
 
+_NODES = regex(
+    r"(?:apex|autofs|btrfs|console|cpu_dma|cuse|dma|drm|dxg|full|fuse|galcore|gpio|hailo|hpet|hw|i2c|iio|ion|kfd|kmsg|kvm"
+    r"|loop|mali|mei|mem|mpp|msr|mwave|ng|null|nv|ppp|port|ptmx|ram|random|rfkill|rga|rknpu|rtc|sg|spi|std|tegra|tpm|tty"
+    r"|tun|uhid|uinput|uio|urandom|vc|vcio|vhost|vhci|vsock|watchdog|xdma|zero|zram).*"
+)
+"""Begins the names that drivers and the kernel give to their nodes."""
+
+
 class Meant(NamedTuple):
     link: Link
     unit: str
@@ -214,6 +222,29 @@ class Devices:
             like = [link for link in own if _is_nearly(name, link.path.removeprefix("/dev/"))]
             if len({link.path for link in like}) == 1:
                 yield use, like[0]
+
+    @property
+    def not_handed(self) -> Iterator[tuple[DeviceUse, Link]]:
+        """Links that a service hands to its container and that no rule makes, where a rule makes another that it
+        hands to it, which is given too."""
+        if not self.uses or not self.files.of_kind("udev-rules"):
+            return
+        undefined = {use for use, _ in self.undefined}
+        handed: dict[tuple[Source, str], list[DeviceUse]] = {}
+        for use in self.uses:
+            if use.certainty == "host" and use.path.count("/") == 2 and use not in undefined:
+                handed.setdefault((use.path.span.source, use.user), []).append(use)
+        for uses in handed.values():
+            links = (link for use in uses for link in self.udev().links_to(use.path) if self._is_near(link, use))
+            made = next((link for link in links if link.is_fixed), None)
+            if made is not None:
+                yield from ((use, made) for use in uses if self._is_made_by_nobody(use))
+
+    def _is_made_by_nobody(self, use: DeviceUse) -> bool:
+        """Whether a name in /dev is a link, by its form, and no rule may make it."""
+        name = use.path.removeprefix("/dev/")
+        is_node = name in _OF_KERNEL or _NODES.fullmatch(name) is not None or subsystem_of_name(name) is not None
+        return not is_node and not self.udev().links_to(use.path)
 
     def _is_near(self, link: Link, use: DeviceUse) -> bool:
         """Whether the rule that makes a link is for the robot on which it is used."""

@@ -1,0 +1,84 @@
+"""A script of a ROS 2 robot runs a command of ROS 1.
+
+## What it finds
+`roslaunch`, `rosrun`, `roscore`, `rostopic`, `rosparam`, `rosservice`, `rosnode` and `catkin_make` in scripts of a
+tree all of whose packages are built with ament, in which no file names a distribution of ROS 1 or its libraries. Silent
+where the message is thrown away or the failure is handled, and where the script has an alias or a function of this
+name.
+
+## Why it matters on a robot
+No distribution of ROS 2 has these commands: "command not found". What the script was to start does not run.
+
+## Bad
+```sh
+source /opt/ros/humble/setup.bash
+roslaunch rover_bringup rover.launch
+```
+
+## Good
+```sh
+source /opt/ros/humble/setup.bash
+ros2 launch rover_bringup rover.launch.py
+```
+
+## When to ignore it
+When the computer also has ROS 1, for a bridge.
+
+## References
+- https://docs.ros.org/en/jazzy/How-To-Guides/Migrating-from-ROS1.html
+"""
+
+import re
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import Source
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import regex
+from bringup_lint.api import rule
+from bringup_lint.api.shell import Run
+
+INSTEAD = {
+    "roslaunch": "ros2 launch",
+    "rosrun": "ros2 run",
+    "rostopic": "ros2 topic",
+    "rosservice": "ros2 service",
+    "rosparam": "ros2 param",
+    "rosnode": "ros2 node",
+    "rosbag": "ros2 bag",
+    "catkin_make": "colcon build",
+}
+COMMANDS = (*INSTEAD, "roscore", "rosmaster")
+OF_ROS1 = regex(
+    r"\b(?:noetic|melodic|kinetic|indigo|ros1_bridge|ros1|roscpp|rospy|ROS_MASTER_URI|catkin_package|catkin_init_workspace)\b"
+)
+
+
+@rule("error", symptoms=["roslaunch: command not found", "rosrun: command not found", "catkin_make: command not found"])
+def ros1_command(robot: Robot) -> Iterator[Finding]:
+    found: dict[tuple[Source, str], Run] = {}
+    for source, run in robot.scripts.run(*COMMANDS):
+        if not run.command.hides_errors and run.command.ends != "||" and not _defines(source, run.name):
+            found.setdefault((source, run.name), run)
+    if not found or not _is_ros2_only(robot):
+        return
+    first, *others = found.values()
+    instead = INSTEAD.get(first.name)
+    yield finding(
+        first.words[0],
+        f"ROS 2 has no {first.name}: the command is not found, and this script does not do what it is for",
+        advice=f"write {instead}" if instead else "remove it: ROS 2 has no master",
+        related=[note(other.words[0], f"{other.name} is not found either") for other in others[:20]],
+    )
+
+
+def _defines(source: Source, name: str) -> bool:
+    return re.search(rf"\balias[ \t]+{name}=|^[ \t]*(?:function[ \t]+)?{name}[ \t]*\(\)", source.text, re.M) is not None
+
+
+def _is_ros2_only(robot: Robot) -> bool:
+    """Whether the packages of the tree are all for ROS 2, and nothing speaks of ROS 1."""
+    types = {package.manifest.build_type for package in robot.launch.workspace.packages.values()}
+    return bool(types) and all(each.startswith("ament") for each in types) and not robot.mentions(OF_ROS1)
