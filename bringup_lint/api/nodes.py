@@ -41,6 +41,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.missing_modules import missing_modules
     from bringup_lint.graph.nodes.questions.missing_returns import missing_returns
     from bringup_lint.graph.nodes.questions.motion import moves
+    from bringup_lint.graph.nodes.questions.nested_spins import nested_spins
     from bringup_lint.graph.nodes.questions.offboard_signals import rare_signals
     from bringup_lint.graph.nodes.questions.parameter_calls import empty_defaults
     from bringup_lint.graph.nodes.questions.parameter_calls import untyped_reads
@@ -143,6 +144,7 @@ __all__ = [
     "missing_modules",
     "missing_returns",
     "moves",
+    "nested_spins",
     "never_run",
     "not_there",
     "publish_after_deactivate",

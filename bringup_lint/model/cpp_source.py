@@ -133,6 +133,18 @@ class TimeUse(NamedTuple):
     """Where a message sets the member; None when only the callback itself does, after the difference."""
 
 
+class NestedSpin(NamedTuple):
+    """A callback that spins its own node, which an executor has already."""
+
+    span: Span
+    call: str
+    """``rclcpp::spin_some``."""
+    callback: str
+    """In a sentence: ``on_scan()``, ``a lambda``."""
+    is_caught: bool
+    """A ``try`` takes the exception."""
+
+
 class MissingReturn(NamedTuple):
     """A function with a type whose end may be reached."""
 
@@ -203,5 +215,6 @@ class CppNode:
     activation: Located | None = None
     """The one ``on_activate`` that it defines for a lifecycle node."""
     misread: list[Misread] = field(default_factory=list)
+    nested_spins: list[NestedSpin] = field(default_factory=list)
     missing_returns: list[MissingReturn] = field(default_factory=list)
     problems: list[Problem] = field(default_factory=list)

@@ -22,6 +22,7 @@ from bringup_lint.parsers.cpp_node.kept import sent
 from bringup_lint.parsers.cpp_node.lookups import lookups
 from bringup_lint.parsers.cpp_node.misread import misread
 from bringup_lint.parsers.cpp_node.missing_returns import missing_returns
+from bringup_lint.parsers.cpp_node.nested_spins import nested_spins
 from bringup_lint.parsers.cpp_node.parameters import LOOSE
 from bringup_lint.parsers.cpp_node.parameters import declarations
 from bringup_lint.parsers.cpp_node.parameters import is_open
@@ -94,6 +95,7 @@ def parse(source: Source) -> CppNode:
         node.kept = node.kept or kept(code, node.callbacks[:CALLBACKS])
     node.lookups = list(lookups(code, node.callbacks[:CALLBACKS]))
     node.waits = list(waits(code, node.callbacks[:CALLBACKS]))
+    node.nested_spins = list(nested_spins(code, node.callbacks[:CALLBACKS]))
     node.activation = activation(code)
     node.misread = list(misread(code))
     node.missing_returns = list(missing_returns(code))

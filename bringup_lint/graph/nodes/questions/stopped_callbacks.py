@@ -14,6 +14,7 @@ from bringup_lint.graph.nodes.questions.blocking_calls import UNTIL_PACKET
 from bringup_lint.graph.nodes.questions.callback_code import only_stores
 from bringup_lint.graph.nodes.questions.endless_loops import Endless
 from bringup_lint.graph.nodes.questions.endless_loops import endless_constructors
+from bringup_lint.graph.nodes.questions.nested_spins import taking_spins
 from bringup_lint.model.cpp_source import UNTIL_OTHER_NODE
 from bringup_lint.model.cpp_source import Waiting
 from bringup_lint.model.node_source import Callback
@@ -68,7 +69,10 @@ class StoppedInCpp(NamedTuple):
 def stopped_callbacks(nodes: Nodes) -> Iterator[Stopped]:
     for file, node in nodes.with_callbacks:
         threads = nodes.threads(node)
+        taken = set(taking_spins(nodes, nodes.ending(file), node))
         for wait in blocking(nodes.ending(file), node):
+            if wait.call in taken:
+                continue
             found = _stopped(nodes, file, node, wait, threads)
             period = _missed(node, wait)
             if found is not None or period is not None:
@@ -123,8 +127,9 @@ def never_run(nodes: Nodes) -> Iterator[NeverRun]:
 
 def stopped_in_cpp(nodes: Nodes) -> Iterator[StoppedInCpp]:
     for node in nodes.cpp:
+        thrown = {each.span for each in node.nested_spins}
         for wait in node.waits:
-            if node.executors and not wait.is_certain:
+            if (node.executors and not wait.is_certain) or wait.span in thrown:
                 continue
             found = [each for each in node.callbacks if each.span != wait.callback.span and each.role in _URGENT]
             if found or wait.how_long == UNTIL_OTHER_NODE or wait.what == _SPIN or wait.is_certain:
