@@ -1,9 +1,11 @@
-"""BLAKE2 from where Python has it: ``hashlib`` loads OpenSSL too, which takes longer than to digest a small tree."""
+"""Digests from where Python has them: ``hashlib`` loads OpenSSL too, which takes longer than to digest a small tree."""
 
 from __future__ import annotations
 
 TYPE_CHECKING = False  # an answer is given before typing is loaded
 if TYPE_CHECKING:
+    from collections.abc import Callable
+    from hashlib import _Hash
     from hashlib import blake2b as _Digest
 
 
@@ -14,3 +16,18 @@ def blake2b(data: bytes, *, digest_size: int, key: bytes = b"") -> _Digest:
     except ImportError:
         from hashlib import blake2b as digest
     return digest(data, digest_size=digest_size, key=key)
+
+
+def new_sha256() -> Callable[[bytes], _Hash]:
+    """What begins a digest, as ``hashlib.sha256`` does."""
+    from importlib import import_module
+
+    for name in ("_sha2", "_sha256"):  # of Python 3.12, and of those before
+        try:
+            found: Callable[[bytes], _Hash] = import_module(name).sha256
+        except ImportError:
+            continue
+        return found
+    from hashlib import sha256
+
+    return sha256

@@ -7,6 +7,7 @@ from collections import Counter
 from collections.abc import Iterable
 from functools import lru_cache
 
+from bringup_lint.digest import new_sha256
 from bringup_lint.finding import Finding
 from bringup_lint.finding.place import inside
 from bringup_lint.finding.place import is_whole_file
@@ -38,6 +39,7 @@ class _Lines:
     def __init__(self) -> None:
         self._texts: dict[tuple[Source, int], str] = {}
         self._digests: dict[tuple[str, str, str], Any] = {}
+        self._begun = new_sha256()
 
     def of(self, finding: Finding) -> str:
         """The text of the line of a finding, without what moves."""
@@ -51,11 +53,9 @@ class _Lines:
 
     def digest(self, rule: str, path: str, line: str) -> Any:
         """A digest that has begun with a rule, a path and a line."""
-        from hashlib import sha256
-
         parts = (rule, path, line)
         if parts not in self._digests:
-            self._digests[parts] = sha256(_bytes(*parts))
+            self._digests[parts] = self._begun(_bytes(*parts))
         return self._digests[parts].copy()
 
 

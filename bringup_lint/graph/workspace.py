@@ -423,32 +423,36 @@ def load_workspace(files: Files) -> Workspace:
 
 
 def _read_builds(files: Files, package: Package, sources: dict[str, Source]) -> None:
-    from bringup_lint.parsers import setup_py
-
     python = sources.get(os.path.join(package.folder, "setup.py"))
     settings = sources.get(os.path.join(package.folder, "setup.cfg"))
     lists = os.path.join(package.folder, "CMakeLists.txt")
     if package.manifest.build_type == "ament_python":
-        if python is not None:
-            package.builds += files.parsed(setup_py.parse, [python])
-        if settings is not None:
-            package.builds += files.parsed(setup_py.parse_cfg, [settings])
+        package.builds += _of_setup(files, python, settings)
         if files.tree.exists(os.path.join(package.folder, "pyproject.toml")):
             package.complete = False
     else:
         _read_cmake(files, package, lists, sources)
-        if settings is not None and any(build.installs_python for build in package.builds):
-            package.builds += files.parsed(setup_py.parse_cfg, [settings])
+        if any(build.installs_python for build in package.builds):
+            package.builds += _of_setup(files, None, settings)
     package.complete = bool(package.builds) and package.complete
 
 
-def _read_cmake(files: Files, package: Package, path: str, sources: dict[str, Source]) -> None:
-    from bringup_lint.parsers import cmake
+def _of_setup(files: Files, python: Source | None, settings: Source | None) -> Iterator[Build]:
+    if python is None and settings is None:
+        return
+    from bringup_lint.parsers import setup_py
 
+    yield from files.parsed(setup_py.parse, [python] if python else [])
+    yield from files.parsed(setup_py.parse_cfg, [settings] if settings else [])
+
+
+def _read_cmake(files: Files, package: Package, path: str, sources: dict[str, Source]) -> None:
     source = sources.get(path)
     if source is None or len(package.builds) >= SUBFOLDERS:
         package.complete = False
         return
+    from bringup_lint.parsers import cmake
+
     for build in files.parsed(lambda one: cmake.parse(one, package.name), [source]):
         package.builds.append(build)
         for folder in build.subdirectories:

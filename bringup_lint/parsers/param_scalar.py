@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from fractions import Fraction
 
 from bringup_lint.model.params import Value
 from bringup_lint.pattern import regex
@@ -83,6 +82,12 @@ def _in_range(number: float, text: str) -> float | None:
     if abs(number) < SMALLEST:
         digits = re.split("[eE]", text)[0]
         if any(digit in "123456789" for digit in digits):
-            tiny = len(text) > 400 or number == 0 or Fraction(text) != Fraction(number)
-            return None if tiny else number
+            return number if number and len(text) <= 400 and _is_exact(number, text) else None
     return number
+
+
+def _is_exact(number: float, text: str) -> bool:
+    """Whether a number is what its text says, and not the nearest to it."""
+    from fractions import Fraction  # which loads three modules, for numbers that nearly nobody writes
+
+    return Fraction(text) == Fraction(number)

@@ -36,7 +36,7 @@ def script_blocks(source: Source) -> tuple[Block, ...]:
 def commands(script: Located) -> list[Command]:
     """The simple commands of a script, in the order in which they appear. Never raises."""
     key = (commands, script, script.span.start, script.span.end, script.pieces)
-    return list(script.span.source.kept(key, lambda: tuple(flatten(blocks(script)))))
+    return list(script.span.source.once(key, lambda: tuple(flatten(blocks(script)))))
 
 
 def shell_commands(source: Source) -> list[Command]:

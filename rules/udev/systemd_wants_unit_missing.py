@@ -25,7 +25,6 @@ If another package installs the unit on the robot, and the similar name in this 
 """
 
 from collections.abc import Iterator
-from difflib import get_close_matches
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
@@ -61,6 +60,8 @@ def _is_missing(robot: Robot, name: str) -> bool:
 
 
 def _nearest(robot: Robot, name: str) -> Unit | None:
+    from difflib import get_close_matches
+
     units = {unit.name: unit for unit in robot.units.all if unit.judged and unit.type == name.rpartition(".")[2]}
     near = get_close_matches(name, units, 1, 0.85)
     return units[near[0]] if near else None

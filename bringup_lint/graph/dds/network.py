@@ -131,14 +131,18 @@ def is_routed(plan: Plan, address: Address) -> bool:
 
 def waits_for(units: Units, runners: Iterable[Runner], name: str) -> bool:
     """Whether one of the runners, or the waiter of networkd, waits for the interface of this name."""
-    own = re.compile(rf"(?<![\w.-]){re.escape(name)}(?![\w-])")
     for runner in runners:
         if runner.unit is not None and _is_ordered_after(runner.unit, name):
             return True
-        if any(own.search(text) for line in runner.lines for text in line.texts):
+        if any(_names(text, name) for line in runner.lines for text in line.texts):
             return True
     waiters = (unit for unit in units.judged if "wait-online" in unit.name)
-    return any(own.search(value) for unit in waiters for value in unit.values("ExecStart", "Service"))
+    return any(_names(value, name) for unit in waiters for value in unit.values("ExecStart", "Service"))
+
+
+def _names(text: str, name: str) -> bool:
+    """Whether a text has the name of an interface as a word."""
+    return name in text and re.search(rf"(?<![\w.-]){re.escape(name)}(?![\w-])", text) is not None
 
 
 def _is_ordered_after(unit: Unit, name: str) -> bool:

@@ -98,9 +98,8 @@ class UsedEnvFile:
     def sourced_by(self) -> Source | None:
         """A file of the tree that reads this one with a shell as well."""
         basename, own = self.source.basename, self.source
-        name = re.compile(rf"{re.escape(basename)}\b")
-        sourced = ((word, each) for word, each in self.mentions.sourced if basename in word)
-        return next((each for word, each in sourced if name.search(word) and each is not own), None)
+        sourced = ((word, each) for word, each in self.mentions.sourced if basename in word and each is not own)
+        return next((each for word, each in sourced if re.search(rf"{re.escape(basename)}\b", word)), None)
 
     @property
     def docker_run(self) -> Located | None:

@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING
 from bringup_lint.discover.starters import STARTING
 from bringup_lint.graph.host.device_uses import DeviceUse
 from bringup_lint.model.python import walk
-from bringup_lint.parsers.cpp_node import parse as parse_cpp
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
@@ -35,7 +34,14 @@ def of_sources(files: Files, python: Callable[[], Iterable[NodeSource]]) -> Iter
     if files.of_kind("python-node"):
         opening = (file for file in python() if file.source.judged and file.source.matches(_OPENS))
         yield from (use for file in opening if file.tree is not None for use in _of_python(file, given))
-    for node in files.parsed(parse_cpp, _naming(files, "cpp-node")):
+    if files.of_kind("cpp-node"):
+        yield from _of_cpp(files, given)
+
+
+def _of_cpp(files: Files, given: _Given) -> Iterator[DeviceUse]:
+    from bringup_lint.parsers.cpp_node import parse
+
+    for node in files.parsed(parse, _naming(files, "cpp-node")):
         for path in node.devices:
             yield DeviceUse(path, "the source of a node", "default")
         yield from _defaults(node.parameters, given)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from string import Formatter
 from typing import Any
 
 from bringup_lint.model.launch_values import VALUE_TYPES
@@ -255,6 +254,8 @@ def _string(state: State, owner: Literal, name: str, args: Arguments) -> Any:
 
 
 def _format(state: State, pattern: str, args: Arguments) -> Any:
+    from string import Formatter
+
     parts: list[Value] = []
     automatic = 0
     try:

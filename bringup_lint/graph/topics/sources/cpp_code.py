@@ -11,7 +11,6 @@ from bringup_lint.graph.topics.sources.code import Code
 from bringup_lint.graph.workspace import Package
 from bringup_lint.model.cpp_source import CppNode
 from bringup_lint.model.package import Build
-from bringup_lint.parsers.cpp_node import parse
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
@@ -80,6 +79,8 @@ class CppCode:
         source = self._known_sources.get(path) or self._files.tree.read(path, "cpp-node")
         if source is None or source.template or "Node" not in source.text:
             return None
+        from bringup_lint.parsers.cpp_node import parse
+
         return next(iter(self._files.parsed(parse, [source])), None)
 
     @cached_property
