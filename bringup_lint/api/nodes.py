@@ -63,6 +63,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.service_waits import waits
     from bringup_lint.graph.nodes.questions.shell_commands import shell_commands
     from bringup_lint.graph.nodes.questions.signatures import without_qos
+    from bringup_lint.graph.nodes.questions.stale_parameters import stale_reads
     from bringup_lint.graph.nodes.questions.stale_readings import stale_readings
     from bringup_lint.graph.nodes.questions.stopped_callbacks import never_run
     from bringup_lint.graph.nodes.questions.stopped_callbacks import stopped_callbacks
@@ -156,6 +157,7 @@ __all__ = [
     "repeated",
     "shell_commands",
     "stale_readings",
+    "stale_reads",
     "stop_after_shutdown",
     "stopped_callbacks",
     "stopped_in_cpp",
