@@ -1,8 +1,8 @@
 """A container is privileged.
 
 ## What it finds
-`privileged: true`. A mount of the whole `/dev` in the same service belongs to the finding. Services that get the
-setting from one anchor or base are one finding. It is info where a comment says which devices need it, for a place to
+`privileged: true`. A mount of the whole `/dev` in the same service belongs to the finding. The services of a
+tree are one finding. It is info where a comment says which devices need it, for a place to
 work in: a terminal or a desktop without a command of the robot, and for the driver of a ZED X camera, which mounts its
 daemon: Stereolabs documents no list of devices that would do.
 
@@ -38,6 +38,7 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Purpose
 from bringup_lint.api import Related
 from bringup_lint.api import Robot
 from bringup_lint.api import Span
@@ -49,6 +50,7 @@ from bringup_lint.api.compose import Service
 from bringup_lint.api.compose import is_workplace
 
 REASON = regex(r"\bprivileged\b.*\b(?:to|because|so that|for|since|as)\b.*(?:\bdevices?\b|\busb\b|/dev\b)", re.I)
+MOST = 20
 ZED_X = regex(r"/zed_x_daemon\.service$")
 
 
@@ -59,15 +61,31 @@ def privileged(robot: Robot) -> Iterator[Finding]:
         key = service.key("privileged")
         if key is not None and service.is_privileged:
             places.setdefault(key.span, []).append(service)
+    alike: dict[Purpose, dict[Span, list[Service]]] = {}
     for place, services in places.items():
-        first, more = services[0].name, len(services) - 1
-        yield finding(
-            place,
-            f"Service '{first}'{f' (and {more} more)' if more else ''} has all rights on the host",
-            advice="list what it needs instead: devices:, device_cgroup_rules:, cap_add:",
-            related=[*_named(services), *_device_mounts(services)],
-            severity="info" if _is_meant(robot, place, services) else None,
-        )
+        if _is_meant(robot, place, services):
+            yield _report({place: services}, "info")
+        else:
+            alike.setdefault(robot.purpose(place), {})[place] = services
+    for found in alike.values():
+        yield _report(found, None)
+
+
+def _report(found: dict[Span, list[Service]], severity: str | None) -> Finding:
+    """One finding for all places of a tree."""
+    (place, services), *others = found.items()
+    first, more = services[0].name, sum(map(len, found.values())) - 1
+    return finding(
+        place,
+        f"Service '{first}'{f' (and {more} more)' if more else ''} has all rights on the host",
+        advice="list what it needs instead: devices:, device_cgroup_rules:, cap_add:",
+        related=[
+            *_named(services),
+            *_device_mounts(services),
+            *(note(other, f"so has '{each[0].name}'") for other, each in others[:MOST]),
+        ],
+        severity=severity,
+    )
 
 
 def _is_meant(robot: Robot, place: Span, services: list[Service]) -> bool:

@@ -7,7 +7,7 @@ build on, images that start systemd, images that only build or test something (`
 services in compose files all set `user:`. Silent if the Dockerfile or the entry script mentions gosu, su-exec, setpriv,
 runuser or fixuid, which drop privileges, or if the entry script is that of a base image that is not known.
 
-Images of a tree that run as root because of the same base image, and for the same purpose, are one finding.
+Images of a tree that run as root for the same purpose are one finding.
 
 It is info for images that a robot hardly runs by themselves: without USER, CMD and ENTRYPOINT; a shell in which
 somebody works or logs in with ssh, also as ENTRYPOINT of an image that no service runs; a builder, a simulator or a
@@ -79,6 +79,7 @@ LEAVES = regex(
     r"|sudo[\s\"',]{1,8}(?:-\S{1,20}[\s\"',]{1,8}){0,4}(?:-u|--user)\b(?![\s\"',=]{1,8}root\b)|chroot[\s\"',]{1,8}--userspec\b)"
 )
 """A command that another user runs."""
+MOST = 20
 SHELLS = ("bash", "sh", "dash", "zsh")
 SYSTEMD = regex(r"/(?:s?bin/init|lib/systemd/systemd)\b")
 
@@ -104,14 +105,13 @@ class AsRoot(NamedTuple):
 
 @rule("warning", silent="root may do everything, so nothing fails", tags=["CWE-250"])
 def root_user(robot: Robot) -> Iterator[Finding]:
-    by_base: dict[tuple[str, Purpose], list[AsRoot]] = {}
+    alike: dict[Purpose, list[AsRoot]] = {}
     for image in _found(robot):
-        if image.is_info or last_user(image.stage) is not None:
+        if image.is_info:
             yield _finding(image)
         else:
-            purpose = robot.purpose(image.stage.start.keyword)
-            by_base.setdefault((image.stage.origin, purpose), []).append(image)
-    for images in by_base.values():
+            alike.setdefault(robot.purpose(image.stage.start.keyword), []).append(image)
+    for images in alike.values():
         images.sort(key=lambda image: len(image.far), reverse=True)
         yield _finding(*images)
 
@@ -135,7 +135,7 @@ def _found(robot: Robot) -> Iterator[AsRoot]:
 def _finding(image: AsRoot, *others: AsRoot) -> Finding:
     user = last_user(image.stage)
     related = [note(service.name, "runs this image") for service in image.services]
-    related += [note(other.stage.start.keyword, "so does this image") for other in others]
+    related += [note(other.stage.start.keyword, "so does this image") for other in others[:MOST]]
     severity = "info" if image.is_info else None
     if user is not None:
         message, advice = f"The container runs as root{image.far}", "end with USER and an unprivileged user"

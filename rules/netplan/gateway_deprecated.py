@@ -37,7 +37,7 @@ from bringup_lint.api.yaml import Node
 from bringup_lint.api.yaml import Scalar
 
 
-@rule("warning", fix="safe", symptoms=["`gateway4` has been deprecated, use default routes instead"])
+@rule("info", fix="safe", symptoms=["`gateway4` has been deprecated, use default routes instead"])
 def gateway_deprecated(robot: Robot) -> Iterator[Finding]:
     for interface in robot.netplan.interfaces:
         for key in ("gateway4", "gateway6"):

@@ -5,6 +5,7 @@ In a sudoers file, or in what a script writes to one:
 
 - A line `USER ALL=(ALL) NOPASSWD: ALL`, with other commands beside `ALL` or without.
 - A line `ALL ALL=(ALL) NOPASSWD: COMMAND, ...`: every user and service of the robot may run the commands as root.
+  It is info where they only shut the computer down.
 
 ## Why it matters on a robot
 Whatever runs as this user is root: a node with a hole, a web interface, a USB stick that types. File permissions,
@@ -43,6 +44,7 @@ AS_ROOT = regex(
     r"(?P<what>NOPASSWD:[ \t]*(?P<commands>[^ \t\n][^\n]*))$",
     re.M,
 )
+ENDS = ("shutdown", "reboot", "poweroff", "halt")
 TAGGED = regex(r"\s*(?P<tags>(?:[A-Z_]+:\s*)*)(?P<command>.*)")
 
 
@@ -71,6 +73,7 @@ def _judged(who: str, what: Located, text: Located) -> Iterator[Finding]:
             text,
             f"Every user and service can run {' and '.join(programs)} as root without a password",
             advice="name the user that needs it in place of the first ALL",
+            severity="info" if all(program.rpartition("/")[2] in ENDS for program in programs) else None,
         )
 
 

@@ -2,7 +2,7 @@
 
 ## What it finds
 `-v /dev/*:/dev/*` and the like: a `*` in the source of `-v` or `--volume` of `docker run` or `docker create`, in
-scripts and in the commands of units.
+scripts and in the commands of units. It is info for devices of a `--privileged` container, which has them all.
 
 ## Why it matters on a robot
 Neither the shell nor Docker expands the pattern: no file is called `/dev/*:/dev/*`, and Docker takes the word as it is.
@@ -42,6 +42,7 @@ CLIENTS = ("docker", "podman", "nvidia-docker")
 def volume_glob(robot: Robot) -> Iterator[Finding]:
     seen = set()
     for words in _commands(robot):
+        privileged = "--privileged" in words
         for volume in _volumes(words):
             source = volume.partition(":")[0]
             if "*" in source and ":" in volume and volume.span not in seen:
@@ -50,6 +51,7 @@ def volume_glob(robot: Robot) -> Iterator[Finding]:
                     volume,
                     f"Nothing expands '{source}': Docker mounts an empty folder of that name",
                     advice="name each device with --device, or mount the folder",
+                    severity="info" if privileged and source.startswith("/dev/") else None,
                 )
 
 

@@ -33,29 +33,50 @@ If the missing files are created or mounted when the robot is provisioned.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import NamedTuple
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
+from bringup_lint.api import note
 from bringup_lint.api import rule
+
+MOST = 20
+
+
+class Incomplete(NamedTuple):
+    """An enclave without files that its nodes need."""
+
+    where: Source
+    message: str
+    advice: str
 
 
 @rule("error", symptoms=["File could not be found, opened or is empty"])
 def keystore_layout(robot: Robot) -> Iterator[Finding]:
     whole = robot.tree.complete
     for keystore in robot.sros2.keystores:
+        alike: dict[str, list[Incomplete]] = {}
         for enclave in keystore.enclaves.values():
             where = robot.sros2.anchor(enclave.folder)
             dangling = enclave.broken_links(robot.tree)
             missing = [name for name in enclave.missing() if whole or name != "key.pem"]
             if dangling:
-                yield finding(
-                    where,
-                    f"The links {', '.join(dangling)} of enclave {enclave.path} are broken: code 117, its nodes do "
-                    "not start",
-                    advice="copy the whole keystore with its links, or replace the links with the files",
-                )
+                message = f"The links {', '.join(dangling)} of enclave {enclave.path} are broken"
+                advice = "copy the whole keystore with its links, or replace the links with the files"
+                alike.setdefault(advice, []).append(Incomplete(where, message, advice))
             if missing and (whole or "cert.pem" in enclave.files):
-                yield finding(
-                    where,
-                    f"Enclave {enclave.path} has no {', '.join(missing)}: code 117, its nodes do not start",
-                    advice="copy the whole keystore, or create the enclave again",
-                )
+                message = f"Enclave {enclave.path} has no {', '.join(missing)}"
+                advice = "copy the whole keystore, or create the enclave again"
+                alike.setdefault(advice, []).append(Incomplete(where, message, advice))
+        yield from map(_report, alike.values())
+
+
+def _report(found: list[Incomplete]) -> Finding:
+    """One finding for all enclaves of a keystore that lack the same sort of file."""
+    first, *others = found
+    return finding(
+        first.where,
+        f"{first.message}: code 117, its nodes do not start",
+        advice=first.advice,
+        related=[note(other.where, other.message) for other in others[:MOST]],
+    )

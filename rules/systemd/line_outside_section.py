@@ -37,7 +37,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import rule
 
 
-@rule("error", symptoms=["Assignment outside of section"])
+@rule("warning", symptoms=["Assignment outside of section"])
 def line_outside_section(robot: Robot) -> Iterator[Finding]:
     for file, problem in robot.units.problems("line-outside-section"):
         if not file.source.template:

@@ -2,7 +2,7 @@
 
 ## What it finds
 `TAG+="uaccess"` in a file that sorts after `73-seat-late.rules`, in a rule that sets neither `MODE` nor
-`GROUP`.
+`GROUP`. Silent for a `static_node=`, whose tags logind reads from a file.
 
 ## Why it matters on a robot
 73-seat-late.rules gives the logged-in user access to tagged devices. Nothing evaluates a tag that is set
@@ -41,6 +41,8 @@ from bringup_lint.api import rule
 def uaccess_too_late(robot: Robot) -> Iterator[Finding]:
     for line in robot.udev.judged:
         if line.source.basename <= "73-seat-late.rules" or line.line.first("MODE") or line.line.first("GROUP"):
+            continue
+        if any(token.value.startswith("static_node=") for token in line.line.assignments("OPTIONS")):
             continue
         for token in line.line.assignments("TAG"):
             if token.value == "uaccess" and token.operator != "-=":
