@@ -77,6 +77,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.time_clocks import clock_mixes
     from bringup_lint.graph.nodes.questions.transforms import early_lookups
     from bringup_lint.graph.nodes.questions.transforms import unhandled_transforms
+    from bringup_lint.graph.nodes.questions.unbound_locals import unbound_locals
     from bringup_lint.graph.nodes.questions.undefined_names import undefined
     from bringup_lint.graph.nodes.questions.unreached_stops import unreached_stops
     from bringup_lint.graph.nodes.questions.unread_parameters import unread_parameters
@@ -167,6 +168,7 @@ __all__ = [
     "switchless",
     "taken_attributes",
     "tried_shutdown",
+    "unbound_locals",
     "undefined",
     "unfit_callbacks",
     "unhandled_shutdown",

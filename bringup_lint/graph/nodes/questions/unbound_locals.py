@@ -1,0 +1,207 @@
+"""Local names of Python functions that are used before anything gives them a value."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+
+from bringup_lint.graph.nodes.questions.undefined_names import is_idle
+from bringup_lint.graph.nodes.questions.undefined_names import is_late
+from bringup_lint.graph.nodes.sources.syntax import FUNCTIONS
+from bringup_lint.graph.nodes.sources.syntax import Syntax
+from bringup_lint.graph.nodes.sources.syntax import own
+from bringup_lint.model.python import PlacedNode
+from bringup_lint.model.python import bound_names
+from bringup_lint.model.python import walk
+from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.pattern import regex
+
+_PLACED = (ast.expr, ast.stmt, ast.alias, ast.excepthandler)
+_COMPREHENSIONS = (ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
+_LOOPS = (ast.For, ast.AsyncFor, ast.While)
+_LEAVES = (ast.Return, ast.Raise, ast.Break, ast.Continue)
+_SIMPLE = (ast.Expr, ast.Assign, ast.AnnAssign, ast.AugAssign, ast.Return)
+_EXPECTED = frozenset({"NameError", "UnboundLocalError"})
+_CAUGHT = frozenset({*_EXPECTED, "Exception", "BaseException"})
+_AT_END = frozenset({"KeyboardInterrupt", "SystemExit", "ExternalShutdownException", "ImportError"})
+"""Exceptions that come at the end of the program, or before it can do anything."""
+_ENDS = regex(r"(?i)\w{0,40}(?:exit|quit|abort|shutdown|fail|die|terminate|raise|skip|kill)")
+"""Words of calls after which what follows does not run, or does not matter."""
+
+
+class Unbound(NamedTuple):
+    name: ast.Name
+    function: str
+    bound_at: PlacedNode
+    """Where it gets its value: later in the function, or in the ``try`` that failed."""
+    handler: ast.ExceptHandler | None
+    """After which the function goes on without it; None where it never has a value."""
+    is_global: bool
+    """The file has a name of this kind."""
+    caught: bool
+    idle: bool
+
+
+def unbound_locals(syntax: Syntax) -> Iterator[Unbound]:
+    """The first such use of each name in a function."""
+    for function in syntax.file.nodes:
+        if isinstance(function, (ast.FunctionDef, ast.AsyncFunctionDef)):
+            locals_ = _Locals(syntax, function)
+            seen: set[str] = set()
+            for found in (*locals_.too_early(), *locals_.after_failures()):
+                if found.name.id not in seen:
+                    seen.add(found.name.id)
+                    yield found
+
+
+class _Locals:
+    """The names that one function binds, and where."""
+
+    def __init__(self, syntax: Syntax, function: ast.FunctionDef | ast.AsyncFunctionDef) -> None:
+        self._syntax = syntax
+        self._function = function
+        self._nodes = list(own(function.body))
+        inner = {part for each in self._nodes if isinstance(each, _COMPREHENSIONS) for part in walk(each)}
+        self._names = [each for each in self._nodes if isinstance(each, ast.Name) and each not in inner]
+        self._bound: dict[str, list[PlacedNode]] = {}
+        for each in self._nodes:
+            if isinstance(each, _PLACED) and each not in inner:
+                for name in bound_names(each):
+                    self._bound.setdefault(name, []).append(each)
+        unplaced = (each for each in self._nodes if not isinstance(each, (*_PLACED, ast.comprehension)))
+        arguments = {name for each in (*walk(function.args), *unplaced) for name in bound_names(each)}
+        others = (each.names for each in self._nodes if isinstance(each, (ast.Global, ast.Nonlocal)))
+        for name in (*arguments, *(name for names in others for name in names)):
+            self._bound.pop(name, None)
+
+    def too_early(self) -> Iterator[Unbound]:
+        """Uses that no binding of their name can come before."""
+        for use in self._names:
+            bindings = self._bound.get(use.id, ()) if isinstance(use.ctx, (ast.Load, ast.Store)) else ()
+            if not bindings or not self._is_read(use) or self._is_expected(use) or self._syntax.is_dead(use):
+                continue
+            if not any(self._may_precede(each, use) for each in bindings):
+                yield self._found(use, bindings[0], None)
+
+    def _is_read(self, use: ast.Name) -> bool:
+        """``x += 1`` reads what it stores."""
+        if isinstance(use.ctx, ast.Load):
+            return True
+        outer = next(self._syntax.above(use))[0]
+        return isinstance(outer, ast.AugAssign)
+
+    def _is_expected(self, use: ast.Name) -> bool:
+        return self._syntax.catches(use, _EXPECTED)
+
+    def _may_precede(self, binding: ast.AST, use: ast.Name) -> bool:
+        """Whether a binding may run before a use: it is written before it, or a loop goes round both."""
+        ours, theirs = self._statement(use), self._statement(binding)
+        if ours is theirs:
+            return not isinstance(ours, (ast.Assign, ast.AnnAssign, ast.AugAssign)) or self._is_walrus(binding)
+        if (theirs.lineno, theirs.col_offset) < (ours.lineno, ours.col_offset):
+            return True
+        around = {outer for outer, _ in self._syntax.within(binding) if isinstance(outer, _LOOPS)}
+        return any(outer in around for outer, _ in self._syntax.within(use))
+
+    def _is_walrus(self, binding: ast.AST) -> bool:
+        return isinstance(next(self._syntax.above(binding))[0], ast.NamedExpr)
+
+    def _statement(self, node: ast.AST) -> ast.stmt:
+        if isinstance(node, ast.stmt):
+            return node
+        return next(outer for outer, _ in self._syntax.above(node) if isinstance(outer, ast.stmt))
+
+    def after_failures(self) -> Iterator[Unbound]:
+        """Uses after a ``try`` that alone gives a name its value, when a handler of it goes on."""
+        for statement in self._nodes:
+            if isinstance(statement, ast.Try) and not self._is_in_loop(statement):
+                handler = next((each for each in statement.handlers if self._goes_on(each)), None)
+                if handler is not None:
+                    yield from self._behind(statement, handler)
+
+    def _is_in_loop(self, node: ast.AST) -> bool:
+        return any(isinstance(outer, _LOOPS) for outer, _ in self._syntax.within(node))
+
+    def _goes_on(self, handler: ast.ExceptHandler) -> bool:
+        named = [getattr(each, "id", None) or getattr(each, "attr", None) for each in walk(handler.type or ast.Pass())]
+        if not _AT_END.isdisjoint(named):
+            return False
+        return not any(self._leaves(each) for each in walk(handler))
+
+    def _leaves(self, node: ast.AST) -> bool:
+        if isinstance(node, _LEAVES):
+            return True
+        function = node.func if isinstance(node, ast.Call) else None
+        name = ast.unparse(function).rpartition(".")[2] if function is not None else ""
+        return bool(_ENDS.match(name)) or (name == "error" and "pars" in ast.unparse(node))
+
+    def _behind(self, statement: ast.Try, handler: ast.ExceptHandler) -> Iterator[Unbound]:
+        inside = {part for each in statement.body for part in walk(each)}
+        made = {name: first for each in statement.body for name, first in self._made(each, inside)}
+        for following in self._syntax.after(statement):
+            if not made or any(self._leaves(each) for each in own([following]) if each is not following):
+                return
+            use = next((each for each in self._certain(following) if each.id in made), None)
+            if use is not None:
+                yield self._found(use, made[use.id], handler)
+            if use is not None or self._leaves(following):
+                return
+
+    def _made(self, statement: ast.stmt, inside: set[ast.AST]) -> Iterator[tuple[str, PlacedNode]]:
+        """The names that a statement of a ``try`` gives the result of a call which may fail."""
+        if not isinstance(statement, ast.Assign) or not any(_may_fail(each) for each in walk(statement.value)):
+            return
+        for target in statement.targets:
+            if isinstance(target, ast.Name) and all(each in inside for each in self._bound.get(target.id, [statement])):
+                yield target.id, target
+
+    def _certain(self, statement: ast.stmt) -> Iterator[ast.Name]:
+        """The uses of a statement that run whenever it does, in the order of the text."""
+        head = statement if isinstance(statement, _SIMPLE) else _head(statement)
+        if head is None:
+            return
+        parts = list(walk(head))
+        left_out = {part for each in parts for part in _left_out(each)}
+        names = (each for each in parts if isinstance(each, ast.Name) and each not in left_out)
+        yield from (each for each in names if isinstance(each.ctx, ast.Load))
+
+    def _found(self, use: ast.Name, bound_at: PlacedNode, handler: ast.ExceptHandler | None) -> Unbound:
+        return Unbound(
+            use,
+            self._function.name,
+            bound_at,
+            handler,
+            is_global=_is_of_file(self._syntax, use.id),
+            caught=self._syntax.catches(use, _CAUGHT),
+            idle=is_idle(self._syntax, use) or is_late(self._syntax, use),
+        )
+
+
+def _may_fail(node: ast.AST) -> bool:
+    """Whether an expression is a call, but none that only makes a message."""
+    if not isinstance(node, ast.Call):
+        return False
+    name = ast.unparse(node.func).rpartition(".")[2]
+    return bool(node.args or node.keywords) or not name[:1].isupper()
+
+
+def _left_out(node: ast.AST) -> Iterator[ast.AST]:
+    """What an expression may leave out: the rest of ``and`` and ``or``, both values of a choice, functions."""
+    parts: list[ast.AST] = []
+    if isinstance(node, ast.BoolOp):
+        parts = [*node.values[1:]]
+    elif isinstance(node, ast.IfExp):
+        parts = [node.body, node.orelse]
+    elif isinstance(node, (*FUNCTIONS, *_COMPREHENSIONS)):
+        parts = [node]
+    return (part for each in parts for part in walk(each))
+
+
+def _head(statement: ast.stmt) -> ast.expr | None:
+    """What a compound statement computes first."""
+    return getattr(statement, "test", None) or getattr(statement, "iter", None)
+
+
+def _is_of_file(syntax: Syntax, name: str) -> bool:
+    tree = syntax.file.tree
+    return tree is not None and any(name in bound_names(each) for each in own(tree.body))

@@ -1,0 +1,77 @@
+"""A local name is used before it has a value.
+
+## What it finds
+In the functions of Python nodes, a name that the function assigns only further down, as when `global` is missing for
+one of the file; and a name that a `try` alone assigns, whose `except` only prints or logs, and that is used right after
+it. Loops, where a turn before may have set it, are left out, and so is what runs only under a condition.
+
+## Why it matters on a robot
+An assignment anywhere in a function makes the name local to all of it. Python finds out when the line runs: on the
+robot, in the callback for the first message, or on the day on which the device is not there. The UnboundLocalError then
+ends the node, and the log no longer shows what really failed.
+
+## Bad
+```python
+try:
+    pose = self.buffer.lookup_transform('map', 'base_link', Time())
+except TransformException as error:
+    self.get_logger().warning(str(error))
+self.publisher.publish(pose)
+```
+
+## Good
+```python
+except TransformException as error:
+    self.get_logger().warning(str(error))
+    return
+```
+
+## When to ignore it
+When the call in the `try` can never fail.
+
+## References
+- https://docs.python.org/3/faq/programming.html, "Why am I getting an UnboundLocalError when the variable has a value?"
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import nodes
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule(
+    "error",
+    symptoms=[
+        "UnboundLocalError: cannot access local variable '*' where it is not associated with a value",
+        "UnboundLocalError: local variable '*' referenced before assignment",
+    ],
+)
+def unbound_local(robot: Robot) -> Iterator[Finding]:
+    for file in robot.nodes.programs:
+        for found in nodes.unbound_locals(robot.nodes.syntax(file)):
+            name, severity = found.name.id, "error"
+            end = "what follows in its try block never runs" if found.caught else "the node exits"
+            message = f"UnboundLocalError in {found.function}(): {name} is local, as it is assigned there, and unset: {end}"
+            advice = f"assign {name} before it is used"
+            related = [note(file.span_of(found.bound_at), "makes it local to the function")]
+            if found.is_global:
+                advice = f"write 'global {name}' at the start of {found.function}()"
+            if found.handler is not None:
+                severity = "warning"
+                message = f"UnboundLocalError in {found.function}(): {name} has no value after the exception: {end}"
+                advice = f"return in the handler, or give {name} a value there"
+                related = [
+                    note(file.span_of(found.bound_at), "only here does it get a value"),
+                    note(file.span_of(found.handler.type or found.handler.body[0]), "goes on without it"),
+                ]
+            yield finding(
+                file.span_of(found.name),
+                message,
+                advice=advice,
+                related=related,
+                severity="info" if found.idle else nodes.lowered(robot.nodes.purpose(file.source), severity),
+            )
