@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.edits import tried_shutdown
     from bringup_lint.graph.nodes.questions.asyncio_waits import awaits_asyncio
     from bringup_lint.graph.nodes.questions.blocking_calls import UNTIL_TIMEOUT
+    from bringup_lint.graph.nodes.questions.call_fit import unfit_calls
     from bringup_lint.graph.nodes.questions.callback_fit import Unfit
     from bringup_lint.graph.nodes.questions.callback_fit import unfit_callbacks
     from bringup_lint.graph.nodes.questions.dict_ranges import dict_ranges
@@ -171,6 +172,7 @@ __all__ = [
     "unbound_locals",
     "undefined",
     "unfit_callbacks",
+    "unfit_calls",
     "unhandled_shutdown",
     "unhandled_transforms",
     "unreached_stops",

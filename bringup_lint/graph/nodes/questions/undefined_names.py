@@ -28,6 +28,7 @@ _DEPTH = 3
 _CAUGHT = frozenset({"NameError", "Exception", "BaseException"})
 _BINDING_NOTHING = frozenset((ast.Attribute, ast.Call, ast.Constant, ast.Expr, ast.keyword, ast.Assign))
 """The most frequent syntax that binds no name by itself."""
+_UNFINISHED = regex(r"(?i)not implemented|do not (?:run|use|call)")
 _RUN_BY_OTHERS = regex(r"main$|__\w+__$|on_[a-z]+$|destroy_node$|run$|setup$")
 """Functions that are called by name from elsewhere."""
 
@@ -113,7 +114,7 @@ class _Bindings:
 _COMPREHENSIONS = (ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
 
 
-def is_late(syntax: Syntax, name: ast.Name | ast.Attribute) -> bool:
+def is_late(syntax: Syntax, name: ast.expr) -> bool:
     """Whether the function spins, or waits for the end of a thread, before: the node has done its work."""
     function = syntax.function(name)
     before = (call for call in syntax.calls if call.lineno < name.lineno)
@@ -127,7 +128,7 @@ def _waits_for_the_end(call: ast.Call) -> bool:
     return attribute == "spin" or (attribute == "join" and not call.args)
 
 
-def is_idle(syntax: Syntax, name: ast.Name | ast.Attribute) -> bool:
+def is_idle(syntax: Syntax, name: ast.expr) -> bool:
     """Whether the function is only a stub, or nothing in its file mentions it but functions that nothing mentions."""
     function = syntax.function(name)
     if function is None:
@@ -158,7 +159,7 @@ def _says_unfinished(node: ast.AST) -> bool:
     if isinstance(node, ast.Name):
         return node.id == "NotImplementedError"
     text = node.value if isinstance(node, ast.Constant) else None
-    return isinstance(text, str) and "not implemented" in text.lower()
+    return isinstance(text, str) and bool(_UNFINISHED.search(text))
 
 
 def _all_bound(nodes: Iterable[ast.AST]) -> Iterator[str]:

@@ -1,0 +1,143 @@
+"""Calls of the own functions, methods and classes of a Python node whose arguments do not fit."""
+
+from __future__ import annotations
+
+import ast
+from collections import Counter
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+from typing import Union
+
+from bringup_lint.graph.nodes.questions.undefined_names import is_idle
+from bringup_lint.graph.nodes.questions.undefined_names import is_late
+from bringup_lint.graph.nodes.sources.syntax import Syntax
+from bringup_lint.model.node_source import NodeSource
+from bringup_lint.model.python import bound_names
+from bringup_lint.model.python import is_self
+from bringup_lint.named_tuple import NamedTuple
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.nodes.nodes import Nodes
+
+Method = Union[ast.FunctionDef, ast.AsyncFunctionDef]
+
+_FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
+_EXPECTED = frozenset({"TypeError"})
+_CAUGHT = frozenset({"Exception", "BaseException"})
+
+
+class UnfitCall(NamedTuple):
+    file: NodeSource
+    call: ast.Call
+    called: str
+    """``self.drive``, ``Motor``."""
+    wrong: str
+    """What is wrong, in words."""
+    definition: Method
+    function: str | None
+    """Where it is called; None: when the file is loaded."""
+    caught: bool
+    idle: bool
+
+
+def unfit_calls(nodes: Nodes) -> Iterator[UnfitCall]:
+    overridden = _overridden(nodes)
+    for file in nodes.programs:
+        yield from _in_file(file, nodes.syntax(file), overridden)
+
+
+def _overridden(nodes: Nodes) -> set[tuple[str, str]]:
+    """The names of the classes on which others of the tree build, each with the methods that these define."""
+    classes = (each for file in nodes.sources for each in file.nodes if isinstance(each, ast.ClassDef))
+    return {
+        (ast.unparse(base).rpartition(".")[2], method.name)
+        for each in classes
+        for base in each.bases
+        for method in _methods(each)
+    }
+
+
+def _methods(owner: ast.ClassDef) -> Iterator[Method]:
+    return (each for each in owner.body if isinstance(each, _FUNCTIONS))
+
+
+def _in_file(file: NodeSource, syntax: Syntax, overridden: set[tuple[str, str]]) -> Iterator[UnfitCall]:
+    known = _Known(file, syntax, overridden)
+    for call in syntax.calls:
+        definition = known.of(call)
+        if definition is None or syntax.catches(call, _EXPECTED) or syntax.is_dead(call):
+            continue
+        wrong = misfit(call, definition.args, isinstance(syntax.definition(definition), ast.ClassDef))
+        if wrong is not None:
+            function = syntax.function(call)
+            named = function.name if function is not None else None
+            idle = is_idle(syntax, call) or is_late(syntax, call)
+            caught = syntax.catches(call, _CAUGHT)
+            yield UnfitCall(file, call, ast.unparse(call.func), wrong, definition, named, caught, idle)
+
+
+class _Known:
+    """The functions, methods and classes of one file that have one meaning each."""
+
+    def __init__(self, file: NodeSource, syntax: Syntax, overridden: set[tuple[str, str]]) -> None:
+        self._syntax = syntax
+        self._overridden = overridden
+        self._bound = Counter(name for each in file.nodes for name in bound_names(each))
+        self._stored = {
+            each.attr for each in file.nodes if isinstance(each, ast.Attribute) and not isinstance(each.ctx, ast.Load)
+        }
+        body = file.tree.body if file.tree is not None else []
+        self._functions = {each.name: each for each in body if isinstance(each, _FUNCTIONS)}
+        self._classes = {each.name: each for each in body if isinstance(each, ast.ClassDef)}
+
+    def of(self, call: ast.Call) -> Method | None:
+        """What a call surely runs, when that has no decorators."""
+        if isinstance(call.func, ast.Name):
+            found = self._named(call.func.id)
+        elif isinstance(call.func, ast.Attribute) and is_self(call.func.value):
+            found = self._method(self._syntax.definition(call), call.func.attr)
+        else:
+            return None
+        return found if found is not None and not found.decorator_list else None
+
+    def _named(self, name: str) -> Method | None:
+        if self._bound[name] != 1:
+            return None
+        owner = self._classes.get(name)
+        if owner is None or owner.decorator_list or owner.keywords:
+            return self._functions.get(name)
+        return None if _own(owner, "__new__") is not None else _own(owner, "__init__")
+
+    def _method(self, owner: ast.ClassDef | None, name: str) -> Method | None:
+        if owner is None or name in self._stored or (owner.name, name) in self._overridden:
+            return None
+        return _own(owner, name)
+
+
+def _own(owner: ast.ClassDef, name: str) -> Method | None:
+    """The method of a class that its body defines once."""
+    found = [each for each in _methods(owner) if each.name == name]
+    return found[0] if len(found) == 1 else None
+
+
+def misfit(call: ast.Call, taken: ast.arguments, is_method: bool) -> str | None:
+    """What is wrong with the arguments of a call, in words; None when nothing is, or ``*`` may hide some."""
+    if any(isinstance(each, ast.Starred) for each in call.args) or any(each.arg is None for each in call.keywords):
+        return None
+    names = [each.arg for each in (*taken.posonlyargs, *taken.args)][1 if is_method else 0 :]
+    given = len(call.args)
+    if given > len(names) and taken.vararg is None:
+        return f"takes {_counted(len(names))} and gets {given}"
+    keywords = {str(each.arg) for each in call.keywords}
+    known = {*names, *(each.arg for each in taken.kwonlyargs)}
+    unknown = next((str(each.arg) for each in call.keywords if each.arg not in known), None)
+    if unknown is not None and taken.kwarg is None:
+        return f"has no argument '{unknown}'"
+    required = names[given : max(len(names) - len(taken.defaults), given)]
+    required += [each.arg for each, value in zip(taken.kwonlyargs, taken.kw_defaults) if value is None]
+    missing = next((each for each in required if each not in keywords), None)
+    return f"needs '{missing}'" if missing is not None else None
+
+
+def _counted(number: int) -> str:
+    return f"{number or 'no'} argument{'' if number == 1 else 's'}"

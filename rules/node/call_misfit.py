@@ -1,0 +1,65 @@
+"""A call whose arguments do not fit the function that it calls.
+
+## What it finds
+In Python nodes, calls of functions and classes of the same file and of methods of the class itself that hand over too
+many arguments, too few, or one under a name that the function does not have. Functions that have decorators, several
+definitions or a subclass that defines them anew are left out, and so are calls with `*` or `**`.
+
+## Why it matters on a robot
+Python looks at the arguments when the line runs. In the branch for an error, a goal or an emergency stop that may be
+weeks later, on the robot. The TypeError then ends the node.
+
+## Bad
+```python
+def stop(self):
+    self.publisher.publish(Twist())
+
+def on_bumper(self, message):
+    self.stop(message)
+```
+
+## Good
+```python
+def on_bumper(self, message):
+    self.stop()
+```
+
+## When to ignore it
+When something replaces the function at run time.
+
+## References
+- https://docs.python.org/3/reference/expressions.html, "Calls"
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import nodes
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule(
+    "error",
+    symptoms=[
+        "TypeError: *() takes * positional arguments but * were given",
+        "TypeError: *() missing * required positional argument*",
+        "TypeError: *() got an unexpected keyword argument '*'",
+    ],
+)
+def call_misfit(robot: Robot) -> Iterator[Finding]:
+    for found in nodes.unfit_calls(robot.nodes):
+        where = f"in {found.function}()" if found.function is not None else "when the file is loaded"
+        end = "what follows in its try block never runs" if found.caught else "the node exits"
+        started = found.function != "main" or robot.nodes.runs_main(found.file.source)
+        idle = found.idle or not started or (found.function or "").startswith("test")
+        taken = found.definition.args.args
+        yield finding(
+            found.file.span_of(found.call),
+            f"TypeError {where}: {found.called}() {found.wrong}, and {end}",
+            advice="hand over what the function takes",
+            related=[note(found.file.span_of(each), f"'{each.arg}'") for each in taken if each.arg != "self"],
+            severity="info" if idle else nodes.lowered(robot.nodes.purpose(found.file.source), "error"),
+        )
