@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.containers.shell_texts import shell_texts
     from bringup_lint.graph.host.container_folders import CONTAINER_KINDS
     from bringup_lint.graph.host.container_folders import container_folders
+    from bringup_lint.graph.host.container_folders import is_deployed_to
     from bringup_lint.graph.host.container_folders import is_in_container
     from bringup_lint.graph.installed.package_lists import first_unlisted
     from bringup_lint.graph.runners.containers import image_user
@@ -81,6 +82,7 @@ __all__ = [
     "image_name",
     "image_user",
     "is_deployed",
+    "is_deployed_to",
     "is_in_container",
     "lacking_sources",
     "last_user",

@@ -2,7 +2,8 @@
 
 ## What it finds
 Literal paths below `/home`, `/root` or `/opt/ros/<distribution>` in parameters, arguments, commands, includes and
-defaults. Info in packages of others that the tree only carries.
+defaults. Info in packages of others that the tree only carries, and where a script or Dockerfile of the tree puts
+something into the folder of this home.
 
 ## Why it matters on a robot
 The path is right on the developer's machine. The robot has another user or distribution, and the file is missing
@@ -36,6 +37,7 @@ from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.docker import CONTAINER_KINDS
 from bringup_lint.api.docker import container_folders
+from bringup_lint.api.docker import is_deployed_to
 from bringup_lint.api.docker import is_in_container
 
 PATH = regex(r"(?:^|(?<=[=: ,'\"]))/(?:home/[\w.-]+|root|opt/ros/(?!\$)\w+)/[\w./-]+")
@@ -47,6 +49,7 @@ PLACEHOLDERS = ("/home/livox/livox_test.lvx",)
 @rule("warning", symptoms=["No such file or directory: '/home/"])
 def hardcoded_path(robot: Robot) -> Iterator[Finding]:
     folders = container_folders(robot.of_kind(*CONTAINER_KINDS))
+    scripts = [source for source in robot.of_kind("shell-script", "dockerfile") if source.judged]
     for file in robot.launch.judged:
         for action, _ in robot.launch.visited(file):
             for value in values(action):
@@ -56,12 +59,13 @@ def hardcoded_path(robot: Robot) -> Iterator[Finding]:
                     if text is None or match is None or match[0] in PLACEHOLDERS:
                         continue
                     if not is_in_container(match[0], folders):
+                        known = robot.launch.workspace.is_vendored(file.source) or is_deployed_to(match[0], scripts)
                         yield finding(
                             text.part(*match.span()),
                             f"{match[0]} exists only on one machine or distribution",
                             advice="find it through the package's share folder, or make it an argument without a "
                             "default",
-                            severity="info" if robot.launch.workspace.is_vendored(file.source) else None,
+                            severity="info" if known else None,
                         )
 
 

@@ -2,7 +2,8 @@
 
 ## What it finds
 A Wi-Fi interface that netplan connects to a network, and that `interface=` of a hostapd.conf of the same robot names as
-well. An access point that netplan itself opens (`mode: ap`) is not meant.
+well. An access point that netplan itself opens (`mode: ap`) is not meant. Silent where a script installs the package of
+hostapd and nothing unmasks its service, which then never starts.
 
 ## Why it matters on a robot
 netplan starts wpa_supplicant for the interface, hostapd wants it for itself. Who comes last takes the interface away
@@ -46,13 +47,16 @@ from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 
+INSTALLED = regex(r"^[^#\n]{0,200}\bapt(?:-get)?\b[^\n]{0,200}\binstall\b[^\n]{0,300}\bhostapd\b", re.M)
+"""The package masks its service when it is installed."""
+UNMASKED = regex(r"^[^#\n]{0,200}\bunmask\b[^\n]{0,200}\bhostapd\b|\bmasked:[ \t]*(?:no|false)\b", re.M)
 INTERFACE = regex(r"^[ \t]*interface=(?P<name>[\w.-]{1,15})[ \t\r]*$", re.M)
 
 
 @rule("warning", symptoms=["nl80211: Could not configure driver mode", "AP-DISABLED"])
 def access_point_conflict(robot: Robot) -> Iterator[Finding]:
     taken = list(_of_hostapd(robot))
-    if not taken:
+    if not taken or (robot.mentions(INSTALLED) and not robot.mentions(UNMASKED)):
         return
     for interface in robot.netplan.interfaces:
         joined = [point for point in interface.access_points if point.mode != "ap"]

@@ -2,7 +2,8 @@
 
 ## What it finds
 Values below `/home/<user>/` or `/root/`. Files and folders that begin with `~/` are info, because some nodes expand
-the `~`. Not reported: the working directory of a unit in this tree, examples, and test folders.
+the `~`, and so are folders into which a script or Dockerfile of the tree puts something. Not reported: the working
+directory of a unit in this tree, examples, and test folders.
 
 ## Why it matters on a robot
 The path exists only on the machine on which it was written. ROS does not expand `~` in parameters.
@@ -38,6 +39,7 @@ from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.docker import CONTAINER_KINDS
 from bringup_lint.api.docker import container_folders
+from bringup_lint.api.docker import is_deployed_to
 from bringup_lint.api.docker import is_in_container
 from bringup_lint.api.templates import is_example
 
@@ -54,6 +56,7 @@ def absolute_home_path(robot: Robot) -> Iterator[Finding]:
         else []
     )
     kept += container_folders(robot.of_kind(*CONTAINER_KINDS))
+    scripts = [source for source in robot.of_kind("shell-script", "dockerfile") if source.judged]
     for file, parameter in robot.params.parameters:
         if is_example(file.source.name) or "/test" in f"/{file.source.name}":
             continue
@@ -65,6 +68,7 @@ def absolute_home_path(robot: Robot) -> Iterator[Finding]:
                     item.span,
                     f"The path of '{parameter.name}' is in a home folder: it exists only on that machine",
                     advice="use a folder of the robot, such as /var/lib, or a package's share folder with allow_substs",
+                    severity="info" if is_deployed_to(item.text.removeprefix("file://"), scripts) else None,
                 )
             elif _TILDE.match(item.text) or (
                 item.text.startswith("~/") and _PATH_KEY.search(str(parameter.key).lower())

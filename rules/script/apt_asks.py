@@ -6,7 +6,8 @@
   may have all that other packages need;
 - in a script whose other calls of apt pass `-y`, so that it is meant to run by itself; information where the script
   ends at the first failure (`set -e`), and where it only upgrades;
-- in a script without any `-y` that sets the robot up afterwards: it copies to `/etc` or `/opt`, or enables units.
+- in a script without any `-y` that sets the robot up afterwards: it copies to `/etc` or `/opt`, or enables units;
+  information unless something of the tree starts the script, because a person may answer.
 
 Silent in scripts that open an editor or read an answer, for packages that are files, for those that need nothing else
 (`nano`, `unzip` and the like), for those that an earlier step installs and what belongs to them, for packages of ROS on
@@ -158,6 +159,7 @@ def _of_set_up(robot: Robot, source: Source, asking: list[Sequence[Located]]) ->
             note(after.words[0], "this is not reached then" if stops else "this runs all the same"),
             *(note(other[0], "asks, too") for other in others),
         ],
+        severity=None if robot.scripts.starts_by_itself(source) else "info",
     )
 
 

@@ -13,6 +13,8 @@ CONTAINER_KINDS = ("dockerfile", "compose", "shell-script", "devcontainer")
 _HOME = r"(?P<path>/(?:home/[\w.-]+|root)(?:/[\w./-]*)?)"
 _HOMES = ("/home/", "/root")
 """One of them is in every such path, which is found out much sooner."""
+_FOLDER = regex(r"/(?:home/[\w.-]+|root)/[\w-][\w.-]*")
+_FILLS = regex(r"\b(?:mkdir|cp|clone|rsync|scp|install|mv|ln|unzip|tar|COPY|ADD|WORKDIR)\b")
 _FORMS = (
     regex(rf"(?:^|[ \t])(?:-v|--volume)[ =]?[\"']?[^\s:]+:{_HOME}", re.M),
     regex(rf"\b(?:target|dst|destination|workspaceFolder)[\"']?[=:][ \t]*[\"']?{_HOME}"),
@@ -32,3 +34,13 @@ def container_folders(sources: Iterable[Source]) -> frozenset[str]:
 def is_in_container(path: str, folders: Iterable[str]) -> bool:
     """Whether a path is in one of the folders."""
     return any(path == folder or path.startswith(f"{folder}/") for folder in folders)
+
+
+def is_deployed_to(path: str, sources: Iterable[Source]) -> bool:
+    """Whether a script or a Dockerfile puts something into the folder of a home in which a path is, as on the robot."""
+    match = _FOLDER.match(path)
+    if match is None:
+        return False
+    texts = (source.text for source in sources if match[0] in source.text)
+    lines = (line.partition(match[0]) for text in texts for line in text.splitlines() if match[0] in line)
+    return any(_FILLS.search(before) and not after[:1].isalnum() for before, _, after in lines)
