@@ -81,6 +81,14 @@ class Dropped(NamedTuple):
     """The local variable that alone keeps it; None when nothing does."""
 
 
+class Unset(NamedTuple):
+    """A local number that is added to before it has a value."""
+
+    declared: Span
+    used: Span
+    name: str
+
+
 class EarlyPointer(NamedTuple):
     """``shared_from_this()`` while the object is made."""
 
@@ -217,4 +225,5 @@ class CppNode:
     misread: list[Misread] = field(default_factory=list)
     nested_spins: list[NestedSpin] = field(default_factory=list)
     missing_returns: list[MissingReturn] = field(default_factory=list)
+    unset: list[Unset] = field(default_factory=list)
     problems: list[Problem] = field(default_factory=list)

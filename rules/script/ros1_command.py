@@ -75,6 +75,7 @@ def ros1_command(robot: Robot) -> Iterator[Finding]:
 
 
 def _defines(source: Source, name: str) -> bool:
+    name = re.escape(name)
     return re.search(rf"\balias[ \t]+{name}=|^[ \t]*(?:function[ \t]+)?{name}[ \t]*\(\)", source.text, re.M) is not None
 
 

@@ -33,6 +33,7 @@ from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.parsers.cpp_node.threads import threads
 from bringup_lint.parsers.cpp_node.time_sources import time_members
 from bringup_lint.parsers.cpp_node.time_sources import time_uses
+from bringup_lint.parsers.cpp_node.unset import unset
 from bringup_lint.parsers.cpp_node.unstamped import unstamped
 from bringup_lint.parsers.cpp_node.values import Names
 from bringup_lint.parsers.cpp_node.waits import waits
@@ -99,6 +100,7 @@ def parse(source: Source) -> CppNode:
     node.activation = activation(code)
     node.misread = list(misread(code))
     node.missing_returns = list(missing_returns(code))
+    node.unset = list(unset(code))
     node.unstamped = list(unstamped(code, names, node.endpoints))
     node.swallowed = list(dict.fromkeys(swallowed(code)))
     node.dropped = list(dropped(code))
