@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.launch.started import literal_text
+from bringup_lint.graph.workspace import Place
 from bringup_lint.model.launch_values import Command
 from bringup_lint.model.launch_values import Concat
 from bringup_lint.model.launch_values import walk
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
 _GIVEN = regex(r"(?:^|(?<=\s))(\w+):=")
 _FOUND = regex(r"\$\(find\s+([\w-]+)\s*\)/([^$]+)\Z")
 _USED = regex(r"\$\(arg\s+(\w+)\s*\)")
+"""An argument of a description in a path or value."""
 _FILES = 60
 """Descriptions that one includes."""
 
@@ -75,31 +77,38 @@ def _description(launch: Launch, tree: Tree, command: Concat) -> Source | None:
 
 def _declared(launch: Launch, tree: Tree, source: Source) -> set[str] | None:
     """The arguments of a description and of what it includes; None when something of it is not known."""
-    todo, seen, names = [source], {source.name}, set()
+    todo, seen = [source], {source.name}
+    defaults: dict[str, str] = {}
+    used: set[str] = set()
     while todo:
         each = todo.pop()
         root = parse(each).root
         if root is None or each.template or len(seen) > _FILES:
             return None
-        names.update(_USED.findall(each.text))
+        used.update(_USED.findall(each.text))
         for element in root.walk():
             if element.name == "xacro:arg":
-                names.add(str(element.get("name")))
+                defaults.setdefault(str(element.get("name")), str(element.get("default") or ""))
             elif element.name == "xacro:include":
-                included = _included(launch, tree, each, str(element.get("filename") or ""))
+                included = _included(launch, tree, each, _filled(str(element.get("filename") or ""), defaults))
                 if included is None:
                     return None
                 if included.name not in seen:
                     seen.add(included.name)
                     todo.append(included)
-    return names
+    return {*defaults, *used}
+
+
+def _filled(filename: str, defaults: dict[str, str]) -> str:
+    """The name of a file with the defaults of arguments: what other values choose declares the same arguments."""
+    return _USED.sub(lambda used: defaults.get(used[1], used[0]), filename)
 
 
 def _included(launch: Launch, tree: Tree, source: Source, filename: str) -> Source | None:
     match = _FOUND.match(filename)
     if match is not None:
-        package = launch.workspace.packages.get(match[1])
-        path = os.path.join(package.folder, match[2]) if package is not None else None
+        found = launch.workspace.find(Place("share", match[1], match[2]))
+        path = found.file if found is not None else None
     else:
         path = os.path.join(os.path.dirname(source.absolute), filename) if "$" not in filename else None
     return tree.read(os.path.normpath(path)) if path is not None and tree.is_file(path) else None
