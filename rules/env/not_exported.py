@@ -1,0 +1,81 @@
+"""A script sets a variable of ROS that the programs it starts do not see.
+
+## What it finds
+`ROS_DOMAIN_ID=7` and the like on a line of its own, without `export`, in a script that runs `ros2` afterwards, where
+neither the script nor any other file of the tree names the variable a second time. Silent under `set -a`.
+
+## Why it matters on a robot
+The shell keeps the variable to itself. The nodes start with the default domain, the default middleware and without the
+file of settings, and nothing says so.
+
+## Bad
+```sh
+ROS_DOMAIN_ID=7
+ros2 launch rover_bringup rover.launch.py
+```
+
+## Good
+```sh
+export ROS_DOMAIN_ID=7
+ros2 launch rover_bringup rover.launch.py
+```
+
+## When to ignore it
+When whoever starts the script has exported the variable, which then keeps being exported.
+
+## References
+- bash(1), "ENVIRONMENT"
+"""
+
+import re
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Located
+from bringup_lint.api import Robot
+from bringup_lint.api import Source
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import regex
+from bringup_lint.api import rule
+from bringup_lint.api.shell import Run
+
+NAME = regex(
+    r"(?:ROS_(?:DOMAIN_ID|LOCALHOST_ONLY|AUTOMATIC_DISCOVERY_RANGE|STATIC_PEERS|DISCOVERY_SERVER|SUPER_CLIENT|LOG_DIR|HOME"
+    r"|SECURITY_\w+)|RMW_\w+|CYCLONEDDS_URI|FAST(?:RTPS|DDS)_DEFAULT_PROFILES_FILE|RCUTILS_\w+)(?==)"
+)
+EXPORTS_ALL = regex(r"^[ \t]*set[ \t]+(?:-[a-z]{0,8}a[a-z]{0,8}\b|-o[ \t]+allexport)", re.M)
+
+
+@rule("warning", confidence="medium", silent="the nodes start with their defaults")
+def not_exported(robot: Robot) -> Iterator[Finding]:
+    for source in robot.of_kind("shell-script"):
+        if not source.judged or "ros2" not in source.text or EXPORTS_ALL.search(source.text):
+            continue
+        runs = [did for did in robot.scripts.done(source) if isinstance(did, Run)]
+        kept = [word for run in runs if not run.words for word in _kept(run)]
+        started = next((run.words[0] for run in runs if run.name == "ros2" and run.certain), None)
+        lost = [word for word in kept if started is not None and _is_lost(robot, source, word, started)]
+        if lost and started is not None:
+            first, *others = lost
+            yield finding(
+                first,
+                f"{first.partition('=')[0]} is not exported: ros2 and its nodes do not see it",
+                advice="write export before it",
+                related=[
+                    note(started, "started without it"),
+                    *(note(other, "is not exported, either") for other in others),
+                ],
+            )
+
+
+def _kept(run: Run) -> Iterator[Located]:
+    return (word for word in run.command.assignments if NAME.match(word))
+
+
+def _is_lost(robot: Robot, source: Source, word: Located, started: Located) -> bool:
+    """Whether only this line names the variable, and it is before the start."""
+    name = word.partition("=")[0]
+    if word.span.start > started.span.start or len(re.findall(rf"\b{name}\b", source.text)) > 1:
+        return False
+    return not any(name in other.text for other in robot.sources if other is not source)
