@@ -55,6 +55,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.refused_logs import RefusedLog
     from bringup_lint.graph.nodes.questions.refused_logs import refused_logs
     from bringup_lint.graph.nodes.questions.rejected_goals import stuck_flags
+    from bringup_lint.graph.nodes.questions.relative_files import relative_files
     from bringup_lint.graph.nodes.questions.repeating import guards_commands
     from bringup_lint.graph.nodes.questions.repeating import held
     from bringup_lint.graph.nodes.questions.repeating import repeated
@@ -155,6 +156,7 @@ __all__ = [
     "range_text",
     "rare_signals",
     "refused_logs",
+    "relative_files",
     "relays",
     "repeated",
     "shell_commands",

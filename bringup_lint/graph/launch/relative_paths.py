@@ -30,7 +30,7 @@ _LAUNCH = (".launch.py", "_launch.py", ".launch.xml", ".launch.yaml", ".launch.y
 _READ = (*_PARAMETERS, ".rviz", ".urdf", ".xacro", ".srdf", ".sdf", ".world", ".lua", ".json", ".pcd")
 _AS_GIVEN = frozenset(("nav2_map_server", "robot_state_publisher", "rviz2"))
 """Public packages whose programs open a path as they get it; others put a folder before it."""
-_FOLDER = regex(
+FOLDER = regex(
     r"^[ \t]*WorkingDirectory[ \t]*=|\bworking_dir[ \t]*:|^[ \t]*WORKDIR[ \t]"
     r"|^[ \t]*cd[ \t][^\n]{1,300}(?:\n[^\n]{0,300}){0,20}?\bros2[ \t]+launch\b",
     re.M,
@@ -110,7 +110,7 @@ def _is_anchored(launch: Launch, files: Files, file: LaunchFile, path: str) -> b
         return True
     above = [folder for folder in _above(files, file) if len(folder) < len(package.folder)]
     found = any(files.tree.is_file(os.path.normpath(os.path.join(folder, path))) for folder in above)
-    return found and files.mentions(_FOLDER)
+    return found and files.mentions(FOLDER)
 
 
 def _above(files: Files, file: LaunchFile) -> Iterator[str]:
