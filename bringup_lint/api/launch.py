@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch.entry_points import MissingEntry
     from bringup_lint.graph.launch.entry_points import missing_entries
     from bringup_lint.graph.launch.expansion import Expansion
+    from bringup_lint.graph.launch.expansion import Failed
     from bringup_lint.graph.launch.expansion import Used
     from bringup_lint.graph.launch.gone_packages import gone_packages
     from bringup_lint.graph.launch.launch import Launch
@@ -129,6 +130,7 @@ __all__ = [
     "Env",
     "EventHandler",
     "Expansion",
+    "Failed",
     "FileDir",
     "Group",
     "Include",

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.params.values import Item
     from bringup_lint.graph.params.wrong_types import wrong_types
     from bringup_lint.graph.plugins.hardware_parameters import HardwareParameter
+    from bringup_lint.graph.plugins.incomplete import IncompleteController
     from bringup_lint.graph.plugins.joints import UnknownJoint
     from bringup_lint.graph.plugins.moveit import MoveItProblem
     from bringup_lint.graph.plugins.refused import Refused
@@ -48,6 +49,7 @@ __all__ = [
     "Block",
     "Declared",
     "HardwareParameter",
+    "IncompleteController",
     "Item",
     "MoveItProblem",
     "NavigationProblem",

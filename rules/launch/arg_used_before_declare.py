@@ -39,14 +39,13 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api.launch import LaunchFile
 from bringup_lint.api.python import move_before
 
 
 @rule("error", fix="safe", symptoms=["launch configuration '*' does not exist"])
 def arg_used_before_declare(robot: Robot) -> Iterator[Finding]:
     for expansion in robot.launch.entries:
-        passed = _always_passed(robot, expansion.entry)
+        passed = robot.runners.always_passed(expansion.entry)
         declared = {each.name: each for each in expansion.declared if each.file is expansion.entry}
         for used in expansion.unbound:
             later = declared.get(str(used.argument.name))
@@ -61,10 +60,3 @@ def arg_used_before_declare(robot: Robot) -> Iterator[Finding]:
                 related=[note(later.action.span, "declared here, later in the description")],
                 severity="warning" if used.conditions else None,
             )
-
-
-def _always_passed(robot: Robot, file: LaunchFile) -> set[str]:
-    """The arguments that every command of the tree that launches a file passes: they exist before it is read."""
-    commands = robot.runners.launching(file)
-    names = [{str(name) for name, _ in command.arguments} for command in commands]
-    return set.intersection(*names) if names else set()

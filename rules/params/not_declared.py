@@ -79,6 +79,8 @@ def not_declared(robot: Robot) -> Iterator[Finding]:
             chain=robot.provenance.chain_to_node(found.node.started),
             confidence="medium",
         )
+    lacking = (each for group in robot.plugins.incomplete_controllers for each in group)
+    said |= {each.near.key.span for each in lacking if each.near is not None}
     for each in unknown_to_public(robot.params, robot.launch):
         is_said = bool(said & {parameter.key.span for parameter in each.parameters})
         if not is_said and not robot.dependencies.is_forked(each.node.package):

@@ -8,8 +8,11 @@ from collections.abc import Mapping
 from typing import Any
 
 from bringup_lint.graph.launch.expansion import Expansion
+from bringup_lint.graph.launch.expansion import Failed
 from bringup_lint.graph.launch.expansion import Used
+from bringup_lint.graph.launch.python_expression import failure
 from bringup_lint.graph.launch.resolve import Resolver
+from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.scope import Binding
 from bringup_lint.graph.launch.scope import EnvChanges
 from bringup_lint.graph.launch.scope import Scope
@@ -23,10 +26,12 @@ from bringup_lint.model.launch import LaunchFile
 from bringup_lint.model.launch_values import Argument
 from bringup_lint.model.launch_values import Choice
 from bringup_lint.model.launch_values import Condition
+from bringup_lint.model.launch_values import Operation
 from bringup_lint.model.launch_values import Value
 from bringup_lint.model.launch_values import bounded
 from bringup_lint.model.launch_values import children
 from bringup_lint.model.launch_values import same
+from bringup_lint.model.launch_values import walk
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 
@@ -103,6 +108,7 @@ class Expander:
         left: list[Condition] = []
         for condition in action.conditions:
             self.note_unbound(condition.predicate)
+            self.note_failed(condition, resolver)
             predicate = bounded(symbolic.value(condition.predicate))
             sharper = Condition(predicate, condition.wanted, condition.kind, condition.span)
             outcome = symbolic.holds(condition)
@@ -128,6 +134,19 @@ class Expander:
             elif env is not None:
                 self.scope.env = perhaps(env, self.scope.env)
         self.conditions, self.by_default = outer, by_default
+
+    def note_failed(self, condition: Condition, resolver: Resolver) -> None:
+        """Remember Python expressions that raise an exception here."""
+        if condition.kind not in ("if", "unless") or self.by_default is False:
+            return
+        for part in walk(condition.predicate):
+            if not isinstance(part, Operation) or part.name != "python":
+                continue
+            text = text_of(resolver.value(part.operands[0]))
+            error = failure(text) if text is not None else None
+            if text is not None and error is not None:
+                names = frozenset(str(each.name) for each in walk(part) if isinstance(each, Argument))
+                self.result.failed.append(Failed(part.span, text, error, names, self.file, self.by_default, self.chain))
 
     def note_unbound(self, *values: Value | None) -> None:
         """Remember configurations that are read here and do not exist."""

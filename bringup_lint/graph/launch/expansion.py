@@ -61,6 +61,22 @@ class Declared(NamedTuple):
     chain: tuple[Span, ...]
 
 
+class Failed(NamedTuple):
+    """A Python expression in a condition that ends with an exception."""
+
+    span: Span
+    """The substitution."""
+    text: str
+    """What launch evaluates."""
+    error: str
+    names: frozenset[str]
+    """The launch configurations in it."""
+    file: LaunchFile
+    by_default: bool | None
+    """Whether launch comes here when no argument is passed."""
+    chain: tuple[Span, ...]
+
+
 class Used(NamedTuple):
     """A launch configuration that does not exist where it is read."""
 
@@ -83,6 +99,7 @@ class Expansion:
     loads: list[Loaded] = field(default_factory=list)
     declared: list[Declared] = field(default_factory=list)
     unbound: list[Used] = field(default_factory=list)
+    failed: list[Failed] = field(default_factory=list)
     handlers: list[tuple[EventHandler, LaunchFile]] = field(default_factory=list)
     actions: list[tuple[Action, LaunchFile]] = field(default_factory=list)
     """Every action that was visited."""

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import ast
+import builtins
+import math
 import operator
 import warnings
 from collections.abc import Callable
@@ -27,8 +29,33 @@ _TESTS: dict[str, Callable[[str, Any], bool]] = {"startswith": str.startswith, "
 _KINDS: dict[str, Callable[[Any], Any]] = {"str": str, "int": int, "float": float, "bool": bool, "len": len}
 
 
+_NAMES = frozenset((*dir(builtins), *dir(math), "math"))
+"""What an expression may name without modules of its own. Source: launch, python_expression.py."""
+
+
 class NotEvaluated(Exception):
     """The expression is not one of those that are understood, or would raise."""
+
+
+class UndefinedName(NotEvaluated):
+    """The expression asks for a name that nothing defines."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__(name)
+        self.name = name
+
+
+def failure(text: str) -> str | None:
+    """What Python certainly says of an expression that it cannot evaluate."""
+    if not text.strip() or len(text) > LENGTH:
+        return None
+    try:
+        evaluate(text)
+    except UndefinedName as error:
+        return f"name '{error.name}' is not defined"
+    except NotEvaluated as error:
+        return "invalid syntax" if isinstance(error.__cause__, SyntaxError) else None
+    return None
 
 
 def evaluate(text: str) -> Any:
@@ -46,6 +73,8 @@ def evaluate(text: str) -> Any:
 def _value(node: ast.expr) -> Any:
     if isinstance(node, ast.Constant):
         return node.value
+    if isinstance(node, ast.Name) and node.id not in _NAMES:
+        raise UndefinedName(node.id)
     if isinstance(node, ast.BoolOp):
         return _bool(node)
     if isinstance(node, ast.UnaryOp):

@@ -14,10 +14,14 @@ from bringup_lint.graph.plugins.drive_commands import Unstamped
 from bringup_lint.graph.plugins.drive_commands import unstamped_commands
 from bringup_lint.graph.plugins.hardware_parameters import HardwareParameter
 from bringup_lint.graph.plugins.hardware_parameters import hardware_parameters
+from bringup_lint.graph.plugins.incomplete import IncompleteController
+from bringup_lint.graph.plugins.incomplete import incomplete_controllers
 from bringup_lint.graph.plugins.joints import UnknownJoint
 from bringup_lint.graph.plugins.joints import unknown_joints
 from bringup_lint.graph.plugins.moveit import MoveItProblem
 from bringup_lint.graph.plugins.moveit import moveit_problems
+from bringup_lint.graph.plugins.moveit_files import MissingMoveItFile
+from bringup_lint.graph.plugins.moveit_files import missing_moveit_files
 from bringup_lint.graph.plugins.moveit_namespaces import ControllersElsewhere
 from bringup_lint.graph.plugins.moveit_namespaces import controllers_elsewhere
 from bringup_lint.graph.plugins.refused import Refused
@@ -60,6 +64,12 @@ class Plugins:
         return list(untyped_controllers(self._launch, self._params()))
 
     @cached_property
+    def incomplete_controllers(self) -> list[list[IncompleteController]]:
+        """The parameters that controllers of ros2_controllers lack and without which they are not configured, those of
+        one controller together."""
+        return list(incomplete_controllers(self._params(), self._launch.workspace.packages))
+
+    @cached_property
     def claims(self) -> list[Claim]:
         """Controllers that are activated together and claim the same interface of a joint."""
         return list(claims(self._files.tree, self._launch, self._params()))
@@ -88,6 +98,11 @@ class Plugins:
     def moveit_problems(self) -> list[MoveItProblem]:
         """Groups and controllers that MoveIt is configured for, and that the robot does not have."""
         return list(moveit_problems(self._files.tree, self._launch.workspace, self._params()))
+
+    @cached_property
+    def missing_moveit_files(self) -> list[list[MissingMoveItFile]]:
+        """Files that MoveItConfigsBuilder opens, and that its package does not have, those of one builder together."""
+        return list(missing_moveit_files(self._launch, self._files.tree))
 
     @cached_property
     def controllers_elsewhere(self) -> list[ControllersElsewhere]:

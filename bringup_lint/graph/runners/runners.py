@@ -114,6 +114,11 @@ class Runners:
         """Those that start a launch file."""
         return self._by_file.get(file, [])
 
+    def always_passed(self, file: LaunchFile) -> set[str]:
+        """The arguments that every command of the tree that launches a file passes: they exist before it is read."""
+        names = [{str(name) for name, _ in command.arguments} for command in self.launching(file)]
+        return set.intersection(*names) if names else set()
+
     @cached_property
     def _by_file(self) -> dict[LaunchFile, list[Launching]]:
         found: dict[LaunchFile, list[Launching]] = {}

@@ -95,6 +95,8 @@ def _command(state: State, args: Arguments) -> Any:
 
 
 def _python(state: State, args: Arguments) -> Any:
+    if args.get("python_modules", 1) is not None:
+        return Unknown("an expression with modules", args.span)
     return Operation("python", (freeze.text(state, args.need("expression", 0)),), args.span)
 
 
