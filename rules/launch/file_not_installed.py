@@ -3,7 +3,7 @@
 ## What it finds
 Launch, parameter, URDF and other files of a workspace package that a launch file references through the package's
 share folder or relative to itself. They exist in the source, but no `data_files` entry or `install()` rule covers
-them. One finding for each folder of a package. Also packages that have launch files and install none of them.
+them. One finding for each folder of a package. Also launch files that the package does not install (a warning).
 
 ## Why it matters on a robot
 The launch file works in a workspace that is built with `--symlink-install`, and fails on the robot, where only the
@@ -65,30 +65,46 @@ def file_not_installed(robot: Robot) -> Iterator[Finding]:
             missing.setdefault((package.name, os.path.dirname(path) or path), []).append((reference, package, path))
     for first, *others in missing.values():
         yield not_installed(robot, first, others)
-    yield from _without_launch_files(robot, {package for package, _ in missing})
+    yield from _launch_files(robot, set(missing))
 
 
-def _without_launch_files(robot: Robot, said: set[str]) -> Iterator[Finding]:
-    """Packages none of whose launch files is installed, so that ``ros2 launch PACKAGE`` finds nothing."""
+def _launch_files(robot: Robot, said: set[tuple[str, str]]) -> Iterator[Finding]:
+    """Launch files that are not installed, so that ``ros2 launch PACKAGE`` does not find them."""
     for package in robot.launch.workspace.packages.values():
-        if package.name in said or not package.installs_known or not package.builds:
+        if not package.installs_known or not package.builds or not package.builds[0].source.judged:
             continue
         own = [file.source for file in robot.launch.files_of(package) if _is_started(file.source.name)]
-        if not own or robot.launch.workspace.is_vendored(own[0]):
+        lost = [source for source in own if not package.takes(source.absolute)]
+        if not lost or robot.launch.workspace.is_vendored(own[0]):
             continue
-        if any(package.takes(source.absolute) for source in own):
-            continue
-        build = package.builds[0].source
-        judged = [source for source in own if source.judged and robot.purpose(source).value == "robot"]
-        if judged and build.judged and not _is_launched_by_path(robot, judged):
-            folder = os.path.relpath(os.path.dirname(judged[0].absolute), package.folder)
-            yield finding(
-                judged[0],
-                f"No launch file of {package.name} is installed: ros2 launch {package.name} finds none of them",
-                advice=f"install the folder '{folder}' in {build.basename}",
-                related=[_installation(package, judged[0].absolute)],
-                severity="warning",
-            )
+        judged = [source for source in lost if source.judged and robot.purpose(source).value == "robot"]
+        judged = [source for source in judged if (package.name, _folder(package, source)) not in said]
+        if judged and not _is_launched_by_path(robot, judged):
+            yield _lost(package, judged, len(lost) == len(own))
+
+
+def _folder(package: Package, source: Source) -> str:
+    return os.path.relpath(os.path.dirname(source.absolute), package.folder)
+
+
+def _lost(package: Package, lost: list[Source], every: bool) -> Finding:
+    build = package.builds[0].source.basename
+    more = f" and {len(lost) - 1} other{'s' if len(lost) > 2 else ''}" if len(lost) > 1 else ""
+    verb, them = ("are", "them") if more else ("is", "it")
+    if every:
+        message = f"No launch file of {package.name} is installed: ros2 launch {package.name} finds none of them"
+    else:
+        message = f"{lost[0].basename}{more} of {package.name} {verb} not installed: ros2 launch does not find {them}"
+    return finding(
+        lost[0],
+        message,
+        advice=f"install the folder '{_folder(package, lost[0])}' in {build}" if every else f"install it in {build}",
+        related=[
+            _installation(package, lost[0].absolute),
+            *([] if every else [note(each, "this one is not installed either") for each in lost[1:10]]),
+        ],
+        severity="warning",
+    )
 
 
 def _is_started(path: str) -> bool:

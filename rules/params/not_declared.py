@@ -7,9 +7,10 @@ take undeclared parameters, or that build on classes which are not in the worksp
 of which a source is missing, and parameters that a launch file gives to several programs under one node name. All
 parameters are known of `joy_node`, `joy_linux_node`, `robot_state_publisher`, `joint_state_publisher`, slam_toolbox,
 robot_localization, twist_mux, teleop_twist_joy, usb_cam, sllidar_ros2, pointcloud_to_laserscan, the servers of
-Navigation2 (outside of the sections of plugins) and the controllers of ros2_controllers whose class the file names; a
-block with the usual name of such a node is judged as its own. Packages whose repository the tree patches, or fetches
-from others than its first owners, may be changed, and are left alone.
+Navigation2 and the controllers of ros2_controllers whose class the file names; a block with the usual name of such a
+node is judged as its own. In the sections of Navigation2's own plugins, a parameter is unknown when nothing of
+Navigation2 has one whose name ends so. Packages whose repository the tree patches, or fetches from others than its
+first owners, may be changed, and are left alone.
 
 Where it is not known which program gets a block, or the program declares whatever it is given: parameters that no
 source of the tree names, when one source reads at least five others of the block, and most of them.

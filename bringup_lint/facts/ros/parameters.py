@@ -96,6 +96,12 @@ class PublicNode(NamedTuple):
 
 
 @cache
+def nav2_words() -> frozenset[str]:
+    """The last parts of the names of all parameters of Navigation2, its plugins included."""
+    return frozenset(word for row in table("ros/nav2_words") for word in row["words"].split())
+
+
+@cache
 def _of_controllers() -> Names:
     return _names(_OF_EVERY_CONTROLLER)
 

@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.facts.ros.parameters import PublicNode
 from bringup_lint.facts.ros.parameters import controller_of
+from bringup_lint.facts.ros.parameters import is_of_library
+from bringup_lint.facts.ros.parameters import nav2_words
 from bringup_lint.facts.ros.parameters import node_called
 from bringup_lint.facts.ros.parameters import public_node
 from bringup_lint.graph.launch.started import literal_text
@@ -46,7 +48,8 @@ def unknown_to_public(params: Params, launch: Launch) -> Iterator[Unknown]:
         lacking = [
             each
             for each in block.parameters
-            if not node.declares(str(each.name)) and not params.is_named_in_code(str(each.name))
+            if not (_is_known(each) if node.has_plugins and "." in each.name else node.declares(each.name))
+            and not params.is_named_in_code(each.name)
         ]
         if lacking:
             yield Unknown(node, str(block.key).rpartition("/")[2], tuple(lacking))
@@ -98,6 +101,18 @@ def _node_of(loads: list[Load], block: Block) -> PublicNode | None:
         return node_called(str(block.key).rpartition("/")[2])
     nodes = {public_node(str(package), str(program)) for package, program in started}
     return nodes.pop() if len(nodes) == 1 else None
+
+
+def _is_known(parameter: Parameter) -> bool:
+    """Whether a parameter in a section of a server of Navigation2 may be one of a plugin."""
+    words = parameter.name.split(".")
+    sections = [".".join(words[:end]) for end in range(len(words) - 1, 0, -1)]
+    given = {each.name: str(each.value.data) for each in parameter.block.parameters}
+    plugins = [given[f"{each}.plugin"] for each in sections if f"{each}.plugin" in given]
+    others = [each for each in sections if not given.get(f"{each}.primary_controller", "nav2_").startswith(_OFFICIAL)]
+    if not plugins or others or not plugins[0].startswith(_OFFICIAL):
+        return True
+    return words[-1] in nav2_words() or is_of_library(parameter.name)
 
 
 def _is_official(parameter: Parameter, node: PublicNode) -> bool:
