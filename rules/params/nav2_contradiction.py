@@ -7,8 +7,8 @@ a section of their own, where no other file knows the name; a source that marks 
 `velocity_smoother` with the wrong sign or not one for each axis; `polygons` of the collision monitor without a section;
 `min_particles` of amcl above `max_particles`; an `initial_pose` without `set_initial_pose`; from Humble on the names
 that amcl's motion models had before, and a section `recoveries_server` without one for `behavior_server`; a local
-costmap that rolls in the frame that amcl corrects; and from Jazzy on libraries in `plugin_lib_names` that bt_navigator
-loads by itself.
+costmap that rolls in the frame that amcl corrects; critics that DWB or MPPI do not have; a `data_type` that obstacle
+layers do not take; and from Jazzy on libraries in `plugin_lib_names` that bt_navigator loads by itself.
 
 ## Why it matters on a robot
 A footprint that is refused leaves the robot with its radius, and the costmap lets it drive into what the corners touch.
@@ -54,7 +54,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.params import NavigationProblem
 from bringup_lint.api.params import navigation_problems
 
-_ENDS = ("sign", "length", "polygon", "model", "footprint", "library")
+_ENDS = ("sign", "length", "polygon", "model", "footprint", "library", "critic", "type")
 """What a server refuses."""
 
 
@@ -72,6 +72,9 @@ _ENDS = ("sign", "length", "polygon", "model", "footprint", "library")
         "Positive values set of min_velocities",
         "Negative values set of max_velocities",
         "Invalid size of parameter *. Must be size",
+        "Only topics that use point cloud2s or laser scans are currently supported",
+        "with base class type dwb_core::TrajectoryCritic does not exist",
+        "with base class type mppi::critics::CriticFunction does not exist",
     ],
 )
 def nav2_contradiction(robot: Robot) -> Iterator[Finding]:
@@ -113,6 +116,10 @@ def _message(each: NavigationProblem) -> str:
             )
         case "section":
             return f"No node is called {each.name} since Humble: {each.detail} runs with the defaults of its source"
+        case "critic":
+            return f"No critic is called '{each.name}': the controller server ends when it configures"
+        case "type":
+            return f"The source '{each.name}' is a {each.detail}: the costmap takes LaserScan and PointCloud2, and ends"
         case "library":
             return f"bt_navigator loads {each.name}{each.detail} by itself: it ends when it registers their nodes again"
     return f"amcl has no motion model '{each.name}' since Humble: it ends when it configures"
@@ -148,6 +155,10 @@ def _advice(each: NavigationProblem) -> str:
             return "write odom"
         case "section":
             return f"call it {each.detail}, recovery_plugins behavior_plugins, and the plugins nav2_behaviors/..."
+        case "critic":
+            return f"write {each.detail}" if each.detail else "write the name of a critic of this controller"
+        case "type":
+            return "write LaserScan or PointCloud2"
         case "library":
             return "list libraries of your own only, or remove plugin_lib_names"
     return f"write {each.detail}"

@@ -14,6 +14,7 @@ from bringup_lint.graph.params.values import items
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Span
+from bringup_lint.spelling import nearest
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -48,6 +49,22 @@ _SINCE_HUMBLE = frozenset(("velocity_smoother", "behavior_server", "collision_mo
 """Nodes that no distribution before Humble has."""
 
 
+_OF_DWB = frozenset(
+    "BaseObstacle GoalAlign GoalDist ObstacleFootprint Oscillation PathAlign PathDist PreferForward RotateToGoal "
+    "Twirling".split()
+)
+_OF_MPPI = frozenset(
+    "Constraint Cost GoalAngle Goal Obstacles PathAlign PathAlignLegacy PathAngle PathFollow PreferForward Twirling "
+    "VelocityDeadband".split()
+)
+"""Critics without the word at their end, in any distribution (dwb_critics, default_critics.xml; nav2_mppi_controller,
+critics.xml)."""
+_CRITICS = {
+    "dwb_core::DWBLocalPlanner": _OF_DWB,
+    "nav2_mppi_controller::MPPIController": frozenset(f"{each}Critic" for each in _OF_MPPI),
+}
+_SEEN = ("LaserScan", "PointCloud2", "")
+"""What an obstacle layer takes as the type of a source (obstacle_layer.cpp)."""
 _RECOVERIES, _BEHAVIORS = "recoveries_server", "behavior_server"
 """One server, before Humble and since."""
 
@@ -55,7 +72,7 @@ _RECOVERIES, _BEHAVIORS = "recoveries_server", "behavior_server"
 class NavigationProblem(NamedTuple):
     kind: str
     """``footprint``, ``corner``, ``inflation``, ``ranges``, ``source``, ``sign``, ``length``, ``particles``, ``pose``,
-    ``model``, ``frame``, ``polygon``, ``library`` or ``section``."""
+    ``model``, ``frame``, ``polygon``, ``library``, ``section``, ``critic`` or ``type``."""
     where: Span
     name: str
     """The parameter or observation source."""
@@ -233,6 +250,10 @@ def _observations(params: Params, named: dict[str, Parameter], layer: str) -> It
             if not params.named_elsewhere(source, {sources.span.source}):
                 yield NavigationProblem("source", sources.span, source, layer)
             continue
+        kind = named.get(f"{prefix}data_type")
+        if kind is not None and isinstance(kind.value.data, str) and kind.value.data not in _SEEN:
+            if "$" not in kind.value.data:
+                yield NavigationProblem("type", kind.span, source, kind.value.data)
         marked, cleared = named.get(f"{prefix}obstacle_max_range"), named.get(f"{prefix}raytrace_max_range")
         far = _number(marked) if marked is not None else _OBSTACLE
         clear = _number(cleared) if cleared is not None else _RAYTRACE
@@ -275,6 +296,25 @@ def _monitor(params: Params, file: ParameterFile, block: Block) -> Iterator[Navi
     for item in items(listed):
         if item.text not in sections and not params.named_elsewhere(item.text, {file.source}):
             yield NavigationProblem("polygon", item.span, item.text, _name(block))
+
+
+def _controllers(params: Params, file: ParameterFile, block: Block) -> Iterator[NavigationProblem]:
+    """Critics that a controller does not have, and that nothing else of the tree names, as a package with critics of
+    its own does."""
+    named = _named(block)
+    for name, each in named.items():
+        section = name.removesuffix(".critics")
+        plugin = named.get(f"{section}.primary_controller") or named.get(f"{section}.plugin")
+        known = _CRITICS.get(str(plugin.value.data)) if plugin is not None and section != name else None
+        if known is None or f"{section}.default_critic_namespaces" in named:
+            continue
+        for item in items(each):
+            critic = item.text.removesuffix("Critic") if known is _OF_DWB else item.text
+            is_plain = item.text.isidentifier() and f"{section}.{item.text}.class" not in named
+            if is_plain and critic not in known and not params.named_elsewhere(item.text, {file.source}):
+                yield NavigationProblem(
+                    "critic", item.span, item.text, next(iter(nearest(critic, sorted(known), 4)), "")
+                )
 
 
 def _amcl(params: Params, file: ParameterFile, block: Block) -> Iterator[NavigationProblem]:
@@ -328,6 +368,7 @@ def _numbers(parameter: Parameter | None) -> list[float]:
 
 
 _CHECKS: dict[str, Callable[[Params, ParameterFile, Block], Iterator[NavigationProblem]]] = {
+    "controller_server": _controllers,
     "local_costmap": _costmap,
     "global_costmap": _costmap,
     "velocity_smoother": _smoother,

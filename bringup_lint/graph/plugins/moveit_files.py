@@ -79,22 +79,22 @@ def _chain(node: ast.expr) -> list[ast.Call]:
 
 def _of_chain(launch: Launch, tree: Tree, positions: Positions, calls: list[ast.Call]) -> Iterator[MissingMoveItFile]:
     made, *methods = calls
-    robot, named = _text(_argument(made, "robot_name", 0)), _argument(made, "package_name", 2)
-    name = _text(named) if named is not None else f"{robot}_moveit_config"
+    model, named = _text(_argument(made, "robot_name", 0)), _argument(made, "package_name", 2)
+    name = _text(named) if named is not None else f"{model}_moveit_config"
     package = launch.workspace.packages.get(name or "")
-    if robot is None or package is None:
+    if model is None or package is None:
         return
     called = {call.func.attr: call for call in methods if isinstance(call.func, ast.Attribute)}
     opened: list[tuple[str | None, ast.expr]] = []
     for method, call in called.items():
         if method in _OPENED:
             given = _argument(call, "file_path", 0)
-            default = _semantic(tree, package, robot) if method == "robot_description_semantic" else _OPENED[method]
+            default = _semantic(tree, package, model) if method == "robot_description_semantic" else _OPENED[method]
             opened.append((_text(given) if given is not None else default, call if given is None else given))
     if "to_moveit_configs" in called:
         for method in _ALWAYS:
             if method not in called:
-                path = _OPENED[method] or _semantic(tree, package, robot)
+                path = _OPENED[method] or _semantic(tree, package, model)
                 opened.append((path, made))
     for path, node in opened:
         found = launch.workspace.find(Place("share", package.name, path)) if path and path[0] not in "/." else None
@@ -113,13 +113,13 @@ def _text(node: ast.expr | None) -> str | None:
     return node.value if isinstance(node, ast.Constant) and isinstance(node.value, str) else None
 
 
-def _semantic(tree: Tree, package: Package, robot: str) -> str | None:
+def _semantic(tree: Tree, package: Package, model: str) -> str | None:
     """The SRDF that the builder opens by itself: that of the setup assistant, or the one with the robot's name."""
     path = f"{package.folder}/{_ASSISTANT}"
     source = tree.read(path) if tree.is_file(path) else None
     if source is None:
-        return f"config/{robot}.srdf"
-    return _assistant_srdf(source) or f"config/{robot}.srdf"
+        return f"config/{model}.srdf"
+    return _assistant_srdf(source) or f"config/{model}.srdf"
 
 
 def _assistant_srdf(source: Source) -> str | None:
