@@ -32,6 +32,7 @@ _CONTAINER = regex(r"[a-zA-Z0-9][a-zA-Z0-9_.-]+")
 _PORTS = regex(r"(?P<first>\d{1,5})(?:-(?P<last>\d{1,5}))?")
 _PROTOCOL = regex(r"tcp|udp|sctp", re.I)
 _PERMISSIONS = regex(r"[rwm]{1,3}")
+_MAC = regex(r"[0-9A-Fa-f]{2}(?:[:-][0-9A-Fa-f]{2}){5}")
 _SIGNAL = regex(r"(?:SIG)?[A-Z]+\d*(?:[-+]\d+)?|\d+")
 _MOUNT_OPTIONS = frozenset(
     "ro rw nocopy z Z cached delegated consistent private rprivate shared rshared slave rslave U O".split()
@@ -131,6 +132,7 @@ _GRAMMARS: dict[str, Callable[[Located], Fault | None]] = {
     "decimal": _matches(_DECIMAL, "a number"),
     "device": _device,
     "duration": _matches(_DURATION, "a duration such as 30s or 1m30s"),
+    "mac": _matches(_MAC, "a MAC address such as 02:42:ac:11:00:02"),
     "mount": _mount,
     "port": _port,
     "project-name": _matches(_PROJECT, "made of small letters, digits, dashes and underscores"),

@@ -57,7 +57,7 @@ from bringup_lint.api.yaml import Mapping
 from bringup_lint.api.yaml import Sequence
 
 REFUSED = "docker compose refuses the file"
-BY_ENGINE = ("container-name", "device", "restart", "stop-signal")
+BY_ENGINE = ("container-name", "device", "restart", "mac", "stop-signal")
 """Grammars that the Docker engine checks, not compose."""
 MODES = ("rw", "ro", "z", "Z")
 REDUNDANT = ("bind", "rbind")

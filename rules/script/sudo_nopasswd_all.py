@@ -45,6 +45,12 @@ AS_ROOT = regex(
     re.M,
 )
 ENDS = ("shutdown", "reboot", "poweroff", "halt")
+KEPT = regex(
+    r"""^[ \t]*(?P<name>\w+)=["'](?P<who>[%\w.{}$-]+)[ \t]+ALL=\([^)\n]{1,20}\)[ \t]*"""
+    r"""(?P<what>NOPASSWD:[ \t]*(?P<all>ALL))["']""",
+    re.M,
+)
+"""A line that a script keeps in a variable before it writes it."""
 TAGGED = regex(r"\s*(?P<tags>(?:[A-Z_]+:\s*)*)(?P<command>.*)")
 
 
@@ -56,6 +62,10 @@ def sudo_nopasswd_all(robot: Robot) -> Iterator[Finding]:
         for match in AS_ROOT.finditer(source.text):
             what = source.located(*match.span("what")).strip_located()
             yield from _judged(match["who"], what, source.located(*match.span("commands")).strip_located())
+    for source, did in robot.scripts.written("sudoers.d"):
+        match = KEPT.search(source.text) if "/etc/sudoers" in did.path or "SUDOERS" in did.path else None
+        if match is not None and match["name"] in (str(did.text) if did.text is not None else ""):
+            yield from _judged(match["who"], source.located(*match.span("what")), source.located(*match.span("all")))
 
 
 def _judged(who: str, what: Located, text: Located) -> Iterator[Finding]:
