@@ -13,6 +13,7 @@ from bringup_lint.dataclass import field
 from bringup_lint.ignore_marks import without_marks
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
+from bringup_lint.type_names import Any
 from bringup_lint.type_names import TypeVar
 from bringup_lint.type_names import cast
 
@@ -73,12 +74,13 @@ class Source:
 
     def once(self, key: object, make: Callable[[], Made]) -> Made:
         """What ``make`` makes of this text alone, for all that ask in this run."""
-        made = self._made if self.models is None else self.models
+        made: Any = self._made if self.models is None else self.models
         if made is None:
             made = self._made = {}
         if key not in made:
             made[key] = make()
-        return cast("Made", made[key])
+        answer: Made = made[key]
+        return answer
 
     def known(self, key: object) -> object:
         """What ``once`` made in this run, or in an earlier one; None where nobody asked yet."""

@@ -20,7 +20,9 @@ def memo(method: Callable[[Layer, Thing], Answer]) -> Callable[[Layer, Thing], A
 
     @wraps(method)
     def answer(layer: Layer, thing: Thing) -> Answer:
-        known: dict[Any, Answer] = layer.__dict__.setdefault(name, {})
+        known: dict[Any, Answer] | None = layer.__dict__.get(name)
+        if known is None:
+            known = layer.__dict__[name] = {}
         if thing not in known:
             known[thing] = method(layer, thing)
         return known[thing]

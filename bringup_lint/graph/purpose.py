@@ -208,8 +208,8 @@ class Purposes:
 
     def _configured(self, source: Source) -> Purpose | None:
         """What the configuration says of the file, or of the nearest of its folders."""
-        path = os.path.normpath(source.name)
-        while self.configured and path not in ("", "/", "."):
+        path = os.path.normpath(source.name) if self.configured else ""
+        while path not in ("", "/", "."):
             if path in self._by_path:
                 return self._by_path[path]
             path = os.path.dirname(path)

@@ -280,6 +280,7 @@ class Workspace:
                     seen.add(str(name))
                     todo.append(self.packages[str(name)])
 
+    @memo
     def owner(self, source: Source) -> Package | None:
         """The package that a file lies in."""
         return self.package_of(os.path.dirname(source.absolute))

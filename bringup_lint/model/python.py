@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ast
 import warnings
-from collections import deque
 from collections.abc import Iterator
 from collections.abc import Sequence
 from typing import Union
@@ -64,11 +63,10 @@ def is_self(node: ast.AST | None) -> bool:
 
 def walk(node: ast.AST) -> Iterator[ast.AST]:
     """As ``ast.walk``, breadth first, without contexts and operators."""
-    todo = deque([node])
-    while todo:
-        node = todo.popleft()
-        todo += children(node)
-        yield node
+    found = [node]
+    for each in found:
+        found += children(each)
+        yield each
 
 
 def bound_names(node: ast.AST) -> Iterator[str]:

@@ -99,6 +99,21 @@ def tree_of(source: Source) -> ast.Module | None:
     return cast("tuple[ast.Module | None, list[Problem]]", kept or syntax_tree(source))[0]
 
 
+def imports(source: Source) -> tuple[ast.Import | ast.ImportFrom, ...]:
+    """The imports that no ``try`` and no ``if`` surround, kept."""
+    return source.once(imports, lambda: _imports(tree_of(source)))
+
+
+def note_imports(source: Source, tree: ast.Module) -> None:
+    """Keep the imports of a tree, for which the file is then not read again."""
+    source.once(imports, lambda: _imports(tree))
+
+
+def _imports(tree: ast.Module | None) -> tuple[ast.Import | ast.ImportFrom, ...]:
+    body = tree.body if tree is not None else ()
+    return tuple(each for each in body if isinstance(each, (ast.Import, ast.ImportFrom)))
+
+
 def _place(source: Source, error: SyntaxError, shift: int) -> Span:
     """Where Python stopped reading; to the end of that line."""
     starts = source.line_starts

@@ -81,8 +81,10 @@ def key_in_wrong_section(robot: Robot) -> Iterator[Finding]:
                 continue
             for assignment in section.assignments:
                 key = assignment.key
+                if directives.directive(section.name, key):
+                    continue
                 homes = [name for name in allowed if directives.directive(name, key)]
-                if not homes or section.name in homes:
+                if not homes:
                     continue
                 yield finding(
                     key,

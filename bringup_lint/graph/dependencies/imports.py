@@ -5,7 +5,7 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator
 
-from bringup_lint.parsers.python_syntax import tree_of
+from bringup_lint.parsers.python_syntax import imports
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
@@ -17,16 +17,11 @@ def imported(source: Source, package: str | None = None) -> Iterator[Located]:
 
 
 def _imported(source: Source, package: str | None) -> Iterator[Located]:
-    module = tree_of(source)
-    if module is None:
-        return
-    for statement in module.body:
+    for statement in imports(source):
         if isinstance(statement, ast.Import):
             names = [each.name for each in statement.names]
-        elif isinstance(statement, ast.ImportFrom):
-            names = [_absolute(statement, package)]
         else:
-            continue
+            names = [_absolute(statement, package)]
         start = source.line_starts[statement.lineno - 1]
         span = source.span(start, start + len(source.line_text(statement.lineno)))
         yield from (Located(name, span) for name in names if name)

@@ -61,7 +61,8 @@ def joined_graph(layers: Layers) -> Graph:
         _try(join, graph, layers, places)
     for ends in (graph.out, graph.into):
         for node, edges in ends.items():
-            ends[node] = list(dict.fromkeys(edges))
+            if len(edges) > 1:
+                ends[node] = list(dict.fromkeys(edges))
     return graph
 
 

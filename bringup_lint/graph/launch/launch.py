@@ -242,8 +242,11 @@ class Launch:
     @property
     def nodes(self) -> Iterator[Started]:
         """Every node of every file once, as its own file starts it when it is launched directly."""
-        for expansion in self.expansions:
-            yield from (node for node in expansion.nodes if node.file is expansion.entry)
+        return iter(self._nodes)
+
+    @cached_property
+    def _nodes(self) -> list[Started]:
+        return [node for each in self.expansions for node in each.nodes if node.file is each.entry]
 
     @cached_property
     def ros1(self) -> list[LaunchFile]:
@@ -404,6 +407,7 @@ class Launch:
         texts = (source.said for source in self._tree_files.of_kind(*_PROGRAMS))
         return [text for text in texts if any(word in text for word in _SWITCH_WORDS) and _SWITCHES.search(text)]
 
+    @memo
     def role(self, node: Started) -> Role:
         """What is known about a node's program."""
         program = literal_text(node.plugin) or literal_text(node.executable)

@@ -26,6 +26,7 @@ from bringup_lint.parsers.launch_python.waits import MENTIONED
 from bringup_lint.parsers.launch_python.waits import waits
 from bringup_lint.parsers.python_syntax import Positions
 from bringup_lint.parsers.python_syntax import byte_order_mark
+from bringup_lint.parsers.python_syntax import note_imports
 from bringup_lint.parsers.python_syntax import syntax_tree
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
@@ -44,6 +45,7 @@ def parse(source: Source) -> LaunchFile:
     file.problems += problems
     if tree is None:
         return file
+    note_imports(source, tree)
     positions = Positions(source, byte_order_mark(source))
     if MENTIONED.search(source.text):
         file.waits += waits(tree, positions)
