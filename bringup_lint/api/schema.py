@@ -29,10 +29,11 @@ __all__ = ["Code", "Item", "Remark", "explained", "suggestions", "unknown_name",
 
 def explained(problems: Iterable[Problem], texts: Mapping[str, tuple[str, str]]) -> Iterator[Finding]:
     """One finding for each problem whose code has a message and an advice; ``{where}`` and ``{detail}`` in them are the
-    problem's."""
+    problem's; where it is about more than a text, the first line of that."""
     for problem in problems:
         if problem.code in texts:
-            said = {"where": problem.where, "detail": problem.detail}
+            where = problem.where if isinstance(problem.where, Located) else problem.where.text.partition("\n")[0]
+            said = {"where": where, "detail": problem.detail}
             message, advice = (text.format(**said) for text in texts[problem.code])
             yield finding(problem.where, message, advice=advice)
 
