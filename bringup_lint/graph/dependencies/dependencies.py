@@ -25,12 +25,14 @@ from bringup_lint.graph.dependencies.needs import of_builds
 from bringup_lint.graph.dependencies.needs import of_launch
 from bringup_lint.graph.dependencies.needs import of_launch_files
 from bringup_lint.graph.dependencies.needs import of_nodes
+from bringup_lint.graph.dependencies.plain_programs import plain_programs
 from bringup_lint.graph.dependencies.provided import Provided
 from bringup_lint.graph.dependencies.ros1_programs import ros1_programs
 from bringup_lint.graph.dependencies.subpackages import LeftOut
 from bringup_lint.graph.dependencies.subpackages import left_out
 from bringup_lint.graph.dependencies.unexported import Unexported
 from bringup_lint.graph.dependencies.unexported import unexported
+from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.memo import memo
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.pattern import regex
@@ -42,6 +44,7 @@ if TYPE_CHECKING:
     from bringup_lint.model.dockerfile import Dockerfile
     from bringup_lint.model.package import Install
     from bringup_lint.source import Located
+    from bringup_lint.source import Span
 
 _GOES_ON = regex(r"\s-[a-qs-z]*r[a-z]*(?:\s|$)|\s-s\s|--simulate|--dependency-types|\s-t\s|\|\|")
 """rosdep installs the rest, only says what it would do, or its failure is ignored."""
@@ -114,6 +117,23 @@ class Dependencies:
     def missing_files(self, package: Package) -> list[Install]:
         """What a build installs in any case, and that is not in the tree."""
         return missing_files(self._files, package)
+
+    def plain_programs(self, package: Package) -> Iterator[Install]:
+        """The installed scripts of a package that do not say which interpreter they are for."""
+        return plain_programs(self._files.tree, package, self.started_programs(package))
+
+    def started_programs(self, package: Package) -> dict[str, Span]:
+        """The programs of a package that launch files start, and where."""
+        return self._started_programs.get(package.name, {})
+
+    @cached_property
+    def _started_programs(self) -> dict[str, dict[str, Span]]:
+        found: dict[str, dict[str, Span]] = {}
+        for node in self._launch.nodes:
+            owner, name = literal_text(node.package), literal_text(node.executable)
+            if owner is not None and name is not None:
+                found.setdefault(str(owner), {}).setdefault(str(name), name.span)
+        return found
 
     def ros1_programs(self, package: Package) -> Iterator[Install]:
         """The programs of ROS 1 that a package of ROS 2 installs."""

@@ -1,0 +1,37 @@
+"""Programs that a package installs, and that do not say which interpreter they are for."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Container
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.model.package import Install
+from bringup_lint.pattern import regex
+
+if TYPE_CHECKING:
+    from bringup_lint.discover.tree import Tree
+    from bringup_lint.graph.workspace import Package
+
+_SCRIPTS = (".py", ".sh", ".bash")
+_IS_RUN = regex(r"^if\s{1,4}__name__\s{0,4}==", re.M, "__name__")
+_READ = 200_000
+
+
+def plain_programs(tree: Tree, package: Package, started: Container[str]) -> Iterator[Install]:
+    """Scripts with the mode of a program in ``lib/<package>``, without ``#!`` at their start. Others than those that
+    launch files start may be modules that lie beside a program."""
+    for build in package.builds:
+        folder = os.path.dirname(build.source.absolute)
+        for install in build.installs:
+            name = install.renamed or os.path.basename(install.source)
+            if install.tree or install.destination.strip("/") != f"lib/{package.name}" or name in build.without_mode:
+                continue
+            path = os.path.normpath(os.path.join(folder, install.source))
+            if not path.endswith(_SCRIPTS) or not tree.is_file(path):
+                continue
+            text = tree.head(path, _READ)
+            if text.strip() and not text.startswith("#!") and (name in started or _IS_RUN.search(text)):
+                yield install
