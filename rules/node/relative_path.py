@@ -46,8 +46,8 @@ def relative_path(robot: Robot) -> Iterator[Finding]:
         idle = found.idle or robot.nodes.is_tool(found.file)
         yield finding(
             found.file.span_of(found.place),
-            f"{found.call}() finds {found.path} only when the program is started in {found.folder}: elsewhere, as under "
-            "systemd, it fails",
+            f"{found.call}() finds {found.path} only when the program is started in {found.folder}: "
+            "elsewhere, as under systemd, it fails",
             advice="install the file, and begin with get_package_share_directory()",
             related=[note(each.file.span_of(each.place), f"{each.path} likewise") for each in others],
             severity="info" if idle else nodes.lowered(robot.nodes.purpose(found.file.source), "warning"),
