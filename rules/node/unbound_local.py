@@ -2,8 +2,9 @@
 
 ## What it finds
 In the functions of Python nodes, a name that the function assigns only further down, as when `global` is missing for
-one of the file; and a name that a `try` alone assigns, whose `except` only prints or logs, and that is used right after
-it. Loops, where a turn before may have set it, are left out, and so is what runs only under a condition.
+one of the file; a name that a `try` alone assigns, whose `except` only prints or logs, and that is used right after it;
+and one that an `if` without `else` alone assigns, and that is used after it in any case. Loops, where a turn before may
+have set it, are left out, and so is what runs only under a condition.
 
 ## Why it matters on a robot
 An assignment anywhere in a function makes the name local to all of it. Python finds out when the line runs: on the
@@ -33,6 +34,7 @@ When the call in the `try` can never fail.
 - https://docs.python.org/3/faq/programming.html, "Why am I getting an UnboundLocalError when the variable has a value?"
 """
 
+import ast
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -60,13 +62,18 @@ def unbound_local(robot: Robot) -> Iterator[Finding]:
             related = [note(file.span_of(found.bound_at), "makes it local to the function")]
             if found.is_global:
                 advice = f"write 'global {name}' at the start of {found.function}()"
-            if found.handler is not None:
+            if isinstance(found.without, ast.If):
+                severity, unmet = "warning", "when the condition does not hold"
+                message = f"UnboundLocalError in {found.function}(): {name} has no value {unmet}: {end}"
+                advice = f"use {name} under the same condition, or give it a value before"
+                related = [note(file.span_of(found.without.test), "only under this condition does it get a value")]
+            elif found.without is not None:
                 severity = "warning"
                 message = f"UnboundLocalError in {found.function}(): {name} has no value after the exception: {end}"
                 advice = f"return in the handler, or give {name} a value there"
                 related = [
                     note(file.span_of(found.bound_at), "only here does it get a value"),
-                    note(file.span_of(found.handler.type or found.handler.body[0]), "goes on without it"),
+                    note(file.span_of(found.without.type or found.without.body[0]), "goes on without it"),
                 ]
             yield finding(
                 file.span_of(found.name),

@@ -34,8 +34,8 @@ class Unbound(NamedTuple):
     function: str
     bound_at: PlacedNode
     """Where it gets its value: later in the function, or in the ``try`` that failed."""
-    handler: ast.ExceptHandler | None
-    """After which the function goes on without it; None where it never has a value."""
+    without: ast.ExceptHandler | ast.If | None
+    """The handler that goes on without it, or the condition that alone gives it a value; None: it never has one."""
     is_global: bool
     """The file has a name of this kind."""
     caught: bool
@@ -48,7 +48,7 @@ def unbound_locals(syntax: Syntax) -> Iterator[Unbound]:
         if isinstance(function, (ast.FunctionDef, ast.AsyncFunctionDef)):
             locals_ = _Locals(syntax, function)
             seen: set[str] = set()
-            for found in (*locals_.too_early(), *locals_.after_failures()):
+            for found in (*locals_.too_early(), *locals_.after_failures(), *locals_.after_choices()):
                 if found.name.id not in seen:
                     seen.add(found.name.id)
                     yield found
@@ -117,7 +117,32 @@ class _Locals:
             if isinstance(statement, ast.Try) and not self._is_in_loop(statement):
                 handler = next((each for each in statement.handlers if self._goes_on(each)), None)
                 if handler is not None:
-                    yield from self._behind(statement, handler)
+                    inside = {part for each in statement.body for part in walk(each)}
+                    made = {name: first for each in statement.body for name, first in self._made(each, inside)}
+                    yield from self._behind(statement, made, handler)
+
+    def after_choices(self) -> Iterator[Unbound]:
+        """Uses after an ``if`` without ``else`` that alone gives a name its value; one after the other may be all that
+        there are."""
+        for statement in self._nodes:
+            if isinstance(statement, ast.If) and not statement.orelse and self._is_open(statement):
+                inside = {part for each in statement.body for part in walk(each)}
+                yield from self._behind(statement, dict(self._made_in(inside)), statement)
+
+    def _is_open(self, choice: ast.If) -> bool:
+        """Whether a condition is alone, outside of loops, and may be false."""
+        outer, name = next(self._syntax.above(choice))
+        block = getattr(outer, name)
+        place = block.index(choice)
+        is_next = place > 0 and isinstance(block[place - 1], ast.If)
+        is_call = isinstance(choice.test, ast.Call) and self._syntax.qualified(choice.test) == "rclpy.ok"
+        is_elif = isinstance(outer, ast.If) and name == "orelse"
+        return not (is_next or is_call or is_elif or isinstance(choice.test, ast.Constant) or self._is_in_loop(choice))
+
+    def _made_in(self, inside: set[ast.AST]) -> Iterator[tuple[str, PlacedNode]]:
+        for name, bindings in self._bound.items():
+            if all(each in inside for each in bindings):
+                yield name, bindings[0]
 
     def _is_in_loop(self, node: ast.AST) -> bool:
         return any(isinstance(outer, _LOOPS) for outer, _ in self._syntax.within(node))
@@ -135,15 +160,16 @@ class _Locals:
         name = ast.unparse(function).rpartition(".")[2] if function is not None else ""
         return bool(_ENDS.match(name)) or (name == "error" and "pars" in ast.unparse(node))
 
-    def _behind(self, statement: ast.Try, handler: ast.ExceptHandler) -> Iterator[Unbound]:
-        inside = {part for each in statement.body for part in walk(each)}
-        made = {name: first for each in statement.body for name, first in self._made(each, inside)}
+    def _behind(
+        self, statement: ast.stmt, made: dict[str, PlacedNode], without: ast.ExceptHandler | ast.If
+    ) -> Iterator[Unbound]:
+        """The first use of names that a statement alone gives a value, in the statements after it."""
         for following in self._syntax.after(statement):
             if not made or any(self._leaves(each) for each in own([following]) if each is not following):
                 return
             use = next((each for each in self._certain(following) if each.id in made), None)
             if use is not None:
-                yield self._found(use, made[use.id], handler)
+                yield self._found(use, made[use.id], without)
             if use is not None or self._leaves(following):
                 return
 
@@ -165,12 +191,12 @@ class _Locals:
         names = (each for each in parts if isinstance(each, ast.Name) and each not in left_out)
         yield from (each for each in names if isinstance(each.ctx, ast.Load))
 
-    def _found(self, use: ast.Name, bound_at: PlacedNode, handler: ast.ExceptHandler | None) -> Unbound:
+    def _found(self, use: ast.Name, bound_at: PlacedNode, without: ast.ExceptHandler | ast.If | None) -> Unbound:
         return Unbound(
             use,
             self._function.name,
             bound_at,
-            handler,
+            without,
             is_global=_is_of_file(self._syntax, use.id),
             caught=self._syntax.catches(use, _CAUGHT),
             idle=is_idle(self._syntax, use) or is_late(self._syntax, use),
