@@ -63,9 +63,9 @@ def sudo_nopasswd_all(robot: Robot) -> Iterator[Finding]:
             what = source.located(*match.span("what")).strip_located()
             yield from _judged(match["who"], what, source.located(*match.span("commands")).strip_located())
     for source, did in robot.scripts.written("sudoers.d"):
-        match = KEPT.search(source.text) if "/etc/sudoers" in did.path or "SUDOERS" in did.path else None
-        if match is not None and match["name"] in (str(did.text) if did.text is not None else ""):
-            yield from _judged(match["who"], source.located(*match.span("what")), source.located(*match.span("all")))
+        kept = KEPT.search(source.text) if "/etc/sudoers" in did.path or "SUDOERS" in did.path else None
+        if kept is not None and kept["name"] in (str(did.text) if did.text is not None else ""):
+            yield from _judged(kept["who"], source.located(*kept.span("what")), source.located(*kept.span("all")))
 
 
 def _judged(who: str, what: Located, text: Located) -> Iterator[Finding]:
