@@ -6,7 +6,8 @@ In `.urdf` and `.xacro` files: joints of type `revolute` or `prismatic` without 
 degrees (a warning). In `.urdf` files without xacro that no other description includes also: joints whose parent or
 child link does not exist, links and joints of the same name, and a second link without a parent. In files for xacro:
 joints outside of macros whose parent or child link no description of the tree has, when all that they include is in the
-tree. A file that no launch file and no other description names is reported as info.
+tree; and included files that do not exist, outside of macros and conditions. A file that no launch file and no other
+description names is reported as info.
 
 ## Why it matters on a robot
 urdfdom takes a description as a whole or not at all. robot_state_publisher ends at its start, the controller manager
@@ -92,6 +93,8 @@ def _what(refused: Refused) -> str:
         case "turned":
             whose = f"of '{refused.name}'" if refused.name else "of a shape"
             return f"The origin {whose} is turned by {refused.detail} radians"
+        case "no-file":
+            return f"xacro does not find the file '{refused.name}'"
         case "no-link":
             return f"Joint '{refused.detail}' names the link '{refused.name}', which does not exist"
         case "twice":
@@ -102,6 +105,8 @@ def _what(refused: Refused) -> str:
 def _consequence(refused: Refused) -> str:
     if refused.what == "limits":
         return "every goal is out of range"
+    if refused.what == "no-file":
+        return "it makes no description, and robot_state_publisher does not start"
     if refused.what == "degrees":
         return "many turns, which nothing keeps the joint from"
     if refused.what == "turned":
@@ -119,6 +124,8 @@ def _advice(refused: Refused) -> str:
             return "swap them"
         case "degrees" | "turned":
             return "convert them from degrees, for example ${radians(90)}"
+        case "no-file":
+            return "add the file, or correct the path"
         case "no-link":
             return "add the link, or correct the name"
         case "twice":

@@ -82,7 +82,7 @@ class Plugins:
     @cached_property
     def refused_descriptions(self) -> list[list[Refused]]:
         """What is wrong with robot descriptions, that of one file together."""
-        return list(refused_descriptions(self._files, self._launch.workspace.packages))
+        return list(refused_descriptions(self._files, self._launch.workspace))
 
     @cached_property
     def unknown_arguments(self) -> list[UnknownArgument]:

@@ -2,23 +2,27 @@
 
 from __future__ import annotations
 
+import os
 import re
-from collections.abc import Container
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.graph.plugins.described import Described
 from bringup_lint.graph.plugins.described import described
+from bringup_lint.graph.workspace import Place
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.xml import parse
+from bringup_lint.pattern import regex
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
+    from bringup_lint.graph.workspace import Workspace
     from bringup_lint.model.xml import Element
     from bringup_lint.source import Source
 
+_FOUND = regex(r"\$\(find\s+(?P<package>[\w-]+)\s*\)/(?P<rest>[^$]+)\Z")
 _LIMITED = ("revolute", "prismatic")
 _DEGREES = (30, 360)
 _NEEDED = ("effort", "velocity")
@@ -29,7 +33,8 @@ _OUTER = frozenset({"ros2_control", "transmission", "gazebo", "state", "group_st
 class Refused(NamedTuple):
     where: Span
     what: str
-    """``no-limit``, ``no-attribute``, ``limits``, ``degrees``, ``turned``, ``no-link``, ``twice`` or ``roots``."""
+    """``no-limit``, ``no-attribute``, ``limits``, ``degrees``, ``turned``, ``no-link``, ``twice``, ``roots`` or
+    ``no-file``."""
     name: str
     detail: str = ""
     other: Span | None = None
@@ -37,15 +42,21 @@ class Refused(NamedTuple):
     """A launch file or another description names the file."""
 
 
-def refused_descriptions(files: Files, packages: Container[str]) -> Iterator[list[Refused]]:
-    """What is wrong with the judged descriptions, that of one file together. ``packages``: those of the tree."""
+def refused_descriptions(files: Files, workspace: Workspace) -> Iterator[list[Refused]]:
+    """What is wrong with the judged descriptions, that of one file together."""
+    packages = workspace.packages
     known: Described | None = None
     for source in files.of_kind("urdf"):
         root = parse(source).root if source.judged and not source.template else None
         if root is None or root.local != "robot":
             continue
         is_part = _is_named(files, source, "urdf")
-        found = [*_joints(root), *_origins(root), *(_tree(root) if _is_plain(source) and not is_part else ())]
+        found = [
+            *_includes(root, workspace),
+            *_joints(root),
+            *_origins(root),
+            *(_tree(root) if _is_plain(source) and not is_part else ()),
+        ]
         lost = list(_lost(root)) if "xacro" in source.text and not found else []
         if lost:
             known = known or described(files.tree, packages)
@@ -53,6 +64,29 @@ def refused_descriptions(files: Files, packages: Container[str]) -> Iterator[lis
         if found:
             used = is_part or _is_named(files, source, *LAUNCH)
             yield sorted((each._replace(used=used) for each in found), key=_is_read)
+
+
+def _includes(root: Element, workspace: Workspace) -> Iterator[Refused]:
+    """The files that xacro includes in any case, and that the tree does not have."""
+    for element in root.walk():
+        name = element.get("filename") if element.name == "xacro:include" else None
+        if name is None or not _is_unconditional(element):
+            continue
+        match = _FOUND.match(name)
+        if match is not None:
+            place = Place("share", match["package"], match["rest"])
+        else:
+            place = Place("file", "", os.path.join(os.path.dirname(name.span.source.absolute), name))
+        found = workspace.find(place) if not set(place.path) & set("$*?[") else None
+        if found is not None and found.file is None:
+            yield Refused(name.span, "no-file", str(name))
+
+
+def _is_unconditional(element: Element) -> bool:
+    outer = element.parent
+    while outer is not None and not outer.name.startswith("xacro:"):
+        outer = outer.parent
+    return outer is None
 
 
 def _is_read(refused: Refused) -> bool:
