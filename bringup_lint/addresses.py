@@ -1,21 +1,25 @@
 """IP addresses, networks and ports, and what an address means: this computer, all interfaces, or another computer.
 
 Formats that wrap an address in a grammar of their own (a socket of systemd, a port of compose) are read by their
-parsers, which ask here about the address inside.
+parsers, which ask here about the address inside. Units import this module for ports alone, so that ``ipaddress`` is
+imported by the first address.
 """
 
 from __future__ import annotations
 
-import ipaddress
 from collections.abc import Iterator
 
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
+from bringup_lint.type_names import TYPE_CHECKING
 
-Address = ipaddress.IPv4Address | ipaddress.IPv6Address
-Interface = ipaddress.IPv4Interface | ipaddress.IPv6Interface
-"""An address with the length of its network's prefix."""
-Network = ipaddress.IPv4Network | ipaddress.IPv6Network
+if TYPE_CHECKING:
+    import ipaddress
+
+    Address = ipaddress.IPv4Address | ipaddress.IPv6Address
+    Interface = ipaddress.IPv4Interface | ipaddress.IPv6Interface
+    """An address with the length of its network's prefix."""
+    Network = ipaddress.IPv4Network | ipaddress.IPv6Network
 
 HIGHEST_PORT = 65535
 PREFIX_LENGTH = {4: 32, 6: 128}
@@ -27,24 +31,30 @@ _QUAD = regex(r"[0-9]{1,18}(?:\.[0-9]{1,18}){3}")
 
 
 def parse_address(text: str) -> Address | None:
+    from ipaddress import ip_address
+
     try:
-        return ipaddress.ip_address(str(text))
+        return ip_address(str(text))
     except ValueError:
         return None
 
 
 def parse_interface(text: str) -> Interface | None:
     """An address that is written with its prefix length."""
+    from ipaddress import ip_interface
+
     try:
-        return ipaddress.ip_interface(str(text)) if "/" in text else None
+        return ip_interface(str(text)) if "/" in text else None
     except ValueError:
         return None
 
 
 def parse_network(text: str) -> Network | None:
     """A network, also where bits of the host are set."""
+    from ipaddress import ip_network
+
     try:
-        return ipaddress.ip_network(str(text), strict=False)
+        return ip_network(str(text), strict=False)
     except ValueError:
         return None
 

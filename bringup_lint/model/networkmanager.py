@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from bringup_lint.addresses import Interface
 from bringup_lint.addresses import parse_interface
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
@@ -13,6 +12,10 @@ from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
+from bringup_lint.type_names import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from bringup_lint.addresses import Interface
 
 ALIASES = {"802-3-ethernet": "ethernet", "802-11-wireless": "wifi", "802-11-wireless-security": "wifi-security"}
 """Names of nm-settings(5) to those of keyfiles."""

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from bringup_lint.addresses import Address
 from bringup_lint.addresses import address_of
 from bringup_lint.addresses import host_of
 from bringup_lint.addresses import is_loopback
@@ -15,6 +14,10 @@ from bringup_lint.model.cyclonedds import Domain
 from bringup_lint.model.cyclonedds import Setting
 from bringup_lint.parsers.cyclonedds_values import size
 from bringup_lint.source import Located
+from bringup_lint.type_names import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from bringup_lint.addresses import Address
 
 PEER = "Discovery/Peers/Peer@Address"
 INTERFACE = "General/Interfaces/NetworkInterface"

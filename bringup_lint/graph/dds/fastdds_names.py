@@ -6,7 +6,6 @@ import re
 from collections import Counter
 from collections.abc import Iterator
 
-from bringup_lint.addresses import Address
 from bringup_lint.addresses import address_of
 from bringup_lint.addresses import parse_address
 from bringup_lint.model.fastdds import VERSIONS
@@ -27,6 +26,10 @@ from bringup_lint.schema.names import find
 from bringup_lint.schema.names import suggestions
 from bringup_lint.source import Located
 from bringup_lint.source import Span
+from bringup_lint.type_names import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from bringup_lint.addresses import Address
 
 LOCATOR_LISTS = regex(r"LocatorList$|^initialPeersList$|external_unicast_locators$")
 
