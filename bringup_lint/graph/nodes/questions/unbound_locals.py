@@ -25,6 +25,8 @@ _EXPECTED = frozenset({"NameError", "UnboundLocalError"})
 _CAUGHT = frozenset({*_EXPECTED, "Exception", "BaseException"})
 _AT_END = frozenset({"KeyboardInterrupt", "SystemExit", "ExternalShutdownException", "ImportError"})
 """Exceptions that come at the end of the program, or before it can do anything."""
+_NEVER_RAISES = ("FileStorage", "VideoCapture")
+"""OpenCV says of what it cannot open only that it is not open."""
 _ENDS = regex(r"(?i)\w{0,40}(?:exit|quit|abort|shutdown|fail|die|terminate|raise|skip|kill)")
 """Words of calls after which what follows does not run, or does not matter."""
 
@@ -208,6 +210,8 @@ def _may_fail(node: ast.AST) -> bool:
     if not isinstance(node, ast.Call):
         return False
     name = ast.unparse(node.func).rpartition(".")[2]
+    if name in _NEVER_RAISES:
+        return False
     return bool(node.args or node.keywords) or not name[:1].isupper()
 
 
