@@ -2,10 +2,10 @@
 
 ## What it finds
 - In `kinematics.yaml`: solvers for groups that no SRDF of the package has, where no group of the SRDF has one.
-- In `moveit_controllers.yaml`: names in `controller_names` that are named nowhere else in the tree, where a parameter
-  file gives the same joints to a trajectory controller of another name; an `action_ns` that the controller of that name
-  in the same folder does not serve: trajectory controllers serve `follow_joint_trajectory`, gripper controllers
-  `gripper_cmd`.
+- In `moveit_controllers.yaml`: names in `controller_names` that have no section, or that are named nowhere else in the
+  tree, where a parameter file gives the same joints to a trajectory controller of another name; an `action_ns` that the
+  controller of that name in the same folder does not serve: trajectory controllers serve `follow_joint_trajectory`,
+  gripper controllers `gripper_cmd`.
 - A launch file that starts MoveIt with controllers in a namespace (`/arm/arm_controller`), and no controller manager
   there.
 
@@ -58,6 +58,8 @@ def moveit_mismatch(robot: Robot) -> Iterator[Finding]:
     for each in robot.plugins.moveit_problems:
         if each.kind == "group":
             message = f"The SRDF has no group '{each.name}': none of its groups has a kinematics solver"
+        elif each.kind == "section":
+            message = f"'{each.name}' has no section with its type and joints: MoveIt leaves the controller out"
         elif each.kind == "action":
             message = f"The controller serves '{each.near}', not '{each.name}': MoveIt waits and executes nothing"
         else:
@@ -65,7 +67,7 @@ def moveit_mismatch(robot: Robot) -> Iterator[Finding]:
         yield finding(
             each.name,
             message,
-            advice=f"write {each.near}" if each.near else "name a group of the SRDF",
+            advice=_advice(each),
             related=list(_known(each)),
             severity="warning" if each.kind == "action" else None,
         )
@@ -79,6 +81,12 @@ def moveit_mismatch(robot: Robot) -> Iterator[Finding]:
             related=[note(each, "MoveIt sends to this name") for each in (first, *others[:5])],
             chain=robot.provenance.chain_to_node(away.manager),
         )
+
+
+def _advice(each: MoveItProblem) -> str:
+    if each.kind == "section":
+        return f"write {each.near}" if each.near else f"add a section {each.name}, or take it off the list"
+    return f"write {each.near}" if each.near else "name a group of the SRDF"
 
 
 def _known(each: MoveItProblem) -> Iterator[Related]:

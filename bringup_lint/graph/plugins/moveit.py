@@ -38,7 +38,7 @@ _SERVED = {
 
 class MoveItProblem(NamedTuple):
     kind: str
-    """``group``, ``controller`` or ``action``."""
+    """``group``, ``controller``, ``action`` or ``section``."""
     name: Located
     known: tuple[Located, ...]
     """The groups of the SRDF, the controller that has the same joints, or the type that serves another action."""
@@ -110,6 +110,11 @@ def _controllers(source: Source, params: Params) -> Iterator[MoveItProblem]:
     listed = {_tail(item.value) for item in names.scalars}
     for item in names.scalars:
         own = manager.mapping(item.value)
+        if own is None and "/" not in item.value and "." not in item.value:
+            sections = [str(key.value) for key, value in manager.entries if isinstance(value, Mapping)]
+            near = [each for each in sections if each not in listed and nearest(item.value, [each], 4)]
+            yield MoveItProblem("section", item.value, (), near[0] if len(near) == 1 else None)
+            continue
         joints = own.sequence("joints") if own is not None else None
         same = known.get(frozenset(str(each.value) for each in joints.scalars)) if joints is not None else None
         tail = _tail(item.value)
