@@ -1,0 +1,68 @@
+"""A package of ROS 2 does not export its build type.
+
+## What it finds
+A package.xml that names a build tool of ament and exports no `build_type`, in a package that colcon builds. A package
+inside another one is left alone: colcon does not look for it.
+
+## Why it matters on a robot
+colcon takes such a package for one of catkin. With a CMakeLists.txt it builds and installs it, and its setup files do
+not put it on AMENT_PREFIX_PATH: `ros2 run` and launch files end with "Package not found", and plugins of it are not
+found. Without a CMakeLists.txt the build fails.
+
+## Bad
+```xml
+<buildtool_depend>ament_cmake</buildtool_depend>
+```
+
+## Good
+```xml
+<buildtool_depend>ament_cmake</buildtool_depend>
+<export>
+  <build_type>ament_cmake</build_type>
+</export>
+```
+
+## When to ignore it
+When nothing builds the package with colcon.
+
+## References
+- REP 149, "build_type"
+- catkin_pkg, `get_build_type`: catkin without an export (tried)
+- colcon-ros, task/catkin/build.py: no hook for AMENT_PREFIX_PATH
+"""
+
+import os
+from collections.abc import Iterable
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import rule
+from bringup_lint.api.launch import Package
+
+
+@rule("warning", symptoms=["Package '*' not found", "PackageNotFoundError"])
+def build_type_missing(robot: Robot) -> Iterator[Finding]:
+    packages = robot.launch.workspace.packages
+    for package in packages.values():
+        if _is_guessed(package) and robot.dependencies.judged(package) and not _is_inside(package, packages.values()):
+            built = robot.tree.exists(os.path.join(package.folder, "CMakeLists.txt"))
+            end = "ros2 run and launch files do not find it" if built else "the build fails"
+            yield finding(
+                package.place,
+                f"{package.name} exports no build type: colcon takes it for a package of catkin, and {end}",
+                advice=f"add <export><build_type>{'ament_cmake' if built else 'ament_python'}</build_type></export>",
+            )
+
+
+def _is_guessed(package: Package) -> bool:
+    """Whether only the build tool says that a package is one of ament."""
+    manifest = package.manifest
+    tools = [str(name) for tag, name in manifest.depends if tag == "buildtool_depend"]
+    is_ament = any(tool.startswith("ament_") for tool in tools) and "catkin" not in tools
+    return manifest.exported_type is None and not manifest.for_both and is_ament
+
+
+def _is_inside(package: Package, packages: Iterable[Package]) -> bool:
+    return any(package.folder.startswith(f"{other.folder}/") for other in packages)
