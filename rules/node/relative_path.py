@@ -40,7 +40,11 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("warning", confidence="medium", symptoms=["No such file or directory: 'src/", "No such file or directory: 'install/"])
+@rule(
+    "warning",
+    confidence="medium",
+    symptoms=["No such file or directory: 'src/", "No such file or directory: 'install/"],
+)
 def relative_path(robot: Robot) -> Iterator[Finding]:
     for found, *others in nodes.relative_files(robot.nodes):
         idle = found.idle or robot.nodes.is_tool(found.file)
