@@ -55,14 +55,7 @@ class Wrong(NamedTuple):
     advice: str
 
 
-@rule(
-    "error",
-    symptoms=[
-        "executable file not found in $PATH",
-        'exec: "*": stat *: no such file or directory',
-        "bash: *: No such file or directory",
-    ],
-)
+@rule("error", symptoms=['exec: "ros2 launch *": executable file not found in $PATH'])
 def start_not_run(robot: Robot) -> Iterator[Finding]:
     seen = set()
     for runner in robot.runners.in_containers:

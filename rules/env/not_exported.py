@@ -76,6 +76,6 @@ def _kept(run: Run) -> Iterator[Located]:
 def _is_lost(robot: Robot, source: Source, word: Located, started: Located) -> bool:
     """Whether only this line names the variable, and it is before the start."""
     name = word.partition("=")[0]
-    if word.span.start > started.span.start or len(re.findall(rf"\b{name}\b", source.text)) > 1:
+    if word.span.start > started.span.start or len(re.findall(rf"\b{re.escape(name)}\b", source.text)) > 1:
         return False
     return not any(name in other.text for other in robot.sources if other is not source)

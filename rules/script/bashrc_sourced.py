@@ -82,7 +82,7 @@ class Lost(NamedTuple):
 
 @rule(
     "warning",
-    symptoms=["ros2: command not found", 'Could not find a package configuration file provided by "ament_cmake"'],
+    symptoms=['Could not find a package configuration file provided by "ament_cmake"'],
 )
 def bashrc_sourced(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("shell-script"):
