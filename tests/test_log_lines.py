@@ -322,7 +322,7 @@ def test_one_common_word_in_a_line_of_an_unknown_program_is_no_match() -> None:
 
 
 def test_a_defect_that_no_rule_finds_is_called_one() -> None:
-    found = answer("[velocity_controller]: 'joints' parameter was empty")
+    found = answer("[spawner-3] [ERROR] [spawner_arm]: parameters not found in parameter files: ['arm.yaml']")
     assert found.other is not None and found.other.configuration == "unjudged"
 
 

@@ -56,8 +56,6 @@ from bringup_lint.api.params import IncompleteController
         "'state_interfaces' parameter is empty.",
         "'joints' parameter was empty",
         "'interface_name' parameter was empty",
-        "Parameter '*' cannot be empty",
-        "Failed to configure controller",
     ],
 )
 def controller_incomplete(robot: Robot) -> Iterator[Finding]:
