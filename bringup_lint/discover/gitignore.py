@@ -131,7 +131,7 @@ def pattern_of(line: str) -> _Pattern | None:
     text = text.rstrip("/")
     if not text:
         raise PatternError(f"'{line}' names nothing")
-    names = text.removeprefix("/").split("/")
+    names = _names(text.removeprefix("/"))
     if "/" not in text:
         names.insert(0, _ANY_FOLDERS)
     below = len(names) > 1 and names[-1] == _ANY_FOLDERS
@@ -148,6 +148,23 @@ def _without_trailing_blanks(line: str) -> str:
     text = line.rstrip("\r\n").rstrip(" ")
     escaped = (len(text) - len(text.rstrip("\\"))) % 2 and len(text) < len(line.rstrip("\r\n"))
     return text + " " if escaped else text
+
+
+def _names(text: str) -> list[str]:
+    """The parts of a pattern between slashes; one in brackets is no end. Raises PatternError."""
+    found, at = [""], 0
+    while at < len(text):
+        end = at + 1
+        if text[at] == "[":
+            end = _class(text, at + 1)[1]
+        elif text[at] == "\\" and text[end : end + 1] not in ("", "/"):
+            end += 1
+        if text[at] == "/":
+            found.append("")
+        else:
+            found[-1] += text[at:end]
+        at = end
+    return found
 
 
 def _segment(text: str) -> Matches:

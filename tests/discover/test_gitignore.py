@@ -6,6 +6,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
+from hypothesis import example
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -53,6 +54,8 @@ def test_git_agrees(repository: Path, patterns: list[str], paths: list[str]) -> 
     assert {path: ours.match(path) for path in paths} == by_git(repository, patterns, paths)
 
 
+@example("[!/]", ["a", "ab", "b/a"])
+@example("a/[/b]", ["a/b", "a/a"])
 @given(st.text("ab*?[]!\\/^-#. ", max_size=12), paths_of(st.text("ab", min_size=1, max_size=5)))
 def test_git_agrees_on_any_pattern(repository: Path, pattern: str, paths: list[str]) -> None:
     ours = Patterns.of([pattern])
