@@ -128,7 +128,7 @@ def pattern_of(line: str) -> _Pattern | None:
     includes = text.startswith("!")
     text = text[includes:]
     folder_only = text.endswith("/")
-    text = text.rstrip("/")
+    text = text.removesuffix("/")
     if not text:
         raise PatternError(f"'{line}' names nothing")
     names = _names(text.removeprefix("/"))

@@ -45,6 +45,8 @@ RMW = "RMW_IMPLEMENTATION"
 OF_ITSELF = ("DEFAULT_FASTRTPS_PROFILES.xml", "DEFAULT_FASTDDS_PROFILES.xml")
 """Names that Fast DDS looks for in the working directory."""
 DOCUMENT = regex(r"\.(?:md|rst|txt|adoc|mk|j2|ya?ml|py|cpp|hpp|sh|bash)$|(?:^|/)(?:Makefile|Dockerfile[^/]*|justfile)$")
+NAME = regex(r"[\w.+-]+\.xml")
+SPOKEN = regex(r"[\w.+-]+")
 MOST = 65536
 """Characters of a document that are looked through."""
 FILES = 2000
@@ -60,10 +62,14 @@ class Middleware(NamedTuple):
 
 
 CYCLONE = Middleware("rmw_cyclonedds_cpp", "CYCLONEDDS_URI", ("CYCLONEDDS_URI", "CYCLONE_DDS_URI"))
-FAST = Middleware("rmw_fastrtps_cpp", "FASTRTPS_DEFAULT_PROFILES_FILE", ("DEFAULT_PROFILES_FILE", "XMLProfileManager"))
+FAST = Middleware(
+    "rmw_fastrtps_cpp",
+    "FASTRTPS_DEFAULT_PROFILES_FILE",
+    (*(f"{name}_DEFAULT_PROFILES_FILE" for name in ("FASTRTPS", "FASTDDS")), "XMLProfileManager"),
+)
 
 
-@rule("warning", confidence="medium", silent="the nodes start with the defaults")
+@rule("info", confidence="medium", silent="the nodes start with the defaults")
 def dds_file_unread(robot: Robot) -> Iterator[Finding]:
     chosen = _chosen(robot)
     if CYCLONE.rmw in chosen:
@@ -81,20 +87,21 @@ def _chosen(robot: Robot) -> dict[str, Located]:
 
 
 def _unread(robot: Robot, middleware: Middleware, sources: list[Source], chosen: Located) -> Iterator[Finding]:
-    for source in sources:
-        if source.judged and robot.same_robot(source, chosen) and not _is_spoken_of(robot, middleware, source):
-            yield finding(
-                source,
-                f"No process reads this file: nothing sets {middleware.variable}, so none of its settings applies",
-                advice=f"set {middleware.variable} to the file where {RMW} is set",
-                related=[note(chosen, "selected here, without a file")],
-            )
+    files = [each for each in sources if each.judged and robot.same_robot(each, chosen)]
+    documents = [path for path in robot.tree.paths if DOCUMENT.search(path)] if files else []
+    spoken = _spoken_of(robot, documents) if files and len(documents) <= FILES else set(middleware.words)
+    is_set = not spoken.isdisjoint(middleware.words)
+    unread = [each for each in files if NAME.fullmatch(each.basename) and each.basename not in spoken and not is_set]
+    for source in unread:
+        yield finding(
+            source,
+            f"No process reads this file: nothing sets {middleware.variable}, so none of its settings applies",
+            advice=f"set {middleware.variable} to the file where {RMW} is set",
+            related=[note(chosen, "selected here, without a file")],
+        )
 
 
-def _is_spoken_of(robot: Robot, middleware: Middleware, source: Source) -> bool:
-    """Whether another file names the file or the variable."""
-    words = (source.basename, *middleware.words)
-    if any(word in other.text for other in robot.sources if other is not source for word in words):
-        return True
-    documents = [path for path in robot.tree.paths if DOCUMENT.search(path)]
-    return len(documents) > FILES or any(word in robot.tree.head(path, MOST) for path in documents for word in words)
+def _spoken_of(robot: Robot, documents: list[str]) -> set[str]:
+    """The words of all files of the tree, names of files and of variables among them."""
+    texts = (*(source.text for source in robot.sources), *(robot.tree.head(path, MOST) for path in documents))
+    return {word.strip(".") for text in texts for word in SPOKEN.findall(text)}

@@ -28,6 +28,7 @@ When whoever starts the script has exported the variable, which then keeps being
 """
 
 import re
+from collections import Counter
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -44,19 +45,17 @@ NAME = regex(
     r"(?:ROS_(?:DOMAIN_ID|LOCALHOST_ONLY|AUTOMATIC_DISCOVERY_RANGE|STATIC_PEERS|DISCOVERY_SERVER|SUPER_CLIENT|LOG_DIR|HOME"
     r"|SECURITY_\w+)|RMW_\w+|CYCLONEDDS_URI|FAST(?:RTPS|DDS)_DEFAULT_PROFILES_FILE|RCUTILS_\w+)(?==)"
 )
+NAMED = regex(r"\b(?:ROS|RMW|RCUTILS|CYCLONEDDS|FASTRTPS|FASTDDS)_[A-Z0-9_]+\b")
 EXPORTS_ALL = regex(r"^[ \t]*set[ \t]+(?:-[a-z]{0,8}a[a-z]{0,8}\b|-o[ \t]+allexport)", re.M)
 
 
 @rule("warning", confidence="medium", silent="the nodes start with their defaults")
 def not_exported(robot: Robot) -> Iterator[Finding]:
-    for source in robot.of_kind("shell-script"):
-        if not source.judged or "ros2" not in source.text or EXPORTS_ALL.search(source.text):
-            continue
-        runs = [did for did in robot.scripts.done(source) if isinstance(did, Run)]
-        kept = [word for run in runs if not run.words for word in _kept(run)]
-        started = next((run.words[0] for run in runs if run.name == "ros2" and run.certain), None)
-        lost = [word for word in kept if started is not None and _is_lost(robot, source, word, started)]
-        if lost and started is not None:
+    starts = list(_starts(robot))
+    named = _named(robot) if starts else Counter()
+    for source, kept, started in starts:
+        lost = [word for word in kept if _is_lost(named, source, word, started)]
+        if lost:
             first, *others = lost
             yield finding(
                 first,
@@ -69,13 +68,29 @@ def not_exported(robot: Robot) -> Iterator[Finding]:
             )
 
 
+def _starts(robot: Robot) -> Iterator[tuple[Source, list[Located], Located]]:
+    """Script, the assignments that it keeps to itself, and where it starts ros2."""
+    for source in robot.of_kind("shell-script"):
+        if not source.judged or "ros2" not in source.text or EXPORTS_ALL.search(source.text):
+            continue
+        runs = [did for did in robot.scripts.done(source) if isinstance(did, Run)]
+        kept = [word for run in runs if not run.words for word in _kept(run)]
+        started = next((run.words[0] for run in runs if run.name == "ros2" and run.certain), None)
+        if kept and started is not None:
+            yield source, kept, started
+
+
 def _kept(run: Run) -> Iterator[Located]:
     return (word for word in run.command.assignments if NAME.match(word))
 
 
-def _is_lost(robot: Robot, source: Source, word: Located, started: Located) -> bool:
+def _named(robot: Robot) -> Counter[str]:
+    """Variable -> how many files name it."""
+    return Counter(name for source in robot.sources for name in set(NAMED.findall(source.text)))
+
+
+def _is_lost(named: Counter[str], source: Source, word: Located, started: Located) -> bool:
     """Whether only this line names the variable, and it is before the start."""
     name = word.partition("=")[0]
-    if word.span.start > started.span.start or len(re.findall(rf"\b{re.escape(name)}\b", source.text)) > 1:
-        return False
-    return not any(name in other.text for other in robot.sources if other is not source)
+    is_before = word.span.start < started.span.start
+    return is_before and named[name] == 1 and NAMED.findall(source.text).count(name) == 1

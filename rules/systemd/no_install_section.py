@@ -33,12 +33,10 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
-from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api.systemd import Unit
 
 ENABLES = ("enable", "reenable")
 
@@ -46,11 +44,15 @@ ENABLES = ("enable", "reenable")
 @rule("info", fix="unsafe", symptoms=["The unit files have no installation config"])
 def no_install_section(robot: Robot) -> Iterator[Finding]:
     units = robot.units
-    for unit in units.services:
-        if unit.fragment is None or unit.uncertain or not unit.fragment.source.judged or units.is_started(unit):
-            continue
+    without = [
+        (unit, file.source)
+        for unit in units.services
+        if (file := unit.fragment) is not None and file.source.judged and not (unit.uncertain or units.is_started(unit))
+    ]
+    named = _enabled(robot) if without else {}
+    for unit, source in without:
         target = "multi-user.target" if unit.manager == "system" else "default.target"
-        enabled = list(_enabled(robot, unit, unit.fragment.source))
+        enabled = [word for word in named.get(unit.name, ()) if robot.same_robot(word, source)]
         yield finding(
             unit.where,
             f"{unit.name} has no [Install] section, and nothing starts it: systemctl enable has no effect",
@@ -61,9 +63,12 @@ def no_install_section(robot: Robot) -> Iterator[Finding]:
         )
 
 
-def _enabled(robot: Robot, unit: Unit, file: Source) -> Iterator[Located]:
-    """Where scripts for the same robot enable the unit."""
-    names = (unit.name, unit.name.removesuffix(".service"))
-    for source, run in robot.scripts.run("systemctl"):
-        if any(verb in run.words for verb in ENABLES) and robot.same_robot(source, file):
-            yield from (word for word in run.words[1:] if run.text(word) in names)
+def _enabled(robot: Robot) -> dict[str, list[Located]]:
+    """Service -> where scripts enable it."""
+    found: dict[str, list[Located]] = {}
+    for _, run in robot.scripts.run("systemctl"):
+        if any(verb in run.words for verb in ENABLES):
+            for word in run.words[1:]:
+                name = run.text(word) or ""
+                found.setdefault(f"{name.removesuffix('.service')}.service", []).append(word)
+    return found

@@ -55,6 +55,7 @@ def test_git_agrees(repository: Path, patterns: list[str], paths: list[str]) -> 
 
 
 @example("[!/]", ["a", "ab", "b/a"])
+@example("?//", ["a/a"])
 @example("a/[/b]", ["a/b", "a/a"])
 @given(st.text("ab*?[]!\\/^-#. ", max_size=12), paths_of(st.text("ab", min_size=1, max_size=5)))
 def test_git_agrees_on_any_pattern(repository: Path, pattern: str, paths: list[str]) -> None:
