@@ -65,7 +65,7 @@ CYCLONE = Middleware("rmw_cyclonedds_cpp", "CYCLONEDDS_URI", ("CYCLONEDDS_URI", 
 FAST = Middleware(
     "rmw_fastrtps_cpp",
     "FASTRTPS_DEFAULT_PROFILES_FILE",
-    (*(f"{name}_DEFAULT_PROFILES_FILE" for name in ("FASTRTPS", "FASTDDS")), "XMLProfileManager"),
+    ("FASTRTPS_DEFAULT_PROFILES_FILE", "FASTDDS_DEFAULT_PROFILES_FILE", "XMLProfileManager"),
 )
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
@@ -10,10 +9,9 @@ from typing import TYPE_CHECKING
 from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.graph.plugins.described import Described
 from bringup_lint.graph.plugins.described import described
-from bringup_lint.graph.workspace import Place
+from bringup_lint.graph.plugins.xacro_includes import included
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.xml import parse
-from bringup_lint.pattern import regex
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:
@@ -22,7 +20,6 @@ if TYPE_CHECKING:
     from bringup_lint.model.xml import Element
     from bringup_lint.source import Source
 
-_FOUND = regex(r"\$\(find\s+(?P<package>[\w-]+)\s*\)/(?P<rest>[^$]+)\Z")
 _LIMITED = ("revolute", "prismatic")
 _DEGREES = (30, 360)
 _NEEDED = ("effort", "velocity")
@@ -72,12 +69,7 @@ def _includes(root: Element, workspace: Workspace) -> Iterator[Refused]:
         name = element.get("filename") if element.name == "xacro:include" else None
         if name is None or not _is_unconditional(element):
             continue
-        match = _FOUND.match(name)
-        if match is not None:
-            place = Place("share", match["package"], match["rest"])
-        else:
-            place = Place("file", "", os.path.join(os.path.dirname(name.span.source.absolute), name))
-        found = workspace.find(place) if not set(place.path) & set("$*?[") else None
+        found = included(workspace, name.span.source, name)
         if found is not None and found.file is None:
             yield Refused(name.span, "no-file", str(name))
 

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.launch.started import literal_text
-from bringup_lint.graph.workspace import Place
+from bringup_lint.graph.plugins.xacro_includes import included
 from bringup_lint.model.launch_values import Command
 from bringup_lint.model.launch_values import Concat
 from bringup_lint.model.launch_values import walk
@@ -22,7 +21,6 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch.launch import Launch
 
 _GIVEN = regex(r"(?:^|(?<=\s))(\w+):=")
-_FOUND = regex(r"\$\(find\s+([\w-]+)\s*\)/([^$]+)\Z")
 _USED = regex(r"\$\(arg\s+(\w+)\s*\)")
 """An argument of a description in a path or value."""
 _FILES = 60
@@ -90,25 +88,16 @@ def _declared(launch: Launch, tree: Tree, source: Source) -> set[str] | None:
             if element.name == "xacro:arg":
                 defaults.setdefault(str(element.get("name")), str(element.get("default") or ""))
             elif element.name == "xacro:include":
-                included = _included(launch, tree, each, _filled(str(element.get("filename") or ""), defaults))
-                if included is None:
+                found = included(launch.workspace, each, _filled(str(element.get("filename") or ""), defaults))
+                file = tree.read(found.file) if found is not None and found.file is not None else None
+                if file is None:
                     return None
-                if included.name not in seen:
-                    seen.add(included.name)
-                    todo.append(included)
+                if file.name not in seen:
+                    seen.add(file.name)
+                    todo.append(file)
     return {*defaults, *used}
 
 
 def _filled(filename: str, defaults: dict[str, str]) -> str:
     """The name of a file with the defaults of arguments: what other values choose declares the same arguments."""
     return _USED.sub(lambda used: defaults.get(used[1], used[0]), filename)
-
-
-def _included(launch: Launch, tree: Tree, source: Source, filename: str) -> Source | None:
-    match = _FOUND.match(filename)
-    if match is not None:
-        found = launch.workspace.find(Place("share", match[1], match[2]))
-        path = found.file if found is not None else None
-    else:
-        path = os.path.join(os.path.dirname(source.absolute), filename) if "$" not in filename else None
-    return tree.read(os.path.normpath(path)) if path is not None and tree.is_file(path) else None
