@@ -75,3 +75,33 @@ def test_time_grows_as_the_flags_of_a_node(tmp_path: Path) -> None:
         lint("--no-cache", "--quiet", "--select", "node/goal-rejected-busy", ".", cwd=tmp_path)
 
     assert is_linear(check, 60)
+
+
+def node_with_choices(choices: int) -> str:
+    numbers = range(choices)
+    made = "".join(f"        if self.given{at}:\n            value{at} = 1\n" for at in numbers)
+    used = "".join(f"        print(value{at})\n" for at in numbers)
+    return f"""import rclpy
+from rclpy.node import Node
+
+
+class Sorter(Node):
+    def __init__(self):
+        super().__init__("sorter")
+        self.create_timer(1.0, self.tick)
+
+    def tick(self):
+{made}{used}
+
+rclpy.init()
+rclpy.spin(Sorter())
+"""
+
+
+@pytest.mark.slow
+def test_time_grows_as_the_names_that_a_choice_alone_gives_a_value(tmp_path: Path) -> None:
+    def check(size: int) -> None:
+        (tmp_path / "sorter.py").write_text(node_with_choices(size))
+        lint("--no-cache", "--quiet", "--select", "node/unbound-local,node/undefined-attribute", ".", cwd=tmp_path)
+
+    assert is_linear(check, 250)

@@ -8,8 +8,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 from typing import Union
 
-from bringup_lint.graph.nodes.questions.undefined_names import is_idle
-from bringup_lint.graph.nodes.questions.undefined_names import is_late
+from bringup_lint.graph.nodes.sources.idle import is_idle
+from bringup_lint.graph.nodes.sources.idle import is_late
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.node_source import NodeSource
 from bringup_lint.model.python import bound_names

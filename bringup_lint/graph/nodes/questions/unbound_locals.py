@@ -5,8 +5,8 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator
 
-from bringup_lint.graph.nodes.questions.undefined_names import is_idle
-from bringup_lint.graph.nodes.questions.undefined_names import is_late
+from bringup_lint.graph.nodes.sources.idle import is_idle
+from bringup_lint.graph.nodes.sources.idle import is_late
 from bringup_lint.graph.nodes.sources.syntax import FUNCTIONS
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import own
@@ -31,6 +31,10 @@ _ENDS = regex(r"(?i)\w{0,40}(?:exit|quit|abort|shutdown|fail|die|terminate|raise
 """Words of calls after which what follows does not run, or does not matter."""
 
 
+_FOLLOWED = 200
+"""Statements after a ``try`` or ``if`` that are looked at."""
+
+
 class Unbound(NamedTuple):
     name: ast.Name
     function: str
@@ -42,6 +46,15 @@ class Unbound(NamedTuple):
     """The file has a name of this kind."""
     caught: bool
     idle: bool
+
+
+class _Steps(NamedTuple):
+    """What a statement does that comes after one which may not give a name its value."""
+
+    leaves_inside: bool
+    """A statement or call in it leaves the function, or may end the program."""
+    uses: list[ast.Name]
+    """What it surely reads."""
 
 
 def unbound_locals(syntax: Syntax) -> Iterator[Unbound]:
@@ -65,6 +78,7 @@ class _Locals:
         self._nodes = list(own(function.body))
         inner = {part for each in self._nodes if isinstance(each, _COMPREHENSIONS) for part in walk(each)}
         self._names = [each for each in self._nodes if isinstance(each, ast.Name) and each not in inner]
+        self._known: dict[ast.stmt, _Steps] = {}
         self._bound: dict[str, list[PlacedNode]] = {}
         for each in self._nodes:
             if isinstance(each, _PLACED) and each not in inner:
@@ -142,7 +156,10 @@ class _Locals:
         return not (is_next or is_call or is_elif or isinstance(choice.test, ast.Constant) or self._is_in_loop(choice))
 
     def _made_in(self, inside: set[ast.AST]) -> Iterator[tuple[str, PlacedNode]]:
-        for name, bindings in self._bound.items():
+        """The names that nothing binds but statements inside of one."""
+        names = {name for each in inside if isinstance(each, _PLACED) for name in bound_names(each)}
+        for name in sorted(names & self._bound.keys()):
+            bindings = self._bound[name]
             if all(each in inside for each in bindings):
                 yield name, bindings[0]
 
@@ -166,14 +183,23 @@ class _Locals:
         self, statement: ast.stmt, made: dict[str, PlacedNode], without: ast.ExceptHandler | ast.If
     ) -> Iterator[Unbound]:
         """The first use of names that a statement alone gives a value, in the statements after it."""
-        for following in self._syntax.after(statement):
-            if not made or any(self._leaves(each) for each in own([following]) if each is not following):
+        if not made:
+            return
+        for following in self._syntax.after(statement)[:_FOLLOWED]:
+            steps = self._steps(following)
+            if steps.leaves_inside:
                 return
-            use = next((each for each in self._certain(following) if each.id in made), None)
+            use = next((each for each in steps.uses if each.id in made), None)
             if use is not None:
                 yield self._found(use, made[use.id], without)
             if use is not None or self._leaves(following):
                 return
+
+    def _steps(self, statement: ast.stmt) -> _Steps:
+        if statement not in self._known:
+            leaves = any(self._leaves(each) for each in own([statement]) if each is not statement)
+            self._known[statement] = _Steps(leaves, [] if leaves else list(self._certain(statement)))
+        return self._known[statement]
 
     def _made(self, statement: ast.stmt, inside: set[ast.AST]) -> Iterator[tuple[str, PlacedNode]]:
         """The names that a statement of a ``try`` gives the result of a call which may fail."""

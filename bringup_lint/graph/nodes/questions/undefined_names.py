@@ -9,6 +9,8 @@ from collections.abc import Iterable
 from collections.abc import Iterator
 
 from bringup_lint.facts import table
+from bringup_lint.graph.nodes.sources.idle import is_idle
+from bringup_lint.graph.nodes.sources.idle import is_late
 from bringup_lint.graph.nodes.sources.syntax import FUNCTIONS
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import own
@@ -23,14 +25,9 @@ _DYNAMIC = regex(
 )
 _OF_MODULES = frozenset({"__file__", "__path__", "__class__", "__module__", "__qualname__", "__annotations__", "_"})
 """Names that no statement binds; ``_`` is that of gettext.install()."""
-_DEPTH = 3
-"""Functions in a row that nothing else mentions."""
 _CAUGHT = frozenset({"NameError", "Exception", "BaseException"})
 _BINDING_NOTHING = frozenset((ast.Attribute, ast.Call, ast.Constant, ast.Expr, ast.keyword, ast.Assign))
 """The most frequent syntax that binds no name by itself."""
-_UNFINISHED = regex(r"(?i)not implemented|do not (?:run|use|call)")
-_RUN_BY_OTHERS = regex(r"main$|__\w+__$|on_[a-z]+$|destroy_node$|run$|setup$")
-"""Functions that are called by name from elsewhere."""
 
 
 class Undefined(NamedTuple):
@@ -112,54 +109,6 @@ class _Bindings:
 
 
 _COMPREHENSIONS = (ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
-
-
-def is_late(syntax: Syntax, name: ast.expr) -> bool:
-    """Whether the function spins, or waits for the end of a thread, before: the node has done its work."""
-    function = syntax.function(name)
-    before = (call for call in syntax.calls if call.lineno < name.lineno)
-    ends = (call for call in before if _waits_for_the_end(call))
-    return function is not None and any(syntax.function(call) is function for call in ends)
-
-
-def _waits_for_the_end(call: ast.Call) -> bool:
-    """``join`` of a thread takes nothing, that of a text does."""
-    attribute = call.func.attr if isinstance(call.func, ast.Attribute) else ""
-    return attribute == "spin" or (attribute == "join" and not call.args)
-
-
-def is_idle(syntax: Syntax, name: ast.expr) -> bool:
-    """Whether the function is only a stub, or nothing in its file mentions it but functions that nothing mentions."""
-    function = syntax.function(name)
-    if function is None:
-        return False
-    if any(_says_unfinished(each) for each in walk(function) if getattr(each, "lineno", name.lineno) < name.lineno):
-        return True
-    return _is_unmentioned(syntax, function, _DEPTH)
-
-
-def _is_unmentioned(syntax: Syntax, function: ast.FunctionDef | ast.AsyncFunctionDef, depth: int) -> bool:
-    if _RUN_BY_OTHERS.match(function.name) or function.decorator_list:
-        return False
-    users = {syntax.function(each) for each in syntax.file.nodes if _mentions(each, function.name)} - {function}
-    known = [each for each in users if each is not None and depth]
-    return len(known) == len(users) and all(_is_unmentioned(syntax, each, depth - 1) for each in known)
-
-
-def _mentions(node: ast.AST, function: str) -> bool:
-    """Whether a node calls or hands over a function, by itself or as a method of a plain name; a text may name it."""
-    if isinstance(node, ast.Name):
-        return node.id == function
-    if isinstance(node, ast.Attribute):
-        return node.attr == function and isinstance(node.value, (ast.Name, ast.Call))
-    return isinstance(node, ast.Constant) and node.value == function
-
-
-def _says_unfinished(node: ast.AST) -> bool:
-    if isinstance(node, ast.Name):
-        return node.id == "NotImplementedError"
-    text = node.value if isinstance(node, ast.Constant) else None
-    return isinstance(text, str) and bool(_UNFINISHED.search(text))
 
 
 def _all_bound(nodes: Iterable[ast.AST]) -> Iterator[str]:

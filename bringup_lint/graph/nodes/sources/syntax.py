@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 import ast
+from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
 from functools import cached_property
+from typing import Any
+from typing import TypeVar
 
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
 from bringup_lint.model.python import children
 from bringup_lint.model.python import fields_of
 
+Answer = TypeVar("Answer")
 _ENDS = (ast.Return, ast.Raise, ast.Break, ast.Continue)
 """Statements after which nothing of their block runs."""
 FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)
@@ -25,6 +29,7 @@ class Syntax:
         self.calls: list[ast.Call] = []
         self.reached: dict[tuple[object, ...], list[ast.AST]] = {}
         """A class and statements of it -> the syntax that these run, in one run: other files have a part in it."""
+        self._made: dict[Callable[[Syntax], Any], Any] = {}
         self._qualified: dict[ast.Call, str | None] = {}
         self._above: dict[ast.AST, tuple[ast.AST, str]] = {}
         stack: list[ast.AST] = [file.tree] if file.tree is not None else []
@@ -90,6 +95,13 @@ class Syntax:
             if outer in self._left:
                 return True
         return False
+
+    def once(self, make: Callable[[Syntax], Answer]) -> Answer:
+        """What something makes of the whole file, made once and kept as long as the tree is."""
+        if make not in self._made:
+            self._made[make] = make(self)
+        answer: Answer = self._made[make]
+        return answer
 
     @cached_property
     def _left(self) -> set[ast.AST]:
