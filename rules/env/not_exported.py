@@ -54,7 +54,8 @@ def not_exported(robot: Robot) -> Iterator[Finding]:
     starts = list(_starts(robot))
     named = _named(robot) if starts else Counter()
     for source, kept, started in starts:
-        lost = [word for word in kept if _is_lost(named, source, word, started)]
+        own = Counter(NAMED.findall(source.text))
+        lost = [word for word in kept if _is_lost(word, started, named, own)]
         if lost:
             first, *others = lost
             yield finding(
@@ -89,8 +90,7 @@ def _named(robot: Robot) -> Counter[str]:
     return Counter(name for source in robot.sources for name in set(NAMED.findall(source.text)))
 
 
-def _is_lost(named: Counter[str], source: Source, word: Located, started: Located) -> bool:
+def _is_lost(word: Located, started: Located, named: Counter[str], own: Counter[str]) -> bool:
     """Whether only this line names the variable, and it is before the start."""
     name = word.partition("=")[0]
-    is_before = word.span.start < started.span.start
-    return is_before and named[name] == 1 and NAMED.findall(source.text).count(name) == 1
+    return word.span.start < started.span.start and named[name] == own[name] == 1

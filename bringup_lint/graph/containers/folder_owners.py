@@ -25,6 +25,7 @@ _LONGEST = 4096
 """Characters of a path that the kernel takes (PATH_MAX)."""
 _GIVERS = ("install", "useradd", "adduser", "usermod")
 _MODE = regex(r"-\w*m|--mode")
+_TAKE_VARIABLES = ("USER", "WORKDIR", "COPY", "ADD")
 _PLACES = ("--build-base", "--install-base", "--log-base")
 
 
@@ -47,7 +48,7 @@ def builds_of_others(stage: Stage) -> Iterator[ForeignBuild]:
     folder, root = "/", True
     for one in reversed(list(stage.chain)):
         for each in one.instructions:
-            value = str(expanded(one, each))
+            value = str(expanded(one, each)) if each.name in _TAKE_VARIABLES else ""
             if each.name == "USER":
                 root = value.partition(":")[0] in ("root", "0")
             elif each.name == "WORKDIR":

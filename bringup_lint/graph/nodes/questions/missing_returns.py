@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -15,6 +14,8 @@ from bringup_lint.source import Source
 if TYPE_CHECKING:
     from bringup_lint.graph.nodes.nodes import Nodes
 
+_IDENTIFIER = regex(r"[A-Za-z_]\w*")
+_OVERRIDES = regex(r"\s{0,4}\([^;{}]{0,400}\)[\w\s]{0,40}\boverride\b")
 _SCOPE = regex(r"\b(?:\w{1,80}\s{0,4}::\s{0,4}){1,4}\Z")
 _TYPE = regex(r"(?:\w|(?<!-)>)\s{0,4}[*&]{0,2}\s{0,40}\Z")
 _WORD = regex(r"\b(?:return|else|case|co_return|do)\s{1,40}\Z")
@@ -27,23 +28,27 @@ WINDOW = 200
 def missing_returns(nodes: Nodes) -> Iterator[tuple[Source, MissingReturn, bool]]:
     """Each with whether its package calls it, or a base class does."""
     for node in nodes.cpp:
-        for found in node.missing_returns:
-            yield node.source, found, _is_called(nodes, node.source, found.function)
+        called = _called(nodes, node.source, {each.function for each in node.missing_returns})
+        yield from ((node.source, each, each.function in called) for each in node.missing_returns)
 
 
-def _is_called(nodes: Nodes, source: Source, name: str) -> bool:
-    """Whether a source of the package names a function other than to declare or define it, or a base class may."""
-    if _OF_BASES.match(name):
-        return True
+def _called(nodes: Nodes, source: Source, functions: set[str]) -> set[str]:
+    """The functions that a source of the package names other than to declare or define them, or a base class may."""
+    called = {name for name in functions if _OF_BASES.match(name)}
+    if functions == called:
+        return called
     for each in package_sources(nodes.files, nodes.launch.workspace.owner(source), source):
-        if each is not None and name in each.text and _names(blanked(each.text), name):
-            return True
-    return False
+        if each is not None:
+            called.update(_named(blanked(each.text), functions))
+    return called
 
 
-def _names(plain: str, name: str) -> bool:
-    named = re.compile(rf"\b{re.escape(name)}\b(?P<rest>\s{{0,4}}\([^;{{}}]{{0,400}}\)[\w\s]{{0,40}}\boverride\b)?")
-    return any(found["rest"] or not _is_declared(plain, found.start()) for found in named.finditer(plain))
+def _named(plain: str, functions: set[str]) -> Iterator[str]:
+    for found in _IDENTIFIER.finditer(plain):
+        if found[0] in functions:
+            overrides = _OVERRIDES.match(plain, found.end())
+            if overrides is not None or not _is_declared(plain, found.start()):
+                yield found[0]
 
 
 def _is_declared(plain: str, start: int) -> bool:
