@@ -53,7 +53,8 @@ _OF_SHELL = regex(r"\.?(?:(?:local_)?setup|bashrc|profile|entrypoint)\.?(?:ba|z)
 _OF_ROS = regex(r"(?:^|/)opt(?:/|$)|(?:^|[/_-])(?:ws|install|overlay|underlay)(?:/|$)|\bros2?\b|^/$|^/\s")
 
 
-_COMMENT = regex(r"<!--(?:[^-]|-(?!->)){0,400}-->|(?m:^[ \t]*#.*$)")
+_COMMENT = regex(r"<!--(?:[^-]|-(?!-))*-->|(?m:^[ \t]*#.*$)")
+"""Comments of XML, in which two dashes only end one, and lines of a comment elsewhere."""
 _MOST = 64 * 1024
 """Characters of a list of repositories, a manifest or a script that are read."""
 
