@@ -300,7 +300,8 @@ class ObjectAsValue(NamedTuple):
     """A ``LaunchConfiguration`` that code takes for its text."""
 
     how: str
-    """``compared``, ``condition``, ``text``, ``path``, ``number``, ``added``, ``looked-up`` or ``argument-name``."""
+    """``compared``, ``compared with nothing``, ``condition``, ``text``, ``path``, ``number``, ``added``, ``looked-up``
+    or ``argument-name``."""
     span: Span
     argument: Argument
 

@@ -44,6 +44,9 @@ from bringup_lint.api.shell import shell_commands
 SETUP = regex(r"(?:^|/)(?:opt/ros/[^/]+|install|install_\w+|devel)/(?:local_)?setup\.(?:bash|sh)$")
 """The files of a distribution or of a built workspace; another setup.sh may be anything."""
 
+TRACE = regex(r"AMENT_TRACE_SETUP_FILES=|\$\{AMENT_TRACE_SETUP_FILES:?=")
+"""What sets the variable that each setup file reads first."""
+
 
 @rule(
     "error",
@@ -72,7 +75,7 @@ def _check(source: Source) -> Iterator[Finding]:
                 re.fullmatch(r"\+[a-zA-Z]*u[a-zA-Z]*", word) for word in words[1:]
             ):
                 strict = None
-        if any(word.startswith("AMENT_TRACE_SETUP_FILES=") for word in (*words, *command.assignments)):
+        if any(TRACE.match(word) for word in (*words, *command.assignments)):
             return
         sources = words[:1] in (["source"], ["."]) and len(words) > 1 and SETUP.search(words[1]) is not None
         if strict is not None and sources:

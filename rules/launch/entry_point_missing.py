@@ -2,9 +2,9 @@
 
 ## What it finds
 Entries of `console_scripts` in setup.py or setup.cfg whose module is not in the package, or whose function the module
-does not define or import, and entries without a colon between the module and the function. Packages of other names,
-modules that git ignores, compiled modules and modules with `from x import *` are not judged. A script that no launch
-file starts is a warning.
+does not define or import, and entries without a colon between the module and the function, unless the module itself
+does the work when it is imported. Packages of other names, modules that git ignores, compiled modules and modules with
+`from x import *` are not judged. A script that no launch file starts is a warning.
 
 ## Why it matters on a robot
 The build succeeds and installs the executable. It ends at its start with `ModuleNotFoundError` or `ImportError`, and so

@@ -3,7 +3,8 @@
 ## What it finds
 `LaunchConfiguration('x')` that is compared with a text, used as a condition, formatted into a text, joined to a path
 with `os.path.join`, added to a text, converted to a number, or looked up in a dictionary. Also a `LaunchConfiguration`
-instead of a name as the key in `launch_arguments`.
+instead of a name as the key in `launch_arguments`. A comparison with the empty text is a warning: what it keeps out
+seldom comes.
 
 ## Why it matters on a robot
 The description is built before launch knows any argument, and the object is not its value. A comparison is always
@@ -39,11 +40,12 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 ADVICE = "read the value in an OpaqueFunction with perform(context)"
+COMPARED = "is a LaunchConfiguration object, not its text: this comparison has the same result whatever the argument is"
+EMPTY = "compared with nothing"
+"""The comparison that keeps an empty argument out: the defaults seldom are empty."""
 EFFECTS = {
-    "compared": (
-        "is a LaunchConfiguration object, not its text: this comparison has the same result whatever the argument is",
-        "use EqualsSubstitution",
-    ),
+    "compared": (COMPARED, "use EqualsSubstitution"),
+    EMPTY: (COMPARED, "compare the result of perform(context) in an OpaqueFunction"),
     "condition": ("is an object, which is always true: the argument decides nothing", "use IfCondition"),
     "text": ("is an object: the text holds '<launch.substitutions…>' instead of the value", "write a list of parts"),
     "path": ("is an object and no path: launch ends with a TypeError", "use PathJoinSubstitution"),
@@ -72,4 +74,5 @@ def substitution_as_value(robot: Robot) -> Iterator[Finding]:
                 f"The launch configuration '{use.argument.name}' {effect}",
                 advice=advice,
                 related=[note(use.argument.name, "read here")],
+                severity="warning" if use.how == EMPTY else None,
             )

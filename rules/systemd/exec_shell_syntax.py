@@ -3,7 +3,7 @@
 ## What it finds
 Unquoted words such as &&, ||, |, >, 2>&1, < or &, and command substitution with $(...) or backquotes, in a
 command line whose program is not a shell with -c. Programs that pass their arguments to a shell, such as ssh
-and watch, are exempt.
+and watch, are exempt. `rm -f x || true` is an info, as is docker's: it ignores the names that are not there.
 
 ## Why it matters on a robot
 systemd passes these words to the program as arguments. The second command never runs, the log file is never
@@ -77,6 +77,7 @@ def exec_shell_syntax(robot: Robot) -> Iterator[Finding]:
                         f"No shell interprets {line.key}=: {names[0]} gets '{_shortened(word)}' as an argument",
                         advice="wrap the command in /bin/bash -c '...', or use StandardOutput= and more Exec lines",
                         fix=_wrapped(command),
+                        severity="info" if _is_harmless(command) else None,
                     )
                     break
 
@@ -85,6 +86,12 @@ def _has_shell(names: list[str]) -> bool:
     """Whether a shell reads one of the arguments, as in ``env bash -c ...`` or ``sudo -u robot sh -c ...``."""
     shells = [at for at, name in enumerate(names) if name in _SHELLS]
     return any(name.startswith("-") and "c" in name for at in shells[:1] for name in names[at + 1 :])
+
+
+def _is_harmless(command: Command) -> bool:
+    """Whether the words only name more files or containers, which ``rm -f`` does not miss."""
+    words = [word.rpartition("/")[2] for word in command.argv]
+    return words[-2:] == ["||", "true"] and "-f" in words and "rm" in words[:2]
 
 
 def _shortened(word: Located) -> str:

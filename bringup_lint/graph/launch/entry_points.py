@@ -40,7 +40,8 @@ def missing_entries(tree: Tree, package: Package) -> Iterator[MissingEntry]:
         path = next((each for each in (f"{stem}.py", f"{stem}/__init__.py") if tree.exists(each)), None)
         if ":" not in target and (path is not None or tree.exists(f"{os.path.dirname(stem)}.py")):
             source = tree.beside(package.manifest.source, os.path.relpath(path, package.folder)) if path else None
-            yield MissingEntry(package, package.executables[name], module, "", source)
+            if source is None or not _runs_when_imported(source):
+                yield MissingEntry(package, package.executables[name], module, "", source)
         elif path is None:
             if not _may_be_made(tree, stem):
                 yield MissingEntry(package, package.executables[name], module, "", None)
@@ -69,6 +70,12 @@ def _may_be_made(tree: Tree, stem: str) -> bool:
         return True
     # A folder that is missing as a whole may be a submodule or a link to another package.
     return tree.is_link(os.path.dirname(stem)) or not tree.exists(os.path.dirname(stem))
+
+
+def _runs_when_imported(source: Source) -> bool:
+    """Whether a module calls anything at its top: it may do its work there, before its import ends."""
+    tree = tree_of(source)
+    return tree is None or any(isinstance(node, ast.Expr) and isinstance(node.value, ast.Call) for node in tree.body)
 
 
 def _defines(source: Source, name: str) -> bool:

@@ -29,10 +29,10 @@ class GonePackage(NamedTuple):
 
 
 def gone_packages(launch: Launch) -> Iterator[GonePackage]:
-    """Each place once."""
+    """Each place once; files of ROS 1 are left out, because launch rejects them before."""
     seen = set()
     for name, file, always in (*_of_nodes(launch), *_of_includes(launch)):
-        if name.span in seen or launch.looks_at_distribution(file):
+        if name.span in seen or file.ros1 or launch.looks_at_distribution(file):
             continue
         seen.add(name.span)
         package = public_package(name)

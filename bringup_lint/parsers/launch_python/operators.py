@@ -189,7 +189,9 @@ def compare(state: State, op: ast.cmpop, left: Any, right: Any, span: Span) -> A
             return Unknown("comparison", span)
     if kind in (ast.Eq, ast.NotEq) and _is_text(left) and _is_text(right):
         if is_object(left) != is_object(right):
-            note_object(state, "compared", left if is_object(left) else right, span)
+            thing, text = (left, right) if is_object(left) else (right, left)
+            empty = isinstance(text, Literal) and text.value == ""
+            note_object(state, "compared with nothing" if empty else "compared", thing, span)
             return Literal(kind is ast.NotEq, span)
         operands = (freeze.value(state, left), freeze.value(state, right))
         return budget.bounded(Operation("==" if kind is ast.Eq else "!=", operands, span))
