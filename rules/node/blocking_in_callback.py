@@ -4,8 +4,8 @@
 Calls in a callback, or in the methods that it calls, that keep the executor busy:
 
 - `time.sleep` of 0.1 s or more, `requests.*`, `subprocess.run` and similar functions (not for programs that return
-  at once, such as `systemctl poweroff`), `input()`, reads of a serial port or a socket without a timeout, and
-  `while True`.
+  at once, such as `systemctl poweroff`), `communicate()` and `wait()` of a program, `input()`, reads of keys, and of a
+  serial port or a socket without a timeout, and `while True`.
 - In the callback of a timer, measurements of `psutil` that last longer than its period.
 - A loop without an end in the constructor: the node never gets to an executor.
 - Calls that wait for the executor itself: `client.call()`, `Rate.sleep()`, `rclpy.spin_until_future_complete(self,

@@ -6,6 +6,8 @@ import ast
 
 from bringup_lint.graph.nodes.questions.awaited import Awaited
 from bringup_lint.graph.nodes.questions.awaited import awaited
+from bringup_lint.graph.nodes.questions.device_reads import UNTIL_END
+from bringup_lint.graph.nodes.questions.device_reads import device_read
 from bringup_lint.graph.nodes.questions.endless_loops import has_no_exit
 from bringup_lint.graph.nodes.questions.endless_loops import is_endless
 from bringup_lint.graph.nodes.questions.short_programs import is_short
@@ -16,7 +18,6 @@ from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.python import is_self
 from bringup_lint.named_tuple import NamedTuple
-from bringup_lint.pattern import regex
 
 UNTIL_TIMEOUT = "until its timeout"
 """How long a call with a time-out lasts whose length is not known."""
@@ -36,13 +37,7 @@ _MEASURES = frozenset({"psutil.cpu_percent", "psutil.cpu_times_percent"})
 """Functions that wait as long as their first argument says."""
 _SPINS = {"rclpy.spin": 99, "rclpy.spin_until_future_complete": 3, "rclpy.spin_once": 99}
 """Functions that run the executor, and the position of their time-out."""
-UNTIL_BYTE = "until a byte arrives"
-UNTIL_PACKET = "until the other side sends something"
-_RECEIVES = frozenset({"recv", "recvfrom", "recv_into", "accept"})
-_SOCKET_TIMEOUTS = regex(
-    r"settimeout|setblocking|setdefaulttimeout|select|MSG_DONTWAIT|SO_RCVTIMEO|O_NONBLOCK|create_connection"
-)
-_SERIAL_READS = frozenset({"read", "readline", "readlines", "read_until"})
+UNTIL_KEY = "until a key is pressed"
 
 
 class Blocked(NamedTuple):
@@ -66,7 +61,11 @@ def blocked(ending: Ending, node: ast.Call | ast.While, cls: NodeClass) -> Block
     found = _of_library(ending, node, name, cls) if name is not None else None
     if found is not None:
         return found
-    return _of_keyboard(ending, node) or _of_local_rate(ending, node) or _of_attribute(ending, node, cls)
+    found = _of_keyboard(ending, node) or _of_local_rate(ending, node) or _of_attribute(ending, node, cls)
+    if found is not None:
+        return found
+    read = device_read(ending, node, cls)
+    return Blocked(*read) if read is not None else None
 
 
 def _loop(ending: Ending, node: ast.While, cls: NodeClass) -> Blocked | None:
@@ -86,7 +85,7 @@ def _of_library(ending: Ending, call: ast.Call, name: str, cls: NodeClass) -> Bl
     if name in _MEASURES:
         return _measure(ending, call, name)
     if name in _PROGRAMS and not _has(call, "timeout") and not is_short(ending, call):
-        return None if _ends_behind(ending, call) else Blocked(name, "as long as the program runs")
+        return None if _ends_behind(ending, call) else Blocked(name, UNTIL_END)
     if name in _OPENS:
         return _open(ending, call, name)
     if name in _SPINS and _is_of(call, cls):
@@ -102,7 +101,7 @@ def _of_keyboard(ending: Ending, call: ast.Call) -> Blocked | None:
     if isinstance(function, ast.Attribute) and function.attr == "read_loop" and not call.args and _has_evdev(ending):
         loops = [outer for outer, name in _next(ending, call) if isinstance(outer, ast.For) and name == "iter"]
         is_endless = any(has_no_exit(each) for each in loops)
-        return Blocked("read_loop()", FOREVER if is_endless else "until a key is pressed")
+        return Blocked("read_loop()", FOREVER if is_endless else UNTIL_KEY)
     return None
 
 
@@ -200,10 +199,6 @@ def _of_attribute(ending: Ending, call: ast.Call, cls: NodeClass) -> Blocked | N
         return Blocked(f"{kept}.call()", _timeout(ending, call, 1))
     if name == "sleep" and not call.args and _is_rate(ending, owner.attr):
         return Blocked(f"{kept}.sleep()", "")
-    if name in _SERIAL_READS and _waits_forever(ending, owner, call):
-        return Blocked(f"{kept}.{name}()", UNTIL_BYTE)
-    if name in _RECEIVES and _waits_for_packet(ending, owner, call):
-        return Blocked(f"{kept}.{name}()", UNTIL_PACKET)
     return None
 
 
@@ -232,27 +227,3 @@ def _is_rate(ending: Ending, attribute: str) -> bool:
                 targets = above.targets if isinstance(above, ast.Assign) else []
                 return any(isinstance(each, ast.Attribute) and each.attr == attribute for each in targets)
     return False
-
-
-def _waits_forever(ending: Ending, owner: ast.Attribute, call: ast.Call) -> bool:
-    """Whether an attribute is a serial port that was opened without a time-out."""
-    if (
-        ending.file.named(owner, ending.syntax.function(call)) != "serial.Serial"
-        or "in_waiting" in ending.file.source.text
-    ):
-        return False
-    made = ending.syntax.named.get("serial.Serial", [])
-    text = ending.file.source.text
-    return len(made) == 1 and len(made[0].args) < 6 and not _has_timeout(made[0]) and ".timeout" not in text
-
-
-def _has_timeout(call: ast.Call) -> bool:
-    """Whether a port is opened with a time-out; None is none."""
-    given = [each.value for each in call.keywords if each.arg in ("timeout", None)]
-    return any(not isinstance(each, ast.Constant) or each.value is not None for each in given)
-
-
-def _waits_for_packet(ending: Ending, owner: ast.Attribute, call: ast.Call) -> bool:
-    """Whether an attribute is a socket that nothing gives a time-out."""
-    is_socket = ending.file.named(owner, ending.syntax.function(call)) == "socket.socket"
-    return is_socket and not _SOCKET_TIMEOUTS.search(ending.file.source.text)

@@ -16,6 +16,12 @@ def is_short(ending: Ending, call: ast.Call) -> bool:
     return returns_at_once(_words(ending, call))
 
 
+def is_long(ending: Ending, call: ast.Call) -> bool:
+    """Whether it surely names a program, and another one."""
+    words = _words(ending, call)
+    return bool(words) and not returns_at_once(words)
+
+
 def _words(ending: Ending, call: ast.Call) -> list[str]:
     """The literal words of the command; its first words when the later ones are not known."""
     given = call.args[0] if call.args else None

@@ -9,9 +9,10 @@ from bringup_lint.graph.nodes.questions.blocking import Blocking
 from bringup_lint.graph.nodes.questions.blocking import blocking
 from bringup_lint.graph.nodes.questions.blocking import deadlocks
 from bringup_lint.graph.nodes.questions.blocking_calls import FOREVER
-from bringup_lint.graph.nodes.questions.blocking_calls import UNTIL_BYTE
-from bringup_lint.graph.nodes.questions.blocking_calls import UNTIL_PACKET
+from bringup_lint.graph.nodes.questions.blocking_calls import UNTIL_KEY
 from bringup_lint.graph.nodes.questions.callback_code import only_stores
+from bringup_lint.graph.nodes.questions.device_reads import UNTIL_BYTE
+from bringup_lint.graph.nodes.questions.device_reads import UNTIL_PACKET
 from bringup_lint.graph.nodes.questions.endless_loops import Endless
 from bringup_lint.graph.nodes.questions.endless_loops import endless_constructors
 from bringup_lint.graph.nodes.questions.nested_spins import taking_spins
@@ -32,6 +33,8 @@ _URGENT = ("subscription", "timer", "action")
 """What must not wait: a service may answer a few seconds later."""
 _SERVED = ("subscription", "service")
 """Callbacks that are to run once for each message or request: a timer whose callback never ends may be meant."""
+_DEAF = (UNTIL_BYTE, UNTIL_PACKET, UNTIL_KEY)
+"""Waits in a timer that keep even a node without other callbacks from its services and from SIGTERM."""
 _SPIN = "rclcpp::spin"
 _MEASURES = "psutil."
 """Short waits of a status node, which matter when its timer is due again before they end."""
@@ -102,7 +105,7 @@ def _stopped(nodes: Nodes, file: NodeSource, node: NodeClass, wait: Blocking, th
     if wait.how_long.startswith(_SOON):
         ending = nodes.ending(file)
         urgent = [each for each in urgent if each.role != "subscription" or not only_stores(ending, node, each)]
-    is_deaf = wait.how_long in (UNTIL_BYTE, UNTIL_PACKET) and callback.role == "timer"
+    is_deaf = wait.how_long in _DEAF and callback.role == "timer"
     return found if urgent or is_deaf else None
 
 
