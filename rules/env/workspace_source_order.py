@@ -1,9 +1,10 @@
 """The workspace is sourced before the distribution.
 
 ## What it finds
-A shell that sources the setup file of a workspace first and `/opt/ros/<distro>/setup.*` after it: in a unit, in the
-command or entry script of a container, in a script of the tree, or in the `.bashrc` to which a script or a Dockerfile
-adds both.
+A shell that sources `local_setup.*` of a workspace, or a file of `devel/`, first and `/opt/ros/<distro>/setup.*` after
+it: in a unit, in the command or entry script of a container, in a script of the tree, or in the `.bashrc` to which a
+script or a Dockerfile adds both. `install/setup.*` sources the distribution itself before the workspace, and a path that
+is there already is not put first again.
 
 ## Why it matters on a robot
 Each setup file puts its own paths first. If the distribution is sourced last, it hides every package of which the
@@ -11,14 +12,14 @@ workspace has a modified copy: the robot silently runs the released navigation s
 
 ## Bad
 ```bash
-source /opt/rover/install/setup.bash
+source /opt/rover/install/local_setup.bash
 source /opt/ros/jazzy/setup.bash
 ```
 
 ## Good
 ```bash
 source /opt/ros/jazzy/setup.bash
-source /opt/rover/install/setup.bash
+source /opt/rover/install/local_setup.bash
 ```
 
 ## When to ignore it
@@ -26,6 +27,7 @@ When the workspace has no package that also exists in the distribution. The orde
 
 ## References
 - ROS 2 documentation, "Creating a workspace": overlay and underlay
+- colcon-core, `_prepend_unique_value`; ament_package, `ament_prepend_unique_value`
 """
 
 import re
@@ -41,8 +43,8 @@ from bringup_lint.api import rule
 from bringup_lint.api.docker import Runner
 from bringup_lint.api.systemd import Step
 
-INSTALLED = regex(r"(?:^|/)(?:install|devel)/(?:local_)?setup\.\w+$")
-"""The setup file of a workspace; another prefix may hold the packages of one vendor only."""
+ALONE = regex(r"(?:^|/)(?:install/local_setup|devel/(?:local_)?setup)\.\w+$")
+"""The setup file of a workspace that does not source the distribution below it, or that the next one undoes."""
 
 ADDED = regex(
     r"^(?![ \t]*#)[^\n#]*?\becho[ \t]+(?:-e[ \t]+)?[\"']?(?:source|\.)[ \t]+"
@@ -65,8 +67,7 @@ def workspace_source_order(robot: Robot) -> Iterator[Finding]:
             workspace = None
             for step, word in line.setup_files:
                 if not word.startswith("/opt/ros/"):
-                    counts = runner.unit is not None or INSTALLED.search(word)
-                    workspace = workspace or ((step, word) if counts else None)
+                    workspace = workspace or ((step, word) if ALONE.search(word) else None)
                 elif workspace and word.span not in seen and _is_last(runner, line.setup_files, workspace[0], step):
                     seen.add(word.span)
                     apart = [note(line.program, f"{runner.name} starts it here")] if _is_apart(runner, step) else []
@@ -89,7 +90,7 @@ def _login_files(robot: Robot) -> Iterator[Finding]:
         for line in ADDED.finditer(source.text):
             added.setdefault(line["file"], []).append(source.located(*line.span("setup")))
         for file, words in added.items():
-            workspace = next((word for word in words if INSTALLED.search(word) and not _is_distribution(word)), None)
+            workspace = next((word for word in words if ALONE.search(word) and not _is_distribution(word)), None)
             if workspace is None or not _is_distribution(words[-1]):
                 continue
             yield finding(
