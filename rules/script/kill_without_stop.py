@@ -65,7 +65,7 @@ def kill_without_stop(robot: Robot) -> Iterator[Finding]:
     for first, *others in hard.values():
         yield finding(
             first,
-            "SIGKILL ends the nodes before they can stop anything: motors keep the last command that they got",
+            "SIGKILL ends the nodes before they can stop anything: what moves at that moment keeps its last command",
             advice="send SIGINT first, wait for the end, and kill only what is left",
             related=[note(other, "and these") for other in others],
             confidence="medium",

@@ -58,6 +58,8 @@ NEAR = 80
 RUNS = regex(r"(?:^|[\s;&|(\"'`$])(?:\./|bash[ \t]+|sudo[ \t]+)[\w./${}()-]*$")
 SOURCES = regex(r"(?:\bsource|(?:^|[\s;&|])\.)[ \t]+[^\n;&|]*$")
 ARGUMENTS = regex(r"\$#|\$\{?1\b")
+FOR_A_PERSON = regex(r"(?m)^[ \t]*(?:unalias|alias)\b|\b(?:source|\.)[ \t]+[\"']?(?:~|\$HOME)/\.bashrc")
+"""What is of use only in the shell of whoever sources the script."""
 TEXTS = (".md", ".rst", ".txt")
 
 
@@ -103,4 +105,5 @@ def _is_run(robot: Robot, source: Source) -> bool:
     ]
     if any(map(SOURCES.search, before)):
         return False
-    return bool(ARGUMENTS.search(source.text)) or any(map(RUNS.search, before))
+    taken = ARGUMENTS.search(source.text) is not None and not FOR_A_PERSON.search(source.text)
+    return taken or any(map(RUNS.search, before))

@@ -3,7 +3,7 @@
 ## What it finds
 `sysctl -w` in a script with a buffer of the network stack or of IP fragments (`net.core.rmem_max`,
 `net.ipv4.ipfrag_time`, ...), when no `sysctl.d` file of the tree sets the parameter and no unit, container or cron
-job runs the script.
+job runs the script, nor a script that starts the robot's software.
 
 In a script that sets a robot up, which installs packages, writes to `/etc` or enables units, also other settings of the
 running kernel: any `sysctl -w` and `echo VALUE > /proc/sys/...`, `iptables -A` where nothing saves the rules, and
@@ -56,6 +56,7 @@ SAVED = regex(r"iptables-save|netfilter-persistent|iptables-persistent|iptables-
 UNLOADED = ("v4l2loopback", "i2c-dev", "i2c_dev", "slcan", "snd-aloop", "snd_aloop")
 """Modules that no device and no socket loads by itself."""
 LOADED = regex(r"/etc/modules|modules-load\.d")
+SCRIPT = regex(r"[\w.-]{1,80}\.(?:ba)?sh\b")
 STARTS = regex(r"(?m)^[ \t]*(?:exec[ \t]+)?(?:ros2[ \t]+(?:launch|run)[ \t]|\"?\$@)")
 """The script sets the parameter at each start of the robot's software."""
 CHANGES = regex(r"\b(?:sysctl|iptables|modprobe)\b|/proc/sys/", hints="sysctl iptables modprobe /proc/sys/")
@@ -83,8 +84,9 @@ def sysctl_lost_at_reboot(robot: Robot) -> Iterator[Finding]:
             lost = list(_of_set_up(robot, source))
             if lost:
                 by_script[source] = lost
+    at_each_start = _of_starts(robot) if by_script else set()
     for source, (first, *others) in by_script.items():
-        if robot.scripts.starts_by_itself(source) or STARTS.search(source.said):
+        if robot.scripts.starts_by_itself(source) or source.basename in at_each_start:
             continue
         yield finding(
             first.where,
@@ -92,6 +94,12 @@ def sysctl_lost_at_reboot(robot: Robot) -> Iterator[Finding]:
             advice=first.advice,
             related=[note(other.where, f"{other.name} is lost too") for other in others],
         )
+
+
+def _of_starts(robot: Robot) -> set[str]:
+    """The names of the scripts that start the software of the robot, and of those that they run."""
+    starting = [each for each in robot.of_kind("shell-script") if STARTS.search(each.said)]
+    return {name for each in starting for name in (each.basename, *SCRIPT.findall(each.said))}
 
 
 def _of_set_up(robot: Robot, source: Source) -> Iterator[Lost]:

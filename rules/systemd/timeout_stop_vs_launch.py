@@ -2,7 +2,8 @@
 
 ## What it finds
 A service that runs ros2 launch with a TimeoutStopSec= below 15 s or above 90 s. If the launch file is in the
-tree, the `sigterm_timeout` and `sigkill_timeout` of its nodes replace the usual 5 s each.
+tree, the `sigterm_timeout` and `sigkill_timeout` of its nodes replace the usual 5 s each. Where launch itself kills
+its last node before the limit, less than 5 s of margin is an info.
 
 ## Why it matters on a robot
 When launch stops, it sends every node SIGINT, SIGTERM after 5 s, and SIGKILL after another 5 s. A shorter
@@ -100,6 +101,7 @@ def timeout_stop_vs_launch(robot: Robot) -> Iterator[Finding]:
             )
             if unit.editable and own
             else None,
+            severity="info" if needed <= limit.value < short else None,
         )
 
 

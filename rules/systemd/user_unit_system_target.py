@@ -5,7 +5,8 @@ A unit of the user manager (`/etc/systemd/user`, `~/.config/systemd/user`) that 
 manager, such as `multi-user.target` or `network-online.target`, and that is not beside it:
 
 - error: in WantedBy=, RequiredBy=, Requires= or BindsTo=;
-- warning: in After= or Wants=.
+- warning: in After= or Wants=, where it names the network, a mount or the clock, for which the unit does not wait;
+- info: in After= or Wants=, where it names another one.
 
 It is a warning in WantedBy= and RequiredBy= of a unit that a script or a playbook of the tree starts by its name.
 
@@ -41,6 +42,7 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.systemd import Unit
 
@@ -50,6 +52,9 @@ SYSTEM_ONLY = frozenset(
     "local-fs remote-fs time-sync time-set "
     "rescue emergency getty swap cryptsetup systemd-networkd nss-user-lookup".split()
 )
+
+WAITED_FOR = regex(r"network|nss-|local-fs|remote-fs|time-s")
+"""What a service orders itself after because it needs it."""
 
 
 @rule("error", fix="unsafe", symptoms=["is added as a dependency to a non-existent unit multi-user.target."])
@@ -85,7 +90,7 @@ def user_unit_system_target(robot: Robot) -> Iterator[Finding]:
                     f"The user manager has no {word}: this {key}= has no effect",
                     advice="remove it, or make it a system unit with User=",
                     fix=fix(f"remove {key}={word}", line.without(word)),
-                    severity="warning",
+                    severity="warning" if WAITED_FOR.match(word) else "info",
                 )
 
 

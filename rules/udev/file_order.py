@@ -4,7 +4,8 @@
 Two mistakes in the order of files, which udev reads in the order of their names, whatever folder they are in:
 - A match on a property such as `ENV{ID_PATH}` or `ENV{ID_SERIAL_SHORT}` in a file that is read before the
   packaged file that imports the property.
-- `GROUP` or `MODE` in a file that is read before the packaged file that sets it to another value.
+- `GROUP` or `MODE` in a file that is read before the packaged file that sets it to another value. It is an info where
+  the group that the rule sets may read and write all the same.
 
 ## Why it matters on a robot
 In the first case the property is still empty, so the rule never fires. In the second case the packaged file
@@ -57,7 +58,13 @@ def file_order(robot: Robot) -> Iterator[Finding]:
             advice=f"rename the file so that it sorts after {early.file}, such as 99-robot.rules",
             related=[note(other.token.span, "this line too") for _, other in others[:_MOST_SHOWN]],
             confidence="medium" if line.is_for_usb_nodes else None,
+            severity="info" if all(_has_its_group(*each) for each in found) else None,
         )
+
+
+def _has_its_group(line: UdevRule, early: TooEarly) -> bool:
+    """Whether the group that the rule names may read and write all the same."""
+    return early.token.key == "MODE" and str(early.value) in ("0660", "0664") and bool(line.line.assignments("GROUP"))
 
 
 def _message(line: UdevRule, early: TooEarly) -> str:

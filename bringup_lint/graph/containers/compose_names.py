@@ -217,7 +217,9 @@ def undefined_names(compose: Compose) -> Iterator[UndefinedName]:
 
 
 def _named(service: Service) -> Iterator[UndefinedName]:
-    for volume in service.volumes:
+    # Of entries with one target, Compose keeps the last, before it looks for what they name (compose-go, EnforceUnicity).
+    last = {str(volume.target): volume for volume in service.volumes}
+    for volume in last.values():
         short = volume.where is not volume.target
         if short and volume.source is not None and _NAMED_VOLUME.fullmatch(volume.source):
             yield UndefinedName("volume", service, volume.source)
