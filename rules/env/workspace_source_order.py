@@ -3,8 +3,8 @@
 ## What it finds
 A shell that sources `local_setup.*` of a workspace, or a file of `devel/`, first and `/opt/ros/<distro>/setup.*` after
 it: in a unit, in the command or entry script of a container, in a script of the tree, or in the `.bashrc` to which a
-script or a Dockerfile adds both. `install/setup.*` sources the distribution itself before the workspace, and a path that
-is there already is not put first again.
+script or a Dockerfile adds both. `install/setup.*` is not meant: it sources the distribution itself before the
+workspace, and a path that is there already is not put first again.
 
 ## Why it matters on a robot
 Each setup file puts its own paths first. If the distribution is sourced last, it hides every package of which the

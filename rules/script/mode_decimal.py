@@ -2,7 +2,8 @@
 
 ## What it finds
 `mode: 644` in a task of Ansible that writes a file or makes a folder: a number without quotes and without a leading
-zero. A decimal number that is a usual mode, such as 420 for 0644, is not reported.
+zero. A decimal number that is a usual mode, such as 420 for 0644, is not reported. It is a warning where everybody may
+read the file all the same, as with 644.
 
 ## Why it matters on a robot
 YAML reads 644 as six hundred and forty-four, which is 1204 in octal: the owner may only write, the group may read
@@ -62,6 +63,7 @@ def mode_decimal(robot: Robot) -> Iterator[Finding]:
                 advice=f'write mode: "0{first.value}"',
                 related=[note(other.value, "and this one") for other in others[:MOST]],
                 fix=fix("write it in quotes", *((each.span, f'"0{each.value}"') for each in modes), safe=False),
+                severity="warning" if all(map(_is_readable, modes)) else None,
             )
 
 
@@ -70,6 +72,11 @@ def _message(mode: Scalar) -> str:
     if number > LARGEST:
         return f"mode {mode.value} is a decimal number to YAML, and no mode of a file: the task fails"
     return f"mode {mode.value} is a decimal number to YAML: the file gets {number:04o}"
+
+
+def _is_readable(mode: Scalar) -> bool:
+    """Whether everybody may read the file all the same, and nobody but its owner write it."""
+    return int(mode.value) <= LARGEST and int(mode.value) & 0o026 == 0o004
 
 
 def _modes(source: Source) -> Iterator[Scalar]:

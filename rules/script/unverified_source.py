@@ -78,7 +78,7 @@ def unverified_source(robot: Robot) -> Iterator[Finding]:
             unsigned = [_word(source, match) for match in UNSIGNED.finditer(source.text) if _is_said(source, match)]
             yield from _finding(
                 unsigned,
-                "apt installs what nobody signed: whoever has the server, or the way to it, can give the robot a package",
+                "apt installs what nobody signed: whoever has the server or the way to it can give the robot a package",
                 "import the key of the repository and name it with signed-by=",
             )
             if source.kind == "dockerfile" and not CHECKED.search(source.text):

@@ -43,6 +43,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Unit
 
 
 @rule("error", fix="unsafe", symptoms=["A start job is running for"])
@@ -57,7 +58,7 @@ def oneshot_endless(robot: Robot) -> Iterator[Finding]:
                 sure = endless.startswith("/") or _is_known(robot, endless)
                 yield finding(
                     kind,
-                    f"{endless} never ends, so {unit.name} stays activating forever and all that waits for it too",
+                    f"{endless} never ends, so {unit.name} stays activating forever, and {_waiting(robot, unit)}",
                     severity=None if sure else "warning",
                     confidence="high" if sure else "medium",
                     advice="use Type=exec",
@@ -65,6 +66,13 @@ def oneshot_endless(robot: Robot) -> Iterator[Finding]:
                     fix=fix("use Type=exec", (kind, "exec"), safe=False),
                 )
                 break
+
+
+def _waiting(robot: Robot, unit: Unit) -> str:
+    """What does not go on: a target is ordered after all that it wants."""
+    targets = (name for name in unit.words("WantedBy", "Install") if name.endswith(".target"))
+    target = next(targets, None)
+    return f"{target} is never reached" if target else "all that waits for it too"
 
 
 def _is_known(robot: Robot, target: Located) -> bool:

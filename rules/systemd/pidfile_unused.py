@@ -1,13 +1,13 @@
 """PIDFile= of a service that does not fork.
 
 ## What it finds
-`PIDFile=` in a service with another type than `forking`. One finding names the lines of one unit.
+`PIDFile=` in a service with another type than `forking`. One finding names the lines of one unit. It is an info with
+`Type=oneshot`, whose program is to end.
 
 ## Why it matters on a robot
-At the start, systemd reads the file with Type=forking only. The unit
-looks as if a program were watched by its PID, which some
-service scripts write with care, and in truth systemd watches the process that it started itself: with Type=oneshot and
-RemainAfterExit=yes nothing at all. Two units with one PIDFile= remove each other's file when they stop.
+At the start, systemd reads the file with Type=forking only. The unit looks as if a program were watched by its PID,
+which some service scripts write with care, and in truth systemd watches the process that it started itself. Two units
+with one PIDFile= remove each other's file when they stop.
 
 ## Bad
 ```ini
@@ -51,9 +51,11 @@ def pidfile_unused(robot: Robot) -> Iterator[Finding]:
             continue
         yield finding(
             path,
-            f"systemd reads no PID file with Type={kind or 'simple'}: {unit.name} is not watched by it",
+            f"systemd reads no PID file with Type={kind or 'simple'}: "
+            + ("the line has no effect" if kind == "oneshot" else f"{unit.name} is not watched by it"),
             advice="remove the line, or use Type=forking where the program forks and writes the file",
             related=[note(kind, "the type")] if kind else (),
+            severity="info" if kind == "oneshot" else None,
         )
 
 

@@ -70,6 +70,8 @@ def unknown_key(robot: Robot) -> Iterator[Finding]:
 
 def _unknown(key: Located, section: str, keys: set[str]) -> Finding:
     message = f"Unknown key '{key}' in [{section}]: systemd ignores the line"
+    if directives.directive(section, f"Condition{key}"):
+        return finding(key, message, advice=f"did you mean Condition{key}?")
     homes = directives.sections_with(key)
     meant = nearest(key, directives.sections()[section])
     if homes:

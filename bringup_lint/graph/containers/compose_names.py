@@ -217,7 +217,7 @@ def undefined_names(compose: Compose) -> Iterator[UndefinedName]:
 
 
 def _named(service: Service) -> Iterator[UndefinedName]:
-    # Of entries with one target, Compose keeps the last, before it looks for what they name (compose-go, EnforceUnicity).
+    # Of entries with one target, Compose keeps the last, and asks then what it names (compose-go, EnforceUnicity).
     last = {str(volume.target): volume for volume in service.volumes}
     for volume in last.values():
         short = volume.where is not volume.target
