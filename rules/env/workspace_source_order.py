@@ -43,7 +43,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.docker import Runner
 from bringup_lint.api.systemd import Step
 
-ALONE = regex(r"(?:^|/)(?:install/local_setup|devel/(?:local_)?setup)\.\w+$")
+ALONE = regex(r"(?:^|/)(?:local_setup|devel/(?:local_)?setup)\.\w+$")
 """The setup file of a workspace that does not source the distribution below it, or that the next one undoes."""
 
 ADDED = regex(
