@@ -77,6 +77,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.swallowed_failures import swallowed_failures
     from bringup_lint.graph.nodes.questions.time_clocks import ClockMix
     from bringup_lint.graph.nodes.questions.time_clocks import clock_mixes
+    from bringup_lint.graph.nodes.questions.transform_waits import starved_waits
     from bringup_lint.graph.nodes.questions.transforms import early_lookups
     from bringup_lint.graph.nodes.questions.transforms import unhandled_transforms
     from bringup_lint.graph.nodes.questions.unbound_locals import unbound_locals
@@ -162,6 +163,7 @@ __all__ = [
     "shell_commands",
     "stale_readings",
     "stale_reads",
+    "starved_waits",
     "stop_after_shutdown",
     "stopped_callbacks",
     "stopped_in_cpp",

@@ -54,18 +54,23 @@ def unhandled_transforms(ending: Ending, cls: NodeClass) -> Iterator[Unhandled]:
 def early_lookups(ending: Ending, cls: NodeClass) -> list[ast.Call]:
     """The lookups in the constructor of a node on whose own executor its listener depends; none where a handler goes on
     without the transform."""
-    syntax, method = ending.syntax, cls.methods.get("__init__")
-    if method is None or ending.file.source.matches(_RUNS):
-        return []
-    made = [call for name in _LISTENERS for call in syntax.named.get(name, [])]
-    given = [value for call in made for value in (*call.args[1:2], *(each.value for each in call.keywords))]
-    if not any(is_self(each) for each in given) or any(syntax.class_of(call) is not cls for call in made):
+    method = cls.methods.get("__init__")
+    if method is None or not hears_by_own_executor(ending, cls):
         return []
     body = body_of(method.node)
     calls = list(own_calls(body))
     asks = any(_method(each) in _ASKS for each in calls)
     waits = any(_WAITS.search(ast.unparse(each.func)) for each in calls)
-    return [] if asks or waits else [call for call in _outside_try(body) if _is_lookup(ending, call)]
+    return [] if asks or waits else [call for call in _outside_try(body) if is_lookup(ending, call)]
+
+
+def hears_by_own_executor(ending: Ending, cls: NodeClass) -> bool:
+    """Whether the transforms of a node come in by the executor that runs its callbacks, as far as its file shows."""
+    if ending.file.source.matches(_RUNS):
+        return False
+    made = [call for name in _LISTENERS for call in ending.syntax.named.get(name, [])]
+    given = [value for call in made for value in (*call.args[1:2], *(each.value for each in call.keywords))]
+    return any(map(is_self, given)) and all(ending.syntax.class_of(call) is cls for call in made)
 
 
 def _unguarded(
@@ -75,7 +80,7 @@ def _unguarded(
     if any(_method(call) in _ASKS for call in calls):
         return
     for call in calls:
-        if _is_lookup(ending, call):
+        if is_lookup(ending, call):
             yield call, name
         elif depth:
             for function, owner in called(ending.syntax, call, cls):
@@ -104,7 +109,8 @@ def _method(call: ast.Call) -> str:
     return call.func.attr if isinstance(call.func, ast.Attribute) else ""
 
 
-def _is_lookup(ending: Ending, call: ast.Call) -> bool:
+def is_lookup(ending: Ending, call: ast.Call) -> bool:
+    """Whether a call asks the buffer of a listener for a transform."""
     name = _method(call)
     if not isinstance(call.func, ast.Attribute) or name not in (*_LOOKUPS, "transform"):
         return False
