@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from bringup_lint.graph.nodes.nodes import Nodes
 from bringup_lint.graph.nodes.questions.callback_code import code_of
 from bringup_lint.graph.nodes.questions.callback_code import reached
 from bringup_lint.graph.nodes.questions.transforms import hears_by_own_executor
@@ -16,6 +16,9 @@ from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.nodes.nodes import Nodes
 
 _ROLES = ("subscription", "timer", "service", "action")
 _AHEAD = regex(r"\bstamp\b|\.now\(\)")
