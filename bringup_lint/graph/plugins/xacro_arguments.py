@@ -53,7 +53,7 @@ def _is_new(found: UnknownArgument, said: set[tuple[str, int]]) -> bool:
 
 
 def _of_command(launch: Launch, tree: Tree, command: Concat) -> Iterator[UnknownArgument]:
-    source = _description(launch, tree, command)
+    source = described_by(launch, tree, command)
     known = _declared(launch, tree, source) if source is not None else None
     if source is None or known is None:
         return
@@ -63,7 +63,7 @@ def _of_command(launch: Launch, tree: Tree, command: Concat) -> Iterator[Unknown
         yield from (UnknownArgument(name, source, tuple(sorted(known))) for name in names if str(name) not in known)
 
 
-def _description(launch: Launch, tree: Tree, command: Concat) -> Source | None:
+def described_by(launch: Launch, tree: Tree, command: Concat) -> Source | None:
     """The file after ``xacro `` in a command."""
     program = literal_text(command.parts[0]) or ""
     at = 2 if program == "xacro" and (literal_text(command.parts[1]) or "x").isspace() else 1
@@ -88,7 +88,7 @@ def _declared(launch: Launch, tree: Tree, source: Source) -> set[str] | None:
             if element.name == "xacro:arg":
                 defaults.setdefault(str(element.get("name")), str(element.get("default") or ""))
             elif element.name == "xacro:include":
-                found = included(launch.workspace, each, _filled(str(element.get("filename") or ""), defaults))
+                found = included(launch.workspace, each, filled(str(element.get("filename") or ""), defaults))
                 file = tree.read(found.file) if found is not None and found.file is not None else None
                 if file is None:
                     return None
@@ -98,6 +98,6 @@ def _declared(launch: Launch, tree: Tree, source: Source) -> set[str] | None:
     return {*defaults, *used}
 
 
-def _filled(filename: str, defaults: dict[str, str]) -> str:
+def filled(filename: str, defaults: dict[str, str]) -> str:
     """The name of a file with the defaults of arguments: what other values choose declares the same arguments."""
     return _USED.sub(lambda used: defaults.get(used[1], used[0]), filename)

@@ -41,6 +41,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.nodes import Nodes
     from bringup_lint.graph.params.params import Params
     from bringup_lint.graph.systemd.units import Units
+    from bringup_lint.graph.topics.questions.static_transforms import Conflict
     from bringup_lint.graph.topics.questions.transform_sources import TransformSource
     from bringup_lint.graph.topics.questions.watch_lists import Missing
     from bringup_lint.graph.topics.questions.watch_lists import Watched
@@ -203,6 +204,16 @@ class Topics:
 
         for running in self.runs:
             yield from rival_transforms(running, self.parameter_sources)
+
+    @property
+    def conflicting_transforms(self) -> Iterator[Conflict]:
+        """Frames that a static transform and a robot description of what surely runs together put in two places, each
+        once."""
+        from bringup_lint.graph.topics.questions.static_transforms import conflicting_transforms
+
+        real = (running for running in self.runs if not running.simulated)
+        every = chain.from_iterable(conflicting_transforms(self.launch, self.files.tree, each) for each in real)
+        yield from {(found.static.where, found.static.child): found for found in every}.values()
 
     @property
     def missing_nodes(self) -> Iterator[Missing]:
