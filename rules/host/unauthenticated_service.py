@@ -2,7 +2,8 @@
 
 ## What it finds
 Services of the robot itself that listen on all addresses and ask for no password:
-- **error**: Jupyter with an empty token on `--ip=0.0.0.0`, a VNC server with `SecurityTypes None` or `-nopw`, a
+- **error**: Jupyter with an empty token on `--ip=0.0.0.0`, in a compose service also `ttyd --writable` without
+  `--credential` and `code-server --auth none`, a VNC server with `SecurityTypes None` or `-nopw`, a
   compose service whose image serves a desktop or an editor without a password (`linuxserver/baseimage-kasmvnc`,
   `linuxserver/webtop`, `linuxserver/code-server`, `theasp/novnc`), and Flask with `debug=True` on `0.0.0.0`: its
   debugger runs Python for whoever knows or guesses the PIN, and its reloader runs the program, and so a node in it,
@@ -15,7 +16,8 @@ Services of the robot itself that listen on all addresses and ask for no passwor
   on all addresses in a node that publishes velocities and has no login.
 
 Not reported: a service on the loopback address, with a password, with limits of its own (`topics_glob`,
-`capabilities`, `acl_file`), with parameters that are not known, and services for simulation, development and tests.
+`capabilities` without `clientPublish`, `acl_file`), with parameters that are not known, and services for simulation,
+development and tests.
 
 ## Why it matters on a robot
 Whoever joins the robot's network opens a web page and drives it, or runs programs with the rights of the service.

@@ -13,6 +13,7 @@ from bringup_lint.graph.purpose import Purpose
 from bringup_lint.graph.workspace import place
 from bringup_lint.model.launch_values import Argument
 from bringup_lint.model.launch_values import DictValue
+from bringup_lint.model.launch_values import ListValue
 from bringup_lint.model.launch_values import Literal
 from bringup_lint.model.launch_values import TypedValue
 from bringup_lint.pattern import regex
@@ -30,6 +31,8 @@ LIMITS = {
 }
 """Packages whose server gives the graph to every client on all addresses by default -> the parameters that limit it.
 Source: rosbridge_websocket.py (address ""), foxglove_bridge's README (address 0.0.0.0, capabilities)."""
+_EVERYTHING = ("clientPublish", ".*")
+"""Capabilities and patterns that leave a bridge open to those who publish."""
 _OPERATOR = regex(r"(?:^|[/_.-])(?:pc|operator|monitor(?:ing)?|ground|groundstation|basestation)(?=[/_.-])", re.I)
 """Launch files for the computer of those who look at the robot."""
 
@@ -43,7 +46,7 @@ def launched_bridges(files: Files, launch: Launch) -> Iterator[tuple[str, Span]]
         if files.purpose(node.file.source) is Purpose.ROBOT and not launch.simulated(node.file):
             executable = str(literal_text(node.executable))
             if "rosapi" not in executable and _is_open(node, LIMITS[package]):
-                yield package, node.span
+                yield package, _address(node) or node.span
     yield from _included(files, launch)
 
 
@@ -82,10 +85,25 @@ def _is_open(node: Started, limits: tuple[str, ...]) -> bool:
 
 
 def _switches_on(value: Value) -> bool:
-    """Whether a limit may limit something: ``authenticate: False`` and an empty list of topics do not."""
+    """Whether a limit may limit something: ``authenticate: False``, an empty list of topics, a list that names every
+    topic and capabilities with that to publish do not."""
+    if isinstance(value, ListValue):
+        return not value.open and not any(text_of(item) in _EVERYTHING for item in value.items)
     known = text_of(value)
     literal = value.value if isinstance(value, Literal) else known
     return str(literal).lower() not in ("false", "", "[]")
+
+
+def _address(node: Started) -> Span | None:
+    """Where a node itself is told to listen on all addresses."""
+    for key, inner in node.given:
+        if (
+            text_of(key) == "address"
+            and isinstance(inner, Literal)
+            and node.span.start < inner.span.start < node.span.end
+        ):
+            return inner.span
+    return None
 
 
 def _known(value: Value | None) -> str | None:

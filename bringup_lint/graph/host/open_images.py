@@ -36,11 +36,12 @@ def open_image(files: Files, service: Service) -> Iterator[tuple[str, str, Span]
             continue
         if row["kind"] == "flows" and _has_login(files, service):
             continue
-        if _is_reached(service, row["port"]) and _is_open(service, row["closed_by"], row["opened_by"]):
+        if is_reached(service, row["port"]) and _is_open(service, row["closed_by"], row["opened_by"]):
             yield row["kind"], f"service '{service.name}'", service.image.span
 
 
-def _is_reached(service: Service, port: str) -> bool:
+def is_reached(service: Service, port: str = "") -> bool:
+    """Whether other computers reach a port of a service, or any that it publishes."""
     if service.is_on_host_network:
         return True
     outside = (each for each in published(service) if each.address != "localhost" and not is_loopback(each.address))

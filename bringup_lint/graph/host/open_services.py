@@ -45,8 +45,8 @@ _LIMITED = regex(r"^[ \t]*(?:acl_file|plugin|auth_plugin|bind_interface|require_
 
 class OpenService(NamedTuple):
     kind: str
-    """``bridge``, ``shell`` (of Jupyter), ``desktop``, ``broker``, ``database``, ``flows`` (of Node-RED), ``serial``,
-    ``web`` or ``debugger``."""
+    """``bridge``, ``shell`` (of Jupyter and terminals), ``desktop``, ``broker``, ``database``, ``flows`` (of Node-RED),
+    ``serial``, ``web`` or ``debugger``."""
     name: str
     where: Span
 
@@ -93,9 +93,12 @@ def _place(service: Service) -> tuple[str, str]:
 
 def _image(files: Files, runner: Runner, named: Counter[tuple[str, str]]) -> Iterator[OpenService]:
     if runner.service is not None and named[_place(runner.service)] == 1:
+        from bringup_lint.graph.host.open_images import is_reached
         from bringup_lint.graph.host.open_images import open_image
 
         yield from (OpenService(*each) for each in open_image(files, runner.service))
+        if is_reached(runner.service):
+            yield from (found for command in runner.commands for found in _terminal(command.words))
 
 
 def _serial_ports(files: Files) -> Iterator[OpenService]:
@@ -124,6 +127,15 @@ def _command(words: tuple[Located, ...]) -> Iterator[OpenService]:
         yield OpenService("desktop", found.program, found.word.span)
     elif found is not None and found.offer is Offer.NOTEBOOK:
         yield OpenService("shell", "Jupyter", found.word.span)
+
+
+def _terminal(words: tuple[Located, ...]) -> Iterator[OpenService]:
+    """A shell in the browser that takes what is typed: since 1.7.4 ttyd only shows it without ``--writable``."""
+    found = open_access(words)
+    if found is None or found.offer is not Offer.TERMINAL:
+        return
+    if found.program != "ttyd" or any(word in ("-W", "--writable") for word in words):
+        yield OpenService("shell", found.program, found.word.span)
 
 
 def _broker(source: Source) -> Iterator[OpenService]:
