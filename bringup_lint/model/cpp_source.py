@@ -175,6 +175,12 @@ class Read(NamedTuple):
     """It raises an exception when the parameter is not declared."""
 
 
+class TextAsBool(NamedTuple):
+    parameter: Located | None
+    """None when its name is not a literal."""
+    default: Located
+
+
 @dataclass(eq=False, slots=True)
 class CppNode:
     source: Source
@@ -191,7 +197,7 @@ class CppNode:
     parameters: list[Parameter] = field(default_factory=list)
     """What it declares under a literal name."""
     reads: list[Read] = field(default_factory=list)
-    texts_as_bool: list[Located] = field(default_factory=list)
+    texts_as_bool: list[TextAsBool] = field(default_factory=list)
     """The defaults of truth values that are written as texts."""
     declares_others: bool = False
     """It may declare parameters under names that are not literal, or all that it is given."""

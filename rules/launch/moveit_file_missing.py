@@ -56,7 +56,7 @@ def moveit_file_missing(robot: Robot) -> Iterator[Finding]:
             f"{each.path} {what} in {each.package.name}: MoveItConfigsBuilder raises an exception, and launch aborts",
             advice="install it"
             if each.exists
-            else f"use {near[0]}"
+            else f"use {robot.launch.path_of(near[0], each.package)}"
             if len(near) == 1
             else "correct the path, or add it",
             related=[

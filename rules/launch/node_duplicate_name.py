@@ -2,7 +2,7 @@
 
 ## What it finds
 Nodes and components of one launch graph with the same fully qualified name. Both start by default, and their
-conditions do not exclude each other. Two static_transform_publisher are a warning: nobody calls them by their name.
+conditions do not exclude each other.
 
 ## Why it matters on a robot
 ROS 2 lets both run. Parameters and services reach one of them by chance, and lifecycle managers and monitors see
@@ -42,7 +42,7 @@ ALIKE = "logs and lists of nodes do not show which is which"
 
 
 @rule(
-    "error",
+    "warning",
     symptoms=[
         "Publisher already registered for node name",
         "nodes with the name * created within this launch context",
@@ -64,7 +64,6 @@ def node_duplicate_name(robot: Robot) -> Iterator[Finding]:
                 launch.literal_text(node.name) or node.span,
                 f"Two nodes are called {name}: " + (BY_CHANCE if is_called else ALIKE),
                 advice="give each node its own name or namespace",
-                severity=None if is_called else "warning",
                 related=[note(other.span, "the other node"), *places],
             )
 

@@ -1,11 +1,11 @@
 """A launch configuration is read but never declared.
 
 ## What it finds
-`LaunchConfiguration('x')` or `$(var x)` without a default, where neither the file nor a file that includes it
-declares or sets `x`. The declaration in a file that it includes comes too late; an argument that the included file
-requires and that is only handed on to it is left alone. A certain read in a Python file is an
-error, other reads are warnings. If the file reads more than two such names, or another launch file mentions it, it is
-probably part of a larger launch file, and the finding is info.
+`LaunchConfiguration('x')` or `$(var x)` without a default, where neither the file nor a file that includes it declares
+or sets `x`. The declaration in a file that it includes comes too late; an argument that the included file requires and
+that is only handed on to it is left alone. A certain read in a Python file is an error, unless a command of the tree
+passes the argument; other reads are warnings. If the file reads more than two such names, or another launch file
+mentions it, it is probably part of a larger launch file, and the finding is info.
 
 ## Why it matters on a robot
 launch stops with "launch configuration 'x' does not exist" unless somebody passes `x:=…` by hand. A unit that
@@ -93,6 +93,7 @@ def undeclared(robot: Robot, expansion: Expansion, uses: list[Used], missing: se
         related.append(note(late.action.span, "declared here, after the read"))
     if late is None and not near:
         related += unlisted(uses[first].file, name)
+    related += passed(robot, expansion.entry, name)
     related += [note(used.argument.name, "read here, too") for used in uses if used is not uses[first]]
     return finding(
         uses[first].argument.name,
@@ -124,7 +125,13 @@ def grade(robot: Robot, expansion: Expansion, used: Used, missing: set[str]) -> 
     if used.file.format != "python" and handed_on(expansion, used):
         return "info"
     certain = used.file is expansion.entry and not used.conditions and used.file.format == "python"
-    return None if certain else "warning"
+    return None if certain and not passed(robot, expansion.entry, str(used.argument.name)) else "warning"
+
+
+def passed(robot: Robot, file: LaunchFile, name: str) -> list[Related]:
+    """The commands of the tree that launch the file with the argument."""
+    commands = robot.runners.launching(file)
+    return [note(key, "passed here") for each in commands for key, _ in each.arguments if key == name]
 
 
 def is_test(file: LaunchFile) -> bool:

@@ -4,8 +4,8 @@
 Two or more nodes that run together and publish the same velocity topic (`cmd_vel`, `base_cmd_vel`, ...), when no
 multiplexer, gate, smoother or collision monitor is among them. If a node of this tree limits velocities, publishers
 that bypass it are also reported. The same for a collision monitor of Nav2 whose `cmd_vel_out_topic` is a topic to which
-servers of Nav2 publish by themselves. Nodes that an argument must enable, or that exclude each other, do not count. The
-servers of Nav2 take turns and count as one.
+servers of Nav2 publish by themselves, which is an error. Nodes that an argument must enable, or that exclude each
+other, do not count. The servers of Nav2 take turns and count as one.
 
 ## Why it matters on a robot
 The base obeys the message that arrived last. A stop from one node is followed milliseconds later by the next
@@ -43,7 +43,7 @@ from bringup_lint.api import rule
 from bringup_lint.api import topics
 
 
-@rule("error", confidence="medium", silent="several publishers of one topic are normal for ROS", tags=["CWE-362"])
+@rule("warning", confidence="medium", silent="several publishers of one topic are normal for ROS", tags=["CWE-362"])
 def cmd_vel_multiple_publishers(robot: Robot) -> Iterator[Finding]:
     seen = set()
     for running in robot.topics.runs:
@@ -88,4 +88,5 @@ def past_the_monitor(robot: Robot) -> Iterator[Finding]:
                     note(each.monitor.started.span, "the monitor is started here"),
                 ],
                 chain=robot.provenance.chain_to_node(each.monitor.started),
+                severity="error",
             )

@@ -3,7 +3,8 @@
 ## What it finds
 Imports of modules and names that came later, or that were removed, and syntax and annotations that came later. Foxy and
 Galactic run on Python 3.8, Humble and Iron on 3.10, Jazzy and Kilted on 3.12. Imports in `try` and below a test of the
-release are left out, and trees whose distribution is not known.
+release are left out, and trees whose distribution is not known. It is a warning where the tree describes an environment
+with a Python of its own, for Nix or pixi.
 
 ## Why it matters on a robot
 It works on the developer's computer. On the robot the node ends with an ImportError or a SyntaxError before its first
@@ -36,6 +37,9 @@ from bringup_lint.api import nodes
 from bringup_lint.api import note
 from bringup_lint.api import rule
 
+BRINGING_PYTHON = ("flake.nix", "shell.nix", "pixi.toml")
+"""Files of environments with a Python of their own, in which the node may run."""
+
 
 @rule("error", confidence="medium", symptoms=["ImportError: cannot import name 'deprecated' from 'warnings'"])
 def python_release(robot: Robot) -> Iterator[Finding]:
@@ -43,6 +47,8 @@ def python_release(robot: Robot) -> Iterator[Finding]:
     python = nodes.python_of(distribution)
     if distribution is None or python is None:
         return
+    brought = next((name for name in BRINGING_PYTHON if next(robot.tree.named(name), None) is not None), None)
+    where = f"outside of the environment of {brought} " if brought is not None else ""
     for file in robot.nodes.programs:
         found = sorted(nodes.not_there(robot.nodes.syntax(file), python), key=lambda each: each.node.lineno)
         if not found:
@@ -51,8 +57,8 @@ def python_release(robot: Robot) -> Iterator[Finding]:
         yield finding(
             file.span_of(first.node),
             f"{first.what}, and {distribution.capitalize()} runs on {python[0]}.{python[1]}: "
-            f"the node ends with {first.raises}",
+            f"{where}the node ends with {first.raises}",
             advice="use what both releases have, or a backport such as typing_extensions",
             related=[note(file.span_of(each.node), each.what) for each in others[:5]],
-            severity=nodes.lowered(robot.nodes.purpose(file.source), "error"),
+            severity=nodes.lowered(robot.nodes.purpose(file.source), "warning" if brought is not None else "error"),
         )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Callable
 from collections.abc import Iterable
@@ -312,6 +313,11 @@ class Launch:
             if len(names) > 1000:
                 break
         return sorted(names)
+
+    def path_of(self, name: str, package: Package) -> str:
+        """Where a package has a file of this name; the name itself when that is not known."""
+        paths = (os.path.relpath(path, package.folder) for path in self._tree_files.tree.named(name))
+        return next((path for path in sorted(paths) if not path.startswith("..")), name)
 
     def read_in(self, files: Iterable[LaunchFile]) -> set[str]:
         """The launch configurations that files read."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
 from collections.abc import Iterator
 
@@ -10,6 +11,7 @@ from bringup_lint.graph.launch.resolve import Resolver
 from bringup_lint.graph.launch.scope import Scope
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.workspace import Found
+from bringup_lint.graph.workspace import Package
 from bringup_lint.graph.workspace import place
 from bringup_lint.model.launch import ComposableNode
 from bringup_lint.model.launch import LaunchFile
@@ -39,8 +41,19 @@ class Reference(NamedTuple):
     """launch itself opens the file: it fills in substitutions, or reads the values for a component."""
     key: str = ""
     """The parameter or launch argument that a path is the value of."""
+    given: bool = False
+    """The node gets other parameters, too, beside its description and its clock."""
+
+    def path_in(self, package: Package) -> str:
+        """The path in the package, as far as it is known."""
+        where = place(self.value)
+        if where is not None and where.base == "share":
+            return where.path
+        return os.path.relpath(where.path, package.folder) if where is not None and where.base == "file" else self.name
 
 
+_OF_ANY_NODE = ("use", "robot")
+"""How ``use_sim_time`` and ``robot_description`` begin."""
 Find = Callable[[Value], "Found | None"]
 
 
@@ -79,11 +92,20 @@ def _of_node(node: Started, find: Find) -> Iterator[Reference]:
         value = base_of(source)
         found = find(value)
         if found is not None:
-            yield Reference("parameters", value, value.span, _name(value), found, optional, aborts)
+            given = any(_gives(each, find) for each in node.parameters if each is not source)
+            yield Reference("parameters", value, value.span, _name(value), found, optional, aborts, given=given)
         else:
             yield from _paths(value, find, optional)
     for value in node.arguments:
         yield from _paths(value, find, optional)
+
+
+def _gives(source: Value, find: Find) -> bool:
+    """Whether a source of parameters sets more of a node than its description and its clock."""
+    if isinstance(source, DictValue):
+        return any((text(name) or "").partition("_")[0] not in _OF_ANY_NODE for name, _ in source.items)
+    found = find(base_of(source))
+    return found is not None and found.file is not None
 
 
 def base_of(source: Value) -> Value:

@@ -152,6 +152,15 @@ class Topics:
         kinds = (*STARTING, *LAUNCH, "params", "shell-script")
         return any(parameter in source.text for source in self.files.of_kind(*kinds))
 
+    def is_always_given(self, source: Source, parameter: str) -> bool:
+        """Whether launch files start programs of the package of a source that may ask for a parameter, and give it to
+        all of them, as far as is known."""
+        owner = self.launch.workspace.owner(source)
+        started = [each for each in self.launch.nodes if owner and literal_text(each.package) == owner.name]
+        words = ((each, self.parameter_words(each)) for each in started)
+        given = [self.node(each).given for each, known in words if known is None or known.name(parameter)]
+        return bool(given) and all(each is None or each.open or parameter in each.values for each in given)
+
     @property
     def refused(self) -> Iterator[tuple[LaunchedNode, Span, str, str]]:
         """Names in parameters and remappings of launched nodes that rcl does not take: the node, the place, the name,

@@ -7,12 +7,12 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.model.cpp_source import Read
+from bringup_lint.model.cpp_source import TextAsBool
 from bringup_lint.model.node_source import Parameter
 from bringup_lint.parsers.cpp_node.syntax import Call
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.parsers.cpp_node.values import declared
 from bringup_lint.pattern import regex
-from bringup_lint.source import Located
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -68,7 +68,7 @@ def reads(code: Code, call: Call) -> Iterator[Read]:
             yield Read(name, _READING[call.name] and len(call.arguments) == 1)
 
 
-def texts_as_bool(code: Code, call: Call) -> Iterator[Located]:
+def texts_as_bool(code: Code, call: Call) -> Iterator[TextAsBool]:
     """The default of a ``bool`` that is a string literal, whose address converts to true."""
     at = _DEFAULTS.get(call.name)
     if at is None or len(call.arguments) < 2 or "".join(code.text(call.template).split()) != "<bool>":
@@ -76,4 +76,4 @@ def texts_as_bool(code: Code, call: Call) -> Iterator[Located]:
     given = call.arguments[at]
     text = code.literal(given) if given.type == "string_literal" else None
     if text is not None:
-        yield text
+        yield TextAsBool(code.literal(call.arguments[0]), text)
