@@ -77,6 +77,7 @@ if TYPE_CHECKING:
     from bringup_lint.model.launch import LoadComponents
     from bringup_lint.model.launch import Log
     from bringup_lint.model.launch import Node
+    from bringup_lint.model.launch import ObjectAsValue
     from bringup_lint.model.launch import OldKeyword
     from bringup_lint.model.launch import Opaque
     from bringup_lint.model.launch import Other
@@ -85,6 +86,7 @@ if TYPE_CHECKING:
     from bringup_lint.model.launch import SetEnv
     from bringup_lint.model.launch import SetParameter
     from bringup_lint.model.launch import Timer
+    from bringup_lint.model.launch import UnplacedAction
     from bringup_lint.model.launch import Wait
     from bringup_lint.model.launch import walk_actions
     from bringup_lint.model.launch_values import Argument
@@ -144,6 +146,7 @@ __all__ = [
     "MissingEntry",
     "Need",
     "Node",
+    "ObjectAsValue",
     "OldKeyword",
     "Opaque",
     "Operation",
@@ -163,6 +166,7 @@ __all__ = [
     "Undeclared",
     "Unknown",
     "Unpassed",
+    "UnplacedAction",
     "UntypedController",
     "Used",
     "Value",

@@ -307,6 +307,14 @@ class Workspace:
         """The source of a file; None when the tree cannot tell."""
         return None if place is None else self._found(place)
 
+    def leaves_out(self, source: Source) -> bool:
+        """Whether a file lies in a package whose build surely does not install it."""
+        owner = self.owner(source)
+        if owner is None or not owner.installs_known:
+            return False
+        found = self._share(owner, os.path.relpath(source.absolute, owner.folder))
+        return found is not None and found.installed is False
+
     @memo
     def _found(self, place: Place) -> Found | None:
         if place.base == "file":

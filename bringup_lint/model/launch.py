@@ -91,6 +91,7 @@ class UnplacedAction(NamedTuple):
     """The class of the action."""
     name: str
     """The first argument, or ``name=``, where it is a text."""
+    executable: str = ""
 
 
 class RefusedCall(NamedTuple):

@@ -3,7 +3,8 @@
 ## What it finds
 Nodes, includes and other actions of launch that a function of a Python launch file gives to a variable which nothing
 reads. Left alone is what a comment mentions, because it was taken out on purpose, and the declaration of an argument
-that the file reads, which `launch/undeclared-arg` judges.
+that the file reads, which `launch/undeclared-arg` judges. It is an info where the file starts the same executable by
+another action.
 
 ## Why it matters on a robot
 launch starts only what the description holds: the node does not run, and no message says so. A transform, a filter or
@@ -37,6 +38,7 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import launch
 from bringup_lint.api import rule
 
 _EFFECTS = {
@@ -48,6 +50,9 @@ _STARTING = frozenset(
     ("Node", "LifecycleNode", "ComposableNodeContainer", "ExecuteProcess", "ExecuteLocal", "LoadComposableNodes")
 )
 
+OF_MANY_NODES = ("static_transform_publisher", "spawner", "parameter_bridge", "create", "spawn_entity.py", "relay")
+"""Executables that a launch file starts several times, each for something else."""
+
 
 @rule("warning", silent="launch starts what the description holds, without a message")
 def action_unplaced(robot: Robot) -> Iterator[Finding]:
@@ -57,9 +62,18 @@ def action_unplaced(robot: Robot) -> Iterator[Finding]:
             if each.owner == "DeclareLaunchArgument" and each.name in read:
                 continue
             effect = "it never starts" if each.owner in _STARTING else _EFFECTS.get(each.owner, "it has no effect")
+            is_idle = robot.launch.workspace.is_vendored(file.source) or is_replaced(robot, file, each)
             yield finding(
                 each.variable,
                 f"{each.owner} '{each.variable}' is made and not added to the launch description: {effect}",
                 advice="add it to the launch description, or remove it",
-                severity="info" if robot.launch.workspace.is_vendored(file.source) else None,
+                severity="info" if is_idle else None,
             )
+
+
+def is_replaced(robot: Robot, file: launch.LaunchFile, made: launch.UnplacedAction) -> bool:
+    """Whether the file starts the same executable by another action, so that this one may be a leftover."""
+    nodes = (each.executable for each in robot.launch.expansion(file).nodes if each.file is file)
+    if not made.executable or made.executable in OF_MANY_NODES:
+        return False
+    return any(launch.literal(each) == made.executable for each in nodes)

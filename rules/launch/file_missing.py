@@ -2,10 +2,11 @@
 
 ## What it finds
 Maps, worlds, robot descriptions and configurations in the share folder of a package of the workspace, or beside the
-launch file, that neither exist in the source nor are made by the build: as parameters, as arguments of programs, and
-as arguments of included launch files, defaults among them. Files that git ignores or a build makes are left alone,
-those that the launch file asks for before it uses them, and those that a node of the tree or, by its name, a program
-writes. Included launch files and parameter files have rules of their own.
+launch file, that neither exist in the source nor are made by the build: as parameters, as arguments of programs, and as
+arguments of included launch files, defaults among them. Files that git ignores or a build makes are left alone, those
+that the launch file asks for before it uses them, and those that a node of the tree or, by its name, a program writes.
+It is an info where the path is the value of an argument that nothing reads. Included launch files and parameter files
+have rules of their own.
 
 ## Why it matters on a robot
 The program that is given the path ends, or runs without the file: map_server does not activate, RViz shows an empty
@@ -40,6 +41,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.launch import LaunchFile
 from bringup_lint.api.launch import Package
 from bringup_lint.api.launch import Reference
 from bringup_lint.api.spelling import nearest
@@ -81,6 +83,7 @@ def file_missing(robot: Robot) -> Iterator[Finding]:
     for (first, package), *others in places.values():
         near = nearest(first.name, sorted(_names(robot, package)), 3)
         spans = {each.span: each for each, _ in others if each.span != first.span}
+        is_idle = all(_is_unread(robot, each) for each in (first, *spans.values()))
         yield finding(
             first.span,
             f"{first.name} does not exist in {package.name}: what is given the path runs without it, or ends",
@@ -90,7 +93,7 @@ def file_missing(robot: Robot) -> Iterator[Finding]:
                 *(note(each, "it is named here, too") for each in spans),
             ],
             chain=robot.provenance.chain_to(first.span, f"{first.name} is named"),
-            severity="info" if first.optional else None,
+            severity="info" if first.optional or is_idle else None,
         )
 
 
@@ -100,6 +103,27 @@ def _is_read(reference: Reference) -> bool:
     if _WRITES.search(reference.span.source.text) or _is_asked_for(reference):
         return False
     return reference.name.endswith(_READ) and not is_written
+
+
+def _is_unread(robot: Robot, reference: Reference) -> bool:
+    """Whether a path is only the value of an argument that no launch file reads."""
+    file = robot.launch.of_source(reference.span.source)
+    if not reference.key or file is None:
+        return False
+    expansion = robot.launch.expansion(file)
+    targets = [each.target for each in expansion.includes if each.source is file and reference.key in each.arguments]
+    if not targets and all(each.name != reference.key for each in expansion.declared):
+        return False
+    return not any(_reads(robot, target or file, reference.key) for target in targets or [file])
+
+
+def _reads(robot: Robot, file: LaunchFile, name: str) -> bool:
+    """Whether a launch file, or one that goes with it, reads a configuration and does something with it."""
+    for expansion in (robot.launch.expansion(file), *robot.launch.leading_to(file)):
+        for each in expansion.files:
+            if sum(read.name == name for read in each.reads) > robot.launch.dead_reads(each, name):
+                return True
+    return False
 
 
 def _writers(robot: Robot) -> list[Source]:

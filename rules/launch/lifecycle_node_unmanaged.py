@@ -2,7 +2,8 @@
 
 ## What it finds
 `LifecycleNode`s, and nodes that are known to have a lifecycle (the servers of nav2, slam_toolbox from Jazzy on). A
-`Node` is a warning where another launch file starts the same program as a `LifecycleNode`. They are in no lifecycle
+`Node` is a warning where another launch file starts the same program as a `LifecycleNode`, and where nothing includes
+the file, which lies among files that are only there to be included. They are in no lifecycle
 manager's `node_names`, get no `ChangeState` event and do not configure themselves, and no script or node of the tree
 that names them changes states.
 
@@ -73,6 +74,6 @@ def lifecycle_node_unmanaged(robot: Robot) -> Iterator[Finding]:
                         for each in managers[:3]
                     ),
                 ],
-                severity="warning" if other else None,
+                severity="warning" if other or robot.launch.is_left_over(expansion.entry) else None,
                 confidence="medium" if other else None,
             )

@@ -5,7 +5,8 @@ A name that no package of this workspace has, but that is close to one that exis
 package of the workspace installs, where the executable is called like the missing package. Also, as packages of nodes
 and of included files, those of ROS 1 that ROS 2 has under other names (`rviz`, `tf`, `amcl`, ...), and those that the
 robot's distribution no longer has (`nav2_recoveries` from Humble on, `gazebo_ros` and `ros_ign_*` from Jazzy on). Left
-alone is what a list of repositories or a command of the tree fetches, and files that ask which distribution runs.
+alone is what a list of repositories or a command of the tree fetches, and files that ask which distribution runs. It is
+an info in tests that the build of their package does not name.
 
 ## Why it matters on a robot
 launch aborts with "package 'my_robot_drivers' not found".
@@ -83,8 +84,14 @@ def _gone(robot: Robot) -> Iterator[Finding]:
             f"Package '{each.name}' not found: {why}, and launch aborts",
             advice=f"use {each.package.instead}",
             chain=robot.provenance.chain_to(each.name, f"'{each.name}' is needed"),
-            severity=None if each.always else "warning",
+            severity=_grade(robot, each.name, each.always),
         )
+
+
+def _grade(robot: Robot, name: Located, always: bool) -> str | None:
+    if robot.launch.is_unrun_test(name.span.source):
+        return "info"
+    return None if always else "warning"
 
 
 def _moved(robot: Robot, node: launch.Started, package: Located) -> Iterator[Finding]:

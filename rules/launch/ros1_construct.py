@@ -3,7 +3,8 @@
 ## What it finds
 `<node type=>`, `ns=`, `required=`, `$(arg x)`, `$(find p)`, `<rosparam>`, `<machine>` and `<arg value=>` in ROS 2
 launch files. A ROS 1 launch file in a ROS 2 package is a warning. Files of an archive are left out: those in folders
-such as `legacy`, `old` or `unported`.
+such as `legacy`, `old` or `unported`. It is an info where no launch file speaks of the file, and the build does not
+install it, or it is a test that the build does not name.
 
 ## Why it matters on a robot
 ROS 2 launch rejects the file. Nothing starts.
@@ -62,13 +63,14 @@ def ros1_construct(robot: Robot) -> Iterator[Finding]:
             advice=f"write {instead(name)}",
             related=[note(each, f"'{each}' is ROS 1 syntax, too: write {instead(each)}") for each in others],
             fix=fix("write it as ROS 2 does", *edits) if edits else None,
+            severity="info" if is_out_of_use(robot, file) else None,
         )
     for first, *rest in left_behind(robot).values():
         yield finding(
             first.ros1[0],
             f"'{first.ros1[0]}' is ROS 1 syntax in a ROS 2 package: ros2 launch rejects this file",
             advice="migrate the file, or remove it",
-            severity="warning",
+            severity="info" if all(is_out_of_use(robot, each) for each in (first, *rest)) else "warning",
             related=[note(each.ros1[0], "ROS 1 syntax, too") for each in rest],
         )
 
@@ -83,6 +85,13 @@ def left_behind(robot: Robot) -> dict[str, list[LaunchFile]]:
         if package is not None and not package.manifest.is_ros1 and package.manifest.build_type and file.ros1:
             found.setdefault(file.source.name.rpartition("/")[0], []).append(file)
     return found
+
+
+def is_out_of_use(robot: Robot, file: LaunchFile) -> bool:
+    """Whether no other launch file speaks of one, and the build does not install it, or run it as a test."""
+    if robot.launch.is_unrun_test(file.source):
+        return not robot.launch.is_named_elsewhere(file)
+    return robot.launch.workspace.leaves_out(file.source) and not robot.launch.is_named_elsewhere(file)
 
 
 def is_for_both(robot: Robot, file: LaunchFile) -> bool:

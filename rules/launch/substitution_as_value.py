@@ -4,7 +4,7 @@
 `LaunchConfiguration('x')` that is compared with a text, used as a condition, formatted into a text, joined to a path
 with `os.path.join`, added to a text, converted to a number, or looked up in a dictionary. Also a `LaunchConfiguration`
 instead of a name as the key in `launch_arguments`. A comparison with the empty text is a warning: what it keeps out
-seldom comes.
+seldom comes. So is a key where the included file has the same value as its default.
 
 ## Why it matters on a robot
 The description is built before launch knows any argument, and the object is not its value. A comparison is always
@@ -36,6 +36,7 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import launch
 from bringup_lint.api import note
 from bringup_lint.api import rule
 
@@ -74,5 +75,19 @@ def substitution_as_value(robot: Robot) -> Iterator[Finding]:
                 f"The launch configuration '{use.argument.name}' {effect}",
                 advice=advice,
                 related=[note(use.argument.name, "read here")],
-                severity="warning" if use.how == EMPTY else None,
+                severity="warning" if use.how == EMPTY or is_default(robot, file, use) else None,
             )
+
+
+def is_default(robot: Robot, file: launch.LaunchFile, use: launch.ObjectAsValue) -> bool:
+    """Whether the included file has the value by itself that is meant for its argument."""
+    for include in robot.launch.expansion(file).includes:
+        here = include.action.span
+        is_own = include.source is file and here.start <= use.span.start < here.end
+        if use.how == "argument-name" and is_own and include.target is not None:
+            given = [launch.literal(value) for key, value in include.action.arguments if key is use.argument]
+            declared = robot.launch.expansion(include.target).declared
+            defaults = [each.action.default for each in declared if each.name == use.argument.name]
+            if given and any(launch.literal(each) == given[0] for each in defaults):
+                return True
+    return False

@@ -3,9 +3,9 @@
 ## What it finds
 A `TimerAction` around nodes that need something which the same start brings up: a comment beside the timer says that
 they wait (a warning), or they subscribe to a topic of a node that starts before, or localize, map or navigate on data
-of a driver (info: most nodes wait for their topics by themselves). One finding for each file. Also a timer that reports
-success after checks whose result nothing reads. What waits by itself (spawners of controllers, components for their
-container) is left out, and so is what starts only in simulation.
+of a driver (info: most nodes wait for their topics by themselves, and so do those whose sources wait for a server). One
+finding for each file. Also a timer that reports success after checks whose result nothing reads. What waits by itself
+(spawners of controllers, components for their container) is left out, and so is what starts only in simulation.
 
 ## Why it matters on a robot
 On a slow boot, with a full disk or a cold camera, the delay is too short and the consumer starts before the driver.
@@ -91,7 +91,7 @@ def awaited(robot: Robot, file: launch.LaunchFile, timer: launch.Timer) -> Await
     comment = launch.waiting_comment(file, timer) if starts else None
     if comment is not None:
         label = nodes[0].label() if len(nodes) == 1 else "the delayed part"
-        return Awaited(label, comment, "what it waits for", said=True)
+        return Awaited(label, comment, "what it waits for", said=not nodes or not all(map(robot.topics.waits, nodes)))
     for node in nodes:
         other = topic_source(robot, node, timer) or provider(robot, node, earlier)
         if other is not None:

@@ -2,7 +2,8 @@
 
 ## What it finds
 Launch files that give the argument `use_sim_time` to some of their nodes. Other nodes that depend on time
-(localisation, mapping, planning, control, robot state) get neither the argument nor a parameter file.
+(localisation, mapping, planning, control, robot state) get neither the argument nor a parameter file, or a parameter
+with nearly that name.
 
 ## Why it matters on a robot
 In a simulation, or when a recording is replayed, half of the nodes use another time. Transforms are too old or in
@@ -40,6 +41,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.python import Import
 from bringup_lint.api.python import with_item
+from bringup_lint.api.spelling import nearest
 
 TIMED = ("localization", "mapping", "planning", "control", "costmap", "map", "state")
 
@@ -72,13 +74,23 @@ def use_sim_time_not_propagated(robot: Robot) -> Iterator[Finding]:
                 continue
             if is_of_part(robot, node):
                 continue
+            typo = misspelt(node)
+            why = f": '{typo}' is another parameter" if typo is not None else ""
             yield finding(
                 node.span,
-                f"{node.label()} keeps the wall clock while other nodes of the file follow use_sim_time",
-                advice="set the parameter once for all nodes with SetParameter",
+                f"{node.label()} keeps the wall clock while other nodes of the file follow use_sim_time{why}",
+                advice="set the parameter once for all nodes with SetParameter"
+                if typo is None
+                else "write use_sim_time",
                 related=[note(given[0].span, "this node gets it")],
-                fix=pass_on(node, given[0]),
+                fix=pass_on(node, given[0]) if typo is None else None,
             )
+
+
+def misspelt(node: launch.Started) -> str | None:
+    """A parameter that the launch file gives the node and that is nearly called use_sim_time."""
+    names = [name for key, _ in node.given if (name := launch.text_of(key)) is not None]
+    return next(iter(nearest("use_sim_time", names)), None)
 
 
 def pass_on(node: launch.Started, given: launch.Started) -> Fix | None:

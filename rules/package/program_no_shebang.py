@@ -2,8 +2,8 @@
 
 ## What it finds
 Python and shell scripts that CMakeLists.txt installs into `lib/<package>` with `install(PROGRAMS)`, whose first line
-does not begin with `#!`: those that a launch file starts, and Python scripts with `if __name__ == "__main__"` (a
-warning).
+does not begin with `#!`: those that a launch file starts, and, as a warning, those that only an argument enables, and
+Python scripts with `if __name__ == "__main__"`.
 
 ## Why it matters on a robot
 The kernel executes a text file only by its first line. `ros2 run` and launch find the program and end with "Exec format
@@ -46,10 +46,11 @@ def program_no_shebang(robot: Robot) -> Iterator[Finding]:
         for each in robot.dependencies.plain_programs(package):
             name = each.renamed or each.source.rpartition("/")[2]
             where = started.get(name)
+            is_started = where is not None and robot.dependencies.starts_by_default(package, name)
             yield finding(
                 each.where,
                 f"{each.source} does not begin with #!: {'launch' if where else 'ros2 run'} cannot execute it",
-                advice=f"begin it with #!/usr/bin/env {'python3' if name.endswith('.py') else 'bash'}",
+                advice=f"begin it with #!/usr/bin/env {'python3' if each.source.endswith('.py') else 'bash'}",
                 related=[note(where, "it is started here")] if where else [],
-                severity=None if where else "warning",
+                severity=None if is_started else "warning",
             )

@@ -5,7 +5,7 @@ Joints in the parameters of controllers of ros2_control (`joints`, `left_wheel_n
 tree has; command interfaces of a controller that no `<ros2_control>` exports; and, from Jazzy on, joints in
 `<ros2_control>` that the robot does not have. Silent when a description includes a file that is not in the tree, when
 names are computed in a way that is not understood, and when a parameter file names no joint of the tree at all.
-For a controller that nothing of the tree names elsewhere, an interface is a warning, and a joint an info.
+It is an info for a controller that nothing of the tree names elsewhere, as no spawner starts it.
 
 ## Why it matters on a robot
 The controller manager refuses to activate a controller whose interfaces do not exist: the spawner ends, the robot does
@@ -66,7 +66,7 @@ def controller_joint_unknown(robot: Robot) -> Iterator[Finding]:
             _message(each),
             advice=_advice(each),
             related=[note(other, "nor this one") for other in each.others[:10]],
-            severity=None if each.used else "warning" if each.kind == "interface" else "info",
+            severity=None if each.used else "info",
         )
 
 

@@ -1,10 +1,11 @@
 """A parameter file has no block for the node that loads it.
 
 ## What it finds
-A node with a known name and namespace loads a file in which no block and no wildcard matches its full name, but one
-is meant for it: it has the same name in another namespace, or a misspelling of it, is called as the package or the
-executable, or holds what only the program of this node declares. The name is that of the launch file, else the one
-that the source gives. Silent for components, containers and names that are not known.
+A node with a known name and namespace loads a file in which no block and no wildcard matches its full name, but one is
+meant for it: it has the same name in another namespace, or a misspelling of it, is called as the package or the
+executable, or holds what only the program of this node declares. The name is that of the launch file, else the one that
+the source gives. It is a warning where the values are those that the program has by itself. Silent for components,
+containers and names that are not known.
 
 ## Why it matters on a robot
 All parameters keep the defaults of the code, without any message. It shows when the robot drives. Only a node that
@@ -63,5 +64,6 @@ def file_key_mismatch(robot: Robot) -> Iterator[Finding]:
                 found.load, note(found.block.key, f"the block is for {found.block.name}")
             ),
             related=[note(found.load.where, "loads the file here"), note(found.load.node.span, "the node")],
+            severity="warning" if found.changes_nothing(robot.topics) else None,
             fix=fix(f"name the block {better}", (found.block.key, better), safe=False) if single else None,
         )

@@ -126,6 +126,15 @@ class Dependencies:
         """The programs of a package that launch files start, and where."""
         return self._started_programs.get(package.name, {})
 
+    def starts_by_default(self, package: Package, program: str) -> bool:
+        """Whether a launch file starts a program of a package when no argument is passed."""
+        return (package.name, program) in self._default_programs
+
+    @cached_property
+    def _default_programs(self) -> frozenset[tuple[str | None, str | None]]:
+        by_default = (node for node in self._launch.nodes if node.by_default is True)
+        return frozenset((literal_text(node.package), literal_text(node.executable)) for node in by_default)
+
     @cached_property
     def _started_programs(self) -> dict[str, dict[str, Span]]:
         found: dict[str, dict[str, Span]] = {}

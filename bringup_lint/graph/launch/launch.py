@@ -61,6 +61,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
     from bringup_lint.graph.launch.grammar import Refusal
 
+_REMARK = regex(r"#[^\n]*")
+_REMARK_LINE = regex(r"(?m)^[ \t]*#[^\n]*")
 _DIGIT = regex(r"\d")
 _VIEW = regex(r"(?:^|[/_.-])(?:display|view\w*|rviz\w*)(?:$|[/_.-])")
 """Paths of launch files that only show something."""
@@ -184,6 +186,18 @@ class Launch:
     def included(self) -> set[int]:
         """Files (by ``id``) that another file of the tree includes by a name that is known without running."""
         return {each for targets in self._meant.values() for each in targets}
+
+    def is_left_over(self, file: LaunchFile) -> bool:
+        """Whether nothing includes a launch file that lies in a folder where others are only there to be included."""
+        beside = self._by_folder[os.path.dirname(file.source.absolute)]
+        return id(file) not in self.included and 2 * len(self.included.intersection(beside)) >= len(beside)
+
+    @cached_property
+    def _by_folder(self) -> dict[str, list[int]]:
+        found: dict[str, list[int]] = {}
+        for file in self.files:
+            found.setdefault(os.path.dirname(file.source.absolute), []).append(id(file))
+        return found
 
     @cached_property
     def _meant(self) -> dict[tuple[int, str], set[int]]:
@@ -532,8 +546,16 @@ class Launch:
     def dead_reads(self, file: LaunchFile, name: str) -> int:
         """How often a launch configuration is bound to a variable that is used nowhere, or only as the default of the
         argument itself."""
-        variables = (variable for read, variable in file.bound if read.name == name)
-        return sum(_uses(file.source.text, variable, name) == 1 for variable in variables)
+        variables = [variable for read, variable in file.bound if read.name == name]
+        code = file.source.once(_REMARK_LINE, lambda: _REMARK_LINE.sub("", file.source.text)) if variables else ""
+        return sum(_uses(code, variable, name) == 1 for variable in variables)
+
+    def is_unrun_test(self, source: Source) -> bool:
+        """Whether a launch file is one for tests that the build of its package does not name."""
+        owner = self.workspace.owner(source)
+        if self._tree_files.purpose(source) is not Purpose.TEST or owner is None or not owner.builds:
+            return False
+        return not any(source.basename in _REMARK.sub("", each.source.text) for each in owner.builds)
 
     def mentions(self, file: LaunchFile, name: str) -> int:
         """How often a name is in a file's text as a word of its own."""

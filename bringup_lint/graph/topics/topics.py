@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Callable
 from collections.abc import Iterable
@@ -33,6 +34,7 @@ from bringup_lint.graph.topics.sources.code import Code
 from bringup_lint.graph.topics.sources.cpp_code import CppCode
 from bringup_lint.graph.topics.sources.programs import code_of
 from bringup_lint.graph.topics.sources.rviz import Displays
+from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
     from bringup_lint.graph.environment.ros import RosEnvironment
@@ -57,6 +59,12 @@ COMPARED = 100
 """Publishers and subscriptions of one topic that are compared with each other."""
 SPEAKING = ("python-node", "params", "launch-python", "launch-xml", "launch-yaml", "udev-rules", "ros-package")
 """Kinds of files that may name the hardware of the robot."""
+
+
+_WAITING = regex(
+    r"\bwait_?for_?(?:action_?)?(?:server|service|message)|\bwait_for_transform|\bwaitUntilNav2Active|\bcan_?transform\b",
+    re.I,
+)
 
 
 @dataclass(eq=False)
@@ -91,6 +99,24 @@ class Topics:
     @cached_property
     def _codes(self) -> dict[tuple[str | None, ...], Code | None]:
         return {}
+
+    def defaults(self, started: Started) -> dict[str, object]:
+        """The literal defaults with which a launched program declares its parameters, as far as they are known."""
+        code = self.code(started)
+        if code is None:
+            return {}
+        if code.node_class is not None:
+            declared = list(code.node_class.parameters.values())
+        else:
+            declared = [each for node in self.nodes.cpp if node.source is code.source for each in node.parameters]
+        return {str(each.name): each.default for each in declared if each.known}
+
+    def waits(self, started: Started) -> bool:
+        """Whether the package of a launched program waits for a server, a message or a transform by itself."""
+        package = self.launch.workspace.packages.get(str(literal_text(started.package)))
+        sources = self.files.of_kind("python-node", "cpp-node") if package is not None else []
+        own = (each for each in sources if self.launch.workspace.owner(each) is package)
+        return any(each.matches(_WAITING) for each in own)
 
     def parameter_words(self, started: Started) -> ParameterWords | None:
         """The texts with which a launched program may name its parameters; None when not all of it is known."""

@@ -45,7 +45,7 @@ def unplaced(tree: ast.Module, positions: Positions, text: str) -> Iterator[Unpl
     for name, call in sorted(made, key=lambda each: each[0].lineno):
         owner = _class_of(call.func, seen.classes)
         if owner and name.id not in used:
-            yield UnplacedAction(Located(name.id, positions.span(name)), owner, _first_text(call))
+            yield UnplacedAction(Located(name.id, positions.span(name)), owner, _first_text(call), _executable(call))
 
 
 def _note(seen: _Seen, node: ast.AST) -> None:
@@ -83,6 +83,11 @@ def _first_text(call: ast.Call) -> str:
     named = [*call.args[:1], *(word.value for word in call.keywords if word.arg == "name")]
     texts = (each.value for each in named if isinstance(each, ast.Constant))
     return str(next(texts, ""))
+
+
+def _executable(call: ast.Call) -> str:
+    words = (each.value for each in call.keywords if each.arg == "executable")
+    return next((str(each.value) for each in words if isinstance(each, ast.Constant)), "")
 
 
 def _mentioned(text: str, put_away: list[str]) -> set[str]:

@@ -44,6 +44,12 @@ class Mismatch(NamedTuple):
     misspelt: bool
     """Another name; else the same name in another namespace."""
 
+    def changes_nothing(self, topics: Topics) -> bool:
+        """Whether the block holds what the program of the node takes by itself."""
+        defaults = topics.defaults(self.load.node)
+        given = [(each.name, each.value.data) for each in self.block.parameters if each.name not in OF_EVERY_NODE]
+        return bool(given) and all(name in defaults and defaults[name] == value for name, value in given)
+
 
 def unreached(topics: Topics) -> Iterator[Mismatch]:
     """Nodes that get a file of which no block matches them, though one is meant for them."""
