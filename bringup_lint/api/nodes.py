@@ -87,6 +87,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.unsafe_ends import unsafe_ends
     from bringup_lint.graph.nodes.questions.unsafe_hardware import unsafe_hardware
     from bringup_lint.graph.nodes.questions.unstamped import unstamped
+    from bringup_lint.graph.nodes.questions.what_ends import end_of
+    from bringup_lint.graph.nodes.questions.what_ends import end_of_callbacks
     from bringup_lint.graph.nodes.questions.wrong_unit import WrongUnit
     from bringup_lint.graph.topics.questions.undeclared import asked_in_vain
     from bringup_lint.graph.topics.questions.undeclared import is_called_nowhere
@@ -124,6 +126,8 @@ __all__ = [
     "early_lookups",
     "early_results",
     "empty_defaults",
+    "end_of",
+    "end_of_callbacks",
     "endless_rates",
     "endless_threads",
     "fed_without_condition",

@@ -67,15 +67,21 @@ def callback_misfit(robot: Robot) -> Iterator[Finding]:
         severity = "warning" if unfit.what == "goal" else "error"
         yield finding(
             unfit.place,
-            _message(unfit, is_alone=robot.nodes.threads(unfit.node) != "several"),
+            _message(unfit, _end(robot, unfit)),
             advice=_advice(unfit),
             related=[] if unfit.place == unfit.callback.span else [note(unfit.callback.span, "it is handed over here")],
             severity=nodes.lowered(robot.nodes.purpose(unfit.file.source), severity),
         )
 
 
-def _message(unfit: nodes.Unfit, is_alone: bool) -> str:
-    exits = ", and the node exits" if is_alone else ""
+def _end(robot: Robot, unfit: nodes.Unfit) -> str:
+    """What ends, in words; empty where several threads run callbacks."""
+    if robot.nodes.threads(unfit.node) == "several":
+        return ""
+    return ", and " + nodes.end_of_callbacks(robot.nodes.syntax(unfit.file))
+
+
+def _message(unfit: nodes.Unfit, exits: str) -> str:
     match unfit.what:
         case "called":
             return f"{unfit.name}() runs here once and gives None: {_of_none(unfit.callback.role)}"

@@ -87,9 +87,8 @@ def message_field(robot: Robot) -> Iterator[Finding]:
 
 def _consequence(lacking: nodes.NoField, distribution: str | None) -> str:
     """What happens where a field that does not exist is used, in words."""
-    end = "what follows in its try block never runs" if lacking.caught else "the node exits"
     if not lacking.given:
-        return f"AttributeError, and {end}"
+        return f"AttributeError, and {lacking.end}"
     if distribution is None:
         return "AssertionError in Humble, ignored by newer releases"
-    return f"AssertionError, and {end}" if nodes.is_checked(distribution) else "the argument is ignored"
+    return f"AssertionError, and {lacking.end}" if nodes.is_checked(distribution) else "the argument is ignored"

@@ -52,7 +52,7 @@ def qos_missing(robot: Robot) -> Iterator[Finding]:
             change = renamed or with_keyword(span, "qos_profile", "10")
             yield finding(
                 span,
-                f"{name}() {wrong}: it raises a TypeError, and the node exits",
+                f"{name}() {wrong}: it raises a TypeError, and {nodes.end_of(robot.nodes.syntax(file), call)}",
                 advice="give it a depth such as 10, or a QoSProfile, as the last argument",
                 severity=nodes.lowered(robot.nodes.purpose(file.source), "error"),
                 fix=fix("give it a quality of service", codemod=change, safe=renamed is not None) if change else None,

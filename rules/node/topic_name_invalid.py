@@ -44,6 +44,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import fix
+from bringup_lint.api import launch
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
@@ -85,7 +86,7 @@ def topic_name_invalid(robot: Robot) -> Iterator[Finding]:
     for (node, where, name, when), others in refused(robot):
         yield finding(
             where,
-            f"'{name}' is not a valid topic name: {node.label()} exits {when}",
+            f"'{name}' is not a valid topic name: {ends(node, when)}",
             advice="use letters, digits, '_' and '/' only, no '__', and no part that begins with a digit",
             related=[note(node.started.span, f"{node.label()} is started here")]
             + [note(each.where, f"'{each.name}' is not valid either") for each in others],
@@ -96,6 +97,13 @@ def is_guarded(endpoint: Endpoint) -> bool:
     """Whether the code looks at the value of the parameter first, so that the default may mean that there is no
     topic."""
     return endpoint.conditional or (endpoint.name == "" and bool(TESTED.search(endpoint.span.source.text)))
+
+
+def ends(node: topics.LaunchedNode, when: str) -> str:
+    """A component takes nothing down with it: its container answers that it was not loaded."""
+    if isinstance(node.started.action, launch.ComposableNode):
+        return f"the container does not load {node.label()}"
+    return f"{node.label()} exits {when}"
 
 
 class Refused(NamedTuple):

@@ -66,7 +66,8 @@ def transform_unhandled(robot: Robot) -> Iterator[Finding]:
         found = list(nodes.unhandled_transforms(robot.nodes.ending(file), node))
         if found:
             spans = [file.span_of(each.call) for each in found]
-            yield _finding(robot, PYTHON, spans, found[0].callback, f"{found[0].name}()")
+            python = PYTHON._replace(end=nodes.end_of(robot.nodes.syntax(file), found[0].call))
+            yield _finding(robot, python, spans, found[0].callback, f"{found[0].name}()")
         for call in nodes.early_lookups(robot.nodes.ending(file), node)[:1]:
             yield finding(
                 file.span_of(call),

@@ -54,27 +54,27 @@ from bringup_lint.api import rule
 )
 def undefined_attribute(robot: Robot) -> Iterator[Finding]:
     for first, *others in nodes.missing_attributes(robot.nodes):
-        name = first.place.attr
+        name, end = first.place.attr, nodes.end_of(robot.nodes.syntax(first.file), first.place)
         yield finding(
             first.file.span_of(first.place),
-            f"AttributeError when {first.function}() runs: nothing sets self.{name}, and the node exits",
+            f"AttributeError when {first.function}() runs: nothing sets self.{name}, and {end}",
             advice=f"write self.{first.like}" if first.like else f"set self.{name} in __init__()",
             related=[note(each.file.span_of(each.place), f"nothing sets self.{each.place.attr}") for each in others],
             severity="info" if first.idle else nodes.lowered(robot.nodes.purpose(first.file.source), "error"),
         )
     for taken in nodes.taken_attributes(robot.nodes):
-        name = taken.place.attr
+        name, end = taken.place.attr, nodes.end_of(robot.nodes.syntax(taken.file), taken.place)
         yield finding(
             taken.file.span_of(taken.place),
-            f"AttributeError: '{name}' is a property of rclpy's Node that cannot be set so, and the node exits",
+            f"AttributeError: '{name}' is a property of rclpy's Node that cannot be set so, and {end}",
             advice=f"choose another name, such as self.own_{name}",
             severity=nodes.lowered(robot.nodes.purpose(taken.file.source), "error"),
         )
     for late, *more in nodes.late_attributes(robot.nodes):
-        name = late.place.attr
+        name, end = late.place.attr, nodes.end_of(robot.nodes.syntax(late.file), late.place)
         yield finding(
             late.file.span_of(late.place),
-            f"AttributeError when {late.user.name}() runs before {late.setter.name}() sets self.{name}: the node exits",
+            f"AttributeError when {late.user.name}() runs before {late.setter.name}() sets self.{name}: {end}",
             advice=f"set self.{name} = None in __init__(), and return while it is None",
             related=[
                 note(late.file.span_of(late.set_at), "only here is it set, when a message comes"),
@@ -83,10 +83,11 @@ def undefined_attribute(robot: Robot) -> Iterator[Finding]:
             severity=nodes.lowered(robot.nodes.purpose(late.file.source), "warning"),
         )
     for file, handler, place, set_at, function in nodes.half_made(robot.nodes):
+        end = nodes.end_of(robot.nodes.syntax(file), place)
         where = handler.type if handler.type is not None else set_at
         yield finding(
             file.span_of(where),
-            f"AttributeError in {function}(): the constructor goes on without self.{place.attr}, and the node exits",
+            f"AttributeError in {function}(): the constructor goes on without self.{place.attr}, and {end}",
             advice="raise the exception again, or set the attribute to None and look at it where it is used",
             related=[
                 note(file.span_of(set_at), "not set when this fails"),
@@ -97,9 +98,10 @@ def undefined_attribute(robot: Robot) -> Iterator[Finding]:
     for file in robot.nodes.programs:
         reads = list(nodes.untyped_reads(robot.nodes.syntax(file)))
         for read in reads[:1]:
+            end = nodes.end_of(robot.nodes.syntax(file), read)
             yield finding(
                 file.span_of(read),
-                f"AttributeError: get_parameter() returns a Parameter, which has no '{read.attr}', and the node exits",
+                f"AttributeError: get_parameter() returns a Parameter, which has no '{read.attr}', and {end}",
                 advice="write .value",
                 related=[note(file.span_of(each), f"nor '{each.attr}'") for each in reads[1:]],
                 severity=nodes.lowered(robot.nodes.purpose(file.source), "error"),

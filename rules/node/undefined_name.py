@@ -47,7 +47,11 @@ def undefined_name(robot: Robot) -> Iterator[Finding]:
             name, module = found.name.id, found.module
             when = f"when {found.function}() is called" if found.function else "when the file is loaded"
             when = f"{when} and its try block has failed" if found.handling else when
-            end = "what follows in its try block never runs" if found.caught else "the node exits"
+            end = (
+                "what follows in its try block never runs"
+                if found.caught
+                else nodes.end_of(robot.nodes.syntax(file), found.name)
+            )
             end = "what follows at the end of the node never runs" if found.late else end
             line = f"from {module} import {name}" if module else f"import {name}"
             started = found.function != "main" or robot.nodes.runs_main(file.source)

@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.nodes.questions.message_types import MessageTypes
+from bringup_lint.graph.nodes.questions.what_ends import end_of
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.interface import CONSTANT
@@ -49,8 +50,8 @@ class NoField(NamedTuple):
     fields: tuple[str, ...]
     given: bool
     """It is an argument of the constructor."""
-    caught: bool
-    """An exception handler around it takes the exception."""
+    end: str
+    """What the exception ends, in words."""
 
 
 class Misfit(NamedTuple):
@@ -62,7 +63,7 @@ class Misfit(NamedTuple):
     """The type of the field: ``float64``."""
     got: str
     """The type of the value in words: ``an int``; or that it is out of range."""
-    caught: bool
+    end: str
 
     @property
     def kind(self) -> str:
@@ -93,9 +94,7 @@ def _lacking(
     fields = types.interfaces.fields(owner) if owner is not None else None
     if owner is None or fields is None or name is None or _has(fields, name) or types.syntax.is_dead(place):
         return
-    yield NoField(
-        place, name, owner, tuple(fields), isinstance(place, ast.keyword), types.syntax.catches(place, _CAUGHT)
-    )
+    yield NoField(place, name, owner, tuple(fields), isinstance(place, ast.keyword), _end(types, place))
 
 
 def misfits(types: MessageTypes, distribution: str | None) -> Iterator[list[Misfit]]:
@@ -124,14 +123,15 @@ def _misfits(types: MessageTypes) -> Iterator[Misfit]:
 
 def consequence(misfit: Misfit, distribution: str | None) -> str:
     """What happens when the value is set, in words."""
-    end = "what follows in its try block never runs" if misfit.caught else "the node exits"
     match = _WANTED.match(misfit.wanted)
     later = _UNCHECKED[match.lastgroup or ""] if match is not None else "publish() raises AttributeError"
     if misfit.got == OUT_OF_RANGE:
         later = "another number is sent"
     if distribution in _CHECKING:
-        return f"AssertionError, and {end}"
-    return later if distribution is not None else f"in Humble AssertionError, and {end}; in newer releases {later}"
+        return f"AssertionError, and {misfit.end}"
+    return (
+        later if distribution is not None else f"in Humble AssertionError, and {misfit.end}; in newer releases {later}"
+    )
 
 
 def is_checked(distribution: str | None) -> bool:
@@ -168,8 +168,13 @@ def _misfit(types: MessageTypes, owner: str | None, name: str, value: ast.expr) 
     for arm in _arms(value):
         got = _wrong(types, wanted, arm)
         if got is not None:
-            yield Misfit(arm, name, wanted, _WORDS.get(got, got), types.syntax.catches(value, _CAUGHT))
+            yield Misfit(arm, name, wanted, _WORDS.get(got, got), _end(types, value))
             return
+
+
+def _end(types: MessageTypes, node: ast.AST) -> str:
+    is_caught = types.syntax.catches(node, _CAUGHT)
+    return "what follows in its try block never runs" if is_caught else end_of(types.syntax, node)
 
 
 def _arms(value: ast.expr) -> Iterator[ast.expr]:
