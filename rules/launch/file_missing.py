@@ -2,11 +2,12 @@
 
 ## What it finds
 Maps, worlds, robot descriptions and configurations in the share folder of a package of the workspace, or beside the
-launch file, that neither exist in the source nor are made by the build: as parameters, as arguments of programs, and as
-arguments of included launch files, defaults among them. Files that git ignores or a build makes are left alone, those
-that the launch file asks for before it uses them, and those that a node of the tree or, by its name, a program writes.
-It is an info where the path is the value of an argument that nothing reads. Included launch files and parameter files
-have rules of their own.
+launch file, that neither exist in the source nor are made by the build: as parameters, as arguments of programs, and
+as arguments of included launch files, defaults among them. Files that git ignores or a build makes are left alone,
+those that the launch file asks for before it uses them, and those that a node of the tree or, by its name, a program
+writes. It is an info where the path is the value of an argument that nothing reads. Where a folder between is not
+known, the file is missing if the whole tree has none of its name. Included launch files and parameter files have
+rules of their own.
 
 ## Why it matters on a robot
 The program that is given the path ends, or runs without the file: map_server does not activate, RViz shows an empty

@@ -32,6 +32,7 @@ from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.scope import Scope
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import literal_text
+from bringup_lint.graph.launch.unknown_folders import missing_everywhere
 from bringup_lint.graph.launch.visits import VISITS
 from bringup_lint.graph.memo import memo
 from bringup_lint.graph.purpose import Purpose
@@ -157,6 +158,10 @@ class Launch:
         """The file that a resolved value names; None when the tree cannot tell."""
         return self.workspace.find(self.place(value))
 
+    def find_or_miss(self, value: Value) -> Found | None:
+        """As ``find``, and that there is no file of this name, though the folders before it are not known."""
+        return self.find(value) or missing_everywhere(value, self.workspace)
+
     def locate(self, value: Value) -> LaunchFile | None:
         """The launch file that a resolved value names, if it is in the tree."""
         found = self.find(value)
@@ -273,7 +278,7 @@ class Launch:
     @memo
     def references(self, file: LaunchFile) -> list[Reference]:
         """The files that a launch file names through a package or beside itself, when launched without arguments."""
-        return list(references(self.expansion(file), file, self.find))
+        return list(references(self.expansion(file), file, self.find_or_miss))
 
     def missing(self, kind: str) -> Iterator[tuple[Reference, Package]]:
         """The files of a kind that launch files name and that do not exist in a package of the tree."""

@@ -10,6 +10,7 @@ from bringup_lint.graph.launch.expansion import Expansion
 from bringup_lint.graph.launch.resolve import Resolver
 from bringup_lint.graph.launch.scope import Scope
 from bringup_lint.graph.launch.started import Started
+from bringup_lint.graph.launch.unknown_folders import last_name
 from bringup_lint.graph.workspace import Found
 from bringup_lint.graph.workspace import Package
 from bringup_lint.graph.workspace import place
@@ -131,4 +132,4 @@ def _paths(value: Value, find: Find, optional: bool, key: str = "") -> Iterator[
 
 def _name(value: Value) -> str:
     where = place(value)
-    return (where.path if where is not None else text(value) or "").rpartition("/")[2]
+    return (where.path if where is not None else text(value) or last_name(value)).rpartition("/")[2]
