@@ -10,7 +10,7 @@ Python launch files that give the classes of launch and launch_ros what they do 
   `respawn=`;
 - one action where a list is needed, a list or an event handler where an action is needed, a `condition=` that is none.
 
-Silent where the file catches TypeError.
+Silent where the file catches TypeError. It is an info where the file holds names to be filled in, as `your_package`.
 
 ## Why it matters on a robot
 The exception ends launch: most of these while the file is loaded, before a single node has started.
@@ -96,6 +96,9 @@ ADVICE = {
     "condition": "write IfCondition(...)",
 }
 
+PLACEHOLDER = regex(r"[\"'/](?:your_(?:package|pkg|robot)|path/to/(?:your|my)?)\b", hints="your_ path/to/")
+"""Names in files that are there to be filled in."""
+
 
 @rule(
     "error",
@@ -120,6 +123,7 @@ def call_refused(robot: Robot) -> Iterator[Finding]:
                 advice=advice(first),
                 related=[note(each.where, "the same here") for each in others],
                 fix=repair([first, *others]),
+                severity="info" if file.source.matches(PLACEHOLDER) else None,
             )
 
 

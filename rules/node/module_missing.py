@@ -3,7 +3,8 @@
 ## What it finds
 `from .x import y` and `from package.x import y` in the source of a node, where the package of the node has neither
 `x.py` nor a folder `x`. Only in packages with a setup.py that builds no modules. Imports in a `try` block or under a
-condition are left out, as are modules that git ignores and those that tools write.
+condition are left out, as are modules that git ignores and those that tools write. It is an info in a `main()` that
+nothing starts.
 
 ## Why it matters on a robot
 The import fails with ModuleNotFoundError, and the node ends: at its start, or when the function that imports is called.
@@ -39,9 +40,10 @@ from bringup_lint.api import rule
 def module_missing(robot: Robot) -> Iterator[Finding]:
     for found in nodes.missing_modules(robot.nodes):
         when = f"when {found.function}() is called" if found.function else "when the file is loaded"
+        is_run = found.function != "main" or robot.nodes.runs_main(found.file.source)
         yield finding(
             found.file.span_of(found.statement),
             f"ModuleNotFoundError {when}: the package has no {found.path}",
             advice=f"add the module, or correct the name in 'from {found.module} import'",
-            severity=nodes.lowered(robot.nodes.purpose(found.file.source), "error"),
+            severity=nodes.lowered(robot.nodes.purpose(found.file.source), "error") if is_run else "info",
         )

@@ -5,7 +5,8 @@ A program whose node publishes velocities or efforts (`cmd_vel`, `*_command`, ..
 no `finally` or `except` that publishes, no signal handler, no `on_deactivate` or `on_shutdown` that publishes. A
 program that leaves SIGTERM to the operating system (`SignalHandlerOptions.NO` without a handler) is also reported,
 and one that takes commands for motors to pins or to an I2C bus, which keep what was written last, and stops nothing.
-The finding is info when the tree has a mux, smoother or controller with its own timeout, when MoveIt Servo receives
+The finding is info when the tree has a mux, smoother or controller with its own timeout, or firmware that looks at the
+time, when MoveIt Servo receives
 the topic and has an `incoming_command_timeout`, when the node only relays
 commands, when a relay with a timer in the tree receives the topic, and when it is a lifecycle node.
 
@@ -54,14 +55,16 @@ from bringup_lint.api import rule
 
 ADVICE = "turn SIGTERM into KeyboardInterrupt (SignalHandlerOptions.NO), and publish zero in a finally around the spin"
 
+KEEPS = "the robot keeps its last velocity until something else stops it"
+
 
 @rule("warning", confidence="medium", silent="the program ends as it was asked to", tags=["CWE-404"])
 def shutdown_no_safe_state(robot: Robot) -> Iterator[Finding]:
     for file, command, spin, init, is_caught in nodes.unsafe_ends(robot.nodes):
         place = file.span_of(init) if init is not None else command.span
-        message = "The node exits without a stop command: the robot keeps its last velocity"
+        message = f"The node exits without a stop command: {KEEPS}"
         if init is not None:
-            message = "SIGTERM ends the node at once and no finally runs: the robot keeps its last velocity"
+            message = f"SIGTERM ends the node at once and no finally runs: {KEEPS}"
         yield finding(
             place,
             message,

@@ -3,7 +3,8 @@
 ## What it finds
 Odometry, joint states, IMU, laser, point cloud, range, GPS and magnetometer readings, and transforms, that Python and
 C++ nodes make, fill and publish without a time stamp; and images that a node takes itself from a camera. Only messages
-of which every use is seen: one that is handed to something else may get its stamp there.
+of which every use is seen: one that is handed to something else may get its stamp there. What robot_localization does
+is said where the tree uses it.
 
 ## Why it matters on a robot
 The stamp stays 0, which is 1970. robot_localization ignores such readings, `robot_state_publisher` and tf2 place the
@@ -43,11 +44,12 @@ from bringup_lint.api import nodes
 from bringup_lint.api import note
 from bringup_lint.api import rule
 
+IGNORED = "robot_localization ignores it"
 HARM = {
     "geometry_msgs/msg/TransformStamped": "a lookup for now finds no transform",
-    "nav_msgs/msg/Odometry": "robot_localization ignores it",
-    "sensor_msgs/msg/Imu": "robot_localization ignores it",
-    "geometry_msgs/msg/TwistWithCovarianceStamped": "robot_localization ignores it",
+    "nav_msgs/msg/Odometry": IGNORED,
+    "sensor_msgs/msg/Imu": IGNORED,
+    "geometry_msgs/msg/TwistWithCovarianceStamped": IGNORED,
     "sensor_msgs/msg/JointState": "the transforms of the joints lie in the past",
 }
 OTHERS = "it cannot be transformed or joined with other sensors"
@@ -56,10 +58,12 @@ OTHERS = "it cannot be transformed or joined with other sensors"
 @rule("warning", silent="the messages arrive, and only those who look at their time drop them")
 def stamp_missing(robot: Robot) -> Iterator[Finding]:
     for first, *others in nodes.unstamped(robot.nodes):
-        kind = first.type.rpartition("/")[2]
+        kind, harm = first.type.rpartition("/")[2], HARM.get(first.type, OTHERS)
+        if harm == IGNORED and not uses_robot_localization(robot):
+            harm = OTHERS
         yield finding(
             first.made,
-            f"{kind} is published with the time 0, because nothing sets its stamp: {HARM.get(first.type, OTHERS)}",
+            f"{kind} is published with the time 0, because nothing sets its stamp: {harm}",
             advice="set header.stamp to the time of the reading, or to that of the node's clock",
             related=[
                 note(first.sent, "published here"),
@@ -67,3 +71,9 @@ def stamp_missing(robot: Robot) -> Iterator[Finding]:
             ],
             severity=nodes.lowered(robot.nodes.purpose(first.made.source), "warning"),
         )
+
+
+def uses_robot_localization(robot: Robot) -> bool:
+    """Whether a launch file or a package of the tree names it."""
+    kinds = ("launch-python", "launch-xml", "launch-yaml", "ros-package")
+    return any("robot_localization" in source.text for source in robot.files.of_kind(*kinds))

@@ -6,7 +6,7 @@ Names that the source of a node looks up and that neither the function, the file
 
 It is an info after `spin()` and the `join()` of a thread, where the node has done its work, in tests, in examples and
 in a function that nothing calls or that is only a stub. It is a warning in an `except`, which runs only after a
-failure.
+failure, and in a branch of a function.
 
 ## Why it matters on a robot
 Python looks a name up when the line runs. In a callback for parameters or signals that can be weeks later, on the
@@ -46,6 +46,7 @@ def undefined_name(robot: Robot) -> Iterator[Finding]:
         for found in nodes.undefined(robot.nodes.syntax(file)):
             name, module = found.name.id, found.module
             when = f"when {found.function}() is called" if found.function else "when the file is loaded"
+            when = f"in a branch of {found.function}()" if found.branch and not found.handling else when
             when = f"{when} and its try block has failed" if found.handling else when
             end = (
                 "what follows in its try block never runs"
@@ -55,7 +56,7 @@ def undefined_name(robot: Robot) -> Iterator[Finding]:
             end = "what follows at the end of the node never runs" if found.late else end
             line = f"from {module} import {name}" if module else f"import {name}"
             started = found.function != "main" or robot.nodes.runs_main(file.source)
-            severity = "info" if found.late or not started else "warning" if found.handling else "error"
+            severity = "info" if found.late or not started else "warning" if found.handling or found.branch else "error"
             where = found.function or "the file"
             edits = nodes.import_edits(file, module, name) if module is not None else []
             yield finding(

@@ -63,6 +63,8 @@ _SERVO_TOPIC = regex(
     r"(?m)^[ \t]*(?:cartesian|joint)_command_in_topic[ \t]*:[ \t]*[\"']?(?:[^\s\"'#]*/)?(?P<name>[^\s\"'#/]+)"
 )
 """MoveIt Servo halts when the newest command on these topics is older than the time-out."""
+_RUNNING = (ast.FunctionDef, ast.AsyncFunctionDef, ast.If, ast.Try, ast.For, ast.While, ast.With)
+"""Statements of a module that run, or that others may call."""
 _UNJUDGED = (Purpose.TEST, Purpose.CI, Purpose.ARCHIVE)
 """Purposes whose sources are not for a robot."""
 _RUNNERS = ("systemd-unit", "systemd-dropin", "compose", "dockerfile", "supervisord", "cron")
@@ -178,9 +180,18 @@ class Nodes:
         """What a source is for, by the path of the file and by that in its package."""
         if source not in self._purposes:
             found = of_source(self._path(source), self.files.purpose(source))
-            is_example = found is Purpose.ROBOT and self._unused.has(source)
+            is_example = found is Purpose.ROBOT and (self._unused.has(source) or self._is_unmade(source))
             self._purposes[source] = Purpose.EXAMPLE if is_example else found
         return self._purposes[source]
+
+    def _is_unmade(self, source: Source) -> bool:
+        """Whether a file is no program and holds classes alone, and nothing makes one of them."""
+        file = self._modules.by_source.get(source)
+        body = file.tree.body if file is not None and file.tree is not None else []
+        classes = [each.name for each in body if isinstance(each, ast.ClassDef)]
+        if not classes or not self._unused.is_no_program(source) or any(isinstance(each, _RUNNING) for each in body):
+            return False
+        return not any(map(self._unused.makes, classes))
 
     @cached_property
     def _unused(self) -> Unused:

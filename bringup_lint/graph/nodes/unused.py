@@ -6,6 +6,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator
 from functools import cached_property
+from functools import partial
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.modules import modules
@@ -24,8 +25,10 @@ _NAMING = (
 _IMPORT = regex(r"(?m)^[ \t]*(?:from|import)\b[^\n#(]*(?:\([^()]*\))?")
 _MODULE = regex(r"[ \t\"']-[A-Za-z]{0,8}m[\"', \t]{1,8}(?P<module>\w[\w.]*)")
 _WORD = regex(r"\w+|(?<=[ \t])\.(?=[.\w \t])")
-_TEXT = regex(r"""["']([\w.]{2,80})["']""")
+_TEXT = regex(r"""(?<!executable=)(?<!name=)["']([\w.]{2,80})["']""")
 """What ``importlib`` and the like may be given."""
+_REMARKS = regex(r"(?m)^[ \t]*#[^\n]*")
+_DEFINES = regex(r"\bclass[ \t]+\w+")
 _CPP = (".cpp", ".cc", ".cxx")
 _GATHERS = regex(
     r"(?i)\bGLOB(?:_RECURSE)?\b|\baux_source_directory\b|add_\w{4,20}\s{0,4}\([^()]{0,200}\bDIRECTORY\b|\}[\w.-]{0,80}\.c(?:pp|c|xx)\b|\w\}\w"
@@ -118,6 +121,15 @@ class Unused:
         """Whether an import is relative, or from a Python package of the tree."""
         return words[0] == "." or words[0] in self._packages
 
+    def makes(self, name: str) -> bool:
+        """Whether the code of the tree mentions a class other than to define or import it."""
+        return name in self._mentioned
+
+    @cached_property
+    def _mentioned(self) -> frozenset[str]:
+        texts = (*self._texts(), self._named)
+        return frozenset(word for text in texts for word in _WORD.findall(_DEFINES.sub("", _IMPORT.sub("", text))))
+
     @cached_property
     def _imports(self) -> list[list[str]]:
         """The words of each import; a dot is the first one of a relative import."""
@@ -125,5 +137,5 @@ class Unused:
         return [words for words in found if words]
 
     def _texts(self) -> Iterator[str]:
-        yield from (source.text for source in self._files.of_kind("python-node", "launch-python", "setup-py"))
-        yield from (source.text for source in modules(self._files))
+        for source in (*self._files.of_kind("python-node", "launch-python", "setup-py"), *modules(self._files)):
+            yield source.once(_REMARKS, partial(_REMARKS.sub, "", source.text))

@@ -19,8 +19,16 @@ class Misfit(NamedTuple):
     """What is wrong with it, in words."""
 
 
-def without_qos(syntax: Syntax) -> Iterator[Misfit]:
-    """Publishers and subscriptions of the classes of a file that get no quality of service."""
+def without_qos(syntax: Syntax) -> Iterator[list[Misfit]]:
+    """Publishers and subscriptions of the classes of a file that get no quality of service, those of one function
+    together: the first one keeps the others from being reached."""
+    groups: dict[ast.AST | None, list[Misfit]] = {}
+    for found in _without_qos(syntax):
+        groups.setdefault(syntax.function(found.call), []).append(found)
+    yield from groups.values()
+
+
+def _without_qos(syntax: Syntax) -> Iterator[Misfit]:
     made = {each.span.start: node for node in syntax.file.classes for each in node.endpoints}
     for call in syntax.calls:
         name = call.func.attr if isinstance(call.func, ast.Attribute) else ""

@@ -44,6 +44,8 @@ class Undefined(NamedTuple):
     """The function spins, or waits for a thread to end, before: the node has done its work."""
     handling: bool = False
     """It is in an ``except``, which runs only after something else has failed."""
+    branch: bool = False
+    """It is in a branch of its function, which may not run."""
 
 
 def undefined(syntax: Syntax) -> Iterator[Undefined]:
@@ -69,7 +71,15 @@ def undefined(syntax: Syntax) -> Iterator[Undefined]:
             caught=syntax.catches(name, _CAUGHT),
             late=is_late(syntax, name),
             handling=any(isinstance(outer, ast.ExceptHandler) for outer, _ in syntax.within(name)),
+            branch=_is_in_branch(syntax, name),
         )
+
+
+def _is_in_branch(syntax: Syntax, name: ast.Name) -> bool:
+    """Whether a condition around a name decides whether a function looks it up."""
+    function = syntax.function(name)
+    conditions = (outer for outer, field in syntax.within(name) if isinstance(outer, ast.If) and field != "test")
+    return function is not None and next(conditions, None) is not None
 
 
 class _Bindings:

@@ -72,7 +72,12 @@ def _loaded(file: NodeSource) -> Iterator[str]:
 
 
 def _is_caught(nodes: Nodes, ending: Ending, made: list[NodeClass], command: Endpoint) -> bool:
-    if nodes.gate is not None or made[0].is_lifecycle or _name(str(command.name)) in nodes.timed_topics:
+    if (
+        nodes.gate is not None
+        or nodes.firmware_looks_at_time
+        or made[0].is_lifecycle
+        or _name(str(command.name)) in nodes.timed_topics
+    ):
         return True
     if all(relays(node) or stops_itself(ending.syntax, node) for node in made):
         return True

@@ -53,9 +53,8 @@ class CppCode:
         if any(node.endpoints for node in own):
             return own
         libraries = [name for name in build.links.get(program, ()) if name in build.targets]
-        return (
-            own + [node for name in libraries[:1] for node in self._nodes(build, name)] if len(libraries) == 1 else own
-        )
+        linked = list(self._nodes(build, libraries[0])) if len(libraries) == 1 else []
+        return own + _included(own, linked)
 
     def _component(self, build: Build, library: str, plugin: str) -> list[CppNode]:
         """The file that registers the class; the only file of its library when no other is registered in it."""
@@ -91,6 +90,14 @@ class CppCode:
 def _plugin_of(build: Build, library: str) -> str | None:
     plugins = [name for name, place in build.components.items() if place == library and "::" in name]
     return plugins[0] if len(plugins) == 1 else None
+
+
+def _included(own: list[CppNode], linked: list[CppNode]) -> list[CppNode]:
+    """The files of a library that a program uses: of one with several nodes those whose headers it includes."""
+    if sum(bool(node.names) for node in linked) < 2:
+        return linked
+    text = "".join(node.source.text for node in own)
+    return [node for node in linked if f"{os.path.splitext(node.source.basename)[0]}.h" in text]
 
 
 def _joined(nodes: list[CppNode]) -> Code | None:
