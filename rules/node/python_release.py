@@ -1,14 +1,15 @@
 """A node needs another release of Python than its distribution has.
 
 ## What it finds
-Imports of modules and names that came later, or that were removed, and syntax and annotations that came later. Foxy and
-Galactic run on Python 3.8, Humble and Iron on 3.10, Jazzy and Kilted on 3.12. Imports in `try` and below a test of the
-release are left out, and trees whose distribution is not known. It is a warning where the tree describes an environment
+Imports and uses of modules and names that came later, or that were removed, and syntax and annotations that came later.
+Foxy and Galactic run on Python 3.8, Humble and Iron on 3.10, Jazzy and Kilted on 3.12. On Jazzy and Kilted also names
+that NumPy and Pillow of Ubuntu 24.04 do not have any more: `np.float`, `Image.ANTIALIAS`. What is in `try` and below a
+test is left out, and trees whose distribution is not known. It is a warning where the tree describes an environment
 with a Python of its own, for Nix or pixi.
 
 ## Why it matters on a robot
 It works on the developer's computer. On the robot the node ends with an ImportError or a SyntaxError before its first
-line of code runs.
+line of code runs, or with an AttributeError where it uses the name.
 
 ## Bad
 ```python
@@ -26,6 +27,7 @@ When the nodes of the robot run in an environment with a Python of its own, as w
 ## References
 - REP 2000: the Ubuntu release of each distribution
 - https://docs.python.org/3/whatsnew/
+- https://numpy.org/doc/stable/release/1.24.0-notes.html
 """
 
 from collections.abc import Iterator
@@ -49,16 +51,23 @@ def python_release(robot: Robot) -> Iterator[Finding]:
         return
     brought = next((name for name in BRINGING_PYTHON if next(robot.tree.named(name), None) is not None), None)
     where = f"outside of the environment of {brought} " if brought is not None else ""
-    for file in robot.nodes.programs:
+    for file in robot.nodes.with_modules:
         found = sorted(nodes.not_there(robot.nodes.syntax(file), python), key=lambda each: each.node.lineno)
         if not found:
             continue
         first, *others = found
         yield finding(
             file.span_of(first.node),
-            f"{first.what}, and {distribution.capitalize()} runs on {python[0]}.{python[1]}: "
-            f"{where}the node ends with {first.raises}",
+            f"{first.what}, and {distribution.capitalize()} {_has(first.what, python)}: "
+            f"{where}the node ends with {first.raises}{' when it comes here' if first.late else ''}",
             advice="use what both releases have, or a backport such as typing_extensions",
             related=[note(file.span_of(each.node), each.what) for each in others[:5]],
             severity=nodes.lowered(robot.nodes.purpose(file.source), "warning" if brought is not None else "error"),
         )
+
+
+def _has(what: str, python: tuple[int, int]) -> str:
+    for package, release in (("NumPy", "1.26"), ("Pillow", "10.2")):
+        if package in what:
+            return f"has {package} {release}"
+    return f"runs on {python[0]}.{python[1]}"

@@ -12,7 +12,20 @@ from bringup_lint.named_tuple import NamedTuple
 
 _PYTHONS = {"focal": (3, 8), "jammy": (3, 10), "noble": (3, 12)}
 """Source: packages.ubuntu.com, python3."""
+_CAUGHT = frozenset({"AttributeError", "Exception", "BaseException"})
 _GENERIC = frozenset({"list", "dict", "set", "frozenset", "tuple", "type"})
+
+
+_PACKAGES = {
+    (3, 12): {
+        **dict.fromkeys(
+            (f"numpy.{name}" for name in ("bool", "int", "float", "complex", "object", "str")), "NumPy 1.24"
+        ),
+        **dict.fromkeys(("PIL.Image.ANTIALIAS", "PIL.Image.LINEAR", "PIL.Image.CUBIC"), "Pillow 10"),
+    }
+}
+"""A release of Python -> the names that packages of its Ubuntu do not have any more, and the release that took them:
+there are NumPy 1.26 and Pillow 10.2 for 3.12. Source: packages.ubuntu.com, the release notes of NumPy and Pillow."""
 
 
 class NotThere(NamedTuple):
@@ -21,6 +34,8 @@ class NotThere(NamedTuple):
     node: ast.expr | ast.stmt
     what: str
     raises: str
+    late: bool = False
+    """Only where the line runs, and not when the file is read."""
 
 
 def python_of(distribution: str | None) -> tuple[int, int] | None:
@@ -34,7 +49,7 @@ def not_there(syntax: Syntax, python: tuple[int, int]) -> Iterator[NotThere]:
     lazy = any(dotted == "__future__.annotations" for dotted in syntax.file.imports.values())
     names = _refused(python)
     for node in syntax.file.nodes:
-        found = next(_imports(node, names), None)
+        found = next(_imports(node, names), None) or _attribute(syntax, node, names)
         if found is None and python < (3, 10):
             found = _form(node, python, lazy)
         if found is not None and not _is_guarded(syntax, found.node):
@@ -49,6 +64,8 @@ def _refused(python: tuple[int, int]) -> dict[str, str]:
             found[row["name"]] = f"came with Python {row['since']}"
         elif row["removed"] and python >= _release(row["removed"]):
             found[row["name"]] = f"is gone since Python {row['removed']}"
+    for release, gone in _PACKAGES.items():
+        found |= {name: f"is gone since {taken}" for name, taken in gone.items() if python >= release}
     return found
 
 
@@ -69,6 +86,27 @@ def _imports(node: ast.AST, names: dict[str, str]) -> Iterator[NotThere]:
             dotted = f"{node.module}.{alias.name}"
             if dotted in names:
                 yield NotThere(node, f"{dotted} {names[dotted]}", "ImportError")
+
+
+def _attribute(syntax: Syntax, node: ast.AST, names: dict[str, str]) -> NotThere | None:
+    """``asyncio.timeout`` after ``import asyncio``, where nothing in the file sets it."""
+    if not isinstance(node, ast.Attribute) or not isinstance(node.ctx, ast.Load):
+        return None
+    dotted = syntax.file.qualified(node)
+    if dotted not in names or node.attr in syntax.once(_set) or syntax.catches(node, _CAUGHT):
+        return None
+    return NotThere(node, f"{dotted} {names[dotted]}", "AttributeError", syntax.function(node) is not None)
+
+
+def _set(syntax: Syntax) -> frozenset[str]:
+    """The attributes that a file sets, or asks for with ``hasattr()`` and the like."""
+    stored = (each.attr for each in syntax.file.nodes if isinstance(each, ast.Attribute) and _is_set(each))
+    texts = (each.value for each in syntax.file.nodes if isinstance(each, ast.Constant) and isinstance(each.value, str))
+    return frozenset((*stored, *texts))
+
+
+def _is_set(node: ast.Attribute) -> bool:
+    return not isinstance(node.ctx, ast.Load)
 
 
 def _form(node: ast.AST, python: tuple[int, int], lazy: bool) -> NotThere | None:
