@@ -90,6 +90,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.unstamped import unstamped
     from bringup_lint.graph.nodes.questions.what_ends import end_of
     from bringup_lint.graph.nodes.questions.what_ends import end_of_callbacks
+    from bringup_lint.graph.nodes.questions.window_spins import window_spins
     from bringup_lint.graph.nodes.questions.wrong_unit import WrongUnit
     from bringup_lint.graph.topics.questions.undeclared import asked_in_vain
     from bringup_lint.graph.topics.questions.undeclared import is_called_nowhere
@@ -195,6 +196,7 @@ __all__ = [
     "untyped_reads",
     "valid_node_name",
     "waits",
+    "window_spins",
     "without_pin_mode",
     "without_qos",
     "wrong_units",

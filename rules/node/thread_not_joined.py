@@ -3,7 +3,8 @@
 ## What it finds
 In C++ sources of nodes, a `std::thread` that is started, and that no source of its package joins, detaches or moves
 elsewhere. In Python, a thread of a node that is not a daemon and whose `while True` nothing leaves, asks nobody whether
-it goes on, and calls nothing that raises after the shutdown, such as `publish()`.
+it goes on, and calls nothing that raises after the shutdown, such as `publish()`; and one that spins beside the window
+of a program which calls `rclpy.shutdown()` nowhere.
 
 ## Why it matters on a robot
 The destructor of a thread that is still joinable calls `std::terminate`: each shutdown ends with SIGABRT and a core
@@ -54,6 +55,14 @@ def thread_not_joined(robot: Robot) -> Iterator[Finding]:
             advice="make it a daemon (daemon=True), or let its loop ask rclpy.ok()",
             related=[note(found.file.span_of(found.loop.test), "this loop has no end")],
             severity=nodes.lowered(robot.nodes.purpose(found.file.source), "warning"),
+        )
+    for each in nodes.window_spins(robot.nodes):
+        yield finding(
+            each.file.span_of(each.started),
+            "This thread spins on when the window is closed: the process never ends",
+            advice="call rclpy.shutdown() after the window, and join the thread",
+            related=[note(each.file.span_of(each.window), "returns when the window is closed")],
+            severity=nodes.lowered(robot.nodes.purpose(each.file.source), "warning"),
         )
 
 
