@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.call_fit import unfit_calls
     from bringup_lint.graph.nodes.questions.callback_fit import Unfit
     from bringup_lint.graph.nodes.questions.callback_fit import unfit_callbacks
+    from bringup_lint.graph.nodes.questions.canceled_goals import canceled_goals
     from bringup_lint.graph.nodes.questions.dict_ranges import dict_ranges
     from bringup_lint.graph.nodes.questions.dict_ranges import range_text
     from bringup_lint.graph.nodes.questions.early_results import early_results
@@ -120,6 +121,7 @@ __all__ = [
     "asked_in_vain",
     "awaits_asyncio",
     "blocking_reads",
+    "canceled_goals",
     "clock_mixes",
     "consequence",
     "converted",

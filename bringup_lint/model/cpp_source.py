@@ -63,6 +63,14 @@ class Unstamped(NamedTuple):
     """The call that publishes it."""
 
 
+class Canceled(NamedTuple):
+    """A goal that ends as canceled without having been asked to."""
+
+    span: Span
+    asked: Span
+    """The condition after which it is not one that is to be canceled."""
+
+
 class Swallowed(NamedTuple):
     """A handler that takes what a spin throws, after which the program ends with status 0."""
 
@@ -232,4 +240,5 @@ class CppNode:
     nested_spins: list[NestedSpin] = field(default_factory=list)
     missing_returns: list[MissingReturn] = field(default_factory=list)
     unset: list[Unset] = field(default_factory=list)
+    canceled: list[Canceled] = field(default_factory=list)
     problems: list[Problem] = field(default_factory=list)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from bringup_lint.model.cpp_source import CppNode
+from bringup_lint.parsers.cpp_node.canceled import canceled
 from bringup_lint.parsers.cpp_node.classes import activation
 from bringup_lint.parsers.cpp_node.classes import components
 from bringup_lint.parsers.cpp_node.classes import node_classes
@@ -101,6 +102,7 @@ def parse(source: Source) -> CppNode:
     node.misread = list(misread(code))
     node.missing_returns = list(missing_returns(code))
     node.unset = list(unset(code))
+    node.canceled = list(canceled(code))
     node.unstamped = list(unstamped(code, names, node.endpoints))
     node.swallowed = list(dict.fromkeys(swallowed(code)))
     node.dropped = list(dropped(code))

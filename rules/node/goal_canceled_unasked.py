@@ -1,0 +1,69 @@
+"""An action server ends a goal as canceled that nobody asked it to cancel.
+
+## What it finds
+`goal_handle.canceled()` in a function that has another branch for goals that are to be canceled
+(`is_cancel_requested`, `is_canceling()`), under conditions that have nothing to do with that: a goal of an unknown
+kind, one that a newer goal replaces.
+
+## Why it matters on a robot
+A goal can only be canceled after the server accepted a request to cancel it. In all other cases the call throws: in
+Python the exception ends the callback, and the goal is aborted with no result; in C++ nothing catches it in a thread
+of its own, and the whole node ends.
+
+## Bad
+```python
+if self.newest is not goal_handle:
+    goal_handle.canceled()
+    return result
+```
+
+## Good
+```python
+if self.newest is not goal_handle:
+    goal_handle.abort()
+    return result
+```
+
+## When to ignore it
+When the condition can only be true after a request to cancel the goal.
+
+## References
+- https://design.ros2.org/articles/actions.html, "Goal States"
+- rcl_action, goal_state_machine.c
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Related
+from bringup_lint.api import Robot
+from bringup_lint.api import Source
+from bringup_lint.api import Span
+from bringup_lint.api import finding
+from bringup_lint.api import nodes
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule(
+    "warning",
+    confidence="medium",
+    symptoms=["goal_handle attempted invalid transition from state EXECUTING with event CANCELED"],
+)
+def goal_canceled_unasked(robot: Robot) -> Iterator[Finding]:
+    for found in nodes.canceled_goals(robot.nodes):
+        yield _finding(robot, found.file.source, found.file.span_of(found.call), found.file.span_of(found.asked))
+    for source in robot.nodes.cpp:
+        for each in source.canceled:
+            yield _finding(robot, source.source, each.span, each.asked)
+
+
+def _finding(robot: Robot, source: Source, place: Span, asked: Span) -> Finding:
+    related: list[Related] = [note(asked, "goals that are to be canceled end here")]
+    return finding(
+        place,
+        "Nobody asked to cancel the goal here: the call throws, because a goal that is executed can't become canceled",
+        advice="end it with abort()",
+        related=related,
+        severity=nodes.lowered(robot.nodes.purpose(source), "warning"),
+    )
