@@ -93,6 +93,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.what_ends import end_of_callbacks
     from bringup_lint.graph.nodes.questions.window_spins import window_spins
     from bringup_lint.graph.nodes.questions.wrong_unit import WrongUnit
+    from bringup_lint.graph.nodes.questions.zero_divisors import zero_divisors
     from bringup_lint.graph.topics.questions.undeclared import asked_in_vain
     from bringup_lint.graph.topics.questions.undeclared import is_called_nowhere
     from bringup_lint.graph.topics.questions.undeclared import switchless
@@ -202,6 +203,7 @@ __all__ = [
     "without_pin_mode",
     "without_qos",
     "wrong_units",
+    "zero_divisors",
     "zeroed_commands",
 ]
 

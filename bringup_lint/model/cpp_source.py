@@ -241,4 +241,6 @@ class CppNode:
     missing_returns: list[MissingReturn] = field(default_factory=list)
     unset: list[Unset] = field(default_factory=list)
     canceled: list[Canceled] = field(default_factory=list)
+    divisors: list[Located] = field(default_factory=list)
+    """Velocities of commands by which something is divided unseen."""
     problems: list[Problem] = field(default_factory=list)

@@ -12,6 +12,7 @@ from bringup_lint.parsers.cpp_node.classes import node_classes
 from bringup_lint.parsers.cpp_node.classes import node_names
 from bringup_lint.parsers.cpp_node.deaf_loops import deaf_loops
 from bringup_lint.parsers.cpp_node.deaf_loops import making_loops
+from bringup_lint.parsers.cpp_node.divisors import divisors
 from bringup_lint.parsers.cpp_node.dropped import dropped
 from bringup_lint.parsers.cpp_node.early_pointers import early_pointers
 from bringup_lint.parsers.cpp_node.endpoints import endpoint
@@ -103,6 +104,7 @@ def parse(source: Source) -> CppNode:
     node.missing_returns = list(missing_returns(code))
     node.unset = list(unset(code))
     node.canceled = list(canceled(code))
+    node.divisors = list(divisors(code))
     node.unstamped = list(unstamped(code, names, node.endpoints))
     node.swallowed = list(dict.fromkeys(swallowed(code)))
     node.dropped = list(dropped(code))

@@ -1,0 +1,48 @@
+"""Divisions of Python nodes by a velocity of a command, which is 0 when the robot is to stop."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.graph.nodes.sources.syntax import Syntax
+from bringup_lint.model.python import walk
+from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.pattern import regex
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.nodes.nodes import Nodes
+    from bringup_lint.model.node_source import NodeSource
+
+_VELOCITY = regex(r"\A[\w.]{1,100}\.(?:angular\.z|linear\.x)\Z")
+_MEASURED = regex(r"(?i)odom|state|pose|imu|measured|actual|current|feedback|twist\.twist")
+"""Names of what a sensor reports, which is hardly ever exactly 0."""
+_CAUGHT = frozenset({"ZeroDivisionError", "ArithmeticError", "Exception", "BaseException"})
+_CONDITIONS = (ast.If, ast.IfExp, ast.While, ast.Assert, ast.Compare, ast.BoolOp, ast.Match)
+
+
+class ZeroDivisor(NamedTuple):
+    file: NodeSource
+    divisor: ast.expr
+    name: str
+
+
+def zero_divisors(nodes: Nodes) -> Iterator[ZeroDivisor]:
+    for file in nodes.programs:
+        if "angular.z" in file.source.text or "linear.x" in file.source.text:
+            syntax = nodes.syntax(file)
+            for node in file.nodes:
+                if isinstance(node, ast.BinOp) and isinstance(node.op, (ast.Div, ast.FloorDiv, ast.Mod)):
+                    name = ast.unparse(node.right) if isinstance(node.right, ast.Attribute) else ""
+                    if _VELOCITY.match(name) and not _MEASURED.search(name) and not _is_guarded(syntax, node, name):
+                        yield ZeroDivisor(file, node.right, name)
+
+
+def _is_guarded(syntax: Syntax, node: ast.BinOp, name: str) -> bool:
+    """Whether the function asks for the divisor anywhere, or takes the exception."""
+    function = syntax.function(node)
+    if function is None or syntax.catches(node, _CAUGHT) or syntax.is_dead(node):
+        return True
+    asked = (each for each in walk(function) if isinstance(each, _CONDITIONS))
+    return any(name in ast.unparse(each) for each in asked)
