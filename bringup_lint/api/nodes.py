@@ -88,6 +88,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.unread_parameters import unread_parameters
     from bringup_lint.graph.nodes.questions.unsafe_ends import unsafe_ends
     from bringup_lint.graph.nodes.questions.unsafe_hardware import unsafe_hardware
+    from bringup_lint.graph.nodes.questions.unsafe_hardware import unsafe_in_cpp
     from bringup_lint.graph.nodes.questions.unstamped import unstamped
     from bringup_lint.graph.nodes.questions.what_ends import end_of
     from bringup_lint.graph.nodes.questions.what_ends import end_of_callbacks
@@ -194,6 +195,7 @@ __all__ = [
     "unread_pipes",
     "unsafe_ends",
     "unsafe_hardware",
+    "unsafe_in_cpp",
     "unset",
     "unstamped",
     "untyped_reads",

@@ -4,7 +4,8 @@
 A program whose node publishes velocities or efforts (`cmd_vel`, `*_command`, ...) and does nothing when it exits:
 no `finally` or `except` that publishes, no signal handler, no `on_deactivate` or `on_shutdown` that publishes. A
 program that leaves SIGTERM to the operating system (`SignalHandlerOptions.NO` without a handler) is also reported,
-and one that takes commands for motors to pins or to an I2C bus, which keep what was written last, and stops nothing.
+and one that takes commands for motors to pins or to an I2C bus, which keep what was written last, and stops nothing,
+in Python or C++.
 The finding is info when the tree has a mux, smoother or controller with its own timeout, or firmware that looks at the
 time, when MoveIt Servo receives
 the topic and has an `incoming_command_timeout`, when the node only relays
@@ -86,4 +87,12 @@ def shutdown_no_safe_state(robot: Robot) -> Iterator[Finding]:
             related=[note(command.span, f"the commands of {command.name or 'this topic'} stay in force")],
             chain=robot.nodes.chain_to(file, note(place, "no stop command")),
             severity=nodes.lowered(robot.nodes.purpose(file.source), "warning"),
+        )
+    for each in nodes.unsafe_in_cpp(robot.nodes):
+        yield finding(
+            each.spin,
+            f"The node exits without stopping what it drives: {each.bus} keeps the last value that was written",
+            advice="stop it in the destructor of the node, which runs after the spin",
+            related=[note(each.command.span, f"the commands of {each.command.name or 'this topic'} stay in force")],
+            severity=nodes.lowered(robot.nodes.purpose(each.source), "warning"),
         )

@@ -261,7 +261,7 @@ def _held_in_cpp(nodes: Nodes, source: CppNode) -> Iterator[Held]:
     if not commands:
         return
     text = with_header(nodes, source.source)
-    bus = _bus(text, _CPP_BUS) if not source.sent else None
+    bus = bus_in_cpp(text) if not source.sent else None
     if bus is not None and not looks_at_age(text):
         yield from (Held(source.source, each, bus) for each in commands)
     elif bus is None:
@@ -296,6 +296,11 @@ def driven_bus(nodes: Nodes, file: NodeSource) -> str | None:
     """The bus or library for pins that a Python source, or one of the workspace that it imports, writes to."""
     texts = (each.source.text for each in nodes.imported(file) or ())
     return next(filter(None, (_bus(text, _PYTHON_BUS) for text in texts)), None)
+
+
+def bus_in_cpp(text: str) -> str | None:
+    """The bus or library for pins that a C++ source writes to."""
+    return _bus(text, _CPP_BUS)
 
 
 def _writer(file: NodeSource, endpoint: Endpoint) -> Span | None:

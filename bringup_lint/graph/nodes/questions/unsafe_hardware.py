@@ -5,19 +5,31 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.graph.nodes.questions.age import COMMENTS
+from bringup_lint.graph.nodes.questions.repeating import bus_in_cpp
 from bringup_lint.graph.nodes.questions.repeating import driven_bus
 from bringup_lint.graph.nodes.questions.repeating import is_held
 from bringup_lint.graph.nodes.questions.safe_state import has_safe_state
+from bringup_lint.graph.nodes.questions.with_header import with_header
 from bringup_lint.graph.nodes.sources.ending import Spin
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import NodeSource
 from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.pattern import regex
+from bringup_lint.source import Span
 
 if TYPE_CHECKING:
     from bringup_lint.graph.nodes.nodes import Nodes
+    from bringup_lint.source import Source
 
 _RELEASED = ("gpiozero",)
 """Libraries that release their pins when the process exits."""
+_MAY_STOP = regex(
+    r"~\w+\s{0,4}\(|on_shutdown|pre_shutdown|\bsignal\s{0,4}\(|sigaction|atexit|SignalHandlerOptions|on_deactivate|signal_set"
+)
+"""What of a C++ program may run when it ends."""
+_SPIN = regex(r"\brclcpp::spin\s{0,4}\([^;]{1,200}\)\s{0,4};")
+_CALL = regex(r"(?<![\w:])(?!rclcpp::shutdown\b)[A-Za-z_][\w:]{0,60}\s{0,4}\(")
 
 
 class UnsafeHardware(NamedTuple):
@@ -42,3 +54,24 @@ def unsafe_hardware(nodes: Nodes) -> Iterator[UnsafeHardware]:
             if not has_safe_state(ending, made):
                 yield UnsafeHardware(file, ending.spins[0], bus, command)
             break
+
+
+class UnsafeCpp(NamedTuple):
+    source: Source
+    spin: Span
+    bus: str
+    command: Endpoint
+
+
+def unsafe_in_cpp(nodes: Nodes) -> Iterator[UnsafeCpp]:
+    """The same for C++ files with a ``main`` that only spins the node."""
+    for node in nodes.cpp:
+        command = next((each for each in node.endpoints if is_held(each)), None)
+        spins = list(_SPIN.finditer(node.source.text)) if command is not None else []
+        if command is None or not spins or _CALL.search(node.source.text, spins[-1].end()):
+            continue
+        text = with_header(nodes, node.source)
+        bus = bus_in_cpp(text)
+        if bus is not None and not _MAY_STOP.search(COMMENTS.sub("", text)):
+            spin = Span(node.source, spins[-1].start(), spins[-1].end())
+            yield UnsafeCpp(node.source, spin, bus, command)
