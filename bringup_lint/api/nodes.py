@@ -50,6 +50,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.parameter_calls import untyped_reads
     from bringup_lint.graph.nodes.questions.pin_modes import without_pin_mode
     from bringup_lint.graph.nodes.questions.pipes import unread_pipes
+    from bringup_lint.graph.nodes.questions.python_releases import NotThere
     from bringup_lint.graph.nodes.questions.python_releases import not_there
     from bringup_lint.graph.nodes.questions.python_releases import python_of
     from bringup_lint.graph.nodes.questions.quaternion_order import misordered_quaternions
@@ -114,6 +115,7 @@ __all__ = [
     "Endpoint",
     "NoField",
     "NodeSource",
+    "NotThere",
     "Purpose",
     "RefusedLog",
     "Swallowed",

@@ -46,7 +46,7 @@ def home_path(robot: Robot) -> Iterator[Finding]:
     for found in nodes.home_files(robot.nodes):
         idle = found.idle or robot.nodes.is_tool(found.file)
         message = f"{found.call}() needs a file in {found.home}, which nothing else in the tree knows: on another "
-        message += "computer it fails, and the node ends"
+        message += f"computer it raises, and {nodes.end_of(robot.nodes.syntax(found.file), found.place)}"
         if found.missing:
             message = f"{found.path} is not there: the tree has no {found.missing}"
         yield finding(

@@ -38,6 +38,8 @@ from bringup_lint.api import finding
 from bringup_lint.api import nodes
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.nodes import NodeSource
+from bringup_lint.api.nodes import NotThere
 
 BRINGING_PYTHON = ("flake.nix", "shell.nix", "pixi.toml")
 """Files of environments with a Python of their own, in which the node may run."""
@@ -59,11 +61,17 @@ def python_release(robot: Robot) -> Iterator[Finding]:
         yield finding(
             file.span_of(first.node),
             f"{first.what}, and {distribution.capitalize()} {_has(first.what, python)}: "
-            f"{where}the node ends with {first.raises}{' when it comes here' if first.late else ''}",
+            f"{where}{_ends(robot, file, first)}",
             advice="use what both releases have, or a backport such as typing_extensions",
             related=[note(file.span_of(each.node), each.what) for each in others[:5]],
             severity=nodes.lowered(robot.nodes.purpose(file.source), "warning" if brought is not None else "error"),
         )
+
+
+def _ends(robot: Robot, file: NodeSource, found: NotThere) -> str:
+    if found.late:
+        return f"this raises {found.raises}, and {nodes.end_of(robot.nodes.syntax(file), found.node)}"
+    return f"the node ends with {found.raises}"
 
 
 def _has(what: str, python: tuple[int, int]) -> str:

@@ -44,7 +44,8 @@ def zero_divisor(robot: Robot) -> Iterator[Finding]:
     for found in nodes.zero_divisors(robot.nodes):
         yield finding(
             found.file.span_of(found.divisor),
-            f"{found.name} is 0 in the command {_WHEN[found.name[-1]]}: the division ends the node",
+            f"{found.name} is 0 in the command {_WHEN[found.name[-1]]}: the division raises, and "
+            f"{nodes.end_of(robot.nodes.syntax(found.file), found.divisor)}",
             advice=ADVICE,
             severity=nodes.lowered(robot.nodes.purpose(found.file.source), "warning"),
         )
