@@ -5,7 +5,7 @@ Imports and uses of modules and names that came later, or that were removed, and
 Foxy and Galactic run on Python 3.8, Humble and Iron on 3.10, Jazzy and Kilted on 3.12. On Jazzy and Kilted also names
 that NumPy and Pillow of Ubuntu 24.04 do not have any more: `np.float`, `Image.ANTIALIAS`. What is in `try` and below a
 test is left out, and trees whose distribution is not known. It is a warning where the tree describes an environment
-with a Python of its own, for Nix or pixi.
+with a Python of its own, for Nix or pixi, and for a name that a function uses.
 
 ## Why it matters on a robot
 It works on the developer's computer. On the robot the node ends with an ImportError or a SyntaxError before its first
@@ -64,7 +64,9 @@ def python_release(robot: Robot) -> Iterator[Finding]:
             f"{where}{_ends(robot, file, first)}",
             advice="use what both releases have, or a backport such as typing_extensions",
             related=[note(file.span_of(each.node), each.what) for each in others[:5]],
-            severity=nodes.lowered(robot.nodes.purpose(file.source), "warning" if brought is not None else "error"),
+            severity=nodes.lowered(
+                robot.nodes.purpose(file.source), "warning" if brought is not None or first.late else "error"
+            ),
         )
 
 
