@@ -37,10 +37,11 @@ def divisors(code: Code) -> Iterator[Located]:
 
 
 def _is_guarded(code: Code, node: Node) -> bool:
-    """Whether the function asks for the divisor anywhere, or for numbers that are none."""
+    """Whether the function asks for the divisor anywhere, or for numbers that are none, or the file sets it."""
     function = next((each for each in code.above(node) if each.type == "function_definition"), None)
     text = code.text(function)
     name = re.escape(code.text(node))
     compared = rf"{name}\s{{0,4}}\)?\s{{0,4}}(?:[<>?]|[!=]=)|(?:[<>]|[!=]=)\s{{0,4}}(?:[\w:]{{1,40}}\()?{name}"
     asked = re.compile(rf"{compared}|!\s{{0,4}}{name}|if\s{{0,4}}\(\s{{0,4}}{name}\s{{0,4}}\)")
-    return function is None or bool(asked.search(text) or _GUARDS.search(text))
+    is_set = re.compile(rf"{name}\s{{0,4}}=(?!=)")
+    return function is None or bool(asked.search(text) or _GUARDS.search(text) or is_set.search(code.source.text))

@@ -33,16 +33,24 @@ def zero_divisors(nodes: Nodes) -> Iterator[ZeroDivisor]:
         if "angular.z" in file.source.text or "linear.x" in file.source.text:
             syntax = nodes.syntax(file)
             for node in file.nodes:
-                if isinstance(node, ast.BinOp) and isinstance(node.op, (ast.Div, ast.FloorDiv, ast.Mod)):
+                if isinstance(node, ast.BinOp) and isinstance(node.op, (ast.Div, ast.FloorDiv)):
                     name = ast.unparse(node.right) if isinstance(node.right, ast.Attribute) else ""
                     if _VELOCITY.match(name) and not _MEASURED.search(name) and not _is_guarded(syntax, node, name):
                         yield ZeroDivisor(file, node.right, name)
 
 
 def _is_guarded(syntax: Syntax, node: ast.BinOp, name: str) -> bool:
-    """Whether the function asks for the divisor anywhere, or takes the exception."""
+    """Whether the function asks for the divisor anywhere, takes the exception, or makes the command itself."""
     function = syntax.function(node)
     if function is None or syntax.catches(node, _CAUGHT) or syntax.is_dead(node):
         return True
+    if name in syntax.once(_set) or name.partition(".")[0] not in {"self", *(each.arg for each in function.args.args)}:
+        return True
     asked = (each for each in walk(function) if isinstance(each, _CONDITIONS))
     return any(name in ast.unparse(each) for each in asked)
+
+
+def _set(syntax: Syntax) -> frozenset[str]:
+    """The fields that the file sets."""
+    attributes = (each for each in syntax.file.nodes if isinstance(each, ast.Attribute))
+    return frozenset(ast.unparse(each) for each in attributes if not isinstance(each.ctx, ast.Load))
