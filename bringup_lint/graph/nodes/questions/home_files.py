@@ -105,16 +105,17 @@ class _Homes:
         return self._known[user]
 
     def missing(self, path: str) -> str:
-        """The rest of a path after the folder of a package of the tree, where the package has no such file."""
+        """The rest of a path after the folder of a package of the tree, where the package has no such file, and git
+        would not ignore it."""
         if not _AUTHORED.search(path):
             return ""
         parts = path.split("/")
-        found = ""
+        tree, found = self._nodes.files.tree, ""
         for folder in sorted(self._packages.keys() & parts):
             rest = "/".join(parts[parts.index(folder) + 1 :])
-            for package in self._packages.get(folder, []):
-                if self._nodes.files.tree.exists(os.path.join(package, rest)):
-                    return ""
+            places = [os.path.join(package, rest) for package in self._packages[folder]]
+            if any(tree.exists(each) or tree.is_ignored(each) for each in places):
+                return ""
             found = f"{folder}/{rest}" if "install" not in parts and "share" not in parts else ""
         return found
 
