@@ -2,7 +2,8 @@
 
 ## What it finds
 Declared arguments that neither the file nor any file that it includes reads. A variable that is only the default of
-the argument itself does not read it. Info in packages of others that the tree only holds.
+the argument itself does not read it, and a key of a dictionary neither. Info in packages of others that the tree only
+holds.
 
 ## Why it matters on a robot
 Setting the argument has no effect, and launch does not say so. The robot runs with another configuration than the
@@ -47,17 +48,19 @@ from bringup_lint.api.python import remove
 @rule("warning", fix="unsafe", silent="launch accepts the argument without a message")
 def unused_arg(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
-        expansions = list(robot.launch.leading_to(file))
-        files = {id(each): each for expansion in expansions for each in expansion.files}
-        if any(expansion.open for expansion in expansions) or robot.launch.reads_unseen(files.values()):
+        own = robot.launch.expansion(file)
+        if own.open or any(each.reads_all for each in own.files):
             continue
+        files = {id(each): each for expansion in robot.launch.leading_to(file) for each in expansion.files}
         elsewhere = robot.launch.read_in(each for each in files.values() if each is not file)
-        for declared in robot.launch.expansion(file).declared:
+        for declared in own.declared:
             name = declared.name
             if declared.file is not file or name in elsewhere:
                 continue
             dead = robot.launch.dead_reads(file, name)
             if sum(argument.name == name for argument in file.reads) > dead or mentioned(robot, file, name) > 1 + dead:
+                continue
+            if any(f"$(var {name}" in source.text for source in robot.of_kind("params")):
                 continue
             drop = remove(declared.action.span)
             yield finding(
@@ -70,7 +73,8 @@ def unused_arg(robot: Robot) -> Iterator[Finding]:
 
 
 def mentioned(robot: Robot, file: LaunchFile, name: str) -> int:
-    """In Python only quoted names count: a variable may have the same name as the argument."""
+    """In Python only quoted names count: a variable may have the same name as the argument, and a key of a dictionary
+    gives a parameter or an argument of another file."""
     if file.format != "python":
         return robot.launch.mentions(file, name)
-    return len(re.findall(rf"""['"]{re.escape(name)}['"]""", file.source.text))
+    return len(re.findall(rf"""(['"]){re.escape(name)}\1(?!\s*:)""", file.source.text))

@@ -25,6 +25,9 @@ _USED = regex(r"\$\(arg\s+(\w+)\s*\)")
 """An argument of a description in a path or value."""
 _FILES = 60
 """Descriptions that one includes."""
+_SENSOR = regex(r"\$\(find[ \t]+realsense2_description[ \t]*\)/urdf/_\w+\.urdf\.xacro\Z")
+_OF_SENSOR = ("add_plug", "use_nominal_extrinsics", "use_mesh")
+"""The arguments that the macros of realsense2_description read (_d435.urdf.xacro and its likes)."""
 
 
 class UnknownArgument(NamedTuple):
@@ -88,7 +91,11 @@ def _declared(launch: Launch, tree: Tree, source: Source) -> set[str] | None:
             if element.name == "xacro:arg":
                 defaults.setdefault(str(element.get("name")), str(element.get("default") or ""))
             elif element.name == "xacro:include":
-                found = included(launch.workspace, each, filled(str(element.get("filename") or ""), defaults))
+                filename = filled(str(element.get("filename") or ""), defaults)
+                found = included(launch.workspace, each, filename)
+                if found is None and _SENSOR.match(filename):
+                    used.update(_OF_SENSOR)
+                    continue
                 file = tree.read(found.file) if found is not None and found.file is not None else None
                 if file is None:
                     return None
