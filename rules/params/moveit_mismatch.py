@@ -5,7 +5,8 @@
 - In `moveit_controllers.yaml`: names in `controller_names` that have no section, or that are named nowhere else in the
   tree, where a parameter file gives the same joints to a trajectory controller of another name; an `action_ns` that the
   controller of that name in the same folder does not serve: trajectory controllers serve `follow_joint_trajectory`,
-  gripper controllers `gripper_cmd`.
+  gripper controllers `gripper_cmd`. Also fewer joints than the trajectory controller has in every file of the tree,
+  without `allow_partial_joints_goal`.
 - A launch file that starts MoveIt with controllers in a namespace (`/arm/arm_controller`), and no controller manager
   there.
 
@@ -51,6 +52,7 @@ from bringup_lint.api.params import MoveItProblem
     symptoms=[
         "No kinematics plugins defined. Fill and load kinematics.yaml!",
         "Action client not connected to action server",
+        "Joints on incoming trajectory don't match the controller joints.",
         "Unable to identify any set of controllers that can actuate the specified joints",
     ],
 )
@@ -62,6 +64,9 @@ def moveit_mismatch(robot: Robot) -> Iterator[Finding]:
             message = f"'{each.name}' has no section with its type and joints: MoveIt leaves the controller out"
         elif each.kind == "action":
             message = f"The controller serves '{each.near}', not '{each.name}': MoveIt waits and executes nothing"
+        elif each.kind == "joints":
+            sent, had = (each.near or "").split()
+            message = f"MoveIt sends {sent} joints to {each.name}, which has {had}: it rejects every goal"
         else:
             message = f"No controller is called '{each.name}': MoveIt waits for its action and executes nothing"
         yield finding(
@@ -84,12 +89,19 @@ def moveit_mismatch(robot: Robot) -> Iterator[Finding]:
 
 
 def _advice(each: MoveItProblem) -> str:
+    if each.kind == "joints":
+        return "give both the same joints, or set allow_partial_joints_goal to true"
     if each.kind == "section":
         return f"write {each.near}" if each.near else f"add a section {each.name}, or take it off the list"
     return f"write {each.near}" if each.near else "name a group of the SRDF"
 
 
 def _known(each: MoveItProblem) -> Iterator[Related]:
-    told = {"group": "the SRDF has {}", "controller": "{} has these joints", "action": "its type is {}"}
+    told = {
+        "group": "the SRDF has {}",
+        "controller": "{} has these joints",
+        "action": "its type is {}",
+        "joints": "the joints of {}",
+    }
     for name in each.known[:3]:
         yield note(name, told[each.kind].format(name))

@@ -38,11 +38,13 @@ _SERVED = {
 
 class MoveItProblem(NamedTuple):
     kind: str
-    """``group``, ``controller``, ``action`` or ``section``."""
+    """``group``, ``controller``, ``action``, ``section`` or ``joints``."""
     name: Located
     known: tuple[Located, ...]
-    """The groups of the SRDF, the controller that has the same joints, or the type that serves another action."""
+    """The groups of the SRDF, the controller that has the same joints, the type that serves another action, or the
+    joints that the controller has."""
     near: str | None
+    """Of joints: how many MoveIt sends, and how many the controller has."""
 
 
 def moveit_problems(tree: Tree, workspace: Workspace, params: Params) -> Iterator[MoveItProblem]:
@@ -59,6 +61,7 @@ def moveit_problems(tree: Tree, workspace: Workspace, params: Params) -> Iterato
         if source is not None and source.judged:
             yield from _controllers(source, params)
             yield from _actions(source, params)
+            yield from _joints(source, params)
 
 
 def _groups(tree: Tree, folder: str) -> tuple[Located, ...] | None:
@@ -128,10 +131,48 @@ def _controllers(source: Source, params: Params) -> Iterator[MoveItProblem]:
 
 def controller_names(source: Source) -> list[Located]:
     """The controllers to which MoveIt sends trajectories, as a file names them."""
-    root = _root(source)
-    manager = root.mapping(_MANAGER) if root is not None else None
+    manager = _manager(source)
     names = manager.sequence("controller_names") if manager is not None else None
     return [item.value for item in names.scalars] if names is not None else []
+
+
+def _manager(source: Source) -> Mapping | None:
+    """The controllers as MoveIt gets them: launch files also load the section without its name."""
+    root = _root(source)
+    return root if root is None or root.sequence("controller_names") is not None else root.mapping(_MANAGER)
+
+
+def _joints(source: Source, params: Params) -> Iterator[MoveItProblem]:
+    """Trajectory controllers that have other joints than MoveIt sends to, in all files that configure them: they reject
+    goals for some of their joints unless they are told to take them (joint_trajectory_controller.cpp)."""
+    manager = _manager(source)
+    if manager is None:
+        return
+    for name in controller_names(source):
+        own = manager.mapping(name)
+        sent = own.sequence("joints") if own is not None else None
+        had = _joints_of(params, _tail(name))
+        if sent is None or not had:
+            continue
+        ours = {str(each.value) for each in sent.scalars}
+        if all(ours < theirs and not is_partial for _, theirs, is_partial in had):
+            where, theirs, _ = had[0]
+            section = next(key.value for key, _ in manager.entries if key.value == name)
+            yield MoveItProblem("joints", section, (where,), f"{len(ours)} {len(theirs)}")
+
+
+def _joints_of(params: Params, controller: str) -> list[tuple[Located, set[str], bool]]:
+    """The joints of a trajectory controller in each parameter file that has it, and whether it takes goals for some."""
+    found = []
+    for _, each in params.named("joints"):
+        if str(each.block.key).rpartition("/")[2] != controller:
+            continue
+        given = {other.name: other.value.data for other in each.block.parameters}
+        is_partial = given.get("allow_partial_joints_goal", False) is not False
+        joints = {item.text for item in items(each)}
+        found.append((Located(controller, each.key.span), joints, is_partial or any("$" in one for one in joints)))
+    types = {each.value.data for _, each in params.named(f"{controller}.type")}
+    return found if types == {"joint_trajectory_controller/JointTrajectoryController"} else []
 
 
 def _actions(source: Source, params: Params) -> Iterator[MoveItProblem]:
