@@ -16,7 +16,9 @@ which it depends declares them. It is a warning
 - when the package.xml declares nothing that is needed at run time, and launch files start three packages or more, or
   these and the nodes need three or more, of which ros-base lacks one. Viewers and simulators do not count;
 - when launch files always start five packages or more that are not declared, or three that are more than half of all
-  that they start. Those of ros-base, viewers and simulators do not count.
+  that they start. Those of ros-base, viewers and simulators do not count;
+- when nodes import or CMake requires five packages of ROS or more that are not declared, and fewer are declared. Those
+  of launch files and of builds do not count.
 
 Other packages of which launch files start nodes or include files are an info: they are there on most robots. Nothing is
 said of other modules and libraries.
@@ -128,6 +130,8 @@ def _finding(robot: Robot, package: launch.Package, found: Undeclared) -> Findin
             return _found(package, needs, started, _of_nothing(package, found.needs), None)
         case Effect.SEVERAL:
             return _found(package, needs, started, _of_several(robot, package, needs), None)
+        case Effect.SOURCES:
+            return _found(package, needs, started, _of_sources(package, needs), None)
     return _harmless(robot, package, started)
 
 
@@ -164,6 +168,14 @@ def _of_several(robot: Robot, package: launch.Package, needs: list[Need]) -> str
     return (
         f"The launch files of {package.name} start {count} other packages, and it does not declare {len(needs)} of "
         f"them: rosdep and colcon build --packages-up-to leave out {first.name} and {len(others)} others"
+    )
+
+
+def _of_sources(package: launch.Package, needs: list[Need]) -> str:
+    first, *others = needs
+    return (
+        f"The sources of {package.name} need {len(needs)} packages that it does not declare, more than it declares: "
+        f"rosdep and colcon build --packages-up-to leave out {first.name} and {len(others)} others"
     )
 
 

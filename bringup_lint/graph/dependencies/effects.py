@@ -22,6 +22,7 @@ _VIEWER = regex(r"^(?:rviz|rqt|plotjuggler)|_gui$")
 """Viewers and simulators, which no robot needs."""
 _COMMENTED_OUT = regex(r"<!--\s{0,20}<(?:exec_|run_)?depend\b", hints="<!--")
 _OF_LAUNCH_FILES = frozenset(("launch", "launch_ros", "ament_index_python"))
+_TOOLS = ("ament_", "rosidl_", "launch", "python3-pytest")
 _SEVERAL = 3
 _MANY = 5
 """Packages, whatever the share of those that are declared."""
@@ -34,6 +35,7 @@ class Effect(Enum):
     RELEASE = "the Debian package comes without another one"
     EMPTY = "nothing that is needed at run time is declared"
     SEVERAL = "several packages that launch files start are not declared"
+    SOURCES = "most packages of ROS that the sources need are not declared"
     HARMLESS = "the packages are there all the same"
 
 
@@ -72,13 +74,42 @@ def effect_of(dependencies: Dependencies, launch: Launch, package: Package) -> U
     unbuilt = [need for need in missed if need in started]
     if len(unbuilt) >= min(_MANY, max(_SEVERAL, len(brought_up(dependencies, package)) // 2 + 1)):
         return Undeclared(Effect.SEVERAL, unbuilt, [], started)
+    unknown = _of_sources(dependencies, needs)
+    if len(unknown) >= max(_MANY, len(_declared(package)) + 1) and not _gives_a_reason(package):
+        return Undeclared(Effect.SOURCES, unknown, [], started)
     return Undeclared(Effect.HARMLESS, started, [], started) if started else None
+
+
+def _of_sources(dependencies: Dependencies, needs: list[Need]) -> list[Need]:
+    """The packages of ROS that nodes import or CMake requires in any case, each once."""
+    found: dict[str, Need] = {}
+    for need in needs:
+        if need.use in ("module", "library") and need.always and _is_of_ros(dependencies, need):
+            found.setdefault(str(need.name), need)
+    return list(found.values())
+
+
+def _is_of_ros(dependencies: Dependencies, need: Need) -> bool:
+    name = str(need.name)
+    return not name.startswith(_TOOLS) and (
+        name in base() or name.endswith("_msgs") or dependencies.is_of_workspace(need)
+    )
+
+
+def _declared(package: Package) -> list[str]:
+    """What a package declares besides tools of the build and of tests."""
+    return [name for _, name in package.manifest.depends if not name.startswith(_TOOLS)]
 
 
 def _is_empty(package: Package) -> bool:
     """Whether a package declares nothing that it needs at run time, not even in a comment, which says why."""
     declares = any(tag in AT_RUN_TIME for tag, _ in package.manifest.depends)
-    return not declares and not _COMMENTED_OUT.search(package.manifest.source.text)
+    return not declares and not _gives_a_reason(package)
+
+
+def _gives_a_reason(package: Package) -> bool:
+    """Whether a dependency is in a comment, which says why."""
+    return _COMMENTED_OUT.search(package.manifest.source.text) is not None
 
 
 def _is_known(dependencies: Dependencies, need: Need) -> bool:
