@@ -70,18 +70,27 @@ def is_manager(node: Started) -> bool:
 def spawned(nodes: Iterable[Started]) -> Iterator[tuple[Started, Located]]:
     """The controllers of spawners that give the manager nothing else; newer ones hand over their own parameters."""
     for node in nodes:
-        if not _is(node, *_SPAWNERS) or node.by_default is False or node.parameters:
-            continue
         words = [literal_text(word) for word in node.arguments]
-        if any(word is None or word.partition("=")[0] in _TYPED for word in words):
+        if (
+            node.parameters
+            or node.by_default is False
+            or any(word is None or word.partition("=")[0] in _TYPED for word in words)
+        ):
             continue
-        before = ""
-        for word in words:
-            if word == "--ros-args" or word is None:
-                break
-            if word and not word.startswith("-") and before not in _WITH_VALUE:
-                yield node, word
-            before = str(word)
+        yield from ((node, name) for name in spawned_by(node))
+
+
+def spawned_by(node: Started) -> Iterator[Located]:
+    """The controllers of a spawner, also of one that is given their parameters."""
+    if not _is(node, *_SPAWNERS):
+        return
+    before = ""
+    for word in map(literal_text, node.arguments):
+        if word == "--ros-args":
+            return
+        if word and not word.startswith("-") and before not in (*_WITH_VALUE, *_TYPED):
+            yield word
+        before = str(word)
 
 
 def _typed(launch: Launch, params: Params, manager: Started) -> set[str] | None:

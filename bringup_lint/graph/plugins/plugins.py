@@ -26,6 +26,8 @@ from bringup_lint.graph.plugins.moveit_namespaces import ControllersElsewhere
 from bringup_lint.graph.plugins.moveit_namespaces import controllers_elsewhere
 from bringup_lint.graph.plugins.refused import Refused
 from bringup_lint.graph.plugins.refused import refused_descriptions
+from bringup_lint.graph.plugins.renamed import RenamedControllers
+from bringup_lint.graph.plugins.renamed import renamed_controllers
 from bringup_lint.graph.plugins.unknown import Named
 from bringup_lint.graph.plugins.unknown import UnknownPlugin
 from bringup_lint.graph.plugins.untyped import UntypedPlugin
@@ -62,6 +64,11 @@ class Plugins:
     def untyped_controllers(self) -> list[UntypedController]:
         """Controllers that launch files spawn, of types that their manager is not given."""
         return list(untyped_controllers(self._launch, self._params()))
+
+    @cached_property
+    def renamed_controllers(self) -> list[RenamedControllers]:
+        """Controllers that get the name of their manager, because a launch file names it."""
+        return list(renamed_controllers(self._launch, self._params()))
 
     @cached_property
     def incomplete_controllers(self) -> list[list[IncompleteController]]:
