@@ -3,7 +3,8 @@
 ## What it finds
 In parameter files that something names: a `footprint` of a costmap that is no polygon, or has the same corner twice in
 a row; an `inflation_radius` below the inscribed radius of the robot; `observation_sources` of an obstacle layer without
-a section of their own, where no other file knows the name; a source that marks farther away than it clears; limits of
+a section of their own, where no other file knows the name; a source that marks farther away than it clears; a layer
+with `clearing: false` whose sources all mark, and none of which clears; limits of
 `velocity_smoother` with the wrong sign or not one for each axis; `polygons` of the collision monitor without a section;
 `min_particles` of amcl above `max_particles`; an `initial_pose` without `set_initial_pose`; from Humble on the names
 that amcl's motion models had before, and a section `recoveries_server` without one for `behavior_server`; a local
@@ -120,6 +121,8 @@ def _message(each: NavigationProblem) -> str:
             return f"No critic is called '{each.name}': the controller server ends when it configures"
         case "type":
             return f"The source '{each.name}' is a {each.detail}: the costmap takes LaserScan and PointCloud2, and ends"
+        case "clearing":
+            return f"No source of {each.name} clears ({each.detail}): what it marked stays there after it left"
         case "library":
             return f"bt_navigator loads {each.name}{each.detail} by itself: it ends when it registers their nodes again"
     return f"amcl has no motion model '{each.name}' since Humble: it ends when it configures"
@@ -159,6 +162,8 @@ def _advice(each: NavigationProblem) -> str:
             return f"write {each.detail}" if each.detail else "write the name of a critic of this controller"
         case "type":
             return "write LaserScan or PointCloud2"
+        case "clearing":
+            return "set clearing: true for the source that sees where nothing is"
         case "library":
             return "list libraries of your own only, or remove plugin_lib_names"
     return f"write {each.detail}"

@@ -72,7 +72,7 @@ _RECOVERIES, _BEHAVIORS = "recoveries_server", "behavior_server"
 class NavigationProblem(NamedTuple):
     kind: str
     """``footprint``, ``corner``, ``inflation``, ``ranges``, ``source``, ``sign``, ``length``, ``particles``, ``pose``,
-    ``model``, ``frame``, ``polygon``, ``library``, ``section``, ``critic`` or ``type``."""
+    ``model``, ``frame``, ``polygon``, ``library``, ``section``, ``critic``, ``type`` or ``clearing``."""
     where: Span
     name: str
     """The parameter or observation source."""
@@ -111,6 +111,7 @@ def _costmap(params: Params, file: ParameterFile, block: Block) -> Iterator[Navi
     yield from _jumping(params, file, block, named)
     for layer in _layers(named):
         yield from _observations(params, named, layer)
+        yield from _never_cleared(named, layer)
 
 
 def _jumping(
@@ -262,6 +263,20 @@ def _observations(params: Params, named: dict[str, Parameter], layer: str) -> It
             continue
         other = marked.span if marked is not None and where is cleared else None
         yield NavigationProblem("ranges", where.span, source, f"{clear:g} m, {far:g} m", other)
+
+
+def _never_cleared(named: dict[str, Parameter], layer: str) -> Iterator[NavigationProblem]:
+    """A layer whose sources all mark and none of which clears, as by default (obstacle_layer.cpp)."""
+    listed, enabled = named.get(f"{layer}.observation_sources"), named.get(f"{layer}.enabled")
+    sources = str(listed.value.data).split() if listed is not None else []
+    if listed is None or (enabled is not None and enabled.value.data is not True):
+        return
+    marking = [named.get(f"{layer}.{source}.marking") for source in sources]
+    clearing = [named.get(f"{layer}.{source}.clearing") for source in sources]
+    given = [each for each in clearing if each is not None]
+    if given and all(each.value.data is False for each in given):
+        if all(each is None or each.value.data is True for each in marking):
+            yield NavigationProblem("clearing", given[0].span, layer, ", ".join(sources), listed.span)
 
 
 def _is_off(named: dict[str, Parameter], prefix: str) -> bool:
