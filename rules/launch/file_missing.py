@@ -86,7 +86,7 @@ def file_missing(robot: Robot) -> Iterator[Finding]:
         spans = {each.span: each for each, _ in others if each.span != first.span}
         is_idle = all(_is_unread(robot, each) for each in (first, *spans.values()))
         yield finding(
-            first.span,
+            first.where,
             f"{first.name} does not exist in {package.name}: what is given the path runs without it, or ends",
             advice=f"use {near[0]}" if near else "correct the path, or add the file",
             related=[

@@ -126,7 +126,7 @@ def not_installed(robot: Robot, first: Missing, others: list[Missing]) -> Findin
     used.pop((span.source.name, span.start), None)
     either = [note(each.span, f"{os.path.basename(file)} is not installed either") for each, file in used.values()]
     return finding(
-        span,
+        reference.where,
         f"{path} of {package.name} is not installed: it exists in the source and is missing on the robot",
         advice=_advice(package, path),
         chain=robot.provenance.chain_to(span, f"{path} is opened"),

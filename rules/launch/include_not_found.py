@@ -55,7 +55,7 @@ def include_not_found(robot: Robot) -> Iterator[Finding]:
         known = [os.path.basename(each.source.name) for each in robot.launch.files_of(package)]
         near = nearest(reference.name, known, 3)
         yield finding(
-            reference.span,
+            reference.where,
             f"{reference.name} does not exist in {package.name}: launch aborts",
             advice=f"include {near[0]}" if near else "correct the path",
             related=[note(package.place, f"the package {package.name}")],

@@ -43,7 +43,7 @@ def param_file_missing(robot: Robot) -> Iterator[Finding]:
     for reference, package in robot.launch.missing("parameters"):
         path = reference.path_in(package)
         yield finding(
-            reference.span,
+            reference.where,
             f"{path} does not exist in {package.name}: {_effect(reference)}",
             advice=_advice(robot, reference, package),
             related=[note(package.place, f"the package {package.name}")],

@@ -10,6 +10,7 @@ from bringup_lint.graph.launch.expansion import Expansion
 from bringup_lint.graph.launch.resolve import Resolver
 from bringup_lint.graph.launch.scope import Scope
 from bringup_lint.graph.launch.started import Started
+from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.launch.unknown_folders import last_name
 from bringup_lint.graph.workspace import Found
 from bringup_lint.graph.workspace import Package
@@ -24,6 +25,7 @@ from bringup_lint.model.launch_values import PathJoin
 from bringup_lint.model.launch_values import Value
 from bringup_lint.model.launch_values import children
 from bringup_lint.model.launch_values import text
+from bringup_lint.model.launch_values import walk
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.source import Span
 
@@ -44,6 +46,15 @@ class Reference(NamedTuple):
     """The parameter or launch argument that a path is the value of."""
     given: bool = False
     """The node gets other parameters, too, beside its description and its clock."""
+
+    @property
+    def where(self) -> Span:
+        """Where the name of the file is, if the path takes several lines, else the path."""
+        if self.span.line == self.span.end_position.line:
+            return self.span
+        texts = (literal_text(each) for each in walk(self.value))
+        ends = [each.span for each in texts if each is not None and each.rpartition("/")[2] == self.name]
+        return next((each for each in reversed(ends) if self.span.start <= each.start < self.span.end), self.span)
 
     def path_in(self, package: Package) -> str:
         """The path in the package, as far as it is known."""
