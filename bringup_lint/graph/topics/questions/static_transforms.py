@@ -12,6 +12,7 @@ from bringup_lint.graph.plugins.fixed_joints import published_joints
 from bringup_lint.graph.plugins.xacro_joints import FixedJoint
 from bringup_lint.graph.plugins.xacro_joints import Numbers
 from bringup_lint.graph.topics.questions.coexistence import coexist
+from bringup_lint.model.launch_values import DictValue
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.source import Located
 from bringup_lint.source import Span
@@ -80,7 +81,8 @@ def _program(node: LaunchedNode) -> tuple[str, str]:
 def _keeps_frames(node: LaunchedNode) -> bool:
     """Whether a robot_state_publisher surely publishes the frames of its description, to everybody."""
     given = {text_of(key) for key, _ in node.started.given}
-    return given <= {*_OF_DESCRIPTION} and not _renames(node)
+    is_known = all(isinstance(each, DictValue) for each in node.started.parameters)
+    return is_known and given <= {*_OF_DESCRIPTION} and not _renames(node)
 
 
 def _renames(node: LaunchedNode) -> bool:
@@ -98,7 +100,10 @@ def _static(node: LaunchedNode) -> StaticTransform | None:
     parent, child = given.get("frame-id", "").lstrip("/"), given.get("child-frame-id", "").lstrip("/")
     if numbers is None or not parent or not child:
         return None
-    return StaticTransform(parent, child, _place(numbers), node.started.span)
+    whole = node.started.span
+    places = [word.span for word in known if word.lstrip("/") == child]
+    inside = [each for each in places if each.source is whole.source and whole.start <= each.start < whole.end]
+    return StaticTransform(parent, child, _place(numbers), inside[-1] if inside else whole)
 
 
 def _by_flags(words: list[Located]) -> dict[str, str]:
