@@ -38,7 +38,7 @@ from bringup_lint.api import rule
 
 @rule("error", symptoms=["'joints' parameter was empty", "Wheel names parameters are empty!"])
 def controllers_renamed(robot: Robot) -> Iterator[Finding]:
-    for each in robot.plugins.renamed_controllers if robot.has_launch_files else ():
+    for each in robot.plugins.renamed_controllers:
         first = each.controllers[0]
         yield finding(
             each.name,

@@ -36,14 +36,20 @@ def renamed_controllers(launch: Launch, params: Params) -> Iterator[RenamedContr
     """Each manager once; not where a parameter file gives joints to every node."""
     if any(str(each.block.key) in ("**", "/**") for _, each in params.named("joints")):
         return
-    seen: set[Span] = set()
+    found: dict[Span, RenamedControllers] = {}
     for expansion in launch.entries:
-        managers = [node for node in expansion.nodes if is_manager(node) and literal_text(node.name) is not None]
-        controllers = tuple(name for node in expansion.nodes for name in spawned_by(node) if _BROADCASTER not in name)
-        for manager in managers if len(managers) == 1 and controllers else ():
-            name, distribution = literal_text(manager.name), launch.distribution(manager.file)
-            is_judged = manager.file.source.judged and not launch.looks_at_distribution(manager.file)
-            if name is None or name.span in seen or not is_judged or distribution not in _RENAMING:
-                continue
-            seen.add(name.span)
-            yield RenamedControllers(name, controllers, manager, str(distribution))
+        managers = [node for node in expansion.nodes if is_manager(node)]
+        controllers = [name for node in expansion.nodes for name in spawned_by(node) if _BROADCASTER not in name]
+        renamed = _renamed(launch, managers[0], controllers) if len(managers) == 1 and controllers else None
+        if renamed is not None:
+            found.setdefault(renamed.name.span, renamed)
+    yield from found.values()
+
+
+def _renamed(launch: Launch, manager: Started, controllers: list[Located]) -> RenamedControllers | None:
+    name, distribution = literal_text(manager.name), launch.distribution(manager.file)
+    if name is None or distribution not in _RENAMING:
+        return None
+    if not manager.file.source.judged or launch.looks_at_distribution(manager.file):
+        return None
+    return RenamedControllers(name, tuple(controllers), manager, str(distribution))
