@@ -3,7 +3,8 @@
 ## What it finds
 In Python nodes, calls of functions and classes of the same file and of methods of the class itself that hand over too
 many arguments, too few, or one under a name that the function does not have. Functions that have decorators, several
-definitions or a subclass that defines them anew are left out, and so are calls with `*` or `**`.
+definitions or a subclass that defines them anew are left out, and so are calls with `*` or `**`. It is an info in
+packages that others wrote and the tree only carries.
 
 ## Why it matters on a robot
 Python looks at the arguments when the line runs. In the branch for an error, a goal or an emergency stop that may be
@@ -65,5 +66,5 @@ def call_misfit(robot: Robot) -> Iterator[Finding]:
             f"TypeError {where}: {found.called}() {found.wrong}, and {end}",
             advice="hand over what the function takes",
             related=[note(found.file.span_of(each), f"'{each.arg}'") for each in taken if each.arg != "self"],
-            severity="info" if idle else nodes.lowered(robot.nodes.purpose(found.file.source), "error"),
+            severity="info" if idle else robot.nodes.graded(found.file.source, "error"),
         )

@@ -9,6 +9,8 @@ In Python nodes:
 - callbacks of services that return nothing, and callbacks of `add_on_set_parameters_callback` that return nothing
 - actions whose execution ends the goal neither with `succeed()` nor with `abort()` or `canceled()`
 
+It is an info in packages that others wrote and the tree only carries.
+
 ## Why it matters on a robot
 Python looks at all this when the callback runs: with the first message, the first call, the first `ros2 param set`. The
 exception leaves `spin()` and the node ends. From Iron on, rclpy compares the callback of a subscription with a message
@@ -70,7 +72,7 @@ def callback_misfit(robot: Robot) -> Iterator[Finding]:
             _message(unfit, _end(robot, unfit)),
             advice=_advice(unfit),
             related=[] if unfit.place == unfit.callback.span else [note(unfit.callback.span, "it is handed over here")],
-            severity=nodes.lowered(robot.nodes.purpose(unfit.file.source), severity),
+            severity=robot.nodes.graded(unfit.file.source, severity),
         )
 
 

@@ -3,7 +3,8 @@
 ## What it finds
 Python nodes that read or set a field which the message does not have, and values of another type than the field:
 `twist.linear.x = 1` (the field is a `float64`), `header.stamp = self.get_clock().now()`, a text for a number. The
-fields are those of the `.msg`, `.srv` and `.action` files of the tree, and of the common interface packages.
+fields are those of the `.msg`, `.srv` and `.action` files of the tree, and of the common interface packages. It is an
+info in packages that others wrote and the tree only carries.
 
 ## Why it matters on a robot
 Python looks at fields and values when the line runs, often only in the branch for an emergency. A field that is
@@ -59,9 +60,8 @@ from bringup_lint.api import rule
 )
 def message_field(robot: Robot) -> Iterator[Finding]:
     for types in robot.nodes.message_types:
-        purpose = robot.nodes.purpose(types.file.source)
-        severity = nodes.lowered(purpose, "error")
-        of_values = severity if nodes.is_checked(robot.target.ros) else nodes.lowered(purpose, "warning")
+        severity = robot.nodes.graded(types.file.source, "error")
+        of_values = severity if nodes.is_checked(robot.target.ros) else robot.nodes.graded(types.file.source, "warning")
         for lacking, *rest in nodes.missing_fields(types):
             yield finding(
                 types.file.span_of(lacking.place),

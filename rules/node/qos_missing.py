@@ -3,7 +3,7 @@
 ## What it finds
 `create_publisher` with fewer than three arguments, or `create_subscription` with fewer than four, in a Python node. The
 same for `queue_size=`, which is an argument of ROS 1. One finding for each function: the first call keeps the others
-from being reached.
+from being reached. It is an info in packages that others wrote and the tree only carries.
 
 ## Why it matters on a robot
 The call raises a TypeError, usually in the constructor: the node never starts.
@@ -35,6 +35,7 @@ from bringup_lint.api import fix
 from bringup_lint.api import nodes
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.python import all_of
 from bringup_lint.api.python import renamed_keyword
 from bringup_lint.api.python import with_keyword
 
@@ -49,14 +50,16 @@ def qos_missing(robot: Robot) -> Iterator[Finding]:
         for first, *others in nodes.without_qos(robot.nodes.syntax(file)):
             function = first.call.func
             name = function.attr if isinstance(function, ast.Attribute) else "the call"
-            span, end = file.span_of(first.call), nodes.end_of(robot.nodes.syntax(file), first.call)
-            renamed = renamed_keyword(span, "queue_size", "qos_profile")
-            change = renamed or with_keyword(span, "qos_profile", "10")
+            end = nodes.end_of(robot.nodes.syntax(file), first.call)
+            spans = [file.span_of(each.call) for each in (first, *others)]
+            renamed = [renamed_keyword(each, "queue_size", "qos_profile") for each in spans]
+            changes = [new or with_keyword(each, "qos_profile", "10") for each, new in zip(spans, renamed, strict=True)]
+            change = all_of(*changes)
             yield finding(
-                span,
+                spans[0],
                 f"{name}() {first.wrong}: it raises a TypeError, and {end}",
                 advice="give it a depth such as 10, or a QoSProfile, as the last argument",
-                related=[note(file.span_of(each.call), f"{each.wrong}, too") for each in others],
-                severity=nodes.lowered(robot.nodes.purpose(file.source), "error"),
-                fix=fix("give it a quality of service", codemod=change, safe=renamed is not None) if change else None,
+                related=[note(span, f"{each.wrong}, too") for each, span in zip(others, spans[1:], strict=True)],
+                severity=robot.nodes.graded(file.source, "error"),
+                fix=fix("give it a quality of service", codemod=change, safe=None not in renamed) if change else None,
             )

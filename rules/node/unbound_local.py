@@ -4,7 +4,8 @@
 In the functions of Python nodes, a name that the function assigns only further down, as when `global` is missing for
 one of the file; a name that a `try` alone assigns, whose `except` only prints or logs, and that is used right after it;
 and one that an `if` without `else` alone assigns, and that is used after it in any case. Loops, where a turn before may
-have set it, are left out, and so is what runs only under a condition.
+have set it, are left out, and so is what runs only under a condition. It is an info in packages that others wrote and
+the tree only carries.
 
 ## Why it matters on a robot
 An assignment anywhere in a function makes the name local to all of it. Python finds out when the line runs: on the
@@ -84,5 +85,5 @@ def unbound_local(robot: Robot) -> Iterator[Finding]:
                 message,
                 advice=advice,
                 related=related,
-                severity="info" if found.idle else nodes.lowered(robot.nodes.purpose(file.source), severity),
+                severity="info" if found.idle else robot.nodes.graded(file.source, severity),
             )

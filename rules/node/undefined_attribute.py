@@ -7,7 +7,8 @@
 ParameterValue and of C++; and attributes that only a subscription sets and that a timer or another subscription uses
 without asking whether the message came; and those that a `try` of the constructor sets, whose `except` goes on, and
 that the constructor or a callback uses afterwards. Classes with bases that are not in the tree are left out. It is an
-info in a method that nothing calls, and after the `join()` of a thread, where the node has done its work.
+info in a method that nothing calls, and after the `join()` of a thread, where the node has done its work. It is an info
+in packages that others wrote and the tree only carries.
 
 ## Why it matters on a robot
 Python looks an attribute up when the line runs: in the callback for a fault or an emergency stop, perhaps weeks later,
@@ -60,7 +61,7 @@ def undefined_attribute(robot: Robot) -> Iterator[Finding]:
             f"AttributeError when {first.function}() runs: nothing sets self.{name}, and {end}",
             advice=f"write self.{first.like}" if first.like else f"set self.{name} in __init__()",
             related=[note(each.file.span_of(each.place), f"nothing sets self.{each.place.attr}") for each in others],
-            severity="info" if first.idle else nodes.lowered(robot.nodes.purpose(first.file.source), "error"),
+            severity="info" if first.idle else robot.nodes.graded(first.file.source, "error"),
         )
     for taken in nodes.taken_attributes(robot.nodes):
         name, end = taken.place.attr, nodes.end_of(robot.nodes.syntax(taken.file), taken.place)
@@ -68,7 +69,7 @@ def undefined_attribute(robot: Robot) -> Iterator[Finding]:
             taken.file.span_of(taken.place),
             f"AttributeError: '{name}' is a property of rclpy's Node that cannot be set so, and {end}",
             advice=f"choose another name, such as self.own_{name}",
-            severity=nodes.lowered(robot.nodes.purpose(taken.file.source), "error"),
+            severity=robot.nodes.graded(taken.file.source, "error"),
         )
     for late, *more in nodes.late_attributes(robot.nodes):
         name, end = late.place.attr, nodes.end_of(robot.nodes.syntax(late.file), late.place)
@@ -80,7 +81,7 @@ def undefined_attribute(robot: Robot) -> Iterator[Finding]:
                 note(late.file.span_of(late.set_at), "only here is it set, when a message comes"),
                 *(note(each.file.span_of(each.place), f"self.{each.place.attr} likewise") for each in more),
             ],
-            severity=nodes.lowered(robot.nodes.purpose(late.file.source), "warning"),
+            severity=robot.nodes.graded(late.file.source, "warning"),
         )
     for file, handler, place, set_at, function in nodes.half_made(robot.nodes):
         end = nodes.end_of(robot.nodes.syntax(file), place)
@@ -93,7 +94,7 @@ def undefined_attribute(robot: Robot) -> Iterator[Finding]:
                 note(file.span_of(set_at), "not set when this fails"),
                 note(file.span_of(place), "used all the same"),
             ],
-            severity=nodes.lowered(robot.nodes.purpose(file.source), "warning"),
+            severity=robot.nodes.graded(file.source, "warning"),
         )
     for file in robot.nodes.programs:
         reads = list(nodes.untyped_reads(robot.nodes.syntax(file)))
@@ -104,5 +105,5 @@ def undefined_attribute(robot: Robot) -> Iterator[Finding]:
                 f"AttributeError: get_parameter() returns a Parameter, which has no '{read.attr}', and {end}",
                 advice="write .value",
                 related=[note(file.span_of(each), f"nor '{each.attr}'") for each in reads[1:]],
-                severity=nodes.lowered(robot.nodes.purpose(file.source), "error"),
+                severity=robot.nodes.graded(file.source, "error"),
             )

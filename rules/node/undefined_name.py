@@ -6,7 +6,7 @@ Names that the source of a node looks up and that neither the function, the file
 
 It is an info after `spin()` and the `join()` of a thread, where the node has done its work, in tests, in examples and
 in a function that nothing calls or that is only a stub. It is a warning in an `except`, which runs only after a
-failure, and in a branch of a function.
+failure, and in a branch of a function. It is an info in packages that others wrote and the tree only carries.
 
 ## Why it matters on a robot
 Python looks a name up when the line runs. In a callback for parameters or signals that can be weeks later, on the
@@ -64,5 +64,5 @@ def undefined_name(robot: Robot) -> Iterator[Finding]:
                 f"NameError {when}: {name} is never {'defined' if module is None else 'imported'}, and {end}",
                 advice=f"add '{line}'" if module is not None else f"define {name} where {where} sees it",
                 fix=fix(f"add '{line}'", *edits) if edits else None,
-                severity="info" if found.idle else nodes.lowered(robot.nodes.purpose(file.source), severity),
+                severity="info" if found.idle else robot.nodes.graded(file.source, severity),
             )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 from collections import defaultdict
+from collections.abc import Iterable
 from functools import cached_property
 from typing import Union
 
@@ -18,19 +19,17 @@ SPINNING = "the thread that spins ends: no callback runs any more"
 CALLBACK = "the callback goes no further"
 """Of a MultiThreadedExecutor, which older releases do not let an exception out of."""
 CALLER = "what called it gets the exception"
-_DEPTH = 3
-"""Functions in a row that call each other."""
 
 
 def end_of(syntax: Syntax, node: ast.AST) -> str:
     """What ends where a node of the syntax raises, in words."""
     function = syntax.function(node)
     threads = syntax.once(_Threads)
-    if function is None or threads.is_of_main(function, _DEPTH):
+    if function is None or function in threads.of_main:
         return EXITS
-    if threads.has(function, _DEPTH):
+    if function in threads.own:
         return THREAD
-    return threads.end_of_callbacks if threads.is_of_callback(function, _DEPTH) else threads.end_of_others
+    return threads.end_of_callbacks if function in threads.of_callbacks else threads.end_of_others
 
 
 def end_of_callbacks(syntax: Syntax) -> str:
@@ -39,29 +38,51 @@ def end_of_callbacks(syntax: Syntax) -> str:
 
 
 class _Threads:
+    """Which functions of one file run in which threads."""
+
     def __init__(self, syntax: Syntax) -> None:
         self._syntax = syntax
 
-    def has(self, function: Function, depth: int) -> bool:
-        """Whether a function runs only in threads that the file starts for it, or for what calls it."""
-        users = self._users.get(function.name, set()) - {function}
-        if any(each is None for each in users) or not (users or self._is_handed(function)):
-            return False
-        return not users or (depth > 0 and all(self.has(each, depth - 1) for each in users if each is not None))
+    @cached_property
+    def of_main(self) -> set[Function]:
+        """``main``, constructors, what the file calls, and what these call: all in the thread of the program."""
+        begin = {"main", "__init__", *self._calls[None]}
+        return self._reached(each for name in begin for each in self._named[name])
 
-    def is_of_main(self, function: Function, depth: int) -> bool:
-        """Whether the thread of the program itself calls a function: ``main``, a constructor, and what these call."""
-        callers = self._callers.get(function.name, set()) - {function}
-        if function.name in ("main", "__init__") or None in callers:
-            return True
-        return depth > 0 and any(self.is_of_main(each, depth - 1) for each in callers if each is not None)
+    @cached_property
+    def of_callbacks(self) -> set[Function]:
+        """What the file hands over, and what it calls."""
+        return self._reached(each for name in self._handed_over for each in self._named[name])
 
-    def is_of_callback(self, function: Function, depth: int) -> bool:
-        """Whether the file hands a function over, or what calls it."""
-        if function.name in self._handed_over:
-            return True
-        callers = self._callers.get(function.name, set()) - {function}
-        return depth > 0 and any(self.is_of_callback(each, depth - 1) for each in callers if each is not None)
+    def _reached(self, begin: Iterable[Function]) -> set[Function]:
+        found: set[Function] = set()
+        todo = list(begin)
+        while todo:
+            function = todo.pop()
+            if function not in found:
+                found.add(function)
+                todo.extend(each for name in self._calls[function] for each in self._named[name])
+        return found
+
+    @cached_property
+    def own(self) -> set[Function]:
+        """What runs only in threads that the file starts for it, or for all that mention it."""
+        waits = {name: len(users) for name, users in self._users.items()}
+        mentions: dict[Function | None, list[str]] = defaultdict(list)
+        for name, users in self._users.items():
+            for user in users:
+                mentions[user].append(name)
+        todo = [each for name in self._begun for each in self._named[name] if not waits.get(name)]
+        todo += [each for each in self._named["run"] if self._is_thread(each) and not waits.get("run")]
+        found: set[Function] = set()
+        while todo:
+            function = todo.pop()
+            if function not in found:
+                found.add(function)
+                for name in mentions[function]:
+                    waits[name] -= 1
+                    todo.extend(self._named[name] if not waits[name] else ())
+        return found
 
     @cached_property
     def end_of_others(self) -> str:
@@ -77,20 +98,23 @@ class _Threads:
     @cached_property
     def _spins_aside(self) -> bool:
         """Whether a thread spins, and the program itself does not."""
-        handed = [each for given in self._given for each in walk(given)]
+        handed = {each for given in self._given for each in walk(given)}
         spins = [each for each in self._syntax.calls if _name(each.func).startswith("spin")]
-        own = [each for each in spins if each not in handed and not self._is_of_thread(each)]
-        return not own and (len(own) < len(spins) or any(_name(each) == "spin" for each in handed))
+        own = [each for each in spins if each not in handed and self._syntax.function(each) not in self.own]
+        return not own and (bool(spins) or any(_name(each) == "spin" for each in handed))
 
-    def _is_of_thread(self, node: ast.AST) -> bool:
-        function = self._syntax.function(node)
-        return function is not None and self.has(function, _DEPTH)
+    def _is_thread(self, function: Function) -> bool:
+        """Whether a method is one of a class of threads."""
+        owner = self._syntax.definition(function)
+        return owner is not None and any(_name(base) == "Thread" for base in owner.bases)
 
-    def _is_handed(self, function: Function) -> bool:
-        if function.name == "run":
-            owner = self._syntax.definition(function)
-            return owner is not None and any(_name(base) == "Thread" for base in owner.bases)
-        return any(_name(each) == function.name for each in self._given)
+    @cached_property
+    def _named(self) -> dict[str, list[Function]]:
+        found: dict[str, list[Function]] = defaultdict(list)
+        for node in self._syntax.file.nodes:
+            if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
+                found[node.name].append(node)
+        return found
 
     @cached_property
     def _given(self) -> list[ast.expr]:
@@ -99,6 +123,10 @@ class _Threads:
         targets = [word.value for call in calls for word in call.keywords if word.arg == "target"]
         return targets + [call.args[0] for call in calls if _name(call.func) == "submit" and call.args]
 
+    @property
+    def _begun(self) -> set[str]:
+        return {_name(each) for each in self._given}
+
     @cached_property
     def _users(self) -> dict[str, set[Function | None]]:
         """Name -> the functions that call or hand over what has it, but to a thread; None: the file itself does."""
@@ -106,23 +134,26 @@ class _Threads:
         given = set(self._given)
         for node in self._syntax.file.nodes:
             if _is_read(node) and node not in given:
-                found[_name(node)].add(self._syntax.function(node))
+                function = self._syntax.function(node)
+                if function is None or function.name != _name(node):
+                    found[_name(node)].add(function)
         return found
 
     @cached_property
-    def _callers(self) -> dict[str, set[Function | None]]:
-        found: dict[str, set[Function | None]] = defaultdict(set)
+    def _calls(self) -> dict[Function | None, set[str]]:
+        """Function -> what it calls at once; None: the file itself."""
+        found: dict[Function | None, set[str]] = defaultdict(set)
         for call in self._syntax.calls:
             if not self._is_in_lambda(call):
-                found[_name(call.func)].add(self._syntax.function(call))
+                found[self._syntax.function(call)].add(_name(call.func))
         return found
 
     @cached_property
-    def _handed_over(self) -> frozenset[str]:
+    def _handed_over(self) -> set[str]:
         """The names of what is not called where it is mentioned, but may be called later."""
         given = set(self._given)
         now = {call.func for call in self._syntax.calls if not self._is_in_lambda(call)} | given
-        return frozenset(_name(node) for node in self._syntax.file.nodes if _is_read(node) and node not in now)
+        return {_name(node) for node in self._syntax.file.nodes if _is_read(node) and node not in now}
 
     def _is_in_lambda(self, node: ast.AST) -> bool:
         return any(isinstance(outer, ast.Lambda) for outer, _ in self._syntax.above(node))
