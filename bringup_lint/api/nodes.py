@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.callback_fit import Unfit
     from bringup_lint.graph.nodes.questions.callback_fit import unfit_callbacks
     from bringup_lint.graph.nodes.questions.canceled_goals import canceled_goals
+    from bringup_lint.graph.nodes.questions.deaf_handlers import deaf_handlers
     from bringup_lint.graph.nodes.questions.dict_ranges import dict_ranges
     from bringup_lint.graph.nodes.questions.dict_ranges import range_text
     from bringup_lint.graph.nodes.questions.early_results import early_results
@@ -129,6 +130,7 @@ __all__ = [
     "clock_mixes",
     "consequence",
     "converted",
+    "deaf_handlers",
     "dict_ranges",
     "double_shutdown",
     "early_lookups",

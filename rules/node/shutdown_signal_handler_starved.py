@@ -1,9 +1,10 @@
-"""A Python signal handler never runs.
+"""A Python signal handler never runs, or ends nothing.
 
 ## What it finds
 `signal.signal(SIGTERM or SIGINT, ...)` after `rclpy.init()`, or `SignalHandlerOptions.NO`, in a program whose nodes
 have no timer and that waits in `rclpy.spin`. A warning when a message or call can wake the spin, an error when
-nothing can.
+nothing can. Also a handler of a node, set after `rclpy.init()`, that neither raises nor calls what may end the program:
+a warning.
 
 ## Why it matters on a robot
 Python runs signal handlers only when the interpreter has control, and a spin that nothing wakes waits in C. rclpy's
@@ -41,6 +42,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import nodes
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.nodes import NodeSource
 
 
 @rule("error", symptoms=["State 'stop-sigterm' timed out. Killing."])
@@ -48,6 +50,7 @@ def shutdown_signal_handler_starved(robot: Robot) -> Iterator[Finding]:
     for file in robot.nodes.programs:
         waiting = robot.nodes.without_timer(file)
         if not waiting:
+            yield from _deaf(robot, file)
             continue
         for found in nodes.handler_never_runs(robot.nodes.ending(file), waiting):
             signals = " and ".join(sorted(found.signals))
@@ -69,3 +72,15 @@ def shutdown_signal_handler_starved(robot: Robot) -> Iterator[Finding]:
                 chain=robot.nodes.chain_to(file, note(file.span_of(found.place), "the signal is not noticed")),
                 severity=nodes.lowered(robot.nodes.purpose(file.source), "warning" if found.wakers else "error"),
             )
+
+
+def _deaf(robot: Robot, file: NodeSource) -> Iterator[Finding]:
+    for deaf in nodes.deaf_handlers(robot.nodes.ending(file)):
+        yield finding(
+            file.span_of(deaf.call),
+            f"The node goes on after {' and '.join(sorted(deaf.signals))}: this handler takes the place of that of "
+            "rclpy, and ends nothing",
+            advice="raise SystemExit at the end of the handler",
+            related=[note(file.span_of(deaf.spin), "this spin goes on")],
+            severity=nodes.lowered(robot.nodes.purpose(file.source), "warning"),
+        )

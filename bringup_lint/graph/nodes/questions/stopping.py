@@ -228,7 +228,7 @@ def handler_never_runs(ending: Ending, nodes: list[NodeClass]) -> Iterator[Handl
     wakers = [callback for node in nodes for each in node.lineage for callback in each.callbacks]
     shown = False
     for handler in ending.handlers:
-        if handler.python and (ending.signals == "none" or _surely_after(ending, handler.call)):
+        if handler.python and (ending.signals == "none" or surely_after(ending, handler.call)):
             shown = True
             yield HandlerNeverRuns(handler.call, handler.signals, direct[0], wakers)
     if ending.signals == "none" and not shown and not ending.handlers:
@@ -236,7 +236,7 @@ def handler_never_runs(ending: Ending, nodes: list[NodeClass]) -> Iterator[Handl
         yield HandlerNeverRuns(option.value, frozenset({"SIGINT"}), direct[0], wakers)
 
 
-def _surely_after(ending: Ending, call: ast.Call) -> bool:
+def surely_after(ending: Ending, call: ast.Call) -> bool:
     """Whether a handler is set after ``rclpy.init``, so that it replaces the one of rclpy."""
     function = ending.syntax.function(call)
     inits = ending.inits
