@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.installed.script_files import missing_files
     from bringup_lint.model.shell import Block
     from bringup_lint.model.shell import Command
+    from bringup_lint.model.shell import Word
     from bringup_lint.parsers.ansible_tasks import Task
     from bringup_lint.parsers.ansible_tasks import plays
     from bringup_lint.parsers.ansible_tasks import tasks
@@ -42,6 +43,7 @@ __all__ = [
     "Job",
     "Run",
     "Task",
+    "Word",
     "Written",
     "background_jobs",
     "commands",
