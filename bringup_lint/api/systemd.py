@@ -44,6 +44,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.systemd.network_online import TooEarly
     from bringup_lint.graph.systemd.network_online import edits_to_wait
     from bringup_lint.graph.systemd.network_online import too_early
+    from bringup_lint.graph.systemd.never_enabled import never_enabled_units
     from bringup_lint.graph.systemd.process import Process
     from bringup_lint.graph.systemd.restart import RestartPolicy
     from bringup_lint.graph.systemd.restart_loop import CrashLoop
@@ -138,6 +139,7 @@ __all__ = [
     "misspelt_trigger",
     "move_lines",
     "needless_root",
+    "never_enabled_units",
     "only_connects",
     "open_access",
     "paths",
