@@ -84,6 +84,7 @@ if TYPE_CHECKING:
     from bringup_lint.model.netplan import Netplan
     from bringup_lint.model.observed import ObservedGraph
     from bringup_lint.model.shell import Command
+    from bringup_lint.parsers.cloud_init import KeyImport
     from bringup_lint.parsers.cloud_init import Login
     from bringup_lint.source import Located
     from bringup_lint.source import Problem
@@ -486,6 +487,13 @@ class Robot:
         from bringup_lint.parsers.cloud_init import logins
 
         return (each for source in self.files.of_kind("cloud-init") if source.judged for each in logins(source))
+
+    @property
+    def user_data_key_imports(self) -> Iterator[KeyImport]:
+        """The accounts whose keys cloud-init's user data imports from Launchpad and GitHub."""
+        from bringup_lint.parsers.cloud_init import key_imports
+
+        return (each for source in self.files.of_kind("cloud-init") if source.judged for each in key_imports(source))
 
     @cached_property
     def open_services(self) -> list[OpenService]:

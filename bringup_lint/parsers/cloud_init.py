@@ -1,4 +1,5 @@
-"""The users that cloud-init's user data lets log in with a password (modules Set Passwords, Users and Groups)."""
+"""Whom cloud-init's user data lets log in: with a password (modules Set Passwords, Users and Groups), or with keys that
+it imports (SSH Import ID)."""
 
 from __future__ import annotations
 
@@ -21,6 +22,42 @@ class Login(NamedTuple):
     """Its name; empty for the default user of the image."""
     password: Located
     """In clear text, or as a hash."""
+
+
+class KeyImport(NamedTuple):
+    """One entry of ``ssh_import_id``."""
+
+    account: Located
+    """For a mapping its key."""
+    name: str = ""
+    """The value of a mapping, which cloud-init does not take: ``gh: name`` with a blank."""
+    users: frozenset[str] = frozenset()
+    """The accounts of the robot that the user data names."""
+
+
+def key_imports(source: Source) -> Iterator[KeyImport]:
+    """The accounts whose keys may log in."""
+    root = parse(source).root
+    if not isinstance(root, Mapping):
+        return
+    install = root.mapping("autoinstall")
+    inner = install.mapping("user-data") if install is not None else None
+    for data in (root, inner):
+        users = [user for user in data.sequence("users") or () if isinstance(user, Mapping)] if data else []
+        names = (user.scalar("name") for user in users)
+        known = frozenset(str(name.value) for name in names if name is not None)
+        for holder in (data, *users):
+            yield from _imported(holder.sequence("ssh_import_id") if holder else None, known)
+
+
+def _imported(accounts: Sequence | None, users: frozenset[str]) -> Iterator[KeyImport]:
+    for each in accounts or ():
+        if isinstance(each, Scalar):
+            yield KeyImport(each.value, users=users)
+        elif isinstance(each, Mapping):
+            yield from (
+                KeyImport(key.value, str(value.value)) for key, value in each.entries if isinstance(value, Scalar)
+            )
 
 
 def logins(source: Source) -> Iterator[Login]:
