@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.containers.devcontainers import Broken
     from bringup_lint.graph.containers.devcontainers import broken_references
     from bringup_lint.graph.containers.folder_owners import builds_of_others
+    from bringup_lint.graph.containers.git_history import without_history
     from bringup_lint.graph.containers.image_use import is_deployed
     from bringup_lint.graph.containers.images import can_be_pulled
     from bringup_lint.graph.containers.ros_in_image import distro_of
@@ -98,4 +99,5 @@ __all__ = [
     "substituted",
     "ubuntu_codename",
     "user_name",
+    "without_history",
 ]
