@@ -43,9 +43,10 @@ from bringup_lint.api.docker import without_history
 @rule("warning", symptoms=["fatal: not a git repository (or any of the parent directories): .git"])
 def git_ignored(robot: Robot) -> Iterator[Finding]:
     for each in without_history(robot.files, robot.compose):
+        name = each.ignoring.span.source.basename
         yield finding(
             each.where,
-            f"{each.ignoring.span.source.basename} leaves .git out of the build context: git {each.verb} fails in every build",
+            f"{name} leaves .git out of the build context: git {each.verb} fails in every build",
             advice="pass the version with ARG and --build-arg, or take .git off the list",
             related=[note(each.ignoring, "leaves it out")],
         )

@@ -36,6 +36,7 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import regex
 from bringup_lint.api import rule
@@ -46,7 +47,8 @@ from bringup_lint.api.shell import program_name
 from bringup_lint.api.shell import shell_commands
 from bringup_lint.api.shell import unwrapped
 
-BOOT = regex(r"(?:\w*[_-])?(?:boot|autostart|auto_start|startup|bootup|onboot)(?:[_-]\w*)?(?:\.(?:sh|bash))?|rc\.local")
+BOOT = frozenset(("boot", "autostart", "startup", "bootup", "onboot"))
+"""Words in the names of scripts that something outside of the tree starts at boot."""
 UPDATES = regex(r"updat|upgrad|deploy|install|sync|pull|fetch|build|publish")
 BESIDE = frozenset(
     "git cd echo printf exit sleep set source . export colcon make cmake catkin_make pip pip3 apt apt-get rosdep vcs "
@@ -78,8 +80,13 @@ def _started_at_boot(robot: Robot) -> Iterator[tuple[str, Iterable[Command]]]:
             for line in runner.lines:
                 yield runner.name, [step.command for step in line.steps]
     for source in robot.of_kind("shell-script"):
-        if source.judged and not source.template and BOOT.fullmatch(source.basename):
+        if source.judged and not source.template and _is_named_for_boot(source):
             yield source.basename, shell_commands(source)
+
+
+def _is_named_for_boot(source: Source) -> bool:
+    words = source.basename.replace("-", "_").partition(".")[0].split("_")
+    return source.basename == "rc.local" or not BOOT.isdisjoint(words)
 
 
 def _is_for_boot(robot: Robot, runner: Runner) -> bool:

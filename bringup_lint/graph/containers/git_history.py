@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from bringup_lint.model.dockerfile import Stage
 
 _ASKS = regex(r"\bgit[ \t]+(?P<verb>describe|rev-parse|rev-list|log|show)\b", hints="git")
-_BRINGS = regex(r"\bgit[ \t]+(?:-\S+[ \t]+)*(?:clone|init|fetch)\b|\.git\b|\bvcs[ \t]+import\b")
+_BRINGS = regex(r"\bgit[ \t](?:[^\n]{0,80}[ \t])?(?:clone|init|fetch)\b|\.git\b|\bvcs[ \t]+import\b")
 """What else gives an image a repository."""
 _IGNORED = regex(r"^[ \t]*(?:\*\*/|/)?\.git/?[ \t\r]*$", re.M)
 _TAKEN_BACK = regex(r"^[ \t]*!(?:[ \t]*/)?(?:\*\*/)?(?:\.git\b|\*|\.[ \t\r]*$)", re.M)
