@@ -49,6 +49,7 @@ from bringup_lint.api.shell import unwrapped
 
 BOOT = frozenset(("boot", "autostart", "startup", "bootup", "onboot"))
 """Words in the names of scripts that something outside of the tree starts at boot."""
+PULL = regex(r"\bgit\b[^\n]{0,80}\bpull\b", hints="git")
 UPDATES = regex(r"updat|upgrad|deploy|install|sync|pull|fetch|build|publish")
 BESIDE = frozenset(
     "git cd echo printf exit sleep set source . export colcon make cmake catkin_make pip pip3 apt apt-get rosdep vcs "
@@ -61,6 +62,8 @@ BESIDE = frozenset(
     "warning", tags=["CWE-494"], symptoms=["fatal: unable to access *: Could not resolve host", "Already up to date."]
 )
 def code_pulled_at_boot(robot: Robot) -> Iterator[Finding]:
+    if not robot.mentions(PULL):
+        return
     seen = set()
     for name, commands in _started_at_boot(robot):
         pull = _pull(commands)

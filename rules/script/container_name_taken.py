@@ -55,6 +55,7 @@ KNOWS = regex(
     hints="docker podman",
 )
 """Commands of a script that knows of containers of its last run."""
+NAMED = regex(r"--name\b", hints="--name")
 NAME = regex(r"[a-zA-Z0-9][\w.-]*")
 
 
@@ -71,6 +72,8 @@ class Start(NamedTuple):
 
 @rule("warning", symptoms=["The container name * is already in use by container"])
 def container_name_taken(robot: Robot) -> Iterator[Finding]:
+    if not robot.mentions(NAMED):
+        return
     known = _known_names(robot)
     for unit in robot.units.services:
         for start in _of_unit(robot, unit):

@@ -39,10 +39,13 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.systemd import never_enabled_units
 
+INSTALLING = ("shell-script", "ansible", "cloud-init")
+
 
 @rule("warning", confidence="medium", silent="systemd loads the unit and waits for somebody to start it")
 def never_enabled(robot: Robot) -> Iterator[Finding]:
-    for unit in never_enabled_units(robot.files, robot.units):
+    units = never_enabled_units(robot.files, robot.units) if robot.of_kind(*INSTALLING) else ()
+    for unit in units:
         wanted = unit.words("WantedBy", "Install")[0]
         yield finding(
             wanted,

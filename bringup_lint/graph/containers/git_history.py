@@ -40,10 +40,12 @@ def without_history(files: Files, compose: Compose) -> Iterator[NoHistory]:
         if not file.source.judged or not _ASKS.search(file.source.said):
             continue
         ignoring = _ignoring(files, file)
-        for stage in file.stages if ignoring is not None else ():
+        if ignoring is None:
+            continue
+        for stage in file.stages:
             asked = ((step.value, match) for step in stage.all("RUN") if (match := _ASKS.search(step.value)))
             value, match = next(asked, (None, None))
-            if value is not None and match is not None and ignoring is not None and _has_only_context(stage):
+            if value is not None and match is not None and _has_only_context(stage):
                 yield NoHistory(value.part(*match.span()), match["verb"], ignoring)
 
 

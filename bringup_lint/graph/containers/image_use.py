@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
 
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.graph.purpose import by_path
 from bringup_lint.pattern import regex
+from bringup_lint.type_names import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from bringup_lint.graph.containers.compose import Compose
