@@ -71,7 +71,7 @@ def code_pulled_at_boot(robot: Robot) -> Iterator[Finding]:
             seen.add(pull.span)
             yield finding(
                 pull,
-                f"{name} pulls at every start: whatever was pushed last, tested or not, runs after the next boot",
+                f"At every start, {name} pulls whatever was pushed last, tested or not, and runs it",
                 advice="remove the pull, and update to a tested tag by hand or with a tool for it",
             )
 
