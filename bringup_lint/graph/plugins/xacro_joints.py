@@ -26,6 +26,10 @@ _DEEP = 5
 """Macros within macros that are followed."""
 _CALLS = 2_000
 """Calls of macros of one description."""
+_STEPS = 50
+"""Properties of properties that are followed."""
+_LONG = 1_000
+"""Characters of a value: each property could double that of the one before."""
 _FORWARDED = "^"
 """How the default begins that is the value of the caller."""
 
@@ -60,6 +64,8 @@ class XacroJoints:
         self._macros: dict[str, Element | None] = {}
         self._properties: dict[str, str | None] = {}
         self._left = _CALLS
+        self._steps = 0
+        """Properties that are being worked out, each for the one before."""
         for element in (each for root in roots for each in root.walk()):
             self._take(element)
 
@@ -156,7 +162,7 @@ class XacroJoints:
             parts += text[end : match.start()], value
             end = match.end()
         found = "".join((*parts, text[end:]))
-        return None if "$" in found else found
+        return None if "$" in found or len(found) > _LONG else found
 
     def _expression(self, expression: str, scope: _Scope) -> str | None:
         """The value of a name, or of a sum of numbers and names."""
@@ -173,7 +179,17 @@ class XacroJoints:
     def _value(self, name: str, scope: _Scope) -> str | None:
         if name in scope.values:
             return scope.values[name]
-        value = self._properties.get(name)
+        if name in self._properties:
+            return self._property(name)
+        return str(math.pi) if name in ("pi", "math.pi") else None
+
+    def _property(self, name: str) -> str | None:
+        """The value of a property, worked out once; None for one that needs itself, or others over many steps."""
+        value = self._properties[name]
         if value is not None and "$" in value:
-            return self._text(value, _Scope()) if name not in value else None
-        return str(math.pi) if name in ("pi", "math.pi") and value is None else value
+            self._properties[name] = None
+            self._steps += 1
+            if self._steps < _STEPS:
+                self._properties[name] = self._text(value, _Scope())
+            self._steps -= 1
+        return self._properties[name]
