@@ -15,6 +15,7 @@ which it depends declares them. It is a warning
   alone;
 - when the package.xml declares nothing that is needed at run time, and launch files start three packages or more, or
   these and the nodes need three or more, of which ros-base lacks one. Viewers and simulators do not count;
+- when the sources need two packages of ROS or more that are not declared: one for all such packages of the robot;
 - when launch files always start five packages or more that are not declared, or three that are more than half of all
   that they start. Those of ros-base, viewers and simulators do not count;
 - when nodes import or CMake requires five packages of ROS or more that are not declared, and fewer are declared. Those
@@ -107,12 +108,41 @@ ASKED = {
     ],
 )
 def undeclared_dependency(robot: Robot) -> Iterator[Finding]:
+    some = []
     for package in robot.launch.workspace.packages.values():
         if not robot.dependencies.judged(package):
             continue
         found = effect_of(robot.dependencies, robot.launch, package)
-        if found is not None:
+        if found is not None and found.effect is Effect.SOME:
+            some.append((package, found))
+        elif found is not None:
             yield _finding(robot, package, found)
+    if some:
+        yield _of_some(some)
+
+
+def _of_some(some: list[tuple[launch.Package, Undeclared]]) -> Finding:
+    """One for all packages of the robot that declare most of what they need; the one that lacks the most comes first."""
+    (package, found), *others = sorted(some, key=lambda each: -len(each[1].needs))
+    needs = found.needs
+    tag = tag_of(package, needs[0])
+    names = f"{needs[0].name} and {len(needs) - 1} other{'s' if len(needs) > 2 else ''}"
+    count = f"; {len(others)} more package{'s do' if len(others) > 1 else ' does'} the same" if others else ""
+    return finding(
+        _last(package) or package.place,
+        f"{package.name} needs {names} and does not declare them: rosdep and colcon build --packages-up-to leave them "
+        f"out{count}",
+        advice=f"add <{tag}>{needs[0].name}</{tag}> and the others",
+        related=[
+            *_places(needs),
+            *(note(each.place, _left(each, what.needs)) for each, what in others[:SHOWN]),
+        ],
+        fix=dependency(package, [*needs, *found.started]),
+    )
+
+
+def _left(package: launch.Package, needs: list[Need]) -> str:
+    return f"{package.name} does not declare {', '.join(str(need.name) for need in needs[:SHOWN])}"
 
 
 def _finding(robot: Robot, package: launch.Package, found: Undeclared) -> Finding:

@@ -45,6 +45,9 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.systemd import Unit
 
+REACHED_LATE = ("multi-user.target", "graphical.target")
+"""Targets after which no service is ordered by default."""
+
 
 @rule("error", fix="unsafe", symptoms=["A start job is running for"])
 def oneshot_endless(robot: Robot) -> Iterator[Finding]:
@@ -69,9 +72,8 @@ def oneshot_endless(robot: Robot) -> Iterator[Finding]:
 
 
 def _waiting(robot: Robot, unit: Unit) -> str:
-    """What does not go on: a target is ordered after all that it wants."""
-    targets = (name for name in unit.words("WantedBy", "Install") if name.endswith(".target"))
-    target = next(targets, None)
+    """What does not go on: a target is ordered after all that it wants, and that is not ordered after the target."""
+    target = next((name for name in unit.words("WantedBy", "Install") if name in REACHED_LATE), None)
     return f"{target} is never reached" if target else "all that waits for it too"
 
 

@@ -23,6 +23,7 @@ _VIEWER = regex(r"^(?:rviz|rqt|plotjuggler)|_gui$")
 _COMMENTED_OUT = regex(r"<!--\s{0,20}<(?:exec_|run_)?depend\b", hints="<!--")
 _OF_LAUNCH_FILES = frozenset(("launch", "launch_ros", "ament_index_python"))
 _TOOLS = ("ament_", "rosidl_", "launch", "python3-pytest")
+_SOME = 2
 _SEVERAL = 3
 _MANY = 5
 """Packages, whatever the share of those that are declared."""
@@ -36,6 +37,7 @@ class Effect(Enum):
     EMPTY = "nothing that is needed at run time is declared"
     SEVERAL = "several packages that launch files start are not declared"
     SOURCES = "most packages of ROS that the sources need are not declared"
+    SOME = "some packages of ROS that the sources need are not declared"
     HARMLESS = "the packages are there all the same"
 
 
@@ -75,8 +77,9 @@ def effect_of(dependencies: Dependencies, launch: Launch, package: Package) -> U
     if len(unbuilt) >= min(_MANY, max(_SEVERAL, len(brought_up(dependencies, package)) // 2 + 1)):
         return Undeclared(Effect.SEVERAL, unbuilt, [], started)
     unknown = _of_sources(dependencies, needs)
-    if len(unknown) >= max(_MANY, len(_declared(package)) + 1) and not _gives_a_reason(package):
-        return Undeclared(Effect.SOURCES, unknown, [], started)
+    if len(unknown) >= _SOME and not _gives_a_reason(package):
+        are_most = len(unknown) >= max(_MANY, len(_declared(package)) + 1)
+        return Undeclared(Effect.SOURCES if are_most else Effect.SOME, unknown, [], started)
     return Undeclared(Effect.HARMLESS, started, [], started) if started else None
 
 
