@@ -2,7 +2,8 @@
 
 ## What it finds
 `name=` of `ros2_control_node` up to Iron, in a launch file that also spawns controllers which need parameters. Silent
-where the distribution is not known, and where a parameter file gives joints to every node.
+where the distribution is not known, where a parameter file gives joints to every node, and where the launch file gives
+a controller a file of its own (`<controller>.params_file`).
 
 ## Why it matters on a robot
 launch renames a process, not a node: every controller that the manager loads gets its name. Several nodes are called
@@ -36,7 +37,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("error", symptoms=["'joints' parameter was empty", "Wheel names parameters are empty!"])
+@rule("warning", symptoms=["'joints' parameter was empty", "Wheel names parameters are empty!"])
 def controllers_renamed(robot: Robot) -> Iterator[Finding]:
     for each in robot.plugins.renamed_controllers:
         first = each.controllers[0]

@@ -122,7 +122,7 @@ def undeclared_dependency(robot: Robot) -> Iterator[Finding]:
 
 
 def _of_some(some: list[tuple[launch.Package, Undeclared]]) -> Finding:
-    """One for all packages of the robot that declare most of what they need; the one that lacks the most comes first."""
+    """One for all packages of the robot that declare most of what they need, beginning with the one that lacks most."""
     (package, found), *others = sorted(some, key=lambda each: -len(each[1].needs))
     needs = found.needs
     tag = tag_of(package, needs[0])

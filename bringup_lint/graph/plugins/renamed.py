@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 
 _RENAMING = ("foxy", "galactic", "humble", "iron")
 """Releases whose controllers take the arguments of the whole process (controller_interface_base.cpp)."""
+_GIVES_FILE = ".params_file"
+"""The end of the parameter by which a manager gives a controller a file of its own (controller_manager.cpp)."""
 _BROADCASTER = "broadcaster"
 """Controllers that run without parameters."""
 
@@ -51,5 +53,7 @@ def _renamed(launch: Launch, manager: Started, controllers: list[Located]) -> Re
     if name is None or distribution not in _RENAMING:
         return None
     if not manager.file.source.judged or launch.looks_at_distribution(manager.file):
+        return None
+    if _GIVES_FILE in manager.file.source.text:
         return None
     return RenamedControllers(name, tuple(controllers), manager, str(distribution))
