@@ -37,7 +37,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("warning", symptoms=["'joints' parameter was empty", "Wheel names parameters are empty!"])
+@rule("warning", symptoms=["Wheel names parameters are empty!"])
 def controllers_renamed(robot: Robot) -> Iterator[Finding]:
     for each in robot.plugins.renamed_controllers:
         first = each.controllers[0]
