@@ -130,8 +130,8 @@ def _of_some(some: list[tuple[launch.Package, Undeclared]]) -> Finding:
     count = f"; {len(others)} more package{'s do' if len(others) > 1 else ' does'} the same" if others else ""
     return finding(
         _last(package) or package.place,
-        f"{package.name} needs {names} and does not declare them: rosdep and colcon build --packages-up-to leave them "
-        f"out{count}",
+        f"{package.name} needs {names} and does not declare them: neither rosdep nor colcon build --packages-up-to "
+        f"knows of it{count}",
         advice=f"add <{tag}>{needs[0].name}</{tag}> and the others",
         related=[
             *_places(needs),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 from enum import Enum
 from typing import TYPE_CHECKING
 
@@ -12,6 +13,7 @@ from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
+    from bringup_lint.discover.tree import Tree
     from bringup_lint.graph.dependencies.dependencies import Dependencies
     from bringup_lint.graph.launch.launch import Launch
     from bringup_lint.graph.workspace import Package
@@ -23,6 +25,12 @@ _VIEWER = regex(r"^(?:rviz|rqt|plotjuggler)|_gui$")
 _COMMENTED_OUT = regex(r"<!--\s{0,20}<(?:exec_|run_)?depend\b", hints="<!--")
 _OF_LAUNCH_FILES = frozenset(("launch", "launch_ros", "ament_index_python"))
 _TOOLS = ("ament_", "rosidl_", "launch", "python3-pytest")
+_METAPACKAGES = ("common_interfaces", "ros_core", "ros_base", "desktop", "desktop_full")
+_COMMON = frozenset(
+    "actionlib_msgs diagnostic_msgs geometry_msgs nav_msgs sensor_msgs sensor_msgs_py shape_msgs std_msgs std_srvs "
+    "stereo_msgs trajectory_msgs visualization_msgs".split()
+)
+"""What the metapackages of messages bring (common_interfaces/package.xml; REP 2001)."""
 _SOME = 2
 _SEVERAL = 3
 _MANY = 5
@@ -76,20 +84,30 @@ def effect_of(dependencies: Dependencies, launch: Launch, package: Package) -> U
     unbuilt = [need for need in missed if need in started]
     if len(unbuilt) >= min(_MANY, max(_SEVERAL, len(brought_up(dependencies, package)) // 2 + 1)):
         return Undeclared(Effect.SEVERAL, unbuilt, [], started)
-    unknown = _of_sources(dependencies, needs)
+    unknown = _of_sources(dependencies, launch.workspace.tree, package, needs)
     if len(unknown) >= _SOME and not _gives_a_reason(package):
         are_most = len(unknown) >= max(_MANY, len(_declared(package)) + 1)
         return Undeclared(Effect.SOURCES if are_most else Effect.SOME, unknown, [], started)
     return Undeclared(Effect.HARMLESS, started, [], started) if started else None
 
 
-def _of_sources(dependencies: Dependencies, needs: list[Need]) -> list[Need]:
-    """The packages of ROS that nodes import or CMake requires in any case, each once."""
+def _of_sources(dependencies: Dependencies, tree: Tree, package: Package, needs: list[Need]) -> list[Need]:
+    """The packages of ROS that installed modules import or CMake requires in any case, each once."""
     found: dict[str, Need] = {}
+    brought = _COMMON if any(name in _METAPACKAGES for _, name in package.manifest.depends) else frozenset()
     for need in needs:
-        if need.use in ("module", "library") and need.always and _is_of_ros(dependencies, need):
+        if need.use == "module" and _is_loose(tree, package, need):
+            continue
+        is_asked = need.use in ("module", "library") and need.always and str(need.name) not in brought
+        if is_asked and _is_of_ros(dependencies, need):
             found.setdefault(str(need.name), need)
     return list(found.values())
+
+
+def _is_loose(tree: Tree, package: Package, need: Need) -> bool:
+    """Whether a file that imports something lies beside the modules that its package installs."""
+    folder = posixpath.dirname(need.name.span.source.absolute)
+    return package.manifest.build_type == "ament_python" and not tree.exists(posixpath.join(folder, "__init__.py"))
 
 
 def _is_of_ros(dependencies: Dependencies, need: Need) -> bool:
