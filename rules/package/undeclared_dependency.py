@@ -137,8 +137,15 @@ def _of_some(some: list[tuple[launch.Package, Undeclared]]) -> Finding:
             *_places(needs),
             *(note(each.place, _left(each, what.needs)) for each, what in others[:SHOWN]),
         ],
-        fix=dependency(package, [*needs, *found.started]),
+        fix=_of_all(some),
     )
+
+
+def _of_all(some: list[tuple[launch.Package, Undeclared]]) -> Fix | None:
+    """What is missing in each of the packages; None where one has no place for it, and would be found again."""
+    fixes = [dependency(package, [*found.needs, *found.started]) for package, found in some]
+    edits = [edit for each in fixes if each is not None for edit in each.edits]
+    return fix("declare what is missing", *edits) if None not in fixes else None
 
 
 def _left(package: launch.Package, needs: list[Need]) -> str:
