@@ -105,3 +105,41 @@ def test_time_grows_as_the_names_that_a_choice_alone_gives_a_value(tmp_path: Pat
         lint("--no-cache", "--quiet", "--select", "node/unbound-local,node/undefined-attribute", ".", cwd=tmp_path)
 
     assert is_linear(check, 250)
+
+
+NODE = """import rclpy
+import serial
+from rclpy.node import Node
+
+
+class Winch(Node):
+    def __init__(self):
+        super().__init__("winch")
+        self.port = serial.Serial("/dev/winch", 9600)
+        self.create_subscription(Twist, "pull", self.pull, 10)
+
+    def pull(self, msg):
+        if msg.is_cancel_requested:
+            return
+{}
+
+def main():
+    rclpy.init()
+    rclpy.spin(Winch())
+"""
+STATEMENTS = {
+    "node/blocking-in-callback": "        self.port.readline()\n",
+    "node/zero-divisor": "        if self.asks:\n            pass\n        turn = 1.0 / msg.angular.z\n",
+    "node/goal-canceled-unasked": "        turn = asked()\n        if self.busy:\n            msg.canceled()\n",
+}
+"""What one callback repeats."""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("rule", "statement"), STATEMENTS.items())
+def test_time_grows_as_the_statements_of_a_node(rule: str, statement: str, tmp_path: Path) -> None:
+    def check(size: int) -> None:
+        (tmp_path / "winch.py").write_text(NODE.format(statement * size))
+        lint("--no-cache", "--quiet", "--select", rule, ".", cwd=tmp_path)
+
+    assert is_linear(check, 200)

@@ -113,10 +113,14 @@ class Topics:
 
     def waits(self, started: Started) -> bool:
         """Whether the package of a launched program waits for a server, a message or a transform by itself."""
-        package = self.launch.workspace.packages.get(str(literal_text(started.package)))
-        sources = self.files.of_kind("python-node", "cpp-node") if package is not None else []
-        own = (each for each in sources if self.launch.workspace.owner(each) is package)
-        return any(each.matches(_WAITING) for each in own)
+        return str(literal_text(started.package)) in self._waiting
+
+    @cached_property
+    def _waiting(self) -> set[str]:
+        """The packages with a source that waits."""
+        waiting = (each for each in self.files.of_kind("python-node", "cpp-node") if each.matches(_WAITING))
+        owners = map(self.launch.workspace.owner, waiting)
+        return {owner.name for owner in owners if owner is not None}
 
     def parameter_words(self, started: Started) -> ParameterWords | None:
         """The texts with which a launched program may name its parameters; None when not all of it is known."""

@@ -89,6 +89,7 @@ class _Known:
         body = file.tree.body if file.tree is not None else []
         self._functions = {each.name: each for each in body if isinstance(each, _FUNCTIONS)}
         self._classes = {each.name: each for each in body if isinstance(each, ast.ClassDef)}
+        self._methods: dict[ast.ClassDef, dict[str, list[Method]]] = {}
 
     def of(self, call: ast.Call) -> Method | None:
         """What a call surely runs, when that has no decorators."""
@@ -106,18 +107,21 @@ class _Known:
         owner = self._classes.get(name)
         if owner is None or owner.decorator_list or owner.keywords:
             return self._functions.get(name)
-        return None if _own(owner, "__new__") is not None else _own(owner, "__init__")
+        return None if self._own(owner, "__new__") is not None else self._own(owner, "__init__")
 
     def _method(self, owner: ast.ClassDef | None, name: str) -> Method | None:
         if owner is None or name in self._stored or (owner.name, name) in self._overridden:
             return None
-        return _own(owner, name)
+        return self._own(owner, name)
 
-
-def _own(owner: ast.ClassDef, name: str) -> Method | None:
-    """The method of a class that its body defines once."""
-    found = [each for each in _methods(owner) if each.name == name]
-    return found[0] if len(found) == 1 else None
+    def _own(self, owner: ast.ClassDef, name: str) -> Method | None:
+        """The method of a class that its body defines once."""
+        if owner not in self._methods:
+            self._methods[owner] = {}
+            for each in _methods(owner):
+                self._methods[owner].setdefault(each.name, []).append(each)
+        found = self._methods[owner].get(name, [])
+        return found[0] if len(found) == 1 else None
 
 
 def misfit(call: ast.Call, taken: ast.arguments, is_method: bool) -> str | None:

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
 _ASKS = "is_cancel_requested"
 _WORD = "cancel"
+_OUTER = (ast.If, ast.While, ast.For, ast.Try, ast.With, ast.Expr)
 
 
 class CanceledGoal(NamedTuple):
@@ -32,40 +33,60 @@ def canceled_goals(nodes: Nodes) -> Iterator[CanceledGoal]:
             syntax = nodes.syntax(file)
             for call in syntax.calls:
                 if isinstance(call.func, ast.Attribute) and call.func.attr == "canceled":
-                    asked = _asked(syntax, call)
+                    asked = syntax.once(_Goals).asked(call)
                     if asked is not None and not syntax.is_dead(call):
                         yield CanceledGoal(file, call, asked)
 
 
-def _asked(syntax: Syntax, call: ast.Call) -> ast.expr | None:
-    """The condition of a branch beside that of the call, which takes all goals that are to be canceled; None when the
-    call may be about such a goal."""
-    owner = ast.unparse(call.func.value) if isinstance(call.func, ast.Attribute) else ""
-    known = set(_of_others(syntax, call))
-    found, conditions = None, 0
-    for outer, name in syntax.within(call):
-        if not isinstance(outer, (ast.If, ast.While, ast.For, ast.Try, ast.With, ast.Expr)) or name in (
-            "handlers",
-            "test",
-        ):
-            return None
-        if isinstance(outer, ast.If):
-            conditions += 1
-            if not _is_plain(outer.test, known):
+class _Goals:
+    """How the functions of one file end their goals, each looked through once."""
+
+    def __init__(self, syntax: Syntax) -> None:
+        self._syntax = syntax
+        self._known: dict[ast.AST | None, set[str]] = {}
+        self._branches: dict[tuple[ast.AST | None, str, str], ast.expr | None] = {}
+
+    def asked(self, call: ast.Call) -> ast.expr | None:
+        """The condition of a branch beside that of the call, which takes all goals that are to be canceled; None when
+        the call may be about such a goal."""
+        owner = ast.unparse(call.func.value) if isinstance(call.func, ast.Attribute) else ""
+        function = self._syntax.function(call)
+        found, conditions = None, 0
+        for outer, name in self._syntax.within(call):
+            if not isinstance(outer, _OUTER) or name in ("handlers", "test"):
                 return None
-        block = getattr(outer, name)
-        found = found or (_branch(block, owner) if isinstance(block, list) else None)
-    found = found or _branch(body_of(syntax.function(call)), owner)
-    return found if conditions else None
+            if isinstance(outer, ast.If):
+                conditions += 1
+                if not _is_plain(outer.test, self._of_others(function)):
+                    return None
+            found = found or self._branch(outer, name, owner)
+        found = found or self._branch(function, "body", owner)
+        return found if conditions else None
 
+    def _branch(self, outer: ast.AST | None, name: str, owner: str) -> ast.expr | None:
+        """The test of an ``if`` of a block that asks for the cancellation, and whose body leaves the block."""
+        key = (outer, name, owner)
+        if key not in self._branches:
+            block = getattr(outer, name, None)
+            tests = (f"{owner}.{_ASKS}", f"{owner}.{_ASKS}()")
+            choices = [each for each in block if isinstance(each, ast.If)] if isinstance(block, list) else []
+            leaving = (each for each in choices if isinstance(each.body[-1], (ast.Return, ast.Raise)))
+            self._branches[key] = next((each.test for each in leaving if ast.unparse(each.test) in tests), None)
+        return self._branches[key]
 
-def _branch(block: list[ast.AST], owner: str) -> ast.expr | None:
-    """The test of an ``if`` of a block that asks for the cancellation of a goal, and whose body leaves the block."""
-    for each in block:
-        if isinstance(each, ast.If) and ast.unparse(each.test) in (f"{owner}.{_ASKS}", f"{owner}.{_ASKS}()"):
-            if isinstance(each.body[-1], (ast.Return, ast.Raise)):
-                return each.test
-    return None
+    def _of_others(self, function: ast.AST | None) -> set[str]:
+        """The variables that a function gets from a call, which may have looked for the cancellation."""
+        if function not in self._known:
+            self._known[function] = set(self._called_for(function))
+        return self._known[function]
+
+    def _called_for(self, function: ast.AST | None) -> Iterator[str]:
+        for each in own(body_of(function)):
+            if isinstance(each, ast.Name) and isinstance(each.ctx, ast.Store):
+                statement = next(outer for outer, _ in self._syntax.above(each) if isinstance(outer, ast.stmt))
+                value = getattr(statement, "value", None) or statement
+                if any(isinstance(part, ast.Call) for part in ast.walk(value)):
+                    yield each.id
 
 
 def _is_plain(test: ast.expr, known: set[str]) -> bool:
@@ -75,13 +96,3 @@ def _is_plain(test: ast.expr, known: set[str]) -> bool:
     return not any(
         isinstance(each, ast.Call) or (isinstance(each, ast.Name) and each.id in known) for each in ast.walk(test)
     )
-
-
-def _of_others(syntax: Syntax, call: ast.Call) -> Iterator[str]:
-    """The variables that the function gets from a call, which may have looked for the cancellation."""
-    for each in own(body_of(syntax.function(call))):
-        if isinstance(each, ast.Name) and isinstance(each.ctx, ast.Store):
-            statement = next(outer for outer, _ in syntax.above(each) if isinstance(outer, ast.stmt))
-            value = getattr(statement, "value", None) or statement
-            if any(isinstance(part, ast.Call) for part in ast.walk(value)):
-                yield each.id

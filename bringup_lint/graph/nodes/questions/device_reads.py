@@ -46,7 +46,7 @@ def device_read(ending: Ending, call: ast.Call, cls: NodeClass) -> tuple[str, st
     if kind == _PROGRAM and (call.args or call.keywords):
         return None
     made = _made(ending.syntax, cls, function.value)
-    if not made or _LIMITS[kind].search(ending.file.source.text):
+    if not made or ending.file.source.matches(_LIMITS[kind]):
         return None
     if not all(_waits(ending, kind, each) for each in made):
         return None

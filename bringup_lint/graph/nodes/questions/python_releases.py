@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterator
+from functools import cache
 
 from bringup_lint.facts import table
 from bringup_lint.facts.ros import distros
@@ -48,14 +49,16 @@ def not_there(syntax: Syntax, python: tuple[int, int]) -> Iterator[NotThere]:
     """The imports and forms that a release of Python refuses, outside of tests of the release and of ``try``."""
     lazy = any(dotted == "__future__.annotations" for dotted in syntax.file.imports.values())
     names = _refused(python)
+    ends = frozenset(name.rpartition(".")[2] for name in names)
     for node in syntax.file.nodes:
-        found = next(_imports(node, names), None) or _attribute(syntax, node, names)
+        found = next(_imports(node, names), None) or _attribute(syntax, node, names, ends)
         if found is None and python < (3, 10):
             found = _form(node, python, lazy)
         if found is not None and not _is_guarded(syntax, found.node):
             yield found
 
 
+@cache
 def _refused(python: tuple[int, int]) -> dict[str, str]:
     """The names that a release does not have yet, or not any more, with the reason."""
     found = {}
@@ -88,9 +91,12 @@ def _imports(node: ast.AST, names: dict[str, str]) -> Iterator[NotThere]:
                 yield NotThere(node, f"{dotted} {names[dotted]}", "ImportError")
 
 
-def _attribute(syntax: Syntax, node: ast.AST, names: dict[str, str]) -> NotThere | None:
-    """``asyncio.timeout`` after ``import asyncio``, where nothing in the file sets it."""
+def _attribute(syntax: Syntax, node: ast.AST, names: dict[str, str], ends: frozenset[str]) -> NotThere | None:
+    """``asyncio.timeout`` after ``import asyncio``, where nothing in the file sets it. ``ends``: the last words of the
+    names, by which nearly all attributes are told apart."""
     if not isinstance(node, ast.Attribute) or not isinstance(node.ctx, ast.Load):
+        return None
+    if node.attr not in ends:
         return None
     dotted = syntax.file.qualified(node)
     if dotted not in names or node.attr in syntax.once(_set) or syntax.catches(node, _CAUGHT):

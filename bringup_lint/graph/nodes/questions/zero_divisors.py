@@ -46,8 +46,20 @@ def _is_guarded(syntax: Syntax, node: ast.BinOp, name: str) -> bool:
         return True
     if name in syntax.once(_set) or name.partition(".")[0] not in {"self", *(each.arg for each in function.args.args)}:
         return True
-    asked = (each for each in walk(function) if isinstance(each, _CONDITIONS))
-    return any(name in ast.unparse(each) for each in asked)
+    return name in syntax.once(_Conditions).of(function)
+
+
+class _Conditions:
+    """What the functions of one file ask for, each read once."""
+
+    def __init__(self, syntax: Syntax) -> None:
+        self._texts: dict[ast.AST, str] = {}
+
+    def of(self, function: ast.AST) -> str:
+        if function not in self._texts:
+            asked = (each for each in walk(function) if isinstance(each, _CONDITIONS))
+            self._texts[function] = "\n".join(map(ast.unparse, asked))
+        return self._texts[function]
 
 
 def _set(syntax: Syntax) -> frozenset[str]:
