@@ -20,6 +20,8 @@ from bringup_lint.type_names import cast
 Made = TypeVar("Made")
 
 _WORD = regex(r"[^ \t\n\r\f\v]+")
+_REMARKS = regex(r"(?m)^[ \t]*#[^\n]*")
+"""Lines of a comment."""
 
 
 class Position(NamedTuple):
@@ -106,6 +108,11 @@ class Source:
         if self._said is None:
             self._said = without_marks(self.text)
         return self._said
+
+    @property
+    def uncommented(self) -> str:
+        """The text without the lines that are comments of Python, shells and CMake; offsets do not stay."""
+        return self.once(_REMARKS, lambda: _REMARKS.sub("", self.text))
 
     @property
     def line_starts(self) -> list[int]:

@@ -53,11 +53,7 @@ from bringup_lint.api import rule
 def call_misfit(robot: Robot) -> Iterator[Finding]:
     for found in nodes.unfit_calls(robot.nodes):
         where = f"in {found.function}()" if found.function is not None else "when the file is loaded"
-        end = (
-            "what follows in its try block never runs"
-            if found.caught
-            else nodes.end_of(robot.nodes.syntax(found.file), found.call)
-        )
+        end = nodes.end_of(robot.nodes.syntax(found.file), found.call, caught=found.caught)
         started = found.function != "main" or robot.nodes.runs_main(found.file.source)
         idle = found.idle or not started or (found.function or "").startswith("test")
         taken = found.definition.args.args

@@ -57,11 +57,7 @@ def unbound_local(robot: Robot) -> Iterator[Finding]:
     for file in robot.nodes.programs:
         for found in nodes.unbound_locals(robot.nodes.syntax(file)):
             name, severity = found.name.id, "error"
-            end = (
-                "what follows in its try block never runs"
-                if found.caught
-                else nodes.end_of(robot.nodes.syntax(file), found.name)
-            )
+            end = nodes.end_of(robot.nodes.syntax(file), found.name, caught=found.caught)
             message = f"UnboundLocalError in {found.function}(): {name} is assigned there, thus local, and unset: {end}"
             advice = f"assign {name} before it is used"
             related = [note(file.span_of(found.bound_at), "makes it local to the function")]

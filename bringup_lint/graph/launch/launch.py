@@ -63,7 +63,6 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch.grammar import Refusal
 
 _REMARK = regex(r"#[^\n]*")
-_REMARK_LINE = regex(r"(?m)^[ \t]*#[^\n]*")
 _DIGIT = regex(r"\d")
 _VIEW = regex(r"(?:^|[/_.-])(?:display|view\w*|rviz\w*)(?:$|[/_.-])")
 """Paths of launch files that only show something."""
@@ -159,7 +158,8 @@ class Launch:
         return self.workspace.find(self.place(value))
 
     def find_or_miss(self, value: Value) -> Found | None:
-        """As ``find``, and that there is no file of this name, though the folders before it are not known."""
+        """As ``find``; where it cannot tell, because folders or the installation are not known, whether the tree has no
+        file of this name at all."""
         return self.find(value) or missing_everywhere(value, self.workspace)
 
     def locate(self, value: Value) -> LaunchFile | None:
@@ -551,9 +551,8 @@ class Launch:
     def dead_reads(self, file: LaunchFile, name: str) -> int:
         """How often a launch configuration is bound to a variable that is used nowhere, or only as the default of the
         argument itself."""
-        variables = [variable for read, variable in file.bound if read.name == name]
-        code = file.source.once(_REMARK_LINE, lambda: _REMARK_LINE.sub("", file.source.text)) if variables else ""
-        return sum(_uses(code, variable, name) == 1 for variable in variables)
+        variables = (variable for read, variable in file.bound if read.name == name)
+        return sum(_uses(file.source.uncommented, variable, name) == 1 for variable in variables)
 
     def is_unrun_test(self, source: Source) -> bool:
         """Whether a launch file is one for tests that the build of its package does not name."""

@@ -6,7 +6,6 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator
 from functools import cached_property
-from functools import partial
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.modules import modules
@@ -27,7 +26,6 @@ _MODULE = regex(r"[ \t\"']-[A-Za-z]{0,8}m[\"', \t]{1,8}(?P<module>\w[\w.]*)")
 _WORD = regex(r"\w+|(?<=[ \t])\.(?=[.\w \t])")
 _TEXT = regex(r"""(?<!executable=)(?<!name=)["']([\w.]{2,80})["']""")
 """What ``importlib`` and the like may be given."""
-_REMARKS = regex(r"(?m)^[ \t]*#[^\n]*")
 _DEFINES = regex(r"\bclass[ \t]+\w+")
 _CPP = (".cpp", ".cc", ".cxx")
 _GATHERS = regex(
@@ -138,4 +136,4 @@ class Unused:
 
     def _texts(self) -> Iterator[str]:
         for source in (*self._files.of_kind("python-node", "launch-python", "setup-py"), *modules(self._files)):
-            yield source.once(_REMARKS, partial(_REMARKS.sub, "", source.text))
+            yield source.uncommented

@@ -173,8 +173,7 @@ def _misfit(types: MessageTypes, owner: str | None, name: str, value: ast.expr) 
 
 
 def _end(types: MessageTypes, node: ast.AST) -> str:
-    is_caught = types.syntax.catches(node, _CAUGHT)
-    return "what follows in its try block never runs" if is_caught else end_of(types.syntax, node)
+    return end_of(types.syntax, node, caught=types.syntax.catches(node, _CAUGHT))
 
 
 def _arms(value: ast.expr) -> Iterator[ast.expr]:

@@ -15,6 +15,7 @@ from bringup_lint.model.node_source import Callback
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
 from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.parsers.python_node.values import argument
 from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
@@ -65,8 +66,7 @@ def _timeout(lookup: ast.Call) -> float:
     """The timeout of ``lookup_transform(target, source, time, timeout)`` and of ``transform(object, target, timeout)``,
     in seconds; 0 without one and when it is not written there as a number."""
     at = 2 if isinstance(lookup.func, ast.Attribute) and lookup.func.attr == "transform" else 3
-    given = next((each.value for each in lookup.keywords if each.arg == "timeout"), None)
-    value = given if given is not None else next(iter(lookup.args[at : at + 1]), None)
+    value = argument(lookup, at, "timeout")
     if not isinstance(value, ast.Call) or not ast.unparse(value.func).endswith("Duration"):
         return 0.0
     return sum(_number(each) for each in value.keywords)
@@ -79,6 +79,5 @@ def _number(part: ast.keyword) -> float:
 
 
 def _is_ahead(lookup: ast.Call) -> bool:
-    at = next((each.value for each in lookup.keywords if each.arg == "time"), None)
-    value = at if at is not None else next(iter(lookup.args[2:3]), None)
+    value = argument(lookup, 2, "time")
     return value is not None and _AHEAD.search(ast.unparse(value)) is not None

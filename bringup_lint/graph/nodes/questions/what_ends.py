@@ -19,10 +19,13 @@ SPINNING = "the thread that spins ends: no callback runs any more"
 CALLBACK = "the callback goes no further"
 """Of a MultiThreadedExecutor, which older releases do not let an exception out of."""
 CALLER = "what called it gets the exception"
+TRY_BLOCK = "what follows in its try block never runs"
 
 
-def end_of(syntax: Syntax, node: ast.AST) -> str:
-    """What ends where a node of the syntax raises, in words."""
+def end_of(syntax: Syntax, node: ast.AST, *, caught: bool = False) -> str:
+    """What ends where a node of the syntax raises, in words. ``caught``: a handler around it takes the exception."""
+    if caught:
+        return TRY_BLOCK
     function = syntax.function(node)
     threads = syntax.once(_Threads)
     if function is None or function in threads.of_main:
