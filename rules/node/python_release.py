@@ -60,8 +60,7 @@ def python_release(robot: Robot) -> Iterator[Finding]:
         first, *others = found
         yield finding(
             file.span_of(first.node),
-            f"{first.what}, and {distribution.capitalize()} {_has(first.what, python)}: "
-            f"{where}{_ends(robot, file, first)}",
+            f"{first.what}, and {distribution.capitalize()} {first.present}: {where}{_ends(robot, file, first)}",
             advice="use what both releases have, or a backport such as typing_extensions",
             related=[note(file.span_of(each.node), each.what) for each in others[:5]],
             severity=nodes.lowered(
@@ -74,10 +73,3 @@ def _ends(robot: Robot, file: NodeSource, found: NotThere) -> str:
     if found.late:
         return f"this raises {found.raises}, and {nodes.end_of(robot.nodes.syntax(file), found.node)}"
     return f"the node ends with {found.raises}"
-
-
-def _has(what: str, python: tuple[int, int]) -> str:
-    for package, release in (("NumPy", "1.26"), ("Pillow", "10.2")):
-        if package in what:
-            return f"has {package} {release}"
-    return f"runs on {python[0]}.{python[1]}"

@@ -17,24 +17,19 @@ _CAUGHT = frozenset({"AttributeError", "Exception", "BaseException"})
 _GENERIC = frozenset({"list", "dict", "set", "frozenset", "tuple", "type"})
 
 
-_PACKAGES = {
-    (3, 12): {
-        **dict.fromkeys(
-            (f"numpy.{name}" for name in ("bool", "int", "float", "complex", "object", "str")), "NumPy 1.24"
-        ),
-        **dict.fromkeys(("PIL.Image.ANTIALIAS", "PIL.Image.LINEAR", "PIL.Image.CUBIC"), "Pillow 10"),
-    }
-}
-"""A release of Python -> the names that packages of its Ubuntu do not have any more, and the release that took them:
-there are NumPy 1.26 and Pillow 10.2 for 3.12. Source: packages.ubuntu.com, the release notes of NumPy and Pillow."""
+class _Refusal(NamedTuple):
+    reason: str
+    present: str
 
 
 class NotThere(NamedTuple):
-    """``raises`` says what Python does with it."""
-
     node: ast.expr | ast.stmt
     what: str
+    """The name or form, and when it came or went."""
+    present: str
+    """What the robot has: ``runs on 3.10``, ``has NumPy 1.26``."""
     raises: str
+    """The exception that ends it."""
     late: bool = False
     """Only where the line runs, and not when the file is read."""
 
@@ -59,16 +54,17 @@ def not_there(syntax: Syntax, python: tuple[int, int]) -> Iterator[NotThere]:
 
 
 @cache
-def _refused(python: tuple[int, int]) -> dict[str, str]:
-    """The names that a release does not have yet, or not any more, with the reason."""
+def _refused(python: tuple[int, int]) -> dict[str, _Refusal]:
+    """The names that a release does not have yet, or not any more."""
+    runs = f"{python[0]}.{python[1]}"
     found = {}
     for row in table("ros/python_since"):
         if row["since"] and python < _release(row["since"]):
-            found[row["name"]] = f"came with Python {row['since']}"
+            found[row["name"]] = _Refusal(f"came with Python {row['since']}", f"runs on {runs}")
         elif row["removed"] and python >= _release(row["removed"]):
-            found[row["name"]] = f"is gone since Python {row['removed']}"
-    for release, gone in _PACKAGES.items():
-        found |= {name: f"is gone since {taken}" for name, taken in gone.items() if python >= release}
+            taken = row["by"] or f"Python {row['removed']}"
+            present = f"has {row['present']}" if row["present"] else f"runs on {runs}"
+            found[row["name"]] = _Refusal(f"is gone since {taken}", present)
     return found
 
 
@@ -77,21 +73,25 @@ def _release(text: str) -> tuple[int, int]:
     return int(major), int(minor)
 
 
-def _imports(node: ast.AST, names: dict[str, str]) -> Iterator[NotThere]:
+def _refusal(node: ast.expr | ast.stmt, name: str, refusal: _Refusal, raises: str, *, late: bool = False) -> NotThere:
+    return NotThere(node, f"{name} {refusal.reason}", refusal.present, raises, late)
+
+
+def _imports(node: ast.AST, names: dict[str, _Refusal]) -> Iterator[NotThere]:
     if isinstance(node, ast.Import):
         for alias in node.names:
             if alias.name in names:
-                yield NotThere(node, f"{alias.name} {names[alias.name]}", "ModuleNotFoundError")
+                yield _refusal(node, alias.name, names[alias.name], "ModuleNotFoundError")
     if isinstance(node, ast.ImportFrom) and node.level == 0:
         if node.module in names:
-            yield NotThere(node, f"{node.module} {names[node.module]}", "ModuleNotFoundError")
+            yield _refusal(node, node.module, names[node.module], "ModuleNotFoundError")
         for alias in node.names:
             dotted = f"{node.module}.{alias.name}"
             if dotted in names:
-                yield NotThere(node, f"{dotted} {names[dotted]}", "ImportError")
+                yield _refusal(node, dotted, names[dotted], "ImportError")
 
 
-def _attribute(syntax: Syntax, node: ast.AST, names: dict[str, str], ends: frozenset[str]) -> NotThere | None:
+def _attribute(syntax: Syntax, node: ast.AST, names: dict[str, _Refusal], ends: frozenset[str]) -> NotThere | None:
     """``asyncio.timeout`` after ``import asyncio``, where nothing in the file sets it. ``ends``: the last words of the
     names, by which nearly all attributes are told apart."""
     if not isinstance(node, ast.Attribute) or not isinstance(node.ctx, ast.Load):
@@ -101,7 +101,7 @@ def _attribute(syntax: Syntax, node: ast.AST, names: dict[str, str], ends: froze
     dotted = syntax.file.qualified(node)
     if dotted not in names or node.attr in syntax.once(_set) or syntax.catches(node, _CAUGHT):
         return None
-    return NotThere(node, f"{dotted} {names[dotted]}", "AttributeError", syntax.function(node) is not None)
+    return _refusal(node, dotted, names[dotted], "AttributeError", late=syntax.function(node) is not None)
 
 
 def _set(syntax: Syntax) -> frozenset[str]:
@@ -116,15 +116,16 @@ def _is_set(node: ast.Attribute) -> bool:
 
 
 def _form(node: ast.AST, python: tuple[int, int], lazy: bool) -> NotThere | None:
+    runs = f"runs on {python[0]}.{python[1]}"
     if isinstance(node, ast.Match):
-        return NotThere(node.subject, "match came with Python 3.10", "SyntaxError")
+        return NotThere(node.subject, "match came with Python 3.10", runs, "SyntaxError")
     annotations = _annotations(node) if not lazy else ()
     for annotation in annotations:
         for each in ast.walk(annotation):
             if isinstance(each, ast.BinOp) and isinstance(each.op, ast.BitOr):
-                return NotThere(each, "X | Y as a type came with Python 3.10", "TypeError")
+                return NotThere(each, "X | Y as a type came with Python 3.10", runs, "TypeError")
             if python < (3, 9) and isinstance(each, ast.Subscript) and _is_builtin(each.value):
-                return NotThere(each, "list[X] came with Python 3.9", "TypeError")
+                return NotThere(each, "list[X] came with Python 3.9", runs, "TypeError")
     return None
 
 
