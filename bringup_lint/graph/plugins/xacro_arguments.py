@@ -6,12 +6,12 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.launch.started import literal_text
-from bringup_lint.graph.plugins.xacro_includes import included
+from bringup_lint.graph.plugins.xacro_includes import USED
+from bringup_lint.graph.plugins.xacro_includes import description
 from bringup_lint.model.launch_values import Command
 from bringup_lint.model.launch_values import Concat
 from bringup_lint.model.launch_values import walk
 from bringup_lint.named_tuple import NamedTuple
-from bringup_lint.parsers.xml import parse
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
@@ -21,10 +21,6 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch.launch import Launch
 
 _GIVEN = regex(r"(?:^|(?<=\s))(\w+):=")
-_USED = regex(r"\$\(arg\s+(\w+)\s*\)")
-"""An argument of a description in a path or value."""
-_FILES = 60
-"""Descriptions that one includes."""
 _SENSOR = regex(r"\$\(find[ \t]+realsense2_description[ \t]*\)/urdf/_\w+\.urdf\.xacro\Z")
 _OF_SENSOR = ("add_plug", "use_nominal_extrinsics", "use_mesh")
 """The arguments that the macros of realsense2_description read (_d435.urdf.xacro and its likes)."""
@@ -78,33 +74,8 @@ def described_by(launch: Launch, tree: Tree, command: Concat) -> Source | None:
 
 def _declared(launch: Launch, tree: Tree, source: Source) -> set[str] | None:
     """The arguments of a description and of what it includes; None when something of it is not known."""
-    todo, seen = [source], {source.name}
-    defaults: dict[str, str] = {}
-    used: set[str] = set()
-    while todo:
-        each = todo.pop()
-        root = parse(each).root
-        if root is None or each.template or len(seen) > _FILES:
-            return None
-        used.update(_USED.findall(each.text))
-        for element in root.walk():
-            if element.name == "xacro:arg":
-                defaults.setdefault(str(element.get("name")), str(element.get("default") or ""))
-            elif element.name == "xacro:include":
-                filename = filled(str(element.get("filename") or ""), defaults)
-                found = included(launch.workspace, each, filename)
-                if found is None and _SENSOR.match(filename):
-                    used.update(_OF_SENSOR)
-                    continue
-                file = tree.read(found.file) if found is not None and found.file is not None else None
-                if file is None:
-                    return None
-                if file.name not in seen:
-                    seen.add(file.name)
-                    todo.append(file)
-    return {*defaults, *used}
-
-
-def filled(filename: str, defaults: dict[str, str]) -> str:
-    """The name of a file with the defaults of arguments: what other values choose declares the same arguments."""
-    return _USED.sub(lambda used: defaults.get(used[1], used[0]), filename)
+    whole = description(launch.workspace, tree, source, surely=False)
+    if not whole.complete or not all(_SENSOR.match(filename) for filename in whole.missing):
+        return None
+    used = {name for file, _ in whole.files for name in USED.findall(file.text)}
+    return {*whole.defaults, *used, *(_OF_SENSOR if whole.missing else ())}
