@@ -8,6 +8,8 @@ from bringup_lint.type_names import TYPE_CHECKING
 if TYPE_CHECKING:
     from bringup_lint.graph.commands.background import Job
     from bringup_lint.graph.commands.background import background_jobs
+    from bringup_lint.graph.commands.docker_options import Option
+    from bringup_lint.graph.commands.docker_options import run_options
     from bringup_lint.graph.commands.expected_failure import may_fail
     from bringup_lint.graph.commands.shells import SH_IS_BASH
     from bringup_lint.graph.commands.shells import SHELLS
@@ -41,6 +43,7 @@ __all__ = [
     "Block",
     "Command",
     "Job",
+    "Option",
     "Run",
     "Task",
     "Word",
@@ -52,6 +55,7 @@ __all__ = [
     "missing_names",
     "plays",
     "program_name",
+    "run_options",
     "sh_commands",
     "shell_blocks",
     "shell_commands",

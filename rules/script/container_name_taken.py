@@ -43,13 +43,12 @@ from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.shell import program_name
+from bringup_lint.api.shell import run_options
 from bringup_lint.api.shell import shell_commands
 from bringup_lint.api.shell import unwrapped
 from bringup_lint.api.systemd import Unit
 
 CLIENTS = ("docker", "podman", "nvidia-docker")
-SWITCHES = regex(r"-[dtiPq]+|--(?:detach|tty|interactive|privileged|init|publish-all|read-only|quiet|tls-verify)")
-"""Options of `docker run` without a value."""
 KNOWS = regex(
     r"\b(?:docker|podman)[ \t]+(?:(?:container|system)[ \t]+)?(?:rm|start|restart|prune|ps|inspect|ls)\b",
     hints="docker podman",
@@ -120,30 +119,17 @@ def _start(words: Sequence[Located], text: Callable[[Located], str], may_remove:
     """What `docker run` makes and keeps, where its name is known."""
     if len(words) < 2 or program_name(words[0]) not in CLIENTS or words[1] not in ("run", "create"):
         return None
-    options = list(_options(words[2:]))
-    if any(option in ("--rm", "--replace") or (option.startswith("$") and may_remove(option)) for option, _ in options):
+    given = {option.name: option.value for option in run_options(words[2:])}
+    name = given.get("--name")
+    if name is None or not NAME.fullmatch(text(name)) or any(_removes(option, may_remove) for option in given):
         return None
-    name = next((value for option, value in options if option == "--name"), None)
-    if name is None or not NAME.fullmatch(text(name)):
-        return None
-    restarts = any(option == "--restart" and value != "no" for option, value in options)
+    restarts = given.get("--restart", "no") != "no"
     return Start(words[1], name, text(name), restarts)
 
 
-def _options(words: Sequence[Located]) -> Iterator[tuple[str, Located]]:
-    """The options of `docker run` before the image, each with its value or itself."""
-    at = 0
-    while at < len(words) and words[at].startswith(("-", "$")):
-        word = words[at]
-        name, equals, _ = word.partition("=")
-        if equals:
-            yield name, word.part(len(name) + 1, len(word))
-        elif SWITCHES.fullmatch(word) or (not word.startswith("--") and len(word) > 2):
-            yield str(word), word
-        elif at + 1 < len(words):
-            yield name, words[at + 1]
-            at += 1
-        at += 1
+def _removes(option: str, may_remove: Callable[[str], bool]) -> bool:
+    """Whether an option removes the container, at its end or before the next one."""
+    return option in ("--rm", "--replace") or (option.startswith("$") and may_remove(option))
 
 
 def _may_remove(source: Source, option: str) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from bringup_lint.graph.commands.command_line import Step
+from bringup_lint.graph.commands.docker_options import run_options
 from bringup_lint.graph.commands.wrappers import program_name
 from bringup_lint.graph.commands.wrappers import unwrapped
 from bringup_lint.graph.systemd.process import Process
@@ -75,7 +76,7 @@ def _commands(process: Process, verbs: frozenset[str]) -> Iterator[DockerStart]:
         if rest and rest[0] in ("container", "image", "stack"):
             rest = rest[1:]
         if rest and rest[0] in verbs and not _is_remote(words):
-            yield DockerStart(process, step, rest[0], compose, _own_options(rest[1:], compose))
+            yield DockerStart(process, step, rest[0], compose, _own_options(rest[0], rest[1:], compose))
 
 
 def _after_options(words: tuple[Located, ...], valued: frozenset[str]) -> tuple[Located, ...]:
@@ -85,13 +86,11 @@ def _after_options(words: tuple[Located, ...], valued: frozenset[str]) -> tuple[
     return words[at:]
 
 
-def _own_options(words: tuple[Located, ...], compose: bool) -> tuple[Located, ...]:
-    """The options of the command itself: for ``docker run`` those before the image are not told from their values, so
-    that options of the program in the container may be among them."""
-    if compose:
+def _own_options(verb: Located, words: tuple[Located, ...], compose: bool) -> tuple[Located, ...]:
+    """The options of the command itself, without those of the program in the container."""
+    if compose or verb != "run":
         return words
-    cut = next((at for at, word in enumerate(words) if word in ("ros2", "bash", "sh", "/bin/bash", "-c")), len(words))
-    return words[:cut]
+    return tuple(word for option in run_options(words) for word in option.words)
 
 
 def _is_remote(words: tuple[Located, ...]) -> bool:
