@@ -44,8 +44,21 @@ _VENDOR = regex(
 )
 """Folders that keep the packages of others."""
 _CHANGE_LOGS = ("CHANGELOG.rst", "CHANGELOG.md")
+_MAKES = regex(
+    r"^[ \t]*(?:configure_file|add_custom_(?:command|target)|execute_process|xacro_add_\w{1,20}"
+    r"|file[ \t]*\(\s*"
+    r"(?:WRITE|APPEND|TOUCH|GENERATE|CONFIGURE|DOWNLOAD|COPY|COPY_FILE|RENAME|CREATE_LINK|ARCHIVE_EXTRACT))\b"
+    r"|BINARY_DIR\b",
+    re.M | re.I,
+)
+"""Commands of CMake that make files, and the folder that these are in."""
 
 _WILDCARD = regex(r"[*?\[]")
+
+
+def makes_files(build: Source) -> bool:
+    """Whether a build description has commands that make files."""
+    return _MAKES.search(build.text) is not None
 
 
 class Place(NamedTuple):
@@ -138,6 +151,11 @@ class Package:
             if program in build.built:
                 return Made(build.built[program], build.elsewhere.get(program), build.programs_at)
         return None
+
+    @cached_property
+    def makes_files(self) -> bool:
+        """Whether the build may make files that are not in the tree."""
+        return any(makes_files(build.source) for build in self.builds)
 
     @cached_property
     def _scripts_misplaced(self) -> bool:

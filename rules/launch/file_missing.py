@@ -63,8 +63,6 @@ _ASKED = regex(
 """What is before a path: a question whether it exists, or the variable that it is given to."""
 _BEFORE = 160
 """Code points before a path."""
-_MAKES = regex(r"add_custom_(?:command|target)|BINARY_DIR|execute_process")
-"""A build makes files."""
 
 
 @rule("warning", symptoms=["No such file or directory: '*/share/*'", "Failed to load map yaml file"])
@@ -76,8 +74,7 @@ def file_missing(robot: Robot) -> Iterator[Finding]:
     for reference, package in missing:
         if _is_written_by_node(robot, reference, writers):
             continue
-        made = any(_MAKES.search(build.source.text) for build in package.builds)
-        if reference.span in told or made or _is_ignored(robot, reference, package):
+        if reference.span in told or package.makes_files or _is_ignored(robot, reference, package):
             continue
         if _is_read(reference):
             places.setdefault(f"{package.name}/{reference.name}", []).append((reference, package))

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.discover.tree import is_below
+from bringup_lint.graph.workspace import makes_files
 from bringup_lint.model.package import Install
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
@@ -25,13 +26,6 @@ _LARGE = regex(
     re.I,
 )
 """What is kept apart from the sources of many repositories."""
-_MAKES = regex(
-    r"^[ \t]*(?:configure_file|add_custom_command|execute_process|xacro_add_files"
-    r"|file[ \t]*\(\s*"
-    r"(?:WRITE|APPEND|TOUCH|GENERATE|CONFIGURE|DOWNLOAD|COPY|COPY_FILE|RENAME|CREATE_LINK|ARCHIVE_EXTRACT))\b",
-    re.M | re.I,
-)
-"""Commands of CMake that make files."""
 
 
 def missing_files(files: Files, package: Package) -> list[Install]:
@@ -53,7 +47,7 @@ def _absent(files: Files, package: Package) -> Iterator[Install]:
 
 def _may_be_made(build: Source, install: Install) -> bool:
     """Whether a name is computed, in a build whose commands may compute the same name to make the file."""
-    return "$" in os.path.basename(install.where.text) and _MAKES.search(build.text) is not None
+    return "$" in os.path.basename(install.where.text) and makes_files(build)
 
 
 def _holds_sources(tree: Tree, folder: str) -> bool:

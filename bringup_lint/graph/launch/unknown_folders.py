@@ -16,8 +16,6 @@ if TYPE_CHECKING:
     from bringup_lint.graph.workspace import Workspace
 
 _FILE = regex(r"[\w-]+(?:\.[\w-]+)+")
-_MAKES = regex(r"add_custom_(?:command|target)|BINARY_DIR|execute_process|xacro_add|configure_file")
-"""A build makes files."""
 
 
 def last_name(value: Value) -> str:
@@ -38,5 +36,4 @@ def missing_everywhere(value: Value, workspace: Workspace) -> Found | None:
     package = workspace.packages.get(where.package) if where is not None and where.base == "share" else None
     if package is None or not package.complete or next(workspace.tree.named(name), None) is not None:
         return None
-    is_made = any(_MAKES.search(build.source.text) for build in package.builds)
-    return None if is_made else Found(None, None, package)
+    return None if package.makes_files else Found(None, None, package)
