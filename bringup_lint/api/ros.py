@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from bringup_lint.facts.ros.distros import distro_end
     from bringup_lint.facts.ros.distros import distros_since
     from bringup_lint.facts.ros.needed import instead_of
+    from bringup_lint.facts.ros.needed import is_debian_package
     from bringup_lint.facts.ros.simulation import is_simulation
     from bringup_lint.facts.ros.variables import variables
     from bringup_lint.graph.dependencies.interfaces import Ungenerated
@@ -44,6 +45,7 @@ __all__ = [
     "domain_id",
     "highest_port",
     "instead_of",
+    "is_debian_package",
     "is_simulation",
     "json5",
     "ros_arguments",

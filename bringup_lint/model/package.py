@@ -27,6 +27,8 @@ class Manifest:
     """Of the manifest: the first one has ``run_depend`` and no ``exec_depend``."""
     exported_type: Located | None = None
     """The build type as it is exported, in any condition."""
+    export: Span | None = None
+    """The start tag of ``<export>``."""
     for_both: bool = False
     """Conditions on ROS_VERSION make it a package of ROS 1 as well."""
     problems: list[Problem] = field(default_factory=list)

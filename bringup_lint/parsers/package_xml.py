@@ -37,6 +37,7 @@ def parse(source: Source) -> Manifest:
             if tag == "buildtool_depend":
                 tools.add(str(element.text))
         elif tag == "export":
+            manifest.export = element.tag
             for exported in element.find_all("build_type"):
                 manifest.for_both |= bool(_ROS_1.search(exported.get("condition") or ""))
                 manifest.build_type = str(exported.text)

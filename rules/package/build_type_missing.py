@@ -50,9 +50,9 @@ def build_type_missing(robot: Robot) -> Iterator[Finding]:
             built = robot.tree.exists(os.path.join(package.folder, "CMakeLists.txt"))
             end = "ros2 run and launch files do not find it" if built else "the build fails"
             yield finding(
-                package.place,
+                package.manifest.export or package.place,
                 f"{package.name} exports no build type: colcon takes it for a package of catkin, and {end}",
-                advice=f"add <export><build_type>{'ament_cmake' if built else 'ament_python'}</build_type></export>",
+                advice=f"add <build_type>{'ament_cmake' if built else 'ament_python'}</build_type> in <export>",
             )
 
 

@@ -2,14 +2,15 @@
 
 ## What it finds
 Dependencies of packages of ROS 2 that are neither rosdep keys nor packages: `ament_python`, which is a build type only,
-names of pip such as `pyserial`, keys of Python 2 such as `python-serial`, packages of ROS 1, and names that are one
-letter away from a common package (`geometry_msg`). It is info when a script, an image or the documentation of the
-tree runs `rosdep install` so that it goes on (`-r`), or names it in `--skip-keys`, and when the tree names rosdep in
-other words only.
+names of pip such as `pyserial`, keys of Python 2 such as `python-serial`, Debian packages of ROS
+(`ros-humble-cv-bridge`), packages of ROS 1, and names that are one letter away from a common package (`geometry_msg`).
+It is info when a script, an image or the documentation of the tree runs `rosdep install` so that it goes on (`-r`), and
+nothing is meant, or something else installs it; when the tree names it in `--skip-keys`; and when the tree names
+rosdep in other words only. A Debian package of ROS is a warning wherever nothing skips it.
 
 ## Why it matters on a robot
 `rosdep install` ends with "Cannot locate rosdep definition for [ament_python]" and installs nothing at all: the robot
-lacks the dependencies of all packages.
+lacks the dependencies of all packages. With `-r` it installs the others, and the robot lacks this one.
 
 ## Bad
 ```xml
@@ -43,6 +44,7 @@ from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.ros import instead_of
+from bringup_lint.api.ros import is_debian_package
 
 
 @rule(
@@ -59,13 +61,28 @@ def rosdep_key_unknown(robot: Robot) -> Iterator[Finding]:
         places.setdefault(str(place), []).append(place)
     for name, found in places.items():
         instead = instead_of(name)
+        message, severity = _effect(robot, name, instead)
         yield finding(
             found[0],
-            f'rosdep install stops with "Cannot locate rosdep definition for [{name}]": no dependency is installed',
+            message,
             advice=f"write {instead}" if instead else "remove the line",
             related=[note(each, f"{name} is here too") for each in found[1:]],
             fix=fix(f"write {instead}", *((each, instead) for each in found))
             if instead and not any(f">{instead}<" in each.span.source.text for each in found)
             else None,
-            severity=None if robot.dependencies.stops_rosdep(name) else "info",
+            severity=severity,
         )
+
+
+def _effect(robot: Robot, name: str, instead: str | None) -> tuple[str, str | None]:
+    """What rosdep does, and how severe it is."""
+    error = f'"Cannot locate rosdep definition for [{name}]"'
+    stops = robot.dependencies.stops_rosdep(name)
+    if stops or not robot.dependencies.uses_rosdep:
+        return f"rosdep install stops with {error}: no dependency is installed", None if stops else "info"
+    goes_on = f"rosdep install says {error} and goes on"
+    if instead and robot.dependencies.rosdep_goes_on_without(name, instead):
+        return f"{goes_on}: {instead} is not installed", None
+    if is_debian_package(name) and not robot.dependencies.skips(name):
+        return f"{goes_on} without it: it is the name of a Debian package, and of no key", None
+    return f"{goes_on}, and stops without -r", "info"

@@ -7,10 +7,14 @@ from functools import cache
 
 from bringup_lint.facts import rows
 from bringup_lint.facts import table
+from bringup_lint.facts.ros import distros
 from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.pattern import regex
 from bringup_lint.spelling import edits
 from bringup_lint.spelling import numbered
 
+_DEBIAN = regex(rf"^ros-(?:{'|'.join(distros.every())})-[a-z0-9-]+$")
+"""The Debian package of a package of ROS, which is no rosdep key."""
 _MESSAGES = ("_msgs", "_interfaces")
 
 
@@ -67,6 +71,13 @@ def needed(use: str, name: str) -> Needed | None:
 
 
 @cache
+def of_key(key: str) -> Needed:
+    """What is known of what a package.xml declares so."""
+    found = (each for each in _by_name().values() if each.declared == key)
+    return next(found, Needed(True, key, key, ()))
+
+
+@cache
 def base() -> frozenset[str]:
     """The packages of ros-base."""
     return frozenset(row[0] for row in rows("ros/base")[1])
@@ -80,11 +91,18 @@ _WORD = 6
 """Letters from which on a word that is one letter away is the same one."""
 
 
+def is_debian_package(name: str) -> bool:
+    """Whether a name is one of a package of ROS for apt."""
+    return _DEBIAN.match(name) is not None
+
+
 @cache
 def instead_of(name: str) -> str | None:
     """What to write instead of a name that rosdep cannot resolve, empty for nothing; None when it may be known."""
     if name in not_rosdep():
         return not_rosdep()[name]
+    if is_debian_package(name):
+        return name.split("-", 2)[2].replace("-", "_")
     known = {*base(), *(each for use, each in _by_name() if use == "package")}
     if name in known or name in _OTHERS or len(name) < _LONG:
         return None

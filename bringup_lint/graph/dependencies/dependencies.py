@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from bringup_lint.facts.ros.needed import base
 from bringup_lint.facts.ros.needed import instead_of
 from bringup_lint.facts.ros.needed import not_rosdep
+from bringup_lint.facts.ros.needed import of_key
 from bringup_lint.graph.dependencies.apart import Apart
 from bringup_lint.graph.dependencies.installers import ROSDEP
 from bringup_lint.graph.dependencies.installers import Installers
@@ -294,6 +295,21 @@ class Dependencies:
             return not self._installers.mentions_rosdep
         commands = [command for command in self._rosdep_commands if "--from-path" in command]
         return bool(commands) and not any(_GOES_ON.search(command) or name in command for command in commands)
+
+    def skips(self, name: str) -> bool:
+        """Whether a command of the tree tells rosdep to leave out a name."""
+        return any(name in command for command in self._rosdep_commands)
+
+    def rosdep_goes_on_without(self, name: str, instead: str) -> bool:
+        """Whether the commands of the tree go on when a name cannot be resolved, and nothing else declares or installs
+        what the name stands for."""
+        if not self._rosdep_commands or self.skips(name):
+            return False
+        meant = of_key(instead)
+        is_there = instead in base() or instead.removeprefix("python3-") in _COMMON
+        brings = is_there or any(map(meant.comes_with, self._declared - {name}))
+        also = name.replace("-", "_")
+        return not brings and not self._provided.brings(meant._replace(also=(*meant.also, also)))
 
     def unresolved(self) -> Iterator[Located]:
         """The dependencies of packages of ROS 2 that rosdep does not know, and that the tree does not have."""
