@@ -38,7 +38,7 @@ _MOST_NAMES = 50_000
 _MOST_TEXT = 32 << 20
 """Code points that are kept of files which nothing claims, and of those that something does."""
 _SUBMODULE = regex(r"^[^\S\n]*path[^\S\n]*=[^\S\n]*(\S+)", re.M)
-_ANY_ENCODING = frozenset({"cpp-node"})
+_ANY_ENCODING = frozenset({"cpp-driver", "cpp-node"})
 """Kinds that compilers read in whatever encoding their comments have."""
 _AFTER_SLASH = chr(ord("/") + 1)
 _PROGRAMS = frozenset({"", "shell-script"})

@@ -40,6 +40,7 @@ _COLCON_FOLDER = regex(r"(?:build|install|log)(?:[._-].*)?")
 _OF_PACKAGES = frozenset(
     {
         "cmake",
+        "cpp-driver",
         "cpp-node",
         "launch-python",
         "launch-ros1",

@@ -34,6 +34,7 @@ XML_KINDS = frozenset(
 )
 _NO_COMMENTS = frozenset({"sros2-certificate", "sros2-key", "ssh-private-key"})
 PYTHON_KINDS = frozenset({"launch-python", "python-node", "setup-py"})
+CPP_KINDS = frozenset({"cpp-driver", "cpp-node"})
 SHELL_KINDS = frozenset({"dockerfile", "shell-script"})
 
 
@@ -43,11 +44,11 @@ def form_of(source: Source) -> Form | None:
         return None
     if source.kind in XML_KINDS:
         return XML
-    return _CPP if source.kind == "cpp-node" else HASH
+    return _CPP if source.kind in CPP_KINDS else HASH
 
 
 def starts_of(source: Source) -> tuple[str, ...]:
     """What a line that is only a comment begins with."""
     if source.kind in XML_KINDS:
         return ("<!--",)
-    return ("//",) if source.kind == "cpp-node" else ("#", ";", "//")
+    return ("//",) if source.kind in CPP_KINDS else ("#", ";", "//")

@@ -16,6 +16,7 @@ from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.yaml_kinds import YAML_KINDS
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
+from bringup_lint.suppress.forms import CPP_KINDS
 from bringup_lint.suppress.forms import PYTHON_KINDS
 from bringup_lint.suppress.forms import SHELL_KINDS
 from bringup_lint.suppress.forms import XML_KINDS
@@ -82,7 +83,7 @@ def _of_format(source: Source) -> Lines:
         return _python(source.text)
     if source.kind == "env-file":
         return _of_offsets(source, _environment(source))
-    if source.kind == "cpp-node":
+    if source.kind in CPP_KINDS:
         return _of_offsets(source, _cpp(source.text))
     if source.kind == "cmake":
         return _of_offsets(source, _cmake(source.text))

@@ -1,4 +1,4 @@
-"""C++ sources of ROS 2 nodes: files that include or use rclcpp, or rclc on a microcontroller."""
+"""C++ sources of ROS 2 nodes, with rclcpp or with rclc on a microcontroller, and of the drivers beside them."""
 
 from __future__ import annotations
 
@@ -16,4 +16,12 @@ def _is_node(path: str, head: Head) -> bool:
     return "rclc/" in text or (path.endswith(SUFFIXES) and "rclcpp" in text)
 
 
-KINDS = (Kind("cpp-node", _is_node),)
+_DEVICES = ("linux/can", "SIOCGIFINDEX", "termios.h")
+"""Headers and calls by which Linux programs open a CAN bus or a serial port."""
+
+
+def _is_driver(path: str, head: Head) -> bool:
+    return path.endswith(SUFFIXES) and not _is_node(path, head) and any(word in head() for word in _DEVICES)
+
+
+KINDS = (Kind("cpp-node", _is_node), Kind("cpp-driver", _is_driver))

@@ -43,6 +43,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.runners.runner import Runner
     from bringup_lint.graph.runners.runners import Runners
     from bringup_lint.graph.workspace import Package
+    from bringup_lint.model.cpp_driver import CppDriver
     from bringup_lint.model.cpp_source import CppNode
     from bringup_lint.model.launch import Action
     from bringup_lint.model.launch import LaunchFile
@@ -149,6 +150,16 @@ class Nodes:
         sources = (each for each in self.files.of_kind("cpp-node") if each.judged and not each.template)
         programs = [each for each in sources if self.purpose(each) not in _UNJUDGED]
         return self.files.parsed(parse_cpp, programs)
+
+    @cached_property
+    def drivers(self) -> list[CppDriver]:
+        """The judged C++ sources, of nodes or not, but tests: what they do with the answers of devices."""
+        sources = [each for each in self.files.of_kind("cpp-node", "cpp-driver") if each.judged and not each.template]
+        if not sources:
+            return []
+        from bringup_lint.parsers.cpp_driver import parse as parse_driver
+
+        return self.files.parsed(parse_driver, (each for each in sources if self.purpose(each) not in _UNJUDGED))
 
     def named_alike(self, source: Source) -> list[Source]:
         """The C++ sources of the package of one that have its name up to the first dot, as its header has."""

@@ -32,6 +32,8 @@ from bringup_lint.parsers.cpp_node.parameters import reads
 from bringup_lint.parsers.cpp_node.parameters import texts_as_bool
 from bringup_lint.parsers.cpp_node.swallowed import swallowed
 from bringup_lint.parsers.cpp_node.syntax import Code
+from bringup_lint.parsers.cpp_node.text_limits import TEXT
+from bringup_lint.parsers.cpp_node.text_limits import too_much
 from bringup_lint.parsers.cpp_node.threads import threads
 from bringup_lint.parsers.cpp_node.time_sources import time_members
 from bringup_lint.parsers.cpp_node.time_sources import time_uses
@@ -41,13 +43,8 @@ from bringup_lint.parsers.cpp_node.values import Names
 from bringup_lint.parsers.cpp_node.waits import waits
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
-from bringup_lint.source import Problem
 from bringup_lint.source import Source
 
-TEXT = 400_000
-"""Code points of a node source."""
-NESTED = 1_000
-"""Brackets that are open at one place, comments and texts included: with more, recovery from errors takes too long."""
 CALLBACKS = 200
 """Callbacks of one file that are looked into."""
 _OF_NODES = regex(
@@ -59,7 +56,6 @@ _OF_NODES = regex(
 )
 _ROLES = {"subscription", "timer"}
 """The callbacks of a node that may go on with what it got before."""
-_BRACKET = regex(r"[()\[\]{}]")
 _EXECUTORS = regex(
     r"MultiThreadedExecutor|EventsExecutor|create_callback_group|component_container_(?:mt|isolated)",
     hints="MultiThreadedExecutor EventsExecutor create_callback_group component_container_",
@@ -71,13 +67,11 @@ _DEVICE = regex(r"/dev/[A-Za-z][\w.+-]*(?:/[\w.:+-]+)*\Z")
 def parse(source: Source) -> CppNode:
     """What a file makes, declares and waits for. Never raises; ``problems``: ``too-large``, ``too-deep``."""
     node = CppNode(source)
-    if len(source.text) > TEXT:
-        node.problems.append(Problem("too-large", source.whole))
+    if len(source.text) <= TEXT and not _OF_NODES.search(source.text):
         return node
-    if not _OF_NODES.search(source.text):
-        return node
-    if _open_brackets(source.text) > NESTED:
-        node.problems.append(Problem("too-deep", source.whole))
+    problem = too_much(source)
+    if problem is not None:
+        node.problems.append(problem)
         return node
     code = Code(source)
     node.classes = node_classes(code)
@@ -115,15 +109,6 @@ def parse(source: Source) -> CppNode:
     node.making_loops = list(dict.fromkeys(making_loops(code)))
     node.deaf_loops = list(dict.fromkeys(deaf_loops(code)))
     return node
-
-
-def _open_brackets(text: str) -> int:
-    """The most brackets that are open at one place, of whatever kind."""
-    most = level = 0
-    for found in _BRACKET.finditer(text):
-        level = level + 1 if found[0] in "([{" else max(0, level - 1)
-        most = max(most, level)
-    return most
 
 
 def _read_calls(node: CppNode, code: Code, names: Names) -> None:
