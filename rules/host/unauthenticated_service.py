@@ -12,8 +12,9 @@ Services of the robot itself that listen on all addresses and ask for no passwor
   `cmd_vel`; information in others. A mosquitto broker with `allow_anonymous true`, and a ser2net `accepter: tcp,PORT`
   without an address. A compose service with the image of a database (`mongo`, `redis`, `influxdb:1`; `postgres`,
   `mysql` and `elasticsearch` where a variable takes the password away), of Node-RED or of mosquitto 1 that is on the
-  host network or publishes its port, and sets no password. A web server (Flask, uvicorn, websockets, `http.server`)
-  on all addresses in a node that publishes velocities and has no login.
+  host network or publishes its port, and sets no password. A server (Flask, uvicorn, websockets, aiohttp, NiceGUI,
+  `http.server`, a socket and others) on all addresses in a node that publishes velocities, goals or other commands, and
+  has no login. The address may be the default of a parameter, an option or a variable that nothing in the tree sets.
 
 Not reported: a service on the loopback address, with a password, with limits of its own (`topics_glob`,
 `capabilities` without `clientPublish`, `acl_file`), with parameters that are not known, and services for simulation,
@@ -92,8 +93,11 @@ TEXTS = {
 )
 def unauthenticated_service(robot: Robot) -> Iterator[Finding]:
     services: dict[tuple[str, str], list[Span]] = {}
+    defaults: dict[Span, Span] = {}
     for each in robot.open_services:
         services.setdefault((each.kind, each.name), []).append(each.where)
+        if each.default is not None:
+            defaults[each.where] = each.default
     for (kind, name), (first, *others) in services.items():
         does, advice = TEXTS[kind]
         motion = kind == "bridge" and robot.mentions(DRIVES)
@@ -101,7 +105,10 @@ def unauthenticated_service(robot: Robot) -> Iterator[Finding]:
             first,
             f"{name} asks for no password and {does}" + (", /cmd_vel included" if motion else ""),
             advice=advice,
-            related=[note(each, "and here") for each in others],
+            related=[
+                *(note(defaults[each], "the default of its address") for each in (first, *others) if each in defaults),
+                *(note(each, "and here") for each in others),
+            ],
             severity=_severity(kind, motion),
             confidence="medium" if kind in WARNED or kind == "bridge" else None,
         )

@@ -49,6 +49,8 @@ class OpenService(NamedTuple):
     ``serial``, ``web`` or ``debugger``."""
     name: str
     where: Span
+    default: Span | None = None
+    """Where a setting of the program has the address as its default."""
 
 
 def open_services(files: Files, runners: Runners, launch: Callable[[], Launch]) -> Iterator[OpenService]:

@@ -77,3 +77,27 @@ def is_motor_command(endpoint: Endpoint) -> bool:
     if _OTHER.search(kind) or is_aimed(endpoint) or _REPORT.search(str(endpoint.name or "")):
         return False
     return bool(_OF_MOTORS.search(kind))
+
+
+_CONTROLS = regex(
+    r"(?:^unitree_(?:go|api|hg)/msg/(?:WirelessController|Request|LowCmd)|/(?:JointTrajectory|ServoCtrlMsg|OverrideRCIn"
+    r"|ManualControl(?:Setpoint)?|ManualControlInput|PositionTarget|AttitudeTarget|TrajectorySetpoint|VehicleCommand"
+    r"|SpeedCommand|MotorCommand|\w{0,30}MotorCmd|DriveCmd))\Z"
+)
+_GOALS = regex(r"/(?:Navigate(?:ToPose|ThroughPoses)|FollowWaypoints|FollowJointTrajectory|MoveGroup|DriveOnHeading)\Z")
+_COMMAND_TOPIC = regex(r"[\"'/}](?:cmd|commands?|cmd_vel|goal_pose)[\"'/]")
+
+_TWIST = regex(r"\bTwist(?:Stamped)?\b")
+
+
+def is_commanding(endpoint: Endpoint) -> bool:
+    """Whether a node tells the robot by it what to do: by velocities, by the messages of a remote control or an
+    autopilot, by goals, or on a topic for commands."""
+    if endpoint.role == "action-client":
+        return _GOALS.search(endpoint.type or "") is not None
+    if endpoint.role != "publisher" or is_aimed(endpoint):
+        return False
+    if moves(endpoint) or _CONTROLS.search(endpoint.type or ""):
+        return True
+    written = "" if endpoint.implied else endpoint.span.text
+    return bool(_COMMAND_TOPIC.search(written)) or (endpoint.name is None and bool(_TWIST.search(written)))
