@@ -107,6 +107,15 @@ class EarlyPointer(NamedTuple):
     """The call of the constructor that leads there; None when it asks itself."""
 
 
+class LateJoin(NamedTuple):
+    """A thread of a node that only callbacks join, so that nothing does after the executor has ended."""
+
+    thread: str
+    joins: tuple[Span, ...]
+    callback: str
+    """In a sentence: ``on_start()``, ``a lambda``."""
+
+
 class MakingLoop(NamedTuple):
     """A loop that keeps the constructor of a node from returning as long as rclcpp runs."""
 
@@ -225,6 +234,7 @@ class CppNode:
     """Literal paths below ``/dev`` that a call opens."""
     threads: list[Located] = field(default_factory=list)
     """Variables and members to which it gives a thread, each where it does."""
+    late_joins: list[LateJoin] = field(default_factory=list)
     deaf_loops: list[DeafLoop] = field(default_factory=list)
     unstamped: list[Unstamped] = field(default_factory=list)
     swallowed: list[Swallowed] = field(default_factory=list)

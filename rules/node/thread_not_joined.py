@@ -2,9 +2,9 @@
 
 ## What it finds
 In C++ sources of nodes, a `std::thread` that is started, and that no source of its package joins, detaches or moves
-elsewhere. In Python, a thread of a node that is not a daemon and whose `while True` nothing leaves, asks nobody whether
-it goes on, and calls nothing that raises after the shutdown, such as `publish()`; and one that spins beside the window
-of a program which calls `rclpy.shutdown()` nowhere.
+elsewhere, or that only callbacks join, as before they start the next one. In Python, a thread of a node that is not a
+daemon and whose `while True` nothing leaves, asks nobody whether it goes on, and calls nothing that raises after the
+shutdown, such as `publish()`; and one that spins beside the window of a program which calls `rclpy.shutdown()` nowhere.
 
 ## Why it matters on a robot
 The destructor of a thread that is still joinable calls `std::terminate`: each shutdown ends with SIGABRT and a core
@@ -68,14 +68,20 @@ def thread_not_joined(robot: Robot) -> Iterator[Finding]:
 
 def _in_cpp(robot: Robot) -> Iterator[Finding]:
     for source in robot.nodes.cpp:
+        vendored = robot.launch.workspace.is_vendored(source.source)
+        severity = "info" if vendored else nodes.lowered(robot.nodes.purpose(source.source), "warning")
         for thread in source.threads:
-            if robot.nodes.ends_thread(source.source, str(thread)):
+            late = robot.nodes.late_join(source, str(thread))
+            if late is None and robot.nodes.ends_thread(source.source, str(thread)):
                 continue
-            vendored = robot.launch.workspace.is_vendored(source.source)
+            by, when = "Nothing", "when it is destroyed, at each shutdown"
+            if late is not None:
+                by, when = f"Only {late.callback}", "at shutdown, once it was started"
             yield finding(
                 thread,
-                f"Nothing joins the thread '{thread}': the program aborts when it is destroyed, at each shutdown",
+                f"{by} joins the thread '{thread}': the program aborts {when}",
                 advice=f"end its loop and call {thread}.join() in the destructor",
-                severity="info" if vendored else nodes.lowered(robot.nodes.purpose(source.source), "warning"),
+                related=[note(late.joins[0], "no callback runs any more at the shutdown")] if late is not None else [],
+                severity=severity,
                 confidence="medium",
             )

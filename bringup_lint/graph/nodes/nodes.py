@@ -17,6 +17,7 @@ from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.memo import memo
 from bringup_lint.graph.nodes.questions.threads import ends_thread
+from bringup_lint.graph.nodes.questions.threads import is_joined_elsewhere
 from bringup_lint.graph.nodes.resolved.programs import Program
 from bringup_lint.graph.nodes.resolved.programs import made
 from bringup_lint.graph.nodes.resolved.programs import program_of
@@ -45,6 +46,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.workspace import Package
     from bringup_lint.model.cpp_driver import CppDriver
     from bringup_lint.model.cpp_source import CppNode
+    from bringup_lint.model.cpp_source import LateJoin
     from bringup_lint.model.launch import Action
     from bringup_lint.model.launch import LaunchFile
 
@@ -178,6 +180,13 @@ class Nodes:
     def ends_thread(self, source: Source, name: str) -> bool:
         """Whether the package of a C++ source joins or detaches a thread."""
         return ends_thread(self.files, self.launch.workspace.owner(source), source, name)
+
+    def late_join(self, source: CppNode, name: str) -> LateJoin | None:
+        """The joins of a thread in callbacks, where nothing else of the package ends it."""
+        found = next((each for each in source.late_joins if each.thread == name), None)
+        owner = self.launch.workspace.owner(source.source)
+        is_else = found is not None and is_joined_elsewhere(self.files, owner, source.source, found)
+        return None if is_else else found
 
     @property
     def classes(self) -> Iterator[NodeClass]:

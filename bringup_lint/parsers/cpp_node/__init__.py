@@ -34,6 +34,7 @@ from bringup_lint.parsers.cpp_node.swallowed import swallowed
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.parsers.cpp_node.text_limits import TEXT
 from bringup_lint.parsers.cpp_node.text_limits import too_much
+from bringup_lint.parsers.cpp_node.threads import late_joins
 from bringup_lint.parsers.cpp_node.threads import threads
 from bringup_lint.parsers.cpp_node.time_sources import time_members
 from bringup_lint.parsers.cpp_node.time_sources import time_uses
@@ -83,6 +84,7 @@ def parse(source: Source) -> CppNode:
     node.executors = bool(_EXECUTORS.search(source.text))
     node.devices = list(_devices(code))
     node.threads = list(threads(code))
+    node.late_joins = list(late_joins(code, node.threads, node.callbacks[:CALLBACKS]))
     if {each.role for each in node.callbacks} >= _ROLES:
         node.kept = kept(code, node.callbacks[:CALLBACKS])
         node.sent = sent(code, node.callbacks[:CALLBACKS])
