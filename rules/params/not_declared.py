@@ -6,9 +6,11 @@ that name: no text of the source, or of the files that it includes or imports, i
 take undeclared parameters, or that build on classes which are not in the workspace, are left alone, and so are programs
 of which a source is missing, and parameters that a launch file gives to several programs under one node name. All
 parameters are known of `joy_node`, `joy_linux_node`, `robot_state_publisher`, `joint_state_publisher`, slam_toolbox,
-robot_localization, twist_mux, teleop_twist_joy, usb_cam, sllidar_ros2, pointcloud_to_laserscan, the servers of
-Navigation2 and the controllers of ros2_controllers whose class the file names; a block with the usual name of such a
-node is judged as its own. In the sections of Navigation2's own plugins, a parameter is unknown when nothing of
+robot_localization, twist_mux, teleop_twist_joy, usb_cam, pointcloud_to_laserscan, depthimage_to_laserscan, imu_tools,
+rosbridge_suite, web_video_server, apriltag_ros, explore_lite, the drivers of common laser scanners (rplidar_ros,
+sllidar_ros2, ydlidar_ros2_driver, ldlidar_stl_ros2, livox_ros_driver2, velodyne, urg_node), the servers of Navigation2
+and the controllers of ros2_controllers whose class the file names; a block with the usual name of such a node is judged
+as its own. A value that the launch file reads itself is left alone. In the sections of Navigation2's own plugins, a parameter is unknown when nothing of
 Navigation2 has one whose name ends so. Packages whose repository the tree patches, or fetches from others than its
 first owners, may be changed, and are left alone.
 

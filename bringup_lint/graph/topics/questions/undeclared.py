@@ -71,10 +71,17 @@ def undeclared(topics: Topics) -> Iterator[Undeclared]:
     grouped: dict[Span, list[tuple[LaunchedNode, GivenName]]] = {}
     for span, (node, given) in found.items():
         lacks = verdicts[span] and namesakes[span.source, node.label(), given.name]
-        if lacks and span.source.judged:
+        if lacks and span.source.judged and not _is_read_by_launch(node, given):
             grouped.setdefault(given.group, []).append((node, given))
     for pairs in grouped.values():
         yield Undeclared(pairs[0][0], tuple(given for _, given in pairs))
+
+
+def _is_read_by_launch(node: LaunchedNode, given: GivenName) -> bool:
+    """Whether the launch file reads a value of a parameter file itself, such as one that says whether to start it."""
+    source = node.started.file.source
+    quoted = (f"{quote}{given.name}{quote}" in source.text for quote in "\"'")
+    return given.place.span.source is not source and any(quoted)
 
 
 def is_called_nowhere(topics: Topics, place: Span) -> bool:
