@@ -10,9 +10,9 @@ robot_localization, twist_mux, teleop_twist_joy, usb_cam, pointcloud_to_lasersca
 rosbridge_suite, web_video_server, apriltag_ros, explore_lite, the drivers of common laser scanners (rplidar_ros,
 sllidar_ros2, ydlidar_ros2_driver, ldlidar_stl_ros2, livox_ros_driver2, velodyne, urg_node), the servers of Navigation2
 and the controllers of ros2_controllers whose class the file names; a block with the usual name of such a node is judged
-as its own. A value that the launch file reads itself is left alone. In the sections of Navigation2's own plugins, a parameter is unknown when nothing of
-Navigation2 has one whose name ends so. Packages whose repository the tree patches, or fetches from others than its
-first owners, may be changed, and are left alone.
+as its own. A value that the launch file reads itself is left alone. In the sections of Navigation2's own plugins, a
+parameter is unknown when nothing of Navigation2 has one whose name ends so. Packages whose repository the tree patches,
+or fetches from others than its first owners, may be changed, and are left alone.
 
 Where it is not known which program gets a block, or the program declares whatever it is given: parameters that no
 source of the tree names, when one source reads at least five others of the block, and most of them.
