@@ -85,7 +85,11 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.transforms import early_lookups
     from bringup_lint.graph.nodes.questions.transforms import unhandled_transforms
     from bringup_lint.graph.nodes.questions.unbound_locals import unbound_locals
+    from bringup_lint.graph.nodes.questions.unchecked_messages import Unchecked
+    from bringup_lint.graph.nodes.questions.unchecked_messages import unchecked_messages
+    from bringup_lint.graph.nodes.questions.unchecked_messages import wrong_handlers
     from bringup_lint.graph.nodes.questions.undefined_names import undefined
+    from bringup_lint.graph.nodes.questions.unplugged_ports import unplugged_ports
     from bringup_lint.graph.nodes.questions.unreached_stops import unreached_stops
     from bringup_lint.graph.nodes.questions.unread_parameters import unread_parameters
     from bringup_lint.graph.nodes.questions.unsafe_ends import unsafe_ends
@@ -121,6 +125,7 @@ __all__ = [
     "RefusedLog",
     "Swallowed",
     "Timer",
+    "Unchecked",
     "Unfit",
     "WrongUnit",
     "asked_in_vain",
@@ -189,11 +194,13 @@ __all__ = [
     "taken_attributes",
     "tried_shutdown",
     "unbound_locals",
+    "unchecked_messages",
     "undefined",
     "unfit_callbacks",
     "unfit_calls",
     "unhandled_shutdown",
     "unhandled_transforms",
+    "unplugged_ports",
     "unreached_stops",
     "unread_parameters",
     "unread_pipes",
@@ -208,6 +215,7 @@ __all__ = [
     "window_spins",
     "without_pin_mode",
     "without_qos",
+    "wrong_handlers",
     "wrong_units",
     "zero_divisors",
     "zeroed_commands",

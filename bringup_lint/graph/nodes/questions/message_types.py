@@ -184,8 +184,12 @@ def _sections(service: str) -> list[str]:
     return [f"{service}_Request", f"{service}_Response"]
 
 
-def _looks_at_type(function: ast.AST) -> bool:
-    return any(isinstance(each, ast.Name) and each.id in ("isinstance", "hasattr", "type") for each in walk(function))
+def _looks_at_type(function: ast.FunctionDef | ast.AsyncFunctionDef) -> bool:
+    """Whether a function asks of which type one of its arguments is."""
+    taken = {each.arg for each in function.args.args}
+    calls = (each for each in walk(function) if isinstance(each, ast.Call) and each.args)
+    asked = (each.args[0] for each in calls if getattr(each.func, "id", "") in ("isinstance", "hasattr", "type"))
+    return any(isinstance(each, ast.Name) and each.id in taken for each in asked)
 
 
 def _is_none(value: ast.expr | None) -> bool:

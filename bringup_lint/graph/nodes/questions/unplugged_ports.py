@@ -1,0 +1,117 @@
+"""Serial ports that a node uses outside every ``try``, so that an unplugged adapter ends it."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterator
+from functools import partial
+from typing import TYPE_CHECKING
+
+from bringup_lint.graph.nodes.questions.callback_code import code_of
+from bringup_lint.graph.nodes.questions.stored_values import stored
+from bringup_lint.graph.nodes.questions.uncaught import uncaught
+from bringup_lint.graph.nodes.sources.syntax import Syntax
+from bringup_lint.graph.nodes.sources.syntax import body_of
+from bringup_lint.model.node_source import NodeClass
+from bringup_lint.model.node_source import NodeSource
+from bringup_lint.model.python import is_self
+from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.pattern import regex
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.nodes.nodes import Nodes
+
+_PORTS = ("serial.Serial", "serial.serial_for_url")
+_READS = frozenset({"read", "readline", "readlines", "read_until", "write"})
+_ASKS = frozenset({"in_waiting", "inWaiting", "out_waiting"})
+_IMPORTED = regex(r"^[ \t]*(?:import|from)[ \t]+serial\b", re.M)
+_OF_SYSTEM = frozenset({"OSError", "IOError", "EnvironmentError", "error"})
+_OF_LIBRARY = frozenset({"SerialException", "SerialTimeoutException"})
+
+
+class Unplugged(NamedTuple):
+    file: NodeSource
+    node: ast.expr
+    """What raises."""
+    opened: ast.expr
+    name: str
+    """The function that uses the port."""
+    raises: str
+    is_thread: bool
+
+
+def unplugged_ports(nodes: Nodes) -> Iterator[Unplugged]:
+    """For each node the first use of a serial port in a callback or thread where nothing takes its exception."""
+    for file, cls in nodes.with_callbacks:
+        if not file.source.matches(_IMPORTED):
+            continue
+        syntax = nodes.syntax(file)
+        bodies = [(*code_of(nodes.ending(file), cls, each), False) for each in cls.callbacks]
+        bodies += [(name, body_of(cls.methods[name].node), True) for name in _threads(syntax, cls)]
+        found = (use for name, body, is_thread in bodies for use in _uses(syntax, file, cls, name, body, is_thread))
+        first = next(found, None)
+        if first is not None and (first.is_thread or not _is_restarted(nodes, file)):
+            yield first
+
+
+def _uses(
+    syntax: Syntax, file: NodeSource, cls: NodeClass, name: str, body: list[ast.AST], is_thread: bool
+) -> Iterator[Unplugged]:
+    for method, caught, raises in (
+        (_asked, _OF_SYSTEM, "OSError"),
+        (_read, _OF_SYSTEM | _OF_LIBRARY, "SerialException"),
+    ):
+        for node, opened in uncaught(syntax, cls, body, caught, partial(method, syntax, cls)):
+            yield Unplugged(file, node, opened, name, raises, is_thread)
+
+
+def _asked(syntax: Syntax, cls: NodeClass, node: ast.AST) -> tuple[ast.expr, ast.expr] | None:
+    """How many bytes wait: pyserial asks the system for it, and hands on its OSError."""
+    if not isinstance(node, ast.Attribute) or node.attr not in _ASKS:
+        return None
+    return _of_port(syntax, cls, node, node.value)
+
+
+def _read(syntax: Syntax, cls: NodeClass, node: ast.AST) -> tuple[ast.expr, ast.expr] | None:
+    function = node.func if isinstance(node, ast.Call) else None
+    if not isinstance(node, ast.Call) or not isinstance(function, ast.Attribute) or function.attr not in _READS:
+        return None
+    return _of_port(syntax, cls, node, function.value)
+
+
+def _of_port(syntax: Syntax, cls: NodeClass, node: ast.expr, port: ast.expr) -> tuple[ast.expr, ast.expr] | None:
+    if isinstance(port, ast.Attribute) and is_self(port.value):
+        values = stored(syntax, cls, port)
+    elif isinstance(port, ast.Name):
+        values = syntax.once(_of_module).get(port.id, [])
+    else:
+        return None
+    opened = [each for each in values if isinstance(each, ast.Call) and syntax.qualified(each) in _PORTS]
+    return (node, opened[0]) if opened and len(opened) == len(values) else None
+
+
+def _of_module(syntax: Syntax) -> dict[str, list[ast.expr | None]]:
+    """The values of the variables of the module."""
+    found: dict[str, list[ast.expr | None]] = {}
+    for node in syntax.file.nodes:
+        if isinstance(node, ast.Assign) and syntax.function(node) is None:
+            for target in node.targets:
+                found.setdefault(ast.unparse(target), []).append(node.value)
+    return found
+
+
+def _threads(syntax: Syntax, cls: NodeClass) -> list[str]:
+    """The methods that the class starts in threads."""
+    calls = (each for each in cls.inner if isinstance(each, ast.Call) and syntax.qualified(each) == "threading.Thread")
+    targets = (word.value for each in calls for word in each.keywords if word.arg == "target")
+    return [each.attr for each in targets if isinstance(each, ast.Attribute) and each.attr in cls.methods]
+
+
+def _is_restarted(nodes: Nodes, file: NodeSource) -> bool:
+    """Whether something may start the program again: ``respawn``, or a unit or container that runs it by itself."""
+    programs = [file, *nodes.importers(file.source)]
+    launched = [started for each in programs for started in nodes.launched(each)]
+    if not launched:
+        return any(nodes.is_supervised(each) for each in programs)
+    return any("respawn" in each.options or "on_exit" in each.options for each in launched)

@@ -1,0 +1,81 @@
+"""A message that is empty or malformed ends the node.
+
+## What it finds
+In callbacks of subscriptions of Python nodes, outside every `try` that takes the exception:
+- `json.loads`, `ast.literal_eval`, `yaml.safe_load`, `float` and `int` of the text of a message,
+- the first or last element, `max()` or `min()` of an array that is empty in regular operation, and that the function
+  asks nothing about before: `detections`, `markers`, the `poses` of a path, the `points` of a trajectory.
+
+Also `next()` of a search that may find nothing, in a `try` that takes another exception than its StopIteration. Texts
+that a node of the tree makes with `json.dumps` for the same topic are left out.
+
+## Why it matters on a robot
+rclpy hands an exception of a callback on to `spin()`, which ends the node. Everybody can publish on a topic: one
+message of a test with `ros2 topic pub`, or a camera that sees nothing, and the driver or the mission is gone.
+
+## Bad
+```python
+def on_plan(self, msg):
+    plan = json.loads(msg.data)
+```
+
+## Good
+```python
+def on_plan(self, msg):
+    try:
+        plan = json.loads(msg.data)
+    except ValueError as error:
+        self.get_logger().error(f'not a plan: {error}')
+        return
+```
+
+## When to ignore it
+When only one program publishes on the topic, and never sends such a message.
+
+## References
+- rclpy, executors.py: exceptions of a task are raised by `spin_once`
+- https://docs.python.org/3/library/functions.html#next
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import nodes
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("warning", symptoms=["json.decoder.JSONDecodeError: Expecting value", "IndexError: list index out of range"])
+def message_unchecked(robot: Robot) -> Iterator[Finding]:
+    alike: dict[tuple[nodes.NodeSource, str], list[nodes.Unchecked]] = {}
+    for each in nodes.unchecked_messages(robot.nodes):
+        alike.setdefault((each.file, each.fault.raises), []).append(each)
+    for (file, _), found in alike.items():
+        yield _finding(robot, file, *found)
+    for file in robot.nodes.programs:
+        for call, handler in nodes.wrong_handlers(robot.nodes.syntax(file)):
+            yield finding(
+                file.span_of(call),
+                "next() raises StopIteration where nothing matches, and this try does not take it: "
+                f"{nodes.end_of(robot.nodes.syntax(file), call)}",
+                advice="give next() a default, as in next((...), None), and ask for it",
+                related=[note(file.span_of(handler), "takes another exception")],
+                severity=robot.nodes.graded(file.source, "warning"),
+            )
+
+
+def _finding(robot: Robot, file: nodes.NodeSource, first: nodes.Unchecked, *others: nodes.Unchecked) -> Finding:
+    """One for what a file does in the same way with several messages."""
+    fault, topic = first.fault, f" on {first.endpoint.name}" if first.endpoint.name is not None else ""
+    return finding(
+        file.span_of(fault.node),
+        f"A message{topic} {fault.when} raises {fault.raises}: {nodes.end_of(robot.nodes.syntax(file), fault.node)}",
+        advice="catch it, log it and go without this message" if fault.is_text else "return when it is empty",
+        related=[
+            note(first.endpoint.span, f"{first.name}() is the callback of this subscription"),
+            *(note(file.span_of(each.fault.node), f"the same in {each.name}()") for each in others),
+        ],
+        severity=robot.nodes.graded(file.source, "warning"),
+    )
