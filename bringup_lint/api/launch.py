@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch.expansion import Failed
     from bringup_lint.graph.launch.expansion import Used
     from bringup_lint.graph.launch.gone_packages import gone_packages
+    from bringup_lint.graph.launch.joined_commands import joined_commands
     from bringup_lint.graph.launch.launch import Launch
     from bringup_lint.graph.launch.lifecycle import full_name
     from bringup_lint.graph.launch.lifecycle import managers
@@ -43,7 +44,6 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch.refused_words import in_degrees
     from bringup_lint.graph.launch.refused_words import refused_transforms
     from bringup_lint.graph.launch.refused_words import unknown_flags
-    from bringup_lint.graph.launch.refused_words import unspaced_commands
     from bringup_lint.graph.launch.refused_words import unsplit_commands
     from bringup_lint.graph.launch.refused_words import unsplit_ros_arguments
     from bringup_lint.graph.launch.relative_paths import relative_paths
@@ -180,6 +180,7 @@ __all__ = [
     "full_name",
     "gone_packages",
     "in_degrees",
+    "joined_commands",
     "literal",
     "literal_text",
     "managers",
@@ -209,7 +210,6 @@ __all__ = [
     "understood",
     "unknown_flags",
     "unpassed",
-    "unspaced_commands",
     "unsplit_commands",
     "unsplit_ros_arguments",
     "untaken",

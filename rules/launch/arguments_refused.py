@@ -6,7 +6,8 @@
 - `static_transform_publisher` with another number of arguments than it takes: 8 (x y z yaw pitch roll frame child),
   9 (with a quaternion) or options alone; and with options (`--frame-id`) before Humble
 - yaw, pitch and roll of `static_transform_publisher` above 2π: they are in radians (a warning)
-- `Command(['xacro', path])` without a blank after the program
+- `Command(['xacro', path])` without a blank after the program, `Command(['xacro ', path, 'name:=', value])` without one
+  before an argument, and `Command([path])` of a robot description without a program
 
 ## Why it matters on a robot
 launch splits nothing that is already a list. In the first case the process is not started (FileNotFoundError), and
@@ -43,6 +44,26 @@ from bringup_lint.api import rule
 
 WITHOUT_FLAGS = ("dashing", "eloquent", "foxy", "galactic")
 SPLIT = "give each word as an element of its own"
+JOINED = {
+    "program": (
+        "launch joins the parts of a command without blanks: no program has this name, and launch aborts",
+        "write 'xacro ' with a blank at its end",
+    ),
+    "file": (
+        "launch joins the parts of a command without blanks: the name of the file goes on with '{}:=', no file has it, "
+        "and launch aborts",
+        "write ' {}:=' with a blank before it",
+    ),
+    "option": (
+        "launch joins the parts of a command without blanks: '{}' is one word, and its second argument a part of the "
+        "first one's value",
+        "write a blank before the name of the second argument",
+    ),
+    "description": (
+        "launch runs this file as a program: a robot description is none, and launch aborts",
+        "write 'xacro ' before the path",
+    ),
+}
 
 
 @rule(
@@ -78,12 +99,9 @@ def arguments_refused(robot: Robot) -> Iterator[Finding]:
 
 
 def unspaced(robot: Robot) -> Iterator[Finding]:
-    for program in launch.unspaced_commands(robot.launch):
-        yield finding(
-            program.span,
-            "launch joins the parts of a command without blanks: no program has this name, and launch aborts",
-            advice="write 'xacro ' with a blank at its end",
-        )
+    for joined in launch.joined_commands(robot.launch):
+        effect, advice = JOINED[joined.how]
+        yield finding(joined.place.span, effect.format(joined.text), advice=advice.format(joined.text))
 
 
 def transforms(robot: Robot) -> Iterator[Finding]:

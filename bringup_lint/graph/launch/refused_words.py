@@ -13,14 +13,10 @@ from bringup_lint.model.launch import ComposableNode
 from bringup_lint.model.launch import Node
 from bringup_lint.model.launch import Process
 from bringup_lint.model.launch_values import Argument
-from bringup_lint.model.launch_values import Command as CommandOutput
 from bringup_lint.model.launch_values import Concat
-from bringup_lint.model.launch_values import PackagePrefix
-from bringup_lint.model.launch_values import PackageShare
 from bringup_lint.model.launch_values import PathJoin
 from bringup_lint.model.launch_values import Value
 from bringup_lint.model.launch_values import understood
-from bringup_lint.model.launch_values import walk
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
@@ -32,7 +28,6 @@ _PROGRAM = regex(r"[a-z][\w.+-]*\s+\S")
 _LENGTHS = (0, 8, 9)
 """Words of static_transform_publisher (geometry2, static_transform_broadcaster_program.cpp)."""
 _MOST_RADIANS = 2 * math.pi + 0.01
-_XACRO = ("xacro", "ros2 run xacro xacro")
 _TRANSFORM = ("tf2_ros", "static_transform_publisher")
 
 
@@ -72,20 +67,6 @@ def refused_transforms(launch: Launch) -> Iterator[tuple[Started, int]]:
         is_known = not any(word is None or word.startswith("-h") or word.startswith("--") for word in words)
         if is_known and len(words) not in _LENGTHS:
             yield node, len(words)
-
-
-def unspaced_commands(launch: Launch) -> Iterator[Value]:
-    """Commands whose program ends where a path begins, without a blank: ``Command(['xacro', path])``."""
-    for node in _given(launch):
-        for given in (*node.parameters, *node.arguments):
-            commands = (each.command for each in walk(given) if isinstance(each, CommandOutput))
-            yield from (each.parts[0] for each in commands if isinstance(each, Concat) and _is_unspaced(each))
-
-
-def _is_unspaced(command: Concat) -> bool:
-    program, path = command.parts[0], command.parts[1]
-    is_path = isinstance(path, (PackageShare, PackagePrefix, PathJoin))
-    return literal_text(program) in _XACRO and is_path
 
 
 def unknown_flags(launch: Launch) -> Iterator[Located]:
