@@ -13,8 +13,8 @@ A service with Restart= and a start limit that acts too late or too early:
 - The limit is disabled on purpose. It is an info.
 - The limit trips only if every start fails almost at once. It is an info.
 - The opposite: Restart=always with less than a second between restarts and no limit of its own. The default
-  limit trips after about a second, and the service stays down for good. It is a warning for ROS services, and
-  an info for others.
+  limit trips after about a second, and the service stays down for good. It is a warning for services that start ROS
+  or containers, one for all of the robot, and an info for others.
 
 systemd ignores StartLimitIntervalSec= in [Service]: systemd/key-in-wrong-section reports that line, and this rule
 is silent.

@@ -10,6 +10,7 @@ from enum import Enum
 
 from bringup_lint.graph.commands.wrappers import unwrapped
 from bringup_lint.graph.purpose import Purpose
+from bringup_lint.graph.systemd.docker_clients import docker_starts
 from bringup_lint.graph.systemd.restart import DEFAULT_BURST
 from bringup_lint.graph.systemd.restart import RestartPolicy
 from bringup_lint.graph.systemd.unit import Unit
@@ -58,8 +59,9 @@ class CrashLoop(NamedTuple):
 
     @property
     def counts_on_default(self) -> bool:
-        """Whether the default limit is all that would end it: one cause for all such services of a robot."""
-        return self.loop.outcome is Outcome.NEVER_TRIPS and self.loop.is_unwanted and not self.policy.own_limit
+        """Whether it counts on the default limit or the default delay: one cause for all such services of a robot."""
+        ends = self.loop.outcome in (Outcome.NEVER_TRIPS, Outcome.GIVES_UP)
+        return ends and self.loop.is_unwanted and not self.policy.own_limit
 
     @property
     def cause(self) -> Located | None:
@@ -86,7 +88,7 @@ def crash_loops(
 ) -> Iterator[tuple[CrashLoop, list[CrashLoop]]]:
     """The crash loops that need attention; those that count on the default limit as one for each purpose, with the
     others of them."""
-    by_default: dict[Purpose, list[CrashLoop]] = {}
+    by_default: dict[tuple[Purpose, Outcome], list[CrashLoop]] = {}
     found: list[list[CrashLoop]] = []
     for unit in units.services:
         policy = units.restart(unit)
@@ -94,7 +96,8 @@ def crash_loops(
         if loop is None:
             continue
         crash = CrashLoop(unit, policy, loop)
-        group = by_default.setdefault(purpose(crash.place), []) if crash.counts_on_default else []
+        key = (purpose(crash.place), loop.outcome)
+        group = by_default.setdefault(key, []) if crash.counts_on_default else []
         group.append(crash)
         if len(group) == 1:
             found.append(group)
@@ -141,9 +144,9 @@ def restart_loop(unit: Unit, policy: RestartPolicy, units: Units) -> Loop | None
         return Loop(Outcome.NO_TIME_LEFT, False)
     if policy.interval_at or policy.burst_at:
         return None
-    is_ros = unit in units.ros
-    if policy.restart == "always" and policy.delay < 1 and (is_ros or policy.delay):
-        return Loop(Outcome.GIVES_UP, is_ros)
+    of_robot = unit in units.ros or any(any(docker_starts(process)) for process in units.started(unit))
+    if policy.restart == "always" and policy.delay < 1 and (of_robot or policy.delay):
+        return Loop(Outcome.GIVES_UP, of_robot)
     slow = unit in units.launching and policy.loop(FAILING_LAUNCH) > policy.interval
     return Loop(Outcome.SLOW_FAILURE, False) if slow else None
 
