@@ -1,18 +1,19 @@
 """A parameter that the node does not declare.
 
 ## What it finds
-Parameters in a parameter file or launch file for a node whose source is in the workspace and which declares none of
-that name: no text of the source, or of the files that it includes or imports, is the name or a part of it. Nodes that
-take undeclared parameters, or that build on classes which are not in the workspace, are left alone, and so are programs
-of which a source is missing, and parameters that a launch file gives to several programs under one node name. All
-parameters are known of `joy_node`, `joy_linux_node`, `robot_state_publisher`, `joint_state_publisher`, slam_toolbox,
-robot_localization, twist_mux, teleop_twist_joy, usb_cam, pointcloud_to_laserscan, depthimage_to_laserscan, imu_tools,
-rosbridge_suite, web_video_server, apriltag_ros, explore_lite, the drivers of common laser scanners (rplidar_ros,
-sllidar_ros2, ydlidar_ros2_driver, ldlidar_stl_ros2, livox_ros_driver2, velodyne, urg_node), the servers of Navigation2
-and the controllers of ros2_controllers whose class the file names; a block with the usual name of such a node is judged
-as its own. A value that the launch file reads itself is left alone. In the sections of Navigation2's own plugins, a
-parameter is unknown when nothing of Navigation2 has one whose name ends so. Packages whose repository the tree patches,
-or fetches from others than its first owners, may be changed, and are left alone.
+Parameters in a parameter file or launch file for a node whose source is in the workspace and which
+declares none of that name: no text of the source, or of the files that it includes or imports, is the name or a part of
+it. Nodes that take undeclared parameters, or that build on classes which are not in the workspace, are left alone, and
+so are programs of which a source is missing, and parameters that a launch file gives to several programs under one node
+name. All parameters are known of `joy_node`, `joy_linux_node`, `robot_state_publisher`, `joint_state_publisher`,
+slam_toolbox, robot_localization, twist_mux, teleop_twist_joy, usb_cam, pointcloud_to_laserscan,
+depthimage_to_laserscan, imu_tools, rosbridge_suite, cartographer_ros, web_video_server, apriltag_ros, explore_lite, the
+drivers of common laser scanners (rplidar_ros, sllidar_ros2, ydlidar_ros2_driver, ldlidar_stl_ros2, livox_ros_driver2,
+velodyne, urg_node), the servers of Navigation2 and the controllers of ros2_controllers whose class the file names; a
+block with the usual name of such a node is judged as its own. A value that the launch file reads itself is left alone.
+In the sections of Navigation2's own plugins, a parameter is unknown when nothing of Navigation2 has one whose name ends
+so. Packages whose repository the tree patches, or fetches from others than its first owners, may be changed, and are
+left alone.
 
 Where it is not known which program gets a block, or the program declares whatever it is given: parameters that no
 source of the tree names, when one source reads at least five others of the block, and most of them.
@@ -74,7 +75,7 @@ def not_declared(robot: Robot) -> Iterator[Finding]:
         yield finding(
             first.place,
             f"{_node(found.node)} declares no parameter '{first.name}'{_more(others)}: the value has no effect",
-            advice="write the name that the source declares, or remove the value",
+            advice=_advice(robot, found.node),
             related=[
                 note(found.node.started.span, "the node is started here"),
                 *(note(each.place, f"'{each.name}' is not declared either") for each in others[:10]),
@@ -92,6 +93,13 @@ def not_declared(robot: Robot) -> Iterator[Finding]:
     for lost in unread(robot.params, robot.launch):
         if not said & {parameter.key.span for parameter in lost.parameters}:
             yield _of_reader(lost)
+
+
+def _advice(robot: Robot, node: LaunchedNode) -> str:
+    words = robot.topics.parameter_words(node.started)
+    if words is None or words.texts:
+        return "write the name that the source declares, or remove the value"
+    return "give the program its options with arguments=, or remove the value: it has no parameters"
 
 
 def _of_public(found: Unknown) -> Finding:
