@@ -23,6 +23,8 @@ class Manifest:
     """Tag (``depend``, ``exec_depend``, ...) and package."""
     places: dict[str, Span] = field(default_factory=dict)
     """Tag -> the last dependency with it."""
+    first: Span | None = None
+    """The first dependency that is more than a build tool."""
     format: int = 1
     """Of the manifest: the first one has ``run_depend`` and no ``exec_depend``."""
     exported_type: Located | None = None

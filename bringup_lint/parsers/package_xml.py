@@ -34,6 +34,8 @@ def parse(source: Source) -> Manifest:
         elif tag in DEPENDENCIES:
             manifest.depends.append((tag, element.text))
             manifest.places[tag] = element.span
+            if manifest.first is None and tag != "buildtool_depend":
+                manifest.first = element.span
             if tag == "buildtool_depend":
                 tools.add(str(element.text))
         elif tag == "export":

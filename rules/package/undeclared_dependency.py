@@ -15,14 +15,17 @@ which it depends declares them. It is a warning
   alone;
 - when the package.xml declares nothing that is needed at run time, and launch files start three packages or more, or
   these and the nodes need three or more, of which ros-base lacks one. Viewers and simulators do not count;
-- when the sources need two packages of ROS or more that are not declared: one for all such packages of the robot;
 - when launch files always start five packages or more that are not declared, or three that are more than half of all
   that they start. Those of ros-base, viewers and simulators do not count;
 - when nodes import or CMake requires five packages of ROS or more that are not declared, and fewer are declared. Those
-  of launch files and of builds do not count.
+  of launch files and of builds do not count;
+- once a robot, for all its other packages: when sources need packages of ROS, or launch files always start packages of
+  the workspace or released ones, and neither the package.xml declares them nor what it declares brings them. One is
+  enough if CMake requires it or it is a package of the same workspace, else two. The finding names with them what is
+  brought by others, and modules and libraries that rosdep has a key for.
 
-Other packages of which launch files start nodes or include files are an info: they are there on most robots. Nothing is
-said of other modules and libraries.
+Other packages of which launch files start nodes or include files are an info. Nothing is said of other modules and
+libraries.
 
 ## Why it matters on a robot
 A dependency that is missing in package.xml works on the developer's machine and fails on a fresh robot: rosdep does not
@@ -68,6 +71,7 @@ from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.launch import AT_RUN_TIME
+from bringup_lint.api.launch import COMMON
 from bringup_lint.api.launch import Effect
 from bringup_lint.api.launch import Need
 from bringup_lint.api.launch import Undeclared
@@ -79,7 +83,9 @@ REST = regex(r"[ \t]*(?:<!--[^\n<>]*-->[ \t]*)?(?=\r?\n)")
 """The end of a line that has nothing or a comment."""
 DEPENDENCY = regex(r"[ \t]*<\w+_?depend\b")
 SHOWN = 12
-"""Places that a finding shows."""
+"""Places, or names, that a finding shows."""
+MOST = 30
+"""Packages that a finding shows."""
 ASKED = {
     "node": "{} is started here",
     "include": "a launch file of {} is included here",
@@ -117,39 +123,52 @@ def undeclared_dependency(robot: Robot) -> Iterator[Finding]:
             some.append((package, found))
         elif found is not None:
             yield _finding(robot, package, found)
-    if some:
+    sure = [need for _, found in some for need in found.needs]
+    if len(sure) > 1 or any(need.use == "library" or robot.dependencies.is_of_workspace(need) for need in sure):
         yield _of_some(some)
+    else:
+        yield from (_harmless(robot, package, found.started) for package, found in some if found.started)
 
 
 def _of_some(some: list[tuple[launch.Package, Undeclared]]) -> Finding:
     """One for all packages of the robot that declare most of what they need, beginning with the one that lacks most."""
-    (package, found), *others = sorted(some, key=lambda each: -len(each[1].needs))
-    needs = found.needs
-    tag = tag_of(package, needs[0])
-    names = f"{needs[0].name} and {len(needs) - 1} other{'s' if len(needs) > 2 else ''}"
-    count = f"; {len(others)} more package{'s do' if len(others) > 1 else ' does'} the same" if others else ""
+    some = sorted(some, key=lambda each: (-len(each[1].needs), -len(each[1].others)))
+    package, found = some[0]
+    first, *more = found.needs
+    tag = tag_of(package, first)
+    names = f"{first.name} and {len(more)} other{'s' if len(more) > 1 else ''}" if more else str(first.name)
+    them = "them" if more else "it"
+    others = sum(1 for _, each in some if each.needs) - 1
+    count = f"; {others} more package{'s do' if others > 1 else ' does'} the same" if others else ""
     return finding(
         _last(package) or package.place,
-        f"{package.name} needs {names} and does not declare them: neither rosdep nor colcon build --packages-up-to "
+        f"{package.name} needs {names} and does not declare {them}: neither rosdep nor colcon build --packages-up-to "
         f"knows of it{count}",
-        advice=f"add <{tag}>{needs[0].name}</{tag}> and the others",
-        related=[
-            *_places(needs),
-            *(note(each.place, _left(each, what.needs)) for each, what in others[:SHOWN]),
-        ],
+        advice=f"add <{tag}>{first.name}</{tag}>{' and the others' if more else ''} to its package.xml",
+        related=[*_places(found.needs), *(note(_first(each), _left(each, _all(what))) for each, what in some[:MOST])],
         fix=_of_all(some),
     )
 
 
-def _of_all(some: list[tuple[launch.Package, Undeclared]]) -> Fix | None:
-    """What is missing in each of the packages; None where one has no place for it, and would be found again."""
-    fixes = [dependency(package, [*found.needs, *found.started]) for package, found in some]
-    edits = [edit for each in fixes if each is not None for edit in each.edits]
-    return fix("declare what is missing", *edits) if None not in fixes else None
+def _all(found: Undeclared) -> list[Need]:
+    return [*found.needs, *found.others]
 
 
 def _left(package: launch.Package, needs: list[Need]) -> str:
-    return f"{package.name} does not declare {', '.join(str(need.name) for need in needs[:SHOWN])}"
+    names = dict.fromkeys(key_of(need) for need in needs if key_of(need))
+    return f"{package.name} does not declare {', '.join([*names][:SHOWN])}"
+
+
+def _first(package: launch.Package) -> Span:
+    """Where the dependencies of a package begin, or would."""
+    return package.manifest.first or package.manifest.export or package.manifest.source.whole
+
+
+def _of_all(some: list[tuple[launch.Package, Undeclared]]) -> Fix | None:
+    """What is missing in each of the packages; None where one has no place for it, and would be found again."""
+    fixes = [dependency(package, [*_all(found), *found.started]) for package, found in some]
+    edits = [edit for each in fixes if each is not None for edit in each.edits]
+    return fix("declare what is missing", *edits) if None not in fixes else None
 
 
 def _finding(robot: Robot, package: launch.Package, found: Undeclared) -> Finding:
@@ -267,13 +286,15 @@ def _found(
 ) -> Finding:
     declared = [(tag_of(package, need), key_of(need)) for need in needs if key_of(need)]
     tag, key = declared[0] if declared else ("", "")
+    left = [need for need in [*needs, *started] if key_of(need)]
+    all_left = [note(_first(package), _left(package, left))] if len(left) > 1 else []
     return finding(
         _last(package) or package.place,
         message,
         advice=f"add <{tag}>{key}</{tag}> to the package.xml of {package.name}"
         if key
         else f"install {needs[0].name} with the robot, for example by a requirements.txt",
-        related=[*(related or ()), *_places(needs)],
+        related=[*(related or ()), *_places(needs), *all_left],
         fix=dependency(package, [*needs, *started]),
         confidence=confidence,
     )
@@ -291,7 +312,7 @@ def _places(needs: list[Need]) -> list[Related]:
 
 def key_of(need: Need) -> str:
     """What the package.xml declares; empty when rosdep knows no key."""
-    return need.fact.declared if need.fact else str(need.name)
+    return need.fact.declared if need.fact else COMMON.get(str(need.name), str(need.name))
 
 
 def tag_of(package: launch.Package, need: Need) -> str:

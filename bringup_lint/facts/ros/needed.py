@@ -70,6 +70,16 @@ def needed(use: str, name: str) -> Needed | None:
     return family and family._replace(name=name)
 
 
+COMMON = {
+    "numpy": "python3-numpy",
+    "psutil": "python3-psutil",
+    "requests": "python3-requests",
+    "Boost": "boost",
+    "Eigen3": "eigen",
+}
+"""Modules and libraries that most robots have, and their keys."""
+
+
 @cache
 def of_key(key: str) -> Needed:
     """What is known of what a package.xml declares so."""

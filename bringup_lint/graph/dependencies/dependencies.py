@@ -178,8 +178,12 @@ class Dependencies:
     def stops_build(self, need: Need) -> bool:
         """Whether CMake asks for a package of the same workspace: colcon builds in an environment of those packages
         that package.xml declares, and of no others."""
+        return need.use == "library" and self.is_built_beside(need)
+
+    def is_built_beside(self, need: Need) -> bool:
+        """Whether a package of the same source space is needed, which nothing fetches from elsewhere."""
         needed = self._launch.workspace.packages.get(str(need.name))
-        if need.use != "library" or needed is None or self._provided.has_repository(str(need.name)):
+        if needed is None or self._provided.has_repository(str(need.name)):
             return False
         return _source_space(needed.folder) == _source_space(need.owner.folder)
 

@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
-import posixpath
 from enum import Enum
 from typing import TYPE_CHECKING
 
 from bringup_lint.facts.ros.needed import base
 from bringup_lint.facts.ros.simulation import is_simulation
 from bringup_lint.graph.dependencies.needs import Need
+from bringup_lint.graph.dependencies.omitted import TOOLS
+from bringup_lint.graph.dependencies.omitted import of_launch_files
+from bringup_lint.graph.dependencies.omitted import of_sources
+from bringup_lint.graph.dependencies.omitted import omitted
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
-    from bringup_lint.discover.tree import Tree
     from bringup_lint.graph.dependencies.dependencies import Dependencies
     from bringup_lint.graph.launch.launch import Launch
     from bringup_lint.graph.workspace import Package
@@ -24,14 +26,6 @@ _VIEWER = regex(r"^(?:rviz|rqt|plotjuggler)|_gui$")
 """Viewers and simulators, which no robot needs."""
 _COMMENTED_OUT = regex(r"<!--\s{0,20}<(?:exec_|run_)?depend\b", hints="<!--")
 _OF_LAUNCH_FILES = frozenset(("launch", "launch_ros", "ament_index_python"))
-_TOOLS = ("ament_", "rosidl_", "launch", "python3-pytest")
-_METAPACKAGES = ("common_interfaces", "ros_core", "ros_base", "desktop", "desktop_full")
-_COMMON = frozenset(
-    "actionlib_msgs diagnostic_msgs geometry_msgs nav_msgs sensor_msgs sensor_msgs_py shape_msgs std_msgs std_srvs "
-    "stereo_msgs trajectory_msgs visualization_msgs".split()
-)
-"""What the metapackages of messages bring (common_interfaces/package.xml; REP 2001)."""
-_SOME = 2
 _SEVERAL = 3
 _MANY = 5
 """Packages, whatever the share of those that are declared."""
@@ -45,7 +39,7 @@ class Effect(Enum):
     EMPTY = "nothing that is needed at run time is declared"
     SEVERAL = "several packages that launch files start are not declared"
     SOURCES = "most packages of ROS that the sources need are not declared"
-    SOME = "some packages of ROS that the sources need are not declared"
+    SOME = "some packages that are needed are not declared"
     HARMLESS = "the packages are there all the same"
 
 
@@ -84,42 +78,20 @@ def effect_of(dependencies: Dependencies, launch: Launch, package: Package) -> U
     unbuilt = [need for need in missed if need in started]
     if len(unbuilt) >= min(_MANY, max(_SEVERAL, len(brought_up(dependencies, package)) // 2 + 1)):
         return Undeclared(Effect.SEVERAL, unbuilt, [], started)
-    unknown = _of_sources(dependencies, launch.workspace.tree, package, needs)
-    if len(unknown) >= _SOME and not _gives_a_reason(package):
-        are_most = len(unknown) >= max(_MANY, len(_declared(package)) + 1)
-        return Undeclared(Effect.SOURCES if are_most else Effect.SOME, unknown, [], started)
+    unknown = of_sources(dependencies, launch, package, needs)
+    if len(unknown) >= max(_MANY, len(_declared(package)) + 1) and not _gives_a_reason(package):
+        return Undeclared(Effect.SOURCES, unknown, [], started)
+    programs = [need for need in needs if need.use == "program" and need.fact is not None and need.always]
+    ran = [need for need in programs if _is_missed(launch, package, need)]
+    left = omitted(dependencies, launch, package, [*unknown, *of_launch_files([*unbuilt, *ran])])
+    if (left.sure or left.others) and not _gives_a_reason(package):
+        return Undeclared(Effect.SOME, left.sure, left.others, started)
     return Undeclared(Effect.HARMLESS, started, [], started) if started else None
-
-
-def _of_sources(dependencies: Dependencies, tree: Tree, package: Package, needs: list[Need]) -> list[Need]:
-    """The packages of ROS that installed modules import or CMake requires in any case, each once."""
-    found: dict[str, Need] = {}
-    brought = _COMMON if any(name in _METAPACKAGES for _, name in package.manifest.depends) else frozenset()
-    for need in needs:
-        if need.use == "module" and _is_loose(tree, package, need):
-            continue
-        is_asked = need.use in ("module", "library") and need.always and str(need.name) not in brought
-        if is_asked and _is_of_ros(dependencies, need):
-            found.setdefault(str(need.name), need)
-    return list(found.values())
-
-
-def _is_loose(tree: Tree, package: Package, need: Need) -> bool:
-    """Whether a file that imports something lies beside the modules that its package installs."""
-    folder = posixpath.dirname(need.name.span.source.absolute)
-    return package.manifest.build_type == "ament_python" and not tree.exists(posixpath.join(folder, "__init__.py"))
-
-
-def _is_of_ros(dependencies: Dependencies, need: Need) -> bool:
-    name = str(need.name)
-    return not name.startswith(_TOOLS) and (
-        name in base() or name.endswith("_msgs") or dependencies.is_of_workspace(need)
-    )
 
 
 def _declared(package: Package) -> list[str]:
     """What a package declares besides tools of the build and of tests."""
-    return [name for _, name in package.manifest.depends if not name.startswith(_TOOLS)]
+    return [name for _, name in package.manifest.depends if not name.startswith(TOOLS)]
 
 
 def _is_empty(package: Package) -> bool:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from bringup_lint.facts.ros.needed import Needed
 from bringup_lint.facts.ros.needed import needed
 from bringup_lint.graph.dependencies.imports import imported
+from bringup_lint.graph.dependencies.required_packages import required_packages
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.model.launch import LaunchFile
@@ -21,7 +22,6 @@ from bringup_lint.model.launch_values import PackageShare
 from bringup_lint.model.launch_values import Value
 from bringup_lint.model.launch_values import walk
 from bringup_lint.named_tuple import NamedTuple
-from bringup_lint.parsers.cmake_commands import commands
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
@@ -138,8 +138,5 @@ def of_builds(files: Files, launch: Launch) -> Iterator[Need]:
     """The packages that CMake must find in any case, or ends."""
     for package in launch.workspace.packages.values():
         for build in package.builds:
-            if build.source.kind != "cmake" or os.path.dirname(build.source.absolute) != package.folder:
-                continue
-            for command in commands(build.source):
-                if command.name == "find_package" and not command.conditional and "REQUIRED" in command.arguments:
-                    yield Need("library", command.arguments[0], package)
+            if build.source.kind == "cmake" and os.path.dirname(build.source.absolute) == package.folder:
+                yield from (Need("library", name, package) for name in required_packages(build.source))
