@@ -3,7 +3,8 @@
 ## What it finds
 Nodes that drive hardware with neither `respawn` nor an exit action nor an `OnProcessExit` handler. Reported for
 launch files that also start other nodes, or that a unit launches. A warning where a unit or container of the tree
-launches the file, else for information, and so for a node in a part that an argument switches on.
+launches the file, and once a robot for `ros2_control_node` beside nodes that outlive it; else for information, and so
+for a node in a part that an argument switches on.
 
 ## Why it matters on a robot
 If the driver ends, the launch continues and the service stays "active (running)": the robot is blind until somebody
@@ -31,6 +32,7 @@ when its topic falls silent, or a device the robot can drive safely without.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Fix
 from bringup_lint.api import Related
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
@@ -49,6 +51,39 @@ BY_HAND = ("joy", "joy_linux", "spacenav")
 
 @rule("warning", fix="unsafe", silent="launch reports that a process has died, as for every process, and goes on")
 def critical_no_required(robot: Robot) -> Iterator[Finding]:
+    apart = []
+    for expansion, node, supervised in unwatched(robot):
+        severity = None if supervised and not is_option(node) else "info"
+        if severity and is_whole_hardware(expansion, node):
+            apart.append(node)
+            continue
+        role = robot.launch.role(node).role
+        yield finding(
+            node.span,
+            f"If {node.label()} dies, the launch continues and nothing reacts: a service around it stays active "
+            f"without its {role}",
+            advice="set on_exit=Shutdown() and let the unit restart it with Restart=always, or set respawn",
+            related=starts(robot, expansion.entry),
+            severity=severity,
+            chain=robot.provenance.chain_to_node(node),
+            fix=shut_down(node),
+        )
+    if apart:
+        first, *others = apart
+        yield finding(
+            first.span,
+            f"If {first.label()} dies, the launch goes on without the hardware: nothing reacts, and the other nodes "
+            "keep running",
+            advice="set on_exit=Shutdown(), so that whoever starts the launch notices and starts it again",
+            related=[note(each.span, "and here") for each in others[:9]],
+            chain=robot.provenance.chain_to_node(first),
+            fix=shut_down(first),
+        )
+
+
+def unwatched(robot: Robot) -> Iterator[tuple[launch.Expansion, launch.Started, bool]]:
+    """The nodes that drive hardware and whose end nothing handles, each with whether something supervises the
+    launch."""
     for expansion in robot.launch.entries:
         entry = expansion.entry
         if robot.launch.simulated(entry):
@@ -66,20 +101,24 @@ def critical_no_required(robot: Robot) -> Iterator[Finding]:
                 continue
             if "respawn" in node.options or launch.watched(node, expansion) or not (others or units):
                 continue
-            if node.span in seen:
-                continue
-            seen.add(node.span)
-            shutdown = with_keyword(node.span, "on_exit", "Shutdown()", Import("launch.actions", "Shutdown"))
-            yield finding(
-                node.span,
-                f"If {node.label()} dies, the launch continues and nothing reacts: a service around it stays active "
-                f"without its {role}",
-                advice="set on_exit=Shutdown() and let the unit restart it with Restart=always, or set respawn",
-                related=starts(robot, entry),
-                severity=None if supervised and not is_option(node) else "info",
-                chain=robot.provenance.chain_to_node(node),
-                fix=fix("shut down when it exits", codemod=shutdown, safe=False) if shutdown else None,
-            )
+            if node.span not in seen:
+                seen.add(node.span)
+                yield expansion, node, supervised
+
+
+def is_whole_hardware(expansion: launch.Expansion, node: launch.Started) -> bool:
+    """Whether a launch file starts the controller manager beside nodes that outlive it."""
+    if launch.literal_text(node.executable) != "ros2_control_node" or is_option(node):
+        return False
+    lasting = (each for each in expansion.nodes if each.is_node and each.by_default is True and each.span != node.span)
+    return any(
+        launch.literal_text(each.executable) not in (None, "spawner", "create", "ros2_control_node") for each in lasting
+    )
+
+
+def shut_down(node: launch.Started) -> Fix | None:
+    change = with_keyword(node.span, "on_exit", "Shutdown()", Import("launch.actions", "Shutdown"))
+    return fix("shut down when it exits", codemod=change, safe=False) if change else None
 
 
 def is_option(node: launch.Started) -> bool:
