@@ -44,6 +44,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.missing_attributes import taken_attributes
     from bringup_lint.graph.nodes.questions.missing_modules import missing_modules
     from bringup_lint.graph.nodes.questions.missing_returns import missing_returns
+    from bringup_lint.graph.nodes.questions.motion import is_remote
     from bringup_lint.graph.nodes.questions.motion import moves
     from bringup_lint.graph.nodes.questions.nested_spins import nested_spins
     from bringup_lint.graph.nodes.questions.offboard_signals import rare_signals
@@ -156,6 +157,7 @@ __all__ = [
     "inactive_publishers",
     "is_called_nowhere",
     "is_checked",
+    "is_remote",
     "late_attributes",
     "late_bound",
     "late_spins",

@@ -6,6 +6,8 @@ Calls in a callback, or in the methods that it calls, that keep the executor bus
 - `time.sleep` of 0.1 s or more, `requests.*`, `subprocess.run` and similar functions (not for programs that return
   at once, such as `systemctl poweroff`), `communicate()` and `wait()` of a program, `input()`, reads of keys, and of a
   serial port or a socket without a timeout, and `while True`.
+- The first three of these also in the methods of `self.driver`, whose class is in another file of the workspace; once a
+  node that waits nowhere else.
 - In the callback of a timer, measurements of `psutil` that last longer than its period.
 - A loop without an end in the constructor: the node never gets to an executor.
 - Calls that wait for the executor itself: `client.call()`, `Rate.sleep()`, `rclpy.spin_until_future_complete(self,
@@ -75,7 +77,8 @@ def _in_python(robot: Robot) -> Iterator[Finding]:
     for file, wait, stopped, certain, period in nodes.stopped_callbacks(robot.nodes):
         where = f"{wait.name}()" if wait.callback.function is None else wait.name
         whom = f"the node's {_others(len(stopped))}" if stopped else "the node"
-        message = f"{wait.what} in {where} stops {whom} {wait.how_long}"
+        what = f"{wait.what} in {where}" if not wait.inner else f"{wait.inner} by {wait.what} in {where}"
+        message = f"{what} stops {whom} {wait.how_long}"
         if period is not None:
             message += f": the timer is due every {period:.2g} s"
         if not wait.how_long:
@@ -84,7 +87,10 @@ def _in_python(robot: Robot) -> Iterator[Finding]:
             file.span_of(wait.call.test if isinstance(wait.call, ast.While) else wait.call),
             message,
             advice="use a timer, call_async with add_done_callback, or a separate thread",
-            related=_related(wait.callback.span, f"{wait.name} is the callback of {wait.callback.kind}", stopped),
+            related=[
+                *([note(wait.where, "waits here")] if wait.where is not None else []),
+                *_related(wait.callback.span, f"{wait.name} is the callback of {wait.callback.kind}", stopped),
+            ],
             severity=_severity(robot, file.source, wait.how_long),
             confidence="high" if certain else "medium",
         )

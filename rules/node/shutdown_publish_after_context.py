@@ -73,7 +73,7 @@ def shutdown_publish_after_context(robot: Robot) -> Iterator[Finding]:
             if late.how not in WHY or place in told:
                 continue
             told.add(place)
-            moves = nodes.moves(endpoint)
+            moves = nodes.moves(endpoint) or nodes.is_remote(endpoint)
             what = "stop command" if moves else "last message"
             steps = [note(endpoint.span, f"the publisher of {endpoint.name or 'the command'}")]
             if late.spin is not None:

@@ -348,6 +348,10 @@ class Nodes:
         chains = (self._provenance().chain_to_node(each, *more) for each in self.launched(file))
         return next(filter(None, chains), ())
 
+    def module_named(self, dotted: str, file: NodeSource) -> NodeSource | None:
+        """The file of the tree that a module is for the imports of another file."""
+        return self._modules.module(dotted, file)
+
     def imported(self, file: NodeSource) -> list[NodeSource] | None:
         """A file and all of the workspace that it imports; None when part of that is not found."""
         return self._modules.closure(file)

@@ -14,6 +14,7 @@ from bringup_lint.model.node_source import Callback
 from bringup_lint.model.node_source import Group
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.source import Span
 
 
 class Blocking(NamedTuple):
@@ -30,6 +31,10 @@ class Blocking(NamedTuple):
     """The group of the callback that it waits for."""
     nested: bool = False
     """It runs the executor itself, so that only a shared group keeps its partner from running."""
+    inner: str = ""
+    """What blocks in the method of another class that is called here: ``requests.post``."""
+    where: Span | None = None
+    """The place of that."""
 
 
 def deadlocks(found: Blocking, threads: str) -> bool:

@@ -68,6 +68,16 @@ def blocked(ending: Ending, node: ast.Call | ast.While, cls: NodeClass) -> Block
     return Blocked(*read) if read is not None else None
 
 
+def blocked_by_library(ending: Ending, call: ast.Call) -> Blocked | None:
+    """What a call of the standard library or of requests waits for; None when it does not block, or not for long."""
+    name = ending.syntax.qualified(call)
+    if name == "time.sleep":
+        return _sleep(ending, call)
+    if name in _PROGRAMS and not _has(call, "timeout") and not is_short(ending, call):
+        return None if _ends_behind(ending, call) else Blocked(str(name), UNTIL_END)
+    return _open(ending, call, name) if name in _OPENS else None
+
+
 def _loop(ending: Ending, node: ast.While, cls: NodeClass) -> Blocked | None:
     what = f"'while {ast.unparse(node.test)}'"
     if is_endless(ending, node):
@@ -80,14 +90,11 @@ def _loop(ending: Ending, node: ast.While, cls: NodeClass) -> Blocked | None:
 
 def _of_library(ending: Ending, call: ast.Call, name: str, cls: NodeClass) -> Blocked | None:
     """A function of rclpy, of the standard library or of requests."""
-    if name == "time.sleep":
-        return _sleep(ending, call)
     if name in _MEASURES:
         return _measure(ending, call, name)
-    if name in _PROGRAMS and not _has(call, "timeout") and not is_short(ending, call):
-        return None if _ends_behind(ending, call) else Blocked(name, UNTIL_END)
-    if name in _OPENS:
-        return _open(ending, call, name)
+    found = blocked_by_library(ending, call)
+    if found is not None:
+        return found
     if name in _SPINS and _is_of(call, cls):
         until = "until another callback is ready" if name == "rclpy.spin_once" else ""
         return Blocked(f"{name}(self)", _timeout(ending, call, _SPINS[name]) or until)

@@ -79,15 +79,20 @@ def is_motor_command(endpoint: Endpoint) -> bool:
     return bool(_OF_MOTORS.search(kind))
 
 
-_CONTROLS = regex(
-    r"(?:^unitree_(?:go|api|hg)/msg/(?:WirelessController|Request|LowCmd)|/(?:JointTrajectory|ServoCtrlMsg|OverrideRCIn"
-    r"|ManualControl(?:Setpoint)?|ManualControlInput|PositionTarget|AttitudeTarget|TrajectorySetpoint|VehicleCommand"
-    r"|SpeedCommand|MotorCommand|\w{0,30}MotorCmd|DriveCmd))\Z"
+_REMOTE = regex(
+    r"(?:^unitree_(?:go|api|hg)/msg/(?:WirelessController|Request|LowCmd)|/(?:ServoCtrlMsg|OverrideRCIn"
+    r"|ManualControl(?:Setpoint|Input)?|VehicleCommand|SpeedCommand|MotorCommand|\w{0,30}MotorCmd|DriveCmd))\Z"
 )
+_SETPOINTS = regex(r"/(?:JointTrajectory|PositionTarget|AttitudeTarget|TrajectorySetpoint)\Z")
 _GOALS = regex(r"/(?:Navigate(?:ToPose|ThroughPoses)|FollowWaypoints|FollowJointTrajectory|MoveGroup|DriveOnHeading)\Z")
 _COMMAND_TOPIC = regex(r"[\"'/}](?:cmd|commands?|cmd_vel|goal_pose)[\"'/]")
 
 _TWIST = regex(r"\bTwist(?:Stamped)?\b")
+
+
+def is_remote(endpoint: Endpoint) -> bool:
+    """Whether the messages are those of a remote control, an autopilot or a motor board, by their type."""
+    return _REMOTE.search(endpoint.type or "") is not None and not is_aimed(endpoint)
 
 
 def is_commanding(endpoint: Endpoint) -> bool:
@@ -97,7 +102,7 @@ def is_commanding(endpoint: Endpoint) -> bool:
         return _GOALS.search(endpoint.type or "") is not None
     if endpoint.role != "publisher" or is_aimed(endpoint):
         return False
-    if moves(endpoint) or _CONTROLS.search(endpoint.type or ""):
+    if moves(endpoint) or is_remote(endpoint) or _SETPOINTS.search(endpoint.type or ""):
         return True
     written = "" if endpoint.implied else endpoint.span.text
     return bool(_COMMAND_TOPIC.search(written)) or (endpoint.name is None and bool(_TWIST.search(written)))

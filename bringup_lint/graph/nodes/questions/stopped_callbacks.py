@@ -13,6 +13,7 @@ from bringup_lint.graph.nodes.questions.blocking_calls import UNTIL_KEY
 from bringup_lint.graph.nodes.questions.callback_code import only_stores
 from bringup_lint.graph.nodes.questions.device_reads import UNTIL_BYTE
 from bringup_lint.graph.nodes.questions.device_reads import UNTIL_PACKET
+from bringup_lint.graph.nodes.questions.driver_waits import driver_waits
 from bringup_lint.graph.nodes.questions.endless_loops import Endless
 from bringup_lint.graph.nodes.questions.endless_loops import endless_constructors
 from bringup_lint.graph.nodes.questions.nested_spins import taking_spins
@@ -73,7 +74,8 @@ def stopped_callbacks(nodes: Nodes) -> Iterator[Stopped]:
     for file, node in nodes.with_callbacks:
         threads = nodes.threads(node)
         taken = set(taking_spins(nodes, nodes.ending(file), node))
-        for wait in blocking(nodes.ending(file), node):
+        own = list(blocking(nodes.ending(file), node))
+        for wait in own or driver_waits(nodes, file, node):
             if wait.call in taken:
                 continue
             found = _stopped(nodes, file, node, wait, threads)

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.facts.ros.pin_libraries import PIN_LIBRARIES
+from bringup_lint.graph.nodes.questions.motion import is_remote
 from bringup_lint.graph.nodes.questions.motion import is_velocity
 from bringup_lint.graph.nodes.questions.motion import moves
 from bringup_lint.graph.nodes.questions.stopping import default_signals
@@ -80,7 +81,7 @@ def _stop(ending: Ending, call: ast.Call, cls: NodeClass | None, is_hardware: bo
     """Whether a call stops something by a message (True) or at the hardware (False); None when it stops nothing."""
     endpoint = published(ending.syntax, call, cls)
     if endpoint is not None:
-        return True if moves(endpoint) or is_velocity(endpoint) else None
+        return True if moves(endpoint) or is_velocity(endpoint) or is_remote(endpoint) else None
     inside = list(called(ending.syntax, call, cls)) if depth else []
     for function, owner in inside:
         for inner in own_calls(body_of(function)):
