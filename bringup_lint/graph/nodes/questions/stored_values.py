@@ -11,23 +11,23 @@ from bringup_lint.model.node_source import NodeClass
 
 def stored(syntax: Syntax, cls: NodeClass, attribute: ast.expr) -> list[ast.expr | None]:
     """The values but ``None`` that a class gives to an attribute such as ``self.x``; None for one that is unknown."""
-    return syntax.once(_Stored).of(cls).get(ast.unparse(attribute), []) if cls.node is not None else []
+    return syntax.once(_Stored).of(syntax, cls).get(ast.unparse(attribute), []) if cls.node is not None else []
 
 
 class _Stored:
-    """What the classes of one file store, each looked through once."""
+    """What the classes of one file store, each looked through once. It does not keep the syntax, which keeps it: both
+    would wait for a search for garbage."""
 
-    def __init__(self, syntax: Syntax) -> None:
-        self._syntax = syntax
+    def __init__(self, _: Syntax) -> None:
         self._values: dict[NodeClass, dict[str, list[ast.expr | None]]] = {}
 
-    def of(self, cls: NodeClass) -> dict[str, list[ast.expr | None]]:
+    def of(self, syntax: Syntax, cls: NodeClass) -> dict[str, list[ast.expr | None]]:
         """Attribute, as it is written -> its values but ``None``."""
         if cls not in self._values:
             found: dict[str, list[ast.expr | None]] = {}
             for each in cls.inner:
                 if isinstance(each, ast.Attribute) and isinstance(each.ctx, ast.Store):
-                    outer = next(self._syntax.above(each))[0]
+                    outer = next(syntax.above(each))[0]
                     value = outer.value if isinstance(outer, (ast.Assign, ast.AnnAssign)) else None
                     if not isinstance(value, ast.Constant) or value.value is not None:
                         found.setdefault(ast.unparse(each), []).append(value)
