@@ -4,8 +4,8 @@
 `apt install`, `upgrade` and `build-dep` (of `apt` and `apt-get`) without `-y`:
 - in a `RUN` of a Dockerfile, which has no terminal; information unless it installs packages of ROS, because an image
   may have all that other packages need;
-- in a script whose other calls of apt pass `-y`, so that it is meant to run by itself; information where the script
-  ends at the first failure (`set -e`), and where it only upgrades;
+- in a script whose other calls of apt pass `-y`, so that it is meant to run by itself; information where it only
+  upgrades, and where it ends at the first failure (`set -e`) and fewer of its calls pass `-y`;
 - in a script without any `-y` that sets the robot up afterwards: it copies to `/etc` or `/opt`, or enables units;
   information unless something of the tree starts the script, because a person may answer.
 
@@ -136,7 +136,7 @@ def _of_scripts(robot: Robot) -> Iterator[Finding]:
         asking = sorted((words for words, asks in each if asks), key=lambda words: not _installs(words))
         answered = [words[0] for words, _ in each if _is_answered(words)]
         if asking and answered:
-            yield _of_script(asking, answered[0])
+            yield _of_script(asking, answered)
         elif asking and _installs(asking[0]):
             yield from _of_set_up(robot, source, asking)
 
@@ -170,7 +170,7 @@ def _sets_up(run: Run) -> bool:
     return run.name in COPIES and OF_ROBOT.match(run.arguments[-1] if run.arguments else "") is not None
 
 
-def _of_script(asking: list[Sequence[Located]], answered: Located) -> Finding:
+def _of_script(asking: list[Sequence[Located]], answered: list[Located]) -> Finding:
     first, *others = asking
     stops = STOPS.search(first[0].span.source.text) is not None
     return finding(
@@ -178,8 +178,8 @@ def _of_script(asking: list[Sequence[Located]], answered: Located) -> Finding:
         "apt asks whether to go on when a package brings others along: the script waits for an answer, and "
         + ("ends where there is no terminal" if stops else "without a terminal goes on without the packages"),
         advice="write -y, as the other calls of this script do",
-        related=[note(answered, "this call does not ask"), *(note(other[0], "asks, too") for other in others)],
-        severity="info" if stops or not _installs(first) else None,
+        related=[note(answered[0], "this call does not ask"), *(note(other[0], "asks, too") for other in others)],
+        severity="info" if (stops and len(answered) < len(asking)) or not _installs(first) else None,
     )
 
 
