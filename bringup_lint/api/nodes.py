@@ -56,6 +56,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.python_releases import not_there
     from bringup_lint.graph.nodes.questions.python_releases import python_of
     from bringup_lint.graph.nodes.questions.quaternion_order import misordered_quaternions
+    from bringup_lint.graph.nodes.questions.races import races
     from bringup_lint.graph.nodes.questions.rates import endless_rates
     from bringup_lint.graph.nodes.questions.refused_logs import RefusedLog
     from bringup_lint.graph.nodes.questions.refused_logs import refused_logs
@@ -96,6 +97,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.unsafe_ends import unsafe_ends
     from bringup_lint.graph.nodes.questions.unsafe_hardware import unsafe_hardware
     from bringup_lint.graph.nodes.questions.unsafe_hardware import unsafe_in_cpp
+    from bringup_lint.graph.nodes.questions.unset_members import unset_members
     from bringup_lint.graph.nodes.questions.unstamped import unstamped
     from bringup_lint.graph.nodes.questions.what_ends import end_of
     from bringup_lint.graph.nodes.questions.what_ends import end_of_callbacks
@@ -176,6 +178,7 @@ __all__ = [
     "not_there",
     "publish_after_deactivate",
     "python_of",
+    "races",
     "range_text",
     "rare_signals",
     "refused_logs",
@@ -210,6 +213,7 @@ __all__ = [
     "unsafe_hardware",
     "unsafe_in_cpp",
     "unset",
+    "unset_members",
     "unstamped",
     "untyped_reads",
     "valid_node_name",

@@ -97,6 +97,42 @@ class Unset(NamedTuple):
     name: str
 
 
+class UnsetMember(NamedTuple):
+    """A number or truth value of a node that a callback reads, and that only callbacks set."""
+
+    declared: Span | None
+    """None when another file declares it."""
+    read: Span
+    name: str
+    owner: str
+    """The class whose member it is."""
+    callback: str
+    """What reads it, in a sentence: ``on_timer()``, ``a lambda``."""
+    set_later: Span | None
+    """Where another callback sets it; None when only the same one does, after it has read it."""
+
+
+class BareMember(NamedTuple):
+    """A number or truth value that a class of nodes declares without a value, and that its file does not name again."""
+
+    declared: Located
+    owner: str
+
+
+class MessageRace(NamedTuple):
+    """A member that a callback replaces by a message while another thread reads it."""
+
+    replaced: Span
+    read: Span
+    name: str
+    callback: str
+    """In a sentence: ``on_odom()``, ``a lambda``."""
+    reader: str
+    """The function that the other thread runs."""
+    is_update: bool
+    """The other thread is that of the controller manager."""
+
+
 class EarlyPointer(NamedTuple):
     """``shared_from_this()`` while the object is made."""
 
@@ -250,6 +286,9 @@ class CppNode:
     nested_spins: list[NestedSpin] = field(default_factory=list)
     missing_returns: list[MissingReturn] = field(default_factory=list)
     unset: list[Unset] = field(default_factory=list)
+    unset_members: list[UnsetMember] = field(default_factory=list)
+    bare_members: list[BareMember] = field(default_factory=list)
+    races: list[MessageRace] = field(default_factory=list)
     canceled: list[Canceled] = field(default_factory=list)
     divisors: list[Located] = field(default_factory=list)
     """Velocities of commands by which something is divided unseen."""

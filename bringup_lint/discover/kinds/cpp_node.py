@@ -9,11 +9,15 @@ SUFFIXES = (".cpp", ".cc", ".cxx", ".hpp", ".hh", ".h")
 FIRMWARE = (*SUFFIXES, ".c", ".ino")
 
 
+_NODES = ("rclcpp", "RCLCPP_", "create_publisher", "create_subscription", "create_wall_timer")
+"""Names of rclcpp, also where a header of the package includes it."""
+
+
 def _is_node(path: str, head: Head) -> bool:
     if not path.endswith(FIRMWARE):
         return False
     text = head()
-    return "rclc/" in text or (path.endswith(SUFFIXES) and "rclcpp" in text)
+    return "rclc/" in text or (path.endswith(SUFFIXES) and any(word in text for word in _NODES))
 
 
 _DEVICES = ("linux/can", "SIOCGIFINDEX", "termios.h")

@@ -167,6 +167,12 @@ class Nodes:
         """The C++ sources of the package of one that have its name up to the first dot, as its header has."""
         return self._by_stem.get(self._stem(source), [])
 
+    def headers(self, source: Source) -> list[CppNode]:
+        """The other C++ sources of the package of one that have its name up to the first dot."""
+        from bringup_lint.parsers.cpp_node import parse as parse_cpp
+
+        return self.files.parsed(parse_cpp, (each for each in self.named_alike(source) if each is not source))
+
     @cached_property
     def _by_stem(self) -> dict[tuple[Package | None, str], list[Source]]:
         found: dict[tuple[Package | None, str], list[Source]] = {}

@@ -30,6 +30,7 @@ from bringup_lint.parsers.cpp_node.parameters import declarations
 from bringup_lint.parsers.cpp_node.parameters import is_open
 from bringup_lint.parsers.cpp_node.parameters import reads
 from bringup_lint.parsers.cpp_node.parameters import texts_as_bool
+from bringup_lint.parsers.cpp_node.races import races
 from bringup_lint.parsers.cpp_node.swallowed import swallowed
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.parsers.cpp_node.text_limits import TEXT
@@ -39,6 +40,8 @@ from bringup_lint.parsers.cpp_node.threads import threads
 from bringup_lint.parsers.cpp_node.time_sources import time_members
 from bringup_lint.parsers.cpp_node.time_sources import time_uses
 from bringup_lint.parsers.cpp_node.unset import unset
+from bringup_lint.parsers.cpp_node.unset_members import bare_members
+from bringup_lint.parsers.cpp_node.unset_members import unset_members
 from bringup_lint.parsers.cpp_node.unstamped import unstamped
 from bringup_lint.parsers.cpp_node.values import Names
 from bringup_lint.parsers.cpp_node.waits import waits
@@ -98,7 +101,10 @@ def parse(source: Source) -> CppNode:
     node.activation = activation(code)
     node.misread = list(misread(code))
     node.missing_returns = list(missing_returns(code))
+    node.races = list(races(code, node.callbacks[:CALLBACKS]))
     node.unset = list(unset(code))
+    node.bare_members = list(bare_members(code, node.classes))
+    node.unset_members = list(unset_members(code, node.classes, node.callbacks[:CALLBACKS]))
     node.canceled = list(canceled(code))
     node.divisors = list(divisors(code))
     node.unstamped = list(unstamped(code, names, node.endpoints))
