@@ -1,8 +1,9 @@
 """A message that is empty or malformed ends the node.
 
 ## What it finds
-In callbacks of subscriptions of Python nodes, outside every `try` that takes the exception:
+In callbacks of subscriptions and services of Python nodes, outside every `try` that takes the exception:
 - `json.loads`, `ast.literal_eval`, `yaml.safe_load`, `float` and `int` of the text of a message,
+- an entry of a dictionary that the file writes out, for the text of a message,
 - the first or last element, `max()` or `min()` of an array that is empty in regular operation, and that the function
   asks nothing about before: `detections`, `markers`, the `poses` of a path, the `points` of a trajectory.
 
@@ -69,12 +70,13 @@ def message_unchecked(robot: Robot) -> Iterator[Finding]:
 def _finding(robot: Robot, file: nodes.NodeSource, first: nodes.Unchecked, *others: nodes.Unchecked) -> Finding:
     """One for what a file does in the same way with several messages."""
     fault, topic = first.fault, f" on {first.endpoint.name}" if first.endpoint.name is not None else ""
+    kind = "request" if first.endpoint.role == "service" else "message"
     return finding(
         file.span_of(fault.node),
-        f"A message{topic} {fault.when} raises {fault.raises}: {nodes.end_of(robot.nodes.syntax(file), fault.node)}",
+        f"A {kind}{topic} {fault.when} raises {fault.raises}: {nodes.end_of(robot.nodes.syntax(file), fault.node)}",
         advice="catch it, log it and go without this message" if fault.is_text else "return when it is empty",
         related=[
-            note(first.endpoint.span, f"{first.name}() is the callback of this subscription"),
+            note(first.endpoint.span, f"{first.name}() is the callback of this {first.endpoint.role}"),
             *(note(file.span_of(each.fault.node), f"the same in {each.name}()") for each in others),
         ],
         severity=robot.nodes.graded(file.source, "warning"),

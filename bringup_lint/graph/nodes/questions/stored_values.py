@@ -14,6 +14,20 @@ def stored(syntax: Syntax, cls: NodeClass, attribute: ast.expr) -> list[ast.expr
     return syntax.once(_Stored).of(syntax, cls).get(ast.unparse(attribute), []) if cls.node is not None else []
 
 
+def module_values(syntax: Syntax) -> dict[str, list[ast.expr | None]]:
+    """Name of a variable of the module -> the values that the module gives it."""
+    return syntax.once(_of_module)
+
+
+def _of_module(syntax: Syntax) -> dict[str, list[ast.expr | None]]:
+    found: dict[str, list[ast.expr | None]] = {}
+    for node in syntax.file.nodes:
+        if isinstance(node, ast.Assign) and syntax.function(node) is None:
+            for target in node.targets:
+                found.setdefault(ast.unparse(target), []).append(node.value)
+    return found
+
+
 class _Stored:
     """What the classes of one file store, each looked through once. It does not keep the syntax, which keeps it: both
     would wait for a search for garbage."""

@@ -8,12 +8,15 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.nodes.questions.callback_code import code_of
+from bringup_lint.graph.nodes.questions.stored_values import module_values
+from bringup_lint.graph.nodes.questions.stored_values import stored
 from bringup_lint.graph.nodes.questions.uncaught import is_caught
 from bringup_lint.graph.nodes.questions.uncaught import uncaught
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
+from bringup_lint.model.python import is_self
 from bringup_lint.model.python import walk
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
@@ -62,6 +65,8 @@ _EMPTY = {
 _SEEN = regex(r"(?:detections|bounding_boxes|boxes|objects|obstacles|persons|people|faces|tracks|markers|marker_ids)\Z")
 """Names for the same in messages of the robot's own."""
 _CLEANED = ("strip", "lower", "upper", "rstrip", "lstrip", "replace")
+_ROLES = ("subscription", "service")
+_KEY_ERRORS = frozenset({"KeyError", "LookupError"})
 _INDEX_ERRORS = frozenset({"IndexError", "LookupError"})
 _MOST_ERRORS = frozenset({"ValueError"})
 
@@ -96,10 +101,10 @@ def unchecked_messages(nodes: Nodes) -> Iterator[Unchecked]:
 
 def _in_class(nodes: Nodes, types: MessageTypes, cls: NodeClass) -> Iterator[Unchecked]:
     ending = nodes.ending(types.file)
-    heard = {each.callback: each for each in cls.endpoints if each.role == "subscription" and each.callback is not None}
+    heard = {each.callback: each for each in cls.endpoints if each.role in _ROLES and each.callback is not None}
     seen: set[ast.AST] = set()
     for callback in cls.callbacks:
-        endpoint = heard.get(callback.name or "") if callback.role == "subscription" else None
+        endpoint = heard.get(callback.name or "") if callback.role in _ROLES else None
         if endpoint is None or _is_encoded(nodes, endpoint):
             continue
         name, body = code_of(ending, cls, callback)
@@ -126,7 +131,11 @@ def _faults(types: MessageTypes, cls: NodeClass, body: list[ast.AST]) -> Iterato
     syntax = types.syntax
     readers = [each for each in _READERS if each.rpartition(".")[2] in syntax.file.source.text]
     looks = [(_READERS[each].names, partial(_reading, types, each)) for each in readers]
-    looks += [(_INDEX_ERRORS, partial(_element, types)), (_MOST_ERRORS, partial(_most, types))]
+    looks += [
+        (_KEY_ERRORS, partial(_lookup, types, cls)),
+        (_INDEX_ERRORS, partial(_element, types)),
+        (_MOST_ERRORS, partial(_most, types)),
+    ]
     for names, look in looks:
         for fault in uncaught(syntax, cls, body, names, look):
             if not _is_asked(syntax, fault.node, fault.fields):
@@ -143,6 +152,39 @@ def _reading(types: MessageTypes, reader: str, node: ast.AST) -> Fault | None:
         return None
     kind = _READERS[reader]
     return Fault(node, [ast.unparse(field)], f"whose {field.attr} {kind.what}", kind.raises, True)
+
+
+def _lookup(types: MessageTypes, cls: NodeClass, node: ast.AST) -> Fault | None:
+    """A subscript that takes the entry for a text of a message from a dictionary that the file writes out."""
+    if not isinstance(node, ast.Subscript) or not isinstance(node.ctx, ast.Load):
+        return None
+    key = node.slice
+    if not isinstance(key, ast.Attribute) or not _is_taken(key) or types.of(key) != "string":
+        return None
+    values = _values(types.syntax, cls, node.value)
+    if len(values) != 1 or not _is_written_out(values[0]):
+        return None
+    names = [ast.unparse(key), ast.unparse(node.value)]
+    return Fault(node, names, f"whose {key.attr} is no key of {names[1]}", "KeyError", True)
+
+
+def _values(syntax: Syntax, cls: NodeClass, node: ast.expr) -> list[ast.expr | None]:
+    """What an attribute of the node, or a variable of the module, gets."""
+    if isinstance(node, ast.Name):
+        return module_values(syntax).get(node.id, [])
+    if not isinstance(node, ast.Attribute) or not is_self(node.value):
+        return []
+    body = cls.node.body if cls.node is not None else []
+    constants = [each.value for each in body if isinstance(each, ast.Assign) and _is_named(each.targets, node.attr)]
+    return [*constants, *stored(syntax, cls, node)]
+
+
+def _is_named(targets: list[ast.expr], name: str) -> bool:
+    return any(isinstance(each, ast.Name) and each.id == name for each in targets)
+
+
+def _is_written_out(value: ast.expr | None) -> bool:
+    return isinstance(value, ast.Dict) and bool(value.keys) and all(isinstance(key, ast.Constant) for key in value.keys)
 
 
 def _text_of(call: ast.Call) -> ast.Attribute | None:

@@ -9,6 +9,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.nodes.questions.callback_code import code_of
+from bringup_lint.graph.nodes.questions.stored_values import module_values
 from bringup_lint.graph.nodes.questions.stored_values import stored
 from bringup_lint.graph.nodes.questions.uncaught import uncaught
 from bringup_lint.graph.nodes.sources.syntax import Syntax
@@ -84,21 +85,11 @@ def _of_port(syntax: Syntax, cls: NodeClass, node: ast.expr, port: ast.expr) -> 
     if isinstance(port, ast.Attribute) and is_self(port.value):
         values = stored(syntax, cls, port)
     elif isinstance(port, ast.Name):
-        values = syntax.once(_of_module).get(port.id, [])
+        values = module_values(syntax).get(port.id, [])
     else:
         return None
     opened = [each for each in values if isinstance(each, ast.Call) and syntax.qualified(each) in _PORTS]
     return (node, opened[0]) if opened and len(opened) == len(values) else None
-
-
-def _of_module(syntax: Syntax) -> dict[str, list[ast.expr | None]]:
-    """The values of the variables of the module."""
-    found: dict[str, list[ast.expr | None]] = {}
-    for node in syntax.file.nodes:
-        if isinstance(node, ast.Assign) and syntax.function(node) is None:
-            for target in node.targets:
-                found.setdefault(ast.unparse(target), []).append(node.value)
-    return found
 
 
 def _threads(syntax: Syntax, cls: NodeClass) -> list[str]:
