@@ -30,7 +30,7 @@ _DESCRIPTIONS = (".urdf", ".xacro", ".sdf")
 _PATH, _GIVEN, _UNKNOWN = "\1", "\2", "\3"
 """What stands for a part of a command that is not literal: a path, an argument of the launch file, and all else."""
 _WORD = regex(r"\S+")
-_OPTION = regex(r"\w+:=")
+_OPTION = regex(r"\b\w+:=")
 _AFTER_FILE = regex(r"(?:\x01|\x02(?=[A-Za-z_]))(?:/[\w/.-]*\.(?:urdf|xacro|sdf))?(?P<name>[A-Za-z_]\w*):=")
 _PROGRAMS = ("xacro", "ros2 run xacro xacro", "cat")
 _FILE = regex(r"(?:(?:ros2 run xacro )?xacro|cat)[ \t]+(?P<file>[\x01\x02])")

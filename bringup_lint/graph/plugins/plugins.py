@@ -12,6 +12,8 @@ from bringup_lint.graph.plugins.controllers import UntypedController
 from bringup_lint.graph.plugins.controllers import untyped_controllers
 from bringup_lint.graph.plugins.drive_commands import Unstamped
 from bringup_lint.graph.plugins.drive_commands import unstamped_commands
+from bringup_lint.graph.plugins.gone_simulator_plugins import GonePlugin
+from bringup_lint.graph.plugins.gone_simulator_plugins import gone_simulator_plugins
 from bringup_lint.graph.plugins.hardware_parameters import HardwareParameter
 from bringup_lint.graph.plugins.hardware_parameters import hardware_parameters
 from bringup_lint.graph.plugins.incomplete import IncompleteController
@@ -90,6 +92,11 @@ class Plugins:
     def refused_descriptions(self) -> list[list[Refused]]:
         """What is wrong with robot descriptions, that of one file together."""
         return list(refused_descriptions(self._files, self._launch.workspace))
+
+    @cached_property
+    def gone_simulator_plugins(self) -> list[list[GonePlugin]]:
+        """Plugins of Gazebo Classic that descriptions name, and that only ROS 1 has: all of them together."""
+        return list(filter(None, [list(gone_simulator_plugins(self._files, self._launch.workspace))]))
 
     @cached_property
     def unknown_arguments(self) -> list[UnknownArgument]:

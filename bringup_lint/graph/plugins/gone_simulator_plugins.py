@@ -1,0 +1,93 @@
+"""Plugins of Gazebo Classic that robot descriptions name, and that only ROS 1 has."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.discover.kinds.launch import LAUNCH
+from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.parsers.xml import parse
+from bringup_lint.pattern import regex
+from bringup_lint.source import Located
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.files import Files
+    from bringup_lint.graph.workspace import Workspace
+    from bringup_lint.model.xml import Element
+    from bringup_lint.source import Source
+
+_INSTEAD = {
+    "libgazebo_ros_control.so": "libgazebo_ros2_control.so",
+    "libgazebo_ros_laser.so": "libgazebo_ros_ray_sensor.so",
+    "libgazebo_ros_gpu_laser.so": "libgazebo_ros_ray_sensor.so",
+    "libgazebo_ros_block_laser.so": "libgazebo_ros_ray_sensor.so",
+    "libgazebo_ros_range.so": "libgazebo_ros_ray_sensor.so",
+    "libgazebo_ros_imu.so": "libgazebo_ros_imu_sensor.so",
+    "libgazebo_ros_openni_kinect.so": "libgazebo_ros_camera.so",
+    "libgazebo_ros_depth_camera.so": "libgazebo_ros_camera.so",
+    "libgazebo_ros_multicamera.so": "libgazebo_ros_camera.so",
+    "libgazebo_ros_skid_steer_drive.so": "libgazebo_ros_diff_drive.so",
+}
+"""gazebo_plugins and gazebo_ros_control of Noetic, and what gazebo_plugins and gazebo_ros2_control of Foxy to Iron have
+in their place."""
+_NAMED = regex("|".join(map(re.escape, _INSTEAD)), hints="libgazebo_ros_")
+_CLASSIC = regex(r"[\"'( ]gazebo_ros[\"')/ ]|\bgzserver\b", hints="gazebo_ros gzserver")
+_PARTS = regex(r"\.gazebo$")
+_FILE = regex(r"(?<![\w.-])[\w.-]+\.(?:urdf|xacro|gazebo)\b")
+
+
+class GonePlugin(NamedTuple):
+    name: Located
+    instead: str
+
+
+def gone_simulator_plugins(files: Files, workspace: Workspace) -> Iterator[GonePlugin]:
+    """The plugins in descriptions that launch files load, themselves or as parts of others, where Gazebo Classic is
+    started."""
+    launched = [source for source in files.of_kind(*LAUNCH) if source.judged]
+    if not any(source.matches(_CLASSIC) for source in launched):
+        return
+    sources = [source for source in files.of_kind("urdf") if source.judged]
+    parts = (files.tree.read(path) for path in files.tree.like(_PARTS))
+    sources += [part for part in parts if part is not None]
+    if not any(source.matches(_NAMED) for source in sources):
+        return
+    for source in _loaded(launched, sources):
+        root = parse(source).root if source.matches(_NAMED) and _is_of_ros2(workspace, source) else None
+        for element in root.walk() if root is not None else []:
+            name = element.get("filename") if element.local == "plugin" else None
+            if name is not None and str(name) in _INSTEAD and _is_certain(element):
+                yield GonePlugin(name, _INSTEAD[str(name)])
+
+
+def _loaded(launched: list[Source], descriptions: list[Source]) -> Iterator[Source]:
+    """The descriptions that launch files name, and those that these include."""
+    by_name: dict[str, list[Source]] = {}
+    for each in descriptions:
+        by_name.setdefault(each.basename, []).append(each)
+    seen: set[Source] = set()
+    todo = list(launched)
+    while todo:
+        text = todo.pop().text
+        for name in {match[0] for match in _FILE.finditer(text)}:
+            new = [each for each in by_name.get(name, ()) if each not in seen]
+            seen.update(new)
+            todo += new
+    return (each for each in descriptions if each in seen)
+
+
+def _is_of_ros2(workspace: Workspace, source: Source) -> bool:
+    owner = workspace.owner(source)
+    return not workspace.is_vendored(source) and (owner is None or "catkin" not in owner.manifest.source.text)
+
+
+def _is_certain(element: Element) -> bool:
+    """Whether no condition and no macro decides whether the plugin is in the description."""
+    outer = element.parent
+    while outer is not None:
+        if outer.name in ("xacro:if", "xacro:unless", "xacro:macro"):
+            return False
+        outer = outer.parent
+    return True
