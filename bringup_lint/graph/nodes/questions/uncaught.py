@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 from collections.abc import Callable
 from collections.abc import Iterator
+from typing import Generic
 from typing import TypeVar
 
 from bringup_lint.graph.nodes.sources.sending import called
@@ -18,28 +19,49 @@ _DEPTH = 4
 _ALL = frozenset({"Exception", "BaseException"})
 
 
-def uncaught(
-    syntax: Syntax,
-    cls: NodeClass,
-    body: list[ast.AST],
-    names: frozenset[str],
-    look: Callable[[ast.AST], Found | None],
-) -> Iterator[Found]:
-    """What a look finds in the nodes that statements run, by themselves or through functions of the file, where nothing
-    takes an exception of one of the names; each function once."""
-    seen: set[ast.AST] = set()
-    todo = [(body, 0)]
-    while todo:
-        statements, depth = todo.pop()
+class Uncaught(Generic[Found]):
+    """What a look finds in the code that callbacks of a class run, by itself or through functions of the file, where
+    nothing takes an exception of one of the names. Each function is looked at once for all callbacks."""
+
+    def __init__(
+        self, syntax: Syntax, cls: NodeClass, names: frozenset[str], look: Callable[[ast.AST], Found | None]
+    ) -> None:
+        self._syntax = syntax
+        self._cls = cls
+        self._names = names
+        self._look = look
+        self._known: dict[ast.AST, tuple[list[Found], list[ast.AST]]] = {}
+
+    def of(self, body: list[ast.AST]) -> Iterator[Found]:
+        """What is found in the statements of a callback, each function once."""
+        seen: set[ast.AST] = set()
+        todo = [(self._in(body), 0)]
+        while todo:
+            (found, functions), depth = todo.pop()
+            yield from found
+            for function in functions if depth < _DEPTH else ():
+                if function not in seen:
+                    seen.add(function)
+                    todo.append((self._in_function(function), depth + 1))
+
+    def _in_function(self, function: ast.AST) -> tuple[list[Found], list[ast.AST]]:
+        if function not in self._known:
+            self._known[function] = self._in(body_of(function))
+        return self._known[function]
+
+    def _in(self, statements: list[ast.AST]) -> tuple[list[Found], list[ast.AST]]:
+        """What is found in statements themselves, and the functions that they call."""
+        found: list[Found] = []
+        functions: dict[ast.AST, None] = {}
         for node in own(statements):
-            found = look(node)
-            if found is not None and not is_caught(syntax, node, names):
-                yield found
-            if isinstance(node, ast.Call) and depth < _DEPTH and not is_caught(syntax, node, names):
-                for function, owner in called(syntax, node, cls):
-                    if function not in seen and (owner is None or owner.source is cls.source):
-                        seen.add(function)
-                        todo.append((body_of(function), depth + 1))
+            one = self._look(node)
+            if one is not None and not is_caught(self._syntax, node, self._names):
+                found.append(one)
+            if isinstance(node, ast.Call) and not is_caught(self._syntax, node, self._names):
+                for function, owner in called(self._syntax, node, self._cls):
+                    if owner is None or owner.source is self._cls.source:
+                        functions[function] = None
+        return found, list(functions)
 
 
 def is_caught(syntax: Syntax, node: ast.AST, names: frozenset[str]) -> bool:

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 from bringup_lint.graph.nodes.questions.callback_code import code_of
 from bringup_lint.graph.nodes.questions.stored_values import module_values
 from bringup_lint.graph.nodes.questions.stored_values import stored
+from bringup_lint.graph.nodes.questions.uncaught import Uncaught
 from bringup_lint.graph.nodes.questions.uncaught import is_caught
-from bringup_lint.graph.nodes.questions.uncaught import uncaught
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import NodeClass
@@ -93,53 +93,56 @@ class Unchecked(NamedTuple):
 
 def unchecked_messages(nodes: Nodes) -> Iterator[Unchecked]:
     """For each subscription the first place at which one message ends its callback with an exception."""
+    encoded = _encoded_topics(nodes)
     for types in nodes.message_types:
         for cls in types.file.classes:
             if cls.is_node is True:
-                yield from _in_class(nodes, types, cls)
+                yield from _in_class(nodes, types, cls, encoded)
 
 
-def _in_class(nodes: Nodes, types: MessageTypes, cls: NodeClass) -> Iterator[Unchecked]:
+def _in_class(nodes: Nodes, types: MessageTypes, cls: NodeClass, encoded: frozenset[str]) -> Iterator[Unchecked]:
     ending = nodes.ending(types.file)
+    looks = _looks(types, cls)
     heard = {each.callback: each for each in cls.endpoints if each.role in _ROLES and each.callback is not None}
     seen: set[ast.AST] = set()
     for callback in cls.callbacks:
         endpoint = heard.get(callback.name or "") if callback.role in _ROLES else None
-        if endpoint is None or _is_encoded(nodes, endpoint):
+        if endpoint is None or _last_word(endpoint) in encoded:
             continue
         name, body = code_of(ending, cls, callback)
-        fault = next((each for each in _faults(types, cls, body) if each.node not in seen), None)
+        fault = next((each for each in _faults(types.syntax, looks, body) if each.node not in seen), None)
         if fault is not None:
             seen.add(fault.node)
             yield Unchecked(types.file, endpoint, name, fault)
 
 
-def _is_encoded(nodes: Nodes, endpoint: Endpoint) -> bool:
-    """Whether a program of the tree makes the text for a topic of that name, and does so properly."""
-    name = str(endpoint.name or "").rpartition("/")[2]
-    return bool(name) and any(
-        each.role == "publisher" and str(each.name or "").rpartition("/")[2] == name
-        for file in nodes.judged
-        if "dumps" in file.source.text
-        for node in file.classes
-        for each in node.endpoints
-    )
+def _last_word(endpoint: Endpoint) -> str:
+    return str(endpoint.name or "").rpartition("/")[2]
 
 
-def _faults(types: MessageTypes, cls: NodeClass, body: list[ast.AST]) -> Iterator[Fault]:
-    """What raises for some message, outside a ``try``, where the function asks nothing of the field before."""
-    syntax = types.syntax
-    readers = [each for each in _READERS if each.rpartition(".")[2] in syntax.file.source.text]
+def _encoded_topics(nodes: Nodes) -> frozenset[str]:
+    """The last words of the names of topics on which programs that make JSON publish: their text is proper."""
+    files = (file for file in nodes.judged if "dumps" in file.source.text)
+    endpoints = (each for file in files for node in file.classes for each in node.endpoints)
+    return frozenset(_last_word(each) for each in endpoints if each.role == "publisher") - {""}
+
+
+def _looks(types: MessageTypes, cls: NodeClass) -> list[Uncaught[Fault]]:
+    """The looks for what raises for some message, outside a ``try``."""
+    readers = [each for each in _READERS if each.rpartition(".")[2] in types.syntax.file.source.text]
     looks = [(_READERS[each].names, partial(_reading, types, each)) for each in readers]
     looks += [
         (_KEY_ERRORS, partial(_lookup, types, cls)),
         (_INDEX_ERRORS, partial(_element, types)),
         (_MOST_ERRORS, partial(_most, types)),
     ]
-    for names, look in looks:
-        for fault in uncaught(syntax, cls, body, names, look):
-            if not _is_asked(syntax, fault.node, fault.fields):
-                yield fault
+    return [Uncaught(types.syntax, cls, names, look) for names, look in looks]
+
+
+def _faults(syntax: Syntax, looks: list[Uncaught[Fault]], body: list[ast.AST]) -> Iterator[Fault]:
+    """What raises for some message, where the function asks nothing of the field before."""
+    found = (fault for look in looks for fault in look.of(body))
+    return (fault for fault in found if not _is_asked(syntax, fault))
 
 
 def _reading(types: MessageTypes, reader: str, node: ast.AST) -> Fault | None:
@@ -243,14 +246,24 @@ def _is_taken(node: ast.Attribute) -> bool:
     return isinstance(inner, ast.Name) and inner.id != "self"
 
 
-def _is_asked(syntax: Syntax, node: ast.AST, fields: list[str]) -> bool:
-    """Whether the function around a node asks for a field in a condition, counts it or goes through it."""
-    function = syntax.function(node)
-    return function is None or any(
-        isinstance(part, (ast.Name, ast.Attribute)) and ast.unparse(part) in fields
-        for asked in _asked(function)
-        for part in walk(asked)
-    )
+def _is_asked(syntax: Syntax, fault: Fault) -> bool:
+    """Whether the function around a place asks for the field in a condition, counts it or goes through it."""
+    function = syntax.function(fault.node)
+    return function is None or not syntax.once(_Asked).of(function).isdisjoint(fault.fields)
+
+
+class _Asked:
+    """The variables and fields that functions ask for, as they are written."""
+
+    def __init__(self, _syntax: Syntax) -> None:
+        self._known: dict[ast.AST, frozenset[str]] = {}
+
+    def of(self, function: ast.AST) -> frozenset[str]:
+        if function not in self._known:
+            parts = (part for asked in _asked(function) for part in walk(asked))
+            named = (part for part in parts if isinstance(part, (ast.Name, ast.Attribute)))
+            self._known[function] = frozenset(map(ast.unparse, named))
+        return self._known[function]
 
 
 def _asked(function: ast.AST) -> Iterator[ast.AST]:

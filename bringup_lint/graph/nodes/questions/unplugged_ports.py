@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from bringup_lint.graph.nodes.questions.callback_code import code_of
 from bringup_lint.graph.nodes.questions.stored_values import module_values
 from bringup_lint.graph.nodes.questions.stored_values import stored
-from bringup_lint.graph.nodes.questions.uncaught import uncaught
+from bringup_lint.graph.nodes.questions.uncaught import Uncaught
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.model.node_source import NodeClass
@@ -50,21 +50,27 @@ def unplugged_ports(nodes: Nodes) -> Iterator[Unplugged]:
         syntax = nodes.syntax(file)
         bodies = [(*code_of(nodes.ending(file), cls, each), False) for each in cls.callbacks]
         bodies += [(name, body_of(cls.methods[name].node), True) for name in _threads(syntax, cls)]
-        found = (use for name, body, is_thread in bodies for use in _uses(syntax, file, cls, name, body, is_thread))
+        looks = _looks(syntax, cls)
+        found = (
+            Unplugged(file, node, opened, name, raises, is_thread)
+            for name, body, is_thread in bodies
+            for raises, look in looks
+            for node, opened in look.of(body)
+        )
         first = next(found, None)
         if first is not None and (first.is_thread or not _is_restarted(nodes, file)):
             yield first
 
 
-def _uses(
-    syntax: Syntax, file: NodeSource, cls: NodeClass, name: str, body: list[ast.AST], is_thread: bool
-) -> Iterator[Unplugged]:
-    for method, caught, raises in (
-        (_asked, _OF_SYSTEM, "OSError"),
-        (_read, _OF_SYSTEM | _OF_LIBRARY, "SerialException"),
-    ):
-        for node, opened in uncaught(syntax, cls, body, caught, partial(method, syntax, cls)):
-            yield Unplugged(file, node, opened, name, raises, is_thread)
+def _looks(syntax: Syntax, cls: NodeClass) -> list[tuple[str, Uncaught[tuple[ast.expr, ast.expr]]]]:
+    """The looks for uses of a port, each after the exception that it raises."""
+    return [
+        (raises, Uncaught(syntax, cls, caught, partial(use, syntax, cls)))
+        for use, caught, raises in (
+            (_asked, _OF_SYSTEM, "OSError"),
+            (_read, _OF_SYSTEM | _OF_LIBRARY, "SerialException"),
+        )
+    ]
 
 
 def _asked(syntax: Syntax, cls: NodeClass, node: ast.AST) -> tuple[ast.expr, ast.expr] | None:
