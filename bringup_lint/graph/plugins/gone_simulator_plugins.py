@@ -56,7 +56,9 @@ def gone_simulator_plugins(files: Files, workspace: Workspace) -> Iterator[GoneP
         return
     for source in _loaded(launched, sources):
         root = parse(source).root if source.matches(_NAMED) and _is_of_ros2(workspace, source) else None
-        for element in root.walk() if root is not None else []:
+        if root is None:
+            continue
+        for element in root.walk():
             name = element.get("filename") if element.local == "plugin" else None
             if name is not None and str(name) in _INSTEAD and _is_certain(element):
                 yield GonePlugin(name, _INSTEAD[str(name)])

@@ -39,10 +39,9 @@ class Uncaught(Generic[Found]):
         while todo:
             (found, functions), depth = todo.pop()
             yield from found
-            for function in functions if depth < _DEPTH else ():
-                if function not in seen:
-                    seen.add(function)
-                    todo.append((self._in_function(function), depth + 1))
+            new = [function for function in functions if function not in seen and depth < _DEPTH]
+            seen.update(new)
+            todo.extend((self._in_function(function), depth + 1) for function in new)
 
     def _in_function(self, function: ast.AST) -> tuple[list[Found], list[ast.AST]]:
         if function not in self._known:
