@@ -89,7 +89,8 @@ _LOGIN = regex(
     re.I,
 )
 """What code that asks for a password or key has in it somewhere."""
-_SIMULATES = regex(r"gazebo|simulat|isaac_?sim|webots", re.I)
+_SIMULATES = regex(r"gazebo|isaac_?sim|webots", re.I)
+"""The names of simulators: a server beside them drives a model. A mode without hardware is no simulator."""
 _TAKES = regex(
     r"do_(?:POST|PUT)|self\.path|methods\s?=|\.(?:post|put|add_post|websocket|route|on|on_event)\(|WebSocket|recv|on_message"
     r"|async for \w{1,40} in|ui\.(?:button|slider|joystick|keyboard|switch)|register_function|readline|\.read\("
