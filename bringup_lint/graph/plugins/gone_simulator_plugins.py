@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.discover.kinds.launch import LAUNCH
+from bringup_lint.facts import table
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.xml import parse
 from bringup_lint.pattern import regex
@@ -18,21 +18,7 @@ if TYPE_CHECKING:
     from bringup_lint.model.xml import Element
     from bringup_lint.source import Source
 
-_INSTEAD = {
-    "libgazebo_ros_control.so": "libgazebo_ros2_control.so",
-    "libgazebo_ros_laser.so": "libgazebo_ros_ray_sensor.so",
-    "libgazebo_ros_gpu_laser.so": "libgazebo_ros_ray_sensor.so",
-    "libgazebo_ros_block_laser.so": "libgazebo_ros_ray_sensor.so",
-    "libgazebo_ros_range.so": "libgazebo_ros_ray_sensor.so",
-    "libgazebo_ros_imu.so": "libgazebo_ros_imu_sensor.so",
-    "libgazebo_ros_openni_kinect.so": "libgazebo_ros_camera.so",
-    "libgazebo_ros_depth_camera.so": "libgazebo_ros_camera.so",
-    "libgazebo_ros_multicamera.so": "libgazebo_ros_camera.so",
-    "libgazebo_ros_skid_steer_drive.so": "libgazebo_ros_diff_drive.so",
-}
-"""gazebo_plugins and gazebo_ros_control of Noetic, and what gazebo_plugins and gazebo_ros2_control of Foxy to Iron have
-in their place."""
-_NAMED = regex("|".join(map(re.escape, _INSTEAD)), hints="libgazebo_ros_")
+_NAMED = regex(r"\blibgazebo_ros_\w+\.so\b", hints="libgazebo_ros_")
 _CLASSIC = regex(r"[\"'( ]gazebo_ros[\"')/ ]|\bgzserver\b", hints="gazebo_ros gzserver")
 _PARTS = regex(r"\.gazebo$")
 _FILE = regex(r"(?<![\w.-])[\w.-]+\.(?:urdf|xacro|gazebo)\b")
@@ -54,14 +40,15 @@ def gone_simulator_plugins(files: Files, workspace: Workspace) -> Iterator[GoneP
     sources += [part for part in parts if part is not None]
     if not any(source.matches(_NAMED) for source in sources):
         return
+    instead = {row["plugin"]: row["instead"] for row in table("ros/gazebo_plugins")}
     for source in _loaded(launched, sources):
         root = parse(source).root if source.matches(_NAMED) and _is_of_ros2(workspace, source) else None
         if root is None:
             continue
         for element in root.walk():
             name = element.get("filename") if element.local == "plugin" else None
-            if name is not None and str(name) in _INSTEAD and _is_certain(element):
-                yield GonePlugin(name, _INSTEAD[str(name)])
+            if name is not None and name in instead and _is_certain(element):
+                yield GonePlugin(name, instead[name])
 
 
 def _loaded(launched: list[Source], descriptions: list[Source]) -> Iterator[Source]:
