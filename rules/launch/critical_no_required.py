@@ -69,7 +69,7 @@ def critical_no_required(robot: Robot) -> Iterator[Finding]:
             fix=shut_down(node),
         )
     if apart:
-        first, *others = apart
+        first, *others = {node.span: node for node in apart}.values()
         yield finding(
             first.span,
             f"If {first.label()} dies, the launch goes on without the hardware: nothing reacts, and the other nodes "

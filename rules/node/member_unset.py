@@ -47,7 +47,7 @@ def member_unset(robot: Robot) -> Iterator[Finding]:
         yield finding(
             first.read,
             f"'{first.name}' has no value {when}: {first.callback} uses whatever was in memory",
-            advice=f"give it a value where {first.owner} declares it: {first.name} = 0",
+            advice=f"give it a value where {first.owner} declares it: {first.name}{{}}",
             related=[
                 *([note(first.declared, "declared without a value")] if first.declared is not None else []),
                 *([note(first.set_later, "set here, in another callback")] if first.set_later is not None else []),
