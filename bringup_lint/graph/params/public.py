@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 
 _OFFICIAL = ("nav2_", "dwb_", "opennav_")
 """Packages of Navigation2 whose plugins declare the types of the table."""
+_LIBRARIES = "plugin_lib_names"
 
 
 class PublicBlock(NamedTuple):
@@ -45,6 +46,8 @@ class Unknown(NamedTuple):
 
 def unknown_to_public(params: Params, launch: Launch) -> Iterator[Unknown]:
     for _file, block, node in _blocks(params, launch):
+        if any(each.name == _LIBRARIES and not _is_all_official(params, each) for each in block.parameters):
+            continue  # the nodes of a behavior tree ask bt_navigator for parameters of their own
         lacking = [
             each
             for each in block.parameters
@@ -53,6 +56,10 @@ def unknown_to_public(params: Params, launch: Launch) -> Iterator[Unknown]:
         ]
         if lacking:
             yield Unknown(node, str(block.key).rpartition("/")[2], tuple(lacking))
+
+
+def _is_all_official(params: Params, libraries: Parameter) -> bool:
+    return all(str(item.data).startswith(_OFFICIAL) for item in params.items(libraries))
 
 
 def of_wrong_public_type(

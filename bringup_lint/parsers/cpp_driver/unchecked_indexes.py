@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 
 ASKS = "SIOCGIFINDEX"
 _ARGUMENTS = 3
+_ELSEWHERE = regex(r"(?i)netlink|\brtnl_|SIOCGIFFLAGS|/sys/class/net|operstate")
+"""What looks at interfaces in another way."""
 _CAN = regex(r"\b[AP]F_CAN\b")
 _LOOKS = regex(
     r"ifr_ifindex\s{0,4}(?:[<>]|[!=]=)|[!(]\s{0,4}\w{1,40}(?:\.|->)ifr_ifindex\s{0,4}[)&|]|\bif_nametoindex\b"
@@ -25,7 +27,7 @@ _LOOKS = regex(
 
 
 def unchecked_indexes(code: Code) -> Iterator[UncheckedIndex]:
-    if not _CAN.search(code.source.text):
+    if not _CAN.search(code.source.text) or _ELSEWHERE.search(code.source.text):
         return
     for call in code.calls:
         if call.name == "ioctl" and len(call.arguments) == _ARGUMENTS and code.text(call.arguments[1]) == ASKS:
@@ -49,4 +51,7 @@ def _unchecked(code: Code, call: Call, function: Node) -> UncheckedIndex | None:
     zero = re.compile(
         rf"\b{request}\s{{0,4}}(?:=\s{{0,4}})?\{{|\b(?:memset|bzero)\s{{0,4}}\(\s{{0,4}}&\s{{0,4}}(?:this->)?{request}\b"
     )
-    return UncheckedIndex(code.span(call.node), code.span(bound.node), zero.search(text) is not None)
+    is_zero = zero.search(text) is not None
+    if not is_zero and not _is_dropped(bound.node):
+        return None  # bind() refuses what the index most likely is
+    return UncheckedIndex(code.span(call.node), code.span(bound.node), is_zero)

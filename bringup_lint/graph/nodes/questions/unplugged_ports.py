@@ -27,6 +27,8 @@ _PORTS = ("serial.Serial", "serial.serial_for_url")
 _READS = frozenset({"read", "readline", "readlines", "read_until", "write"})
 _ASKS = frozenset({"in_waiting", "inWaiting", "out_waiting"})
 _IMPORTED = regex(r"^[ \t]*(?:import|from)[ \t]+serial\b", re.M)
+_ON_BOARD = regex(r"/dev/(?:ttyTHS|ttyAMA|ttyS\d|serial[01]\b)", hints="/dev/ttyTHS /dev/ttyAMA /dev/ttyS /dev/serial")
+_ADAPTER = regex(r"/dev/(?:ttyUSB|ttyACM|serial/)", hints="/dev/ttyUSB /dev/ttyACM /dev/serial/")
 _OF_SYSTEM = frozenset({"OSError", "IOError", "EnvironmentError", "error"})
 _OF_LIBRARY = frozenset({"SerialException", "SerialTimeoutException"})
 
@@ -45,7 +47,7 @@ class Unplugged(NamedTuple):
 def unplugged_ports(nodes: Nodes) -> Iterator[Unplugged]:
     """For each node the first use of a serial port in a callback or thread where nothing takes its exception."""
     for file, cls in nodes.with_callbacks:
-        if not file.source.matches(_IMPORTED):
+        if not file.source.matches(_IMPORTED) or _is_on_board(file):
             continue
         syntax = nodes.syntax(file)
         bodies = [(*code_of(nodes.ending(file), cls, each), False) for each in cls.callbacks]
@@ -60,6 +62,11 @@ def unplugged_ports(nodes: Nodes) -> Iterator[Unplugged]:
         first = next(found, None)
         if first is not None and (first.is_thread or not _is_restarted(nodes, file)):
             yield first
+
+
+def _is_on_board(file: NodeSource) -> bool:
+    """Whether a file names serial ports of the board alone, which nobody unplugs."""
+    return file.source.matches(_ON_BOARD) and not file.source.matches(_ADAPTER)
 
 
 def _looks(syntax: Syntax, cls: NodeClass) -> list[tuple[str, Uncaught[tuple[ast.expr, ast.expr]]]]:
