@@ -9,6 +9,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from bringup_lint.addresses import is_wildcard
+from bringup_lint.graph.memo import memo
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.python import walk
 from bringup_lint.named_tuple import NamedTuple
@@ -49,7 +50,19 @@ class Setting(NamedTuple):
     default: ast.expr
 
 
-def address_of(files: Files, syntax: Syntax, node: ast.expr) -> Address | None:
+class Settings:
+    """The addresses that files of the tree give to programs."""
+
+    def __init__(self, files: Files) -> None:
+        self._files = files
+
+    @memo
+    def limits(self, name: str) -> bool:
+        """Whether one gives a setting an address that is not the wildcard, or one that is not known."""
+        return any(_limits(source.text, name) for source in self._files.of_kind(*_SETTERS) if name in source.text)
+
+
+def address_of(settings: Settings, syntax: Syntax, node: ast.expr) -> Address | None:
     """The address that an expression gives unless somebody starts the program in another way; None when not known."""
     if isinstance(node, ast.Tuple) and node.elts:
         node = node.elts[0]
@@ -60,7 +73,7 @@ def address_of(files: Files, syntax: Syntax, node: ast.expr) -> Address | None:
     if setting is None:
         return None
     text = syntax.file.constant(setting.default, syntax.function(setting.default))
-    if not isinstance(text, str) or _is_set(files, setting.name):
+    if not isinstance(text, str) or settings.limits(setting.name):
         return None
     return Address(text, syntax.file.span_of(setting.default))
 
@@ -123,11 +136,6 @@ def _assigned(syntax: Syntax) -> dict[str, list[ast.expr]]:
 
 def _last_word(node: ast.expr) -> str:
     return node.attr if isinstance(node, ast.Attribute) else node.id if isinstance(node, ast.Name) else ""
-
-
-def _is_set(files: Files, name: str) -> bool:
-    """Whether a file of the tree gives a setting an address that is not the wildcard, or one that is not known."""
-    return any(_limits(source.text, name) for source in files.of_kind(*_SETTERS) if name in source.text)
 
 
 def _limits(text: str, name: str) -> bool:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from bringup_lint.addresses import is_wildcard
 from bringup_lint.graph.nodes.questions.motion import is_commanding
 from bringup_lint.graph.nodes.questions.server_addresses import Address
+from bringup_lint.graph.nodes.questions.server_addresses import Settings
 from bringup_lint.graph.nodes.questions.server_addresses import address_of
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.named_tuple import NamedTuple
@@ -101,6 +102,7 @@ _TAKES = regex(
 def web_servers(nodes: Nodes) -> Iterator[tuple[str, str, Span, Span | None]]:
     """``debugger`` or ``web``, the name of the server, its place and that of the setting whose default is its address,
     for the robot's own nodes."""
+    settings = Settings(nodes.files)
     for file in nodes.programs:
         if not file.source.matches(_MENTIONED):
             continue
@@ -109,7 +111,7 @@ def web_servers(nodes: Nodes) -> Iterator[tuple[str, str, Span, Span | None]]:
         syntax = nodes.syntax(file)
         for call in syntax.calls:
             server, serving = _server(syntax, call)
-            address = _address(nodes, syntax, serving, server) if server is not None else None
+            address = _address(settings, syntax, serving, server) if server is not None else None
             if server is None or address is None or not is_wildcard(address.text):
                 continue
             if server is _FLASK and _is_true(serving, "debug"):
@@ -166,13 +168,13 @@ def _bases(syntax: Syntax) -> dict[str, list[str | None]]:
     return {node.name: [syntax.file.qualified(base) for base in node.bases] for node in classes}
 
 
-def _address(nodes: Nodes, syntax: Syntax, call: ast.Call, server: Server) -> Address | None:
+def _address(settings: Settings, syntax: Syntax, call: ast.Call, server: Server) -> Address | None:
     if any(each.arg is None or each.arg in _LIMITS for each in call.keywords):
         return None
     given = argument(call, server.at, server.keyword)
     if given is None or (isinstance(given, ast.Constant) and given.value is None):
         return Address("") if server.is_open else None
-    return address_of(nodes.files, syntax, given)
+    return address_of(settings, syntax, given)
 
 
 def _is_true(call: ast.Call, keyword: str) -> bool:
