@@ -241,6 +241,7 @@ def fsync(descriptor):
     os.kill(os.getpid(), number)
     synced(descriptor)
 os.fsync = fsync
+signal.signal(signal.SIGHUP, signal.SIG_DFL)  # ignored where the tests run below nohup
 main()
 """
 
