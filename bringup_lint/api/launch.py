@@ -12,7 +12,6 @@ from bringup_lint.type_names import TYPE_CHECKING
 if TYPE_CHECKING:
     from bringup_lint.facts.ros.launch_api import module_of
     from bringup_lint.facts.ros.launch_calls import parameters_of
-    from bringup_lint.facts.ros.needed import COMMON
     from bringup_lint.facts.ros.public_programs import public_package
     from bringup_lint.finding import Finding
     from bringup_lint.graph.dependencies.effects import AT_RUN_TIME
@@ -118,7 +117,6 @@ else:
 
 __all__ = [
     "AT_RUN_TIME",
-    "COMMON",
     "Action",
     "Argument",
     "Choice",

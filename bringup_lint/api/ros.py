@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from bringup_lint.facts.ros.distros import codename_of
     from bringup_lint.facts.ros.distros import distro_end
     from bringup_lint.facts.ros.distros import distros_since
+    from bringup_lint.facts.ros.needed import COMMON
     from bringup_lint.facts.ros.needed import instead_of
     from bringup_lint.facts.ros.needed import is_debian_package
     from bringup_lint.facts.ros.simulation import is_simulation
@@ -30,6 +31,7 @@ else:
     __getattr__ = on_demand(globals())
 
 __all__ = [
+    "COMMON",
     "DISCOVERY_RANGES",
     "EPHEMERAL_DOMAINS",
     "FORMAT_TOKENS",

@@ -71,13 +71,13 @@ from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.launch import AT_RUN_TIME
-from bringup_lint.api.launch import COMMON
 from bringup_lint.api.launch import Effect
 from bringup_lint.api.launch import Need
 from bringup_lint.api.launch import Undeclared
 from bringup_lint.api.launch import brought_up
 from bringup_lint.api.launch import effect_of
 from bringup_lint.api.launch import of_robots
+from bringup_lint.api.ros import COMMON
 
 REST = regex(r"[ \t]*(?:<!--[^\n<>]*-->[ \t]*)?(?=\r?\n)")
 """The end of a line that has nothing or a comment."""

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from typing import Generic
 from typing import TypeVar
 
+from bringup_lint.graph.memo import memo
 from bringup_lint.graph.nodes.sources.sending import called
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import body_of
@@ -30,7 +31,6 @@ class Uncaught(Generic[Found]):
         self._cls = cls
         self._names = names
         self._look = look
-        self._known: dict[ast.AST, tuple[list[Found], list[ast.AST]]] = {}
 
     def of(self, body: list[ast.AST]) -> Iterator[Found]:
         """What is found in the statements of a callback, each function once."""
@@ -43,10 +43,9 @@ class Uncaught(Generic[Found]):
             seen.update(new)
             todo.extend((self._in_function(function), depth + 1) for function in new)
 
+    @memo
     def _in_function(self, function: ast.AST) -> tuple[list[Found], list[ast.AST]]:
-        if function not in self._known:
-            self._known[function] = self._in(body_of(function))
-        return self._known[function]
+        return self._in(body_of(function))
 
     def _in(self, statements: list[ast.AST]) -> tuple[list[Found], list[ast.AST]]:
         """What is found in statements themselves, and the functions that they call."""

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from functools import partial
 from typing import TYPE_CHECKING
 
+from bringup_lint.graph.memo import memo
 from bringup_lint.graph.nodes.questions.callback_code import code_of
 from bringup_lint.graph.nodes.questions.stored_values import module_values
 from bringup_lint.graph.nodes.questions.stored_values import stored
@@ -255,15 +256,14 @@ def _is_asked(syntax: Syntax, fault: Fault) -> bool:
 class _Asked:
     """The variables and fields that functions ask for, as they are written."""
 
-    def __init__(self, _syntax: Syntax) -> None:
-        self._known: dict[ast.AST, frozenset[str]] = {}
+    def __init__(self, _: Syntax) -> None:
+        """It does not keep the syntax, which keeps it."""
 
+    @memo
     def of(self, function: ast.AST) -> frozenset[str]:
-        if function not in self._known:
-            parts = (part for asked in _asked(function) for part in walk(asked))
-            named = (part for part in parts if isinstance(part, (ast.Name, ast.Attribute)))
-            self._known[function] = frozenset(map(ast.unparse, named))
-        return self._known[function]
+        parts = (part for asked in _asked(function) for part in walk(asked))
+        named = (part for part in parts if isinstance(part, (ast.Name, ast.Attribute)))
+        return frozenset(map(ast.unparse, named))
 
 
 def _asked(function: ast.AST) -> Iterator[ast.AST]:
