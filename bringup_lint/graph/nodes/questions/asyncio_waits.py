@@ -5,8 +5,7 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator
 
-from bringup_lint.graph.nodes.questions.callback_code import code_of
-from bringup_lint.graph.nodes.questions.callback_code import reached
+from bringup_lint.graph.nodes.questions.callback_code import reached_once
 from bringup_lint.graph.nodes.sources.ending import Ending
 from bringup_lint.model.node_source import Callback
 from bringup_lint.model.node_source import NodeClass
@@ -25,15 +24,13 @@ def awaits_asyncio(ending: Ending, cls: NodeClass) -> Iterator[tuple[Callback, s
     if not _LOOPS.isdisjoint(ending.syntax.named):
         return
     seen: set[ast.AST] = set()
-    for callback in cls.callbacks:
-        name, body = code_of(ending, cls, callback)
-        for node in reached(ending.syntax, body, cls):
-            if not isinstance(node, ast.Await) or not isinstance(node.value, ast.Call) or node in seen:
-                continue
-            wanted = ending.syntax.qualified(node.value) or ""
-            if wanted in _NEED_A_LOOP and not _is_zero(node.value):
-                seen.add(node)
-                yield callback, name, node.value, wanted
+    for callback, name, node in reached_once(ending, cls, cls.callbacks):
+        if not isinstance(node, ast.Await) or not isinstance(node.value, ast.Call) or node in seen:
+            continue
+        wanted = ending.syntax.qualified(node.value) or ""
+        if wanted in _NEED_A_LOOP and not _is_zero(node.value):
+            seen.add(node)
+            yield callback, name, node.value, wanted
 
 
 def _is_zero(call: ast.Call) -> bool:

@@ -7,8 +7,7 @@ from collections.abc import Iterator
 
 from bringup_lint.graph.nodes.questions.blocking_calls import Blocked
 from bringup_lint.graph.nodes.questions.blocking_calls import blocked
-from bringup_lint.graph.nodes.questions.callback_code import code_of
-from bringup_lint.graph.nodes.questions.callback_code import reached
+from bringup_lint.graph.nodes.questions.callback_code import reached_once
 from bringup_lint.graph.nodes.sources.ending import Ending
 from bringup_lint.model.node_source import Callback
 from bringup_lint.model.node_source import Group
@@ -50,21 +49,18 @@ def blocking(ending: Ending, cls: NodeClass) -> Iterator[Blocking]:
     """The calls that block in the callbacks of a class."""
     seen: set[ast.AST] = set()
     told: set[tuple[str, str]] = set()
-    for callback in cls.callbacks:
-        if callback.role == "shutdown":
+    callbacks = [each for each in cls.callbacks if each.role != "shutdown"]
+    for callback, name, node in reached_once(ending, cls, callbacks):
+        if node in seen or not isinstance(node, (ast.Call, ast.While)):
             continue
-        name, body = code_of(ending, cls, callback)
-        for node in reached(ending.syntax, body, cls):
-            if node in seen or not isinstance(node, (ast.Call, ast.While)):
-                continue
-            waits = blocked(ending, node, cls)
-            if waits is None:
-                continue
-            seen.update(ast.walk(node) if isinstance(node, ast.While) else (node,))
-            found = _in_callback(cls, callback, name, node, waits)
-            if found is not None and ((name, waits.what) not in told or waits.how_long):
-                told.add((name, waits.what))
-                yield found
+        waits = blocked(ending, node, cls)
+        if waits is None:
+            continue
+        seen.update(ast.walk(node) if isinstance(node, ast.While) else (node,))
+        found = _in_callback(cls, callback, name, node, waits)
+        if found is not None and ((name, waits.what) not in told or waits.how_long):
+            told.add((name, waits.what))
+            yield found
 
 
 def _in_callback(

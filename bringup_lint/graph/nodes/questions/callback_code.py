@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+from collections.abc import Iterable
 from collections.abc import Iterator
 
 from bringup_lint.graph.nodes.questions.stopping import statements_of
@@ -34,12 +35,24 @@ def reached(syntax: Syntax, body: list[ast.AST], cls: NodeClass) -> list[ast.AST
     """The syntax that a callback runs: its own, and that of the methods and functions of the file that it calls."""
     key = (cls, *body)
     if key not in syntax.reached:
-        syntax.reached[key] = list(_reached(syntax, body, cls))
+        syntax.reached[key] = list(_entered(syntax, body, cls, {}))
     return syntax.reached[key]
 
 
-def _reached(syntax: Syntax, body: list[ast.AST], cls: NodeClass) -> Iterator[ast.AST]:
-    seen: set[ast.AST] = set()
+def reached_once(
+    ending: Ending, cls: NodeClass, callbacks: Iterable[Callback]
+) -> Iterator[tuple[Callback, str, ast.AST]]:
+    """The syntax that callbacks run, each with the first of them and its name. A function that all of them call is read
+    once."""
+    entered: dict[ast.AST, int] = {}
+    for callback in callbacks:
+        name, body = code_of(ending, cls, callback)
+        for node in _entered(ending.syntax, body, cls, entered):
+            yield callback, name, node
+
+
+def _entered(syntax: Syntax, body: list[ast.AST], cls: NodeClass, entered: dict[ast.AST, int]) -> Iterator[ast.AST]:
+    """The syntax of a body and of the functions that it calls, without those that were ``entered`` as near before."""
     todo = [(body, 0)]
     while todo:
         statements, depth = todo.pop()
@@ -47,8 +60,8 @@ def _reached(syntax: Syntax, body: list[ast.AST], cls: NodeClass) -> Iterator[as
             yield node
             if isinstance(node, ast.Call) and depth < DEPTH and _is_plain(node):
                 for function, owner in called(syntax, node, cls):
-                    if function not in seen and (owner is None or owner.source is cls.source):
-                        seen.add(function)
+                    if entered.get(function, DEPTH + 1) > depth + 1 and (owner is None or owner.source is cls.source):
+                        entered[function] = depth + 1
                         todo.append((body_of(function), depth + 1))
 
 

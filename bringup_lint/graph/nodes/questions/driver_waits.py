@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.graph.nodes.questions.blocking import Blocking
 from bringup_lint.graph.nodes.questions.blocking_calls import blocked_by_library
-from bringup_lint.graph.nodes.questions.callback_code import code_of
-from bringup_lint.graph.nodes.questions.callback_code import reached
+from bringup_lint.graph.nodes.questions.callback_code import reached_once
 from bringup_lint.graph.nodes.questions.stored_values import stored
 from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import Callback
@@ -27,15 +26,12 @@ _DEPTH = 3
 
 def driver_waits(nodes: Nodes, file: NodeSource, cls: NodeClass) -> Iterator[Blocking]:
     """The first wait of a class that a callback reaches by ``self.driver.method()``."""
-    syntax = nodes.syntax(file)
-    for callback in cls.callbacks:
-        if callback.role in _ROLES:
-            name, body = code_of(nodes.ending(file), cls, callback)
-            for node in reached(syntax, body, cls):
-                found = _wait(nodes, file, cls, callback, name, node)
-                if found is not None:
-                    yield found
-                    return
+    callbacks = [each for each in cls.callbacks if each.role in _ROLES]
+    for callback, name, node in reached_once(nodes.ending(file), cls, callbacks):
+        found = _wait(nodes, file, cls, callback, name, node)
+        if found is not None:
+            yield found
+            return
 
 
 def _wait(

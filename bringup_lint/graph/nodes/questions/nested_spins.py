@@ -6,8 +6,7 @@ import ast
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from bringup_lint.graph.nodes.questions.callback_code import code_of
-from bringup_lint.graph.nodes.questions.callback_code import reached
+from bringup_lint.graph.nodes.questions.callback_code import reached_once
 from bringup_lint.graph.nodes.sources.ending import Ending
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
@@ -51,11 +50,9 @@ def taking_spins(nodes: Nodes, ending: Ending, node: NodeClass) -> dict[ast.Call
     found: dict[ast.Call, str] = {}
     if not _has_own_executor(nodes, node):
         return found
-    for callback in node.callbacks:
-        name, body = code_of(ending, node, callback)
-        for each in reached(ending.syntax, body, node):
-            if isinstance(each, ast.Call) and _takes(ending, each):
-                found.setdefault(each, name if callback.function is not None else f"{name}()")
+    for callback, name, each in reached_once(ending, node, node.callbacks):
+        if isinstance(each, ast.Call) and _takes(ending, each):
+            found.setdefault(each, name if callback.function is not None else f"{name}()")
     return found
 
 

@@ -14,6 +14,7 @@ from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.named_tuple import NamedTuple
 
+_WAITS = ("wait_for_service", "wait_for_server")
 _LOGS = frozenset({"info", "warn", "warning", "error", "debug", "fatal"})
 
 
@@ -29,6 +30,8 @@ class Waiting(NamedTuple):
 
 def waits(ending: Ending, cls: NodeClass) -> Iterator[Waiting]:
     """The waits for a service that may last forever."""
+    if not any(word in each.source.text for each in cls.lineage for word in _WAITS):
+        return
     init = cls.methods.get("__init__")
     places = [("__init__", body_of(init.node))] if init is not None else []
     places += [code_of(ending, cls, callback) for callback in cls.callbacks]
@@ -52,7 +55,7 @@ def waits(ending: Ending, cls: NodeClass) -> Iterator[Waiting]:
 
 
 def _is_wait(call: ast.Call) -> bool:
-    return isinstance(call.func, ast.Attribute) and call.func.attr in ("wait_for_service", "wait_for_server")
+    return isinstance(call.func, ast.Attribute) and call.func.attr in _WAITS
 
 
 def _client(wait: ast.Call) -> str:

@@ -41,11 +41,12 @@ class Unhandled(NamedTuple):
 def unhandled_transforms(ending: Ending, cls: NodeClass) -> Iterator[Unhandled]:
     """The lookups outside every ``try`` between them and the callback; each once."""
     seen: set[ast.AST] = set()
+    entered: dict[ast.AST, int] = {}
     for callback in cls.callbacks:
         if callback.role not in _ROLES:
             continue
         name, body = code_of(ending, cls, callback)
-        for call, function in _unguarded(ending, cls, body, name, DEPTH, set()):
+        for call, function in _unguarded(ending, cls, body, name, DEPTH, entered):
             if call not in seen:
                 seen.add(call)
                 yield Unhandled(call, callback, function)
@@ -74,7 +75,7 @@ def hears_by_own_executor(ending: Ending, cls: NodeClass) -> bool:
 
 
 def _unguarded(
-    ending: Ending, cls: NodeClass, body: list[ast.AST], name: str, depth: int, seen: set[ast.AST]
+    ending: Ending, cls: NodeClass, body: list[ast.AST], name: str, depth: int, entered: dict[ast.AST, int]
 ) -> Iterator[tuple[ast.Call, str]]:
     calls = list(_outside_try(body))
     if any(_method(call) in _ASKS for call in calls):
@@ -84,10 +85,10 @@ def _unguarded(
             yield call, name
         elif depth:
             for function, owner in called(ending.syntax, call, cls):
-                if function not in seen and (owner is None or owner.source is cls.source):
-                    seen.add(function)
+                if entered.get(function, 0) < depth and (owner is None or owner.source is cls.source):
+                    entered[function] = depth
                     inner: list[ast.AST] = list(function.body)
-                    yield from _unguarded(ending, cls, inner, function.name, depth - 1, seen)
+                    yield from _unguarded(ending, cls, inner, function.name, depth - 1, entered)
 
 
 def _outside_try(body: list[ast.AST]) -> Iterator[ast.Call]:
