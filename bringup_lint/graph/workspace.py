@@ -43,6 +43,8 @@ _VENDOR = regex(
     re.IGNORECASE,
 )
 """Folders that keep the packages of others."""
+_CARRIED = regex(r"(?:^|/)(?:third[_-]?party|3rd[_-]?party|vendor(?:ed)?|submodules)/", re.IGNORECASE)
+"""Folders of a package that keep sources of others."""
 _CHANGE_LOGS = ("CHANGELOG.rst", "CHANGELOG.md")
 _MAKES = regex(
     r"^[ \t]*(?:configure_file|add_custom_(?:command|target)|execute_process|xacro_add_\w{1,20}"
@@ -265,12 +267,14 @@ class Workspace:
         return {package.folder: package for package in self.packages.values()}
 
     def is_vendored(self, source: Source) -> bool:
-        """Whether a file belongs to a package that others wrote and that the tree only carries: it lies below a folder
-        for such packages, or it is one of a minority with a change log as releases have it."""
+        """Whether others wrote a file that the tree only carries: it lies in a folder for what others wrote, or its
+        package is one of a minority with a change log as releases have it."""
         owner = self.owner(source)
         if owner is None:
-            return False
-        return owner.folder in self._released or bool(_VENDOR.search(self._below_top(owner.folder) + "/"))
+            return _CARRIED.search(source.name) is not None
+        if owner.folder in self._released or _VENDOR.search(self._below_top(owner.folder) + "/"):
+            return True
+        return _CARRIED.search(os.path.relpath(source.absolute, owner.folder)) is not None
 
     @cached_property
     def _released(self) -> frozenset[str]:

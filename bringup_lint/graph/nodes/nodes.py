@@ -68,7 +68,6 @@ _SERVO_TOPIC = regex(
 """MoveIt Servo halts when the newest command on these topics is older than the time-out."""
 _RUNNING = (ast.FunctionDef, ast.AsyncFunctionDef, ast.If, ast.Try, ast.For, ast.While, ast.With)
 """Statements of a module that run, or that others may call."""
-_OF_OTHERS = regex(r"(?i)(?:^|/)(?:third[_-]?party|3rd[_-]?party|vendor(?:ed)?|submodules)/")
 _UNJUDGED = (Purpose.TEST, Purpose.CI, Purpose.ARCHIVE)
 """Purposes whose sources are not for a robot."""
 _RUNNERS = ("systemd-unit", "systemd-dropin", "compose", "dockerfile", "supervisord", "cron")
@@ -223,7 +222,7 @@ class Nodes:
     def graded(self, source: Source, severity: str) -> str:
         """The severity of a finding in a source: less in an example, and in what others wrote, as its package or a
         folder of it says."""
-        is_vendored = self.launch.workspace.is_vendored(source) or _OF_OTHERS.search(self._path(source)) is not None
+        is_vendored = self.launch.workspace.is_vendored(source)
         return severity if self.is_for_robot(source) and not is_vendored else "info"
 
     @cached_property

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.facts import table
+from bringup_lint.graph.plugins.xacro_includes import is_unconditional
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.xml import parse
 from bringup_lint.pattern import regex
@@ -16,7 +17,6 @@ from bringup_lint.source import Located
 if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
     from bringup_lint.graph.workspace import Workspace
-    from bringup_lint.model.xml import Element
     from bringup_lint.source import Source
 
 _NAMED = regex(r"\blibgazebo_ros_\w+\.so\b", hints="libgazebo_ros_")
@@ -52,7 +52,7 @@ def gone_simulator_plugins(files: Files, workspace: Workspace) -> Iterator[GoneP
             continue
         for element in root.walk():
             name = element.get("filename") if element.local == "plugin" else None
-            if name is not None and name in instead and _is_certain(element):
+            if name is not None and name in instead and is_unconditional(element):
                 yield GonePlugin(name, instead[name])
 
 
@@ -85,13 +85,3 @@ def _loaded(workspace: Workspace, launched: list[Source], descriptions: list[Sou
 def _is_of_ros2(workspace: Workspace, source: Source) -> bool:
     owner = workspace.owner(source)
     return not workspace.is_vendored(source) and (owner is None or "catkin" not in owner.manifest.source.text)
-
-
-def _is_certain(element: Element) -> bool:
-    """Whether no condition and no macro decides whether the plugin is in the description."""
-    outer = element.parent
-    while outer is not None:
-        if outer.name in ("xacro:if", "xacro:unless", "xacro:macro"):
-            return False
-        outer = outer.parent
-    return True

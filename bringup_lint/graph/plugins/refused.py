@@ -10,6 +10,7 @@ from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.graph.plugins.described import Described
 from bringup_lint.graph.plugins.described import described
 from bringup_lint.graph.plugins.xacro_includes import included
+from bringup_lint.graph.plugins.xacro_includes import is_unconditional
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.xml import parse
 from bringup_lint.source import Span
@@ -67,18 +68,11 @@ def _includes(root: Element, workspace: Workspace) -> Iterator[Refused]:
     """The files that xacro includes in any case, and that the tree does not have."""
     for element in root.walk():
         name = element.get("filename") if element.name == "xacro:include" else None
-        if name is None or not _is_unconditional(element):
+        if name is None or not is_unconditional(element):
             continue
         found = included(workspace, name.span.source, name)
         if found is not None and found.file is None:
             yield Refused(name.span, "no-file", str(name))
-
-
-def _is_unconditional(element: Element) -> bool:
-    outer = element.parent
-    while outer is not None and not outer.name.startswith("xacro:"):
-        outer = outer.parent
-    return outer is None
 
 
 def _is_read(refused: Refused) -> bool:

@@ -89,3 +89,11 @@ def included(workspace: Workspace, source: Source, filename: str) -> Found | Non
     else:
         place = Place("file", "", os.path.join(os.path.dirname(source.absolute), filename))
     return None if _UNKNOWN & set(place.path) else workspace.find(place)
+
+
+def is_unconditional(element: Element) -> bool:
+    """Whether no condition, macro or call of xacro decides whether an element is in the description."""
+    outer = element.parent
+    while outer is not None and not outer.name.startswith("xacro:"):
+        outer = outer.parent
+    return outer is None
