@@ -55,6 +55,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.python_releases import NotThere
     from bringup_lint.graph.nodes.questions.python_releases import not_there
     from bringup_lint.graph.nodes.questions.python_releases import python_of
+    from bringup_lint.graph.nodes.questions.python_relocks import python_relocks
     from bringup_lint.graph.nodes.questions.quaternion_order import misordered_quaternions
     from bringup_lint.graph.nodes.questions.races import races
     from bringup_lint.graph.nodes.questions.rates import endless_rates
@@ -62,6 +63,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.refused_logs import refused_logs
     from bringup_lint.graph.nodes.questions.rejected_goals import stuck_flags
     from bringup_lint.graph.nodes.questions.relative_files import relative_files
+    from bringup_lint.graph.nodes.questions.relocks import relocks
     from bringup_lint.graph.nodes.questions.repeating import guards_commands
     from bringup_lint.graph.nodes.questions.repeating import held
     from bringup_lint.graph.nodes.questions.repeating import repeated
@@ -178,12 +180,14 @@ __all__ = [
     "not_there",
     "publish_after_deactivate",
     "python_of",
+    "python_relocks",
     "races",
     "range_text",
     "rare_signals",
     "refused_logs",
     "relative_files",
     "relays",
+    "relocks",
     "repeated",
     "shell_commands",
     "stale_readings",

@@ -1,4 +1,4 @@
-"""A C++ source that opens a CAN bus or a serial port: what it does with the answers of the system."""
+"""A C++ source of a node or of a driver beside it: what it does with devices, locks and the answers of the system."""
 
 from __future__ import annotations
 
@@ -27,9 +27,24 @@ class IdleRead(NamedTuple):
     loop: Span
 
 
+class Relock(NamedTuple):
+    """A mutex that a thread locks while it holds it."""
+
+    place: Span
+    """The call that leads to the second lock, or that lock."""
+    held: Span
+    again: Span
+    mutex: str
+    through: str | None
+    """The method that is called; None when the function itself locks twice."""
+    is_typed: bool
+    """The guard names the type of the mutex."""
+
+
 @dataclass(eq=False, slots=True)
 class CppDriver:
     source: Source
     unchecked_indexes: list[UncheckedIndex] = field(default_factory=list)
     idle_reads: list[IdleRead] = field(default_factory=list)
+    relocks: list[Relock] = field(default_factory=list)
     problems: list[Problem] = field(default_factory=list)

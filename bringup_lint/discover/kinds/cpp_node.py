@@ -20,8 +20,8 @@ def _is_node(path: str, head: Head) -> bool:
     return "rclc/" in text or (path.endswith(SUFFIXES) and any(word in text for word in _NODES))
 
 
-_DEVICES = ("linux/can", "SIOCGIFINDEX", "termios.h")
-"""Headers and calls by which Linux programs open a CAN bus or a serial port."""
+_DEVICES = ("linux/can", "SIOCGIFINDEX", "termios.h", "<mutex>", "std::mutex")
+"""Headers and calls by which programs open a CAN bus or a serial port, and share what they read between threads."""
 
 
 def _is_driver(path: str, head: Head) -> bool:

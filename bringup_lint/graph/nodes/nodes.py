@@ -175,7 +175,7 @@ class Nodes:
     @cached_property
     def _by_stem(self) -> dict[tuple[Package | None, str], list[Source]]:
         found: dict[tuple[Package | None, str], list[Source]] = {}
-        for source in self.files.of_kind("cpp-node"):
+        for source in self.files.of_kind("cpp-node", "cpp-driver"):
             found.setdefault(self._stem(source), []).append(source)
         return found
 
