@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.edits import import_edits
     from bringup_lint.graph.nodes.edits import swap
     from bringup_lint.graph.nodes.edits import tried_shutdown
+    from bringup_lint.graph.nodes.questions.abstract_classes import unfinished_classes
     from bringup_lint.graph.nodes.questions.asyncio_waits import awaits_asyncio
     from bringup_lint.graph.nodes.questions.blocking_calls import UNTIL_TIMEOUT
     from bringup_lint.graph.nodes.questions.call_fit import unfit_calls
@@ -205,6 +206,7 @@ __all__ = [
     "unbound_locals",
     "unchecked_messages",
     "undefined",
+    "unfinished_classes",
     "unfit_callbacks",
     "unfit_calls",
     "unhandled_shutdown",

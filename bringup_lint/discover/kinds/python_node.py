@@ -1,5 +1,5 @@
-"""Python sources of ROS 2 nodes: files and scripts that import rclpy, and modules that make the subscriptions of a node
-which they are handed."""
+"""Python sources of ROS 2 nodes: files and scripts that import rclpy, and modules that make the endpoints of a node
+which they are handed, or of a class that builds on one of another module."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ _IMPORT = regex(
     r"^[ \t]*(?:import[ \t]+(?:[\w.]+[ \t]*,[ \t]*)*rclpy\b|from[ \t]+rclpy(?:\.[\w.]+)?[ \t]+import\b)", re.M
 )
 _SHEBANG = regex(r"#![^\n]*\bpython")
+_MAKES = regex(r"\.create_subscription\(|\bself\.create_(?:publisher|timer)\(", hints=".create_")
 _OTHER = regex(r"[._-]launch\.py$|/(?:setup|conftest)\.py$|/launch/(?:[^/]+/)*[^/]+\.py$")
 
 
@@ -20,7 +21,7 @@ def _is_node(path: str, head: Head) -> bool:
     path = f"/{path}"
     if path.endswith(".py"):
         if not _OTHER.search(path):
-            return bool("rclpy" in head() and _IMPORT.search(head())) or ".create_subscription(" in head()
+            return bool("rclpy" in head() and _IMPORT.search(head())) or bool(_MAKES.search(head()))
         return "/launch/" in path and _says_nothing_of_launch(head())
     if "." in path.rpartition("/")[2]:
         return False
