@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.hardware_interfaces import blocking_reads
     from bringup_lint.graph.nodes.questions.hardware_interfaces import zeroed_commands
     from bringup_lint.graph.nodes.questions.heard_parameters import heard_parameters
+    from bringup_lint.graph.nodes.questions.hidden_failures import hidden_failures
     from bringup_lint.graph.nodes.questions.home_files import home_files
     from bringup_lint.graph.nodes.questions.inactive_publishers import inactive_publishers
     from bringup_lint.graph.nodes.questions.late_attributes import late_attributes
@@ -157,6 +158,7 @@ __all__ = [
     "handler_never_runs",
     "heard_parameters",
     "held",
+    "hidden_failures",
     "home_files",
     "import_edits",
     "inactive_publishers",

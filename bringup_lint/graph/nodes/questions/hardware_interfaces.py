@@ -35,7 +35,7 @@ _SLOWED = regex(
 )
 """Words of what starts slowly, waits for the first command or for a controller, or makes 0 the place of the joints."""
 _LOG = regex(r"\bRCLCPP_\w{3,40}\s{0,4}\([^;]{0,600};")
-_SIMULATED = regex(rf"(?i){simulation.TOLD}|\bfake|\bmock")
+SIMULATED = regex(rf"(?i){simulation.TOLD}|\bfake|\bmock")
 _RECEIVES = regex(
     r"(?<![\w.>])(?:::)?(?P<name>read|recv|recvfrom|recvmsg)\s{0,4}\(\s{0,4}\w{0,40}(?:sock|fd|can|port|serial|bus)"
 )
@@ -59,11 +59,11 @@ class BlockingRead(NamedTuple):
 
 def zeroed_commands(nodes: Nodes) -> Iterator[ZeroedCommand]:
     """Position commands that the activation sets to 0, or leaves there, wherever the joints are."""
-    for source, plain, bodies in _hardware(nodes):
+    for source, plain, bodies in hardware(nodes):
         exported = bodies.get("export_command_interfaces")
         body = bodies.get("on_activate")
         found = _POSITION.search(plain, *exported) if exported is not None else None
-        if found is None or body is None or _SLOWED.search(_LOG.sub(" ", plain)) or _SIMULATED.search(plain):
+        if found is None or body is None or _SLOWED.search(_LOG.sub(" ", plain)) or SIMULATED.search(plain):
             continue
         place = _zeroed(plain, body, found["member"]) or _made_zero(plain, body, found["member"])
         if place is not None and _is_sent_as_it_is(plain, bodies, found["member"]):
@@ -117,7 +117,7 @@ def _is_sent_as_it_is(plain: str, bodies: dict[str, tuple[int, int]], member: st
 
 def blocking_reads(nodes: Nodes) -> Iterator[BlockingRead]:
     """Reads of a socket in ``read()`` that wait until a packet arrives, as nothing in the sources says otherwise."""
-    for source, plain, bodies in _hardware(nodes):
+    for source, plain, bodies in hardware(nodes):
         body = bodies.get("read")
         found = _RECEIVES.search(plain, *body) if body is not None else None
         if found is None or WAITS_NOT.search(with_header(nodes, source)):
@@ -136,7 +136,7 @@ def _is_handed_on(plain: str, kept: str) -> bool:
     return any(found["name"] not in KNOWN_CALLS for found in call.finditer(plain))
 
 
-def _hardware(nodes: Nodes) -> Iterator[tuple[Source, str, dict[str, tuple[int, int]]]]:
+def hardware(nodes: Nodes) -> Iterator[tuple[Source, str, dict[str, tuple[int, int]]]]:
     """The sources that define hardware: their text without comments, and where the bodies of their methods are."""
     for each in nodes.cpp:
         text = each.source.text
