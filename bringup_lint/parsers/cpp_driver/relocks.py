@@ -62,6 +62,8 @@ class _Functions:
         self._bodies = Bodies(code)
         self.locks = list(islice(_locks(code), GUARDS))
         self._of_body: dict[int, list[_Lock]] = {}
+        self._known: dict[tuple[int, str, int], _Lock | None] = {}
+        """What is known of a function, a mutex and a depth."""
         for lock in self.locks:
             self._of_body.setdefault(lock.body.id, []).append(lock)
 
@@ -91,9 +93,16 @@ class _Functions:
         """The lock of a mutex that a function takes whenever it does not return before."""
         if function is None or depth == 0:
             return None
-        for lock in self._of_body.get(function.id, ()):
-            if lock.mutex == mutex and not self._code.is_conditional(lock.node):
-                return lock
+        key = (function.id, mutex, depth)
+        if key not in self._known:
+            self._known[key] = self._locks_itself(function, mutex) or self._locked_inside(function, mutex, depth)
+        return self._known[key]
+
+    def _locks_itself(self, function: Node, mutex: str) -> _Lock | None:
+        locks = self._of_body.get(function.id, ())
+        return next((each for each in locks if each.mutex == mutex and not self._code.is_conditional(each.node)), None)
+
+    def _locked_inside(self, function: Node, mutex: str, depth: int) -> _Lock | None:
         calls = (each for each in self._bodies.own(function) if not self._code.is_conditional(each.node))
         inner = (self._called(call.name, call.qualified, function) for call in calls)
         return next(filter(None, (self._locked_by(each, mutex, depth - 1) for each in inner)), None)

@@ -48,6 +48,8 @@ class _Class:
             if isinstance(each, ast.FunctionDef):
                 self._methods.setdefault(each.name, []).append(each)
         self._locks = self._plain_locks(node)
+        self._known: dict[tuple[str, str, int], ast.expr | None] = {}
+        """What is known of a method, a lock and a depth."""
 
     def _plain_locks(self, node: ast.ClassDef) -> frozenset[str]:
         """The attributes that hold nothing but a lock which its owner may not take again."""
@@ -104,6 +106,12 @@ class _Class:
         name = self._called(call)
         if name is None or depth == 0:
             return None
+        key = (name, lock, depth)
+        if key not in self._known:
+            self._known[key] = self._locked_in(name, lock, depth)
+        return self._known[key]
+
+    def _locked_in(self, name: str, lock: str, depth: int) -> ast.expr | None:
         for each, is_certain in _run(self._methods[name][0]):
             if is_certain:
                 second = next((taken for taken in self._taken(each) if ast.unparse(taken) == lock), None)
