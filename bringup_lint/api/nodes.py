@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.dict_ranges import dict_ranges
     from bringup_lint.graph.nodes.questions.dict_ranges import range_text
     from bringup_lint.graph.nodes.questions.early_results import early_results
+    from bringup_lint.graph.nodes.questions.endless_answers import endless_answers
     from bringup_lint.graph.nodes.questions.endless_threads import endless_threads
     from bringup_lint.graph.nodes.questions.half_made import half_made
     from bringup_lint.graph.nodes.questions.hardware_interfaces import blocking_reads
@@ -91,6 +92,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.transforms import early_lookups
     from bringup_lint.graph.nodes.questions.transforms import unhandled_transforms
     from bringup_lint.graph.nodes.questions.unbound_locals import unbound_locals
+    from bringup_lint.graph.nodes.questions.unchecked_devices import unchecked_devices
     from bringup_lint.graph.nodes.questions.unchecked_messages import Unchecked
     from bringup_lint.graph.nodes.questions.unchecked_messages import unchecked_messages
     from bringup_lint.graph.nodes.questions.unchecked_messages import wrong_handlers
@@ -150,6 +152,7 @@ __all__ = [
     "empty_defaults",
     "end_of",
     "end_of_callbacks",
+    "endless_answers",
     "endless_rates",
     "endless_threads",
     "fed_without_condition",
@@ -206,6 +209,7 @@ __all__ = [
     "taken_attributes",
     "tried_shutdown",
     "unbound_locals",
+    "unchecked_devices",
     "unchecked_messages",
     "undefined",
     "unfinished_classes",

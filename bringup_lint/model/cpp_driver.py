@@ -41,10 +41,42 @@ class Relock(NamedTuple):
     """The guard names the type of the mutex."""
 
 
+class UncheckedDevice(NamedTuple):
+    """A device or file that is opened, and whose failure nothing of the source notices."""
+
+    opened: Span
+    used: Span
+    function: str
+    name: str
+    """What holds it."""
+    is_pointer: bool
+    """NULL when it failed; else a negative number."""
+
+
+class EndlessWalk(NamedTuple):
+    """A loop through a linked list that goes on without its step."""
+
+    skips: Span
+    """The ``continue``."""
+    step: Span
+    name: str
+
+
+class TakenTarget(NamedTuple):
+    """The endpoint to which a socket sends, and into which it writes the sender of each packet."""
+
+    received: Span
+    sent: Span
+    name: str
+
+
 @dataclass(eq=False, slots=True)
 class CppDriver:
     source: Source
     unchecked_indexes: list[UncheckedIndex] = field(default_factory=list)
     idle_reads: list[IdleRead] = field(default_factory=list)
     relocks: list[Relock] = field(default_factory=list)
+    unchecked_devices: list[UncheckedDevice] = field(default_factory=list)
+    endless_walks: list[EndlessWalk] = field(default_factory=list)
+    taken_targets: list[TakenTarget] = field(default_factory=list)
     problems: list[Problem] = field(default_factory=list)

@@ -220,6 +220,16 @@ class MissingReturn(NamedTuple):
     """It is not known whether the statement always returns."""
 
 
+class EndlessAnswer(NamedTuple):
+    """A wait without a timeout for the answer of a server that nobody has looked for."""
+
+    waiting: Span
+    asked: Span
+    client: str
+    call: str
+    """``async_send_request``."""
+
+
 class Read(NamedTuple):
     """``get_parameter`` of a literal name."""
 
@@ -249,6 +259,7 @@ class CppNode:
     """Classes that are registered as components."""
     parameters: list[Parameter] = field(default_factory=list)
     """What it declares under a literal name."""
+    endless_answers: list[EndlessAnswer] = field(default_factory=list)
     reads: list[Read] = field(default_factory=list)
     texts_as_bool: list[TextAsBool] = field(default_factory=list)
     """The defaults of truth values that are written as texts."""

@@ -9,8 +9,11 @@ SUFFIXES = (".cpp", ".cc", ".cxx", ".hpp", ".hh", ".h")
 FIRMWARE = (*SUFFIXES, ".c", ".ino")
 
 
-_NODES = ("rclcpp", "RCLCPP_", "create_publisher", "create_subscription", "create_wall_timer")
-"""Names of rclcpp, also where a header of the package includes it."""
+_NODES = (
+    *("rclcpp", "RCLCPP_", "create_publisher", "create_subscription", "create_wall_timer"),
+    *("/msg/", "::msg::", "/srv/", "/action/"),
+)
+"""Names of rclcpp and of interfaces, also where only a header of the package includes rclcpp."""
 
 
 def _is_node(path: str, head: Head) -> bool:
@@ -20,8 +23,11 @@ def _is_node(path: str, head: Head) -> bool:
     return "rclc/" in text or (path.endswith(SUFFIXES) and any(word in text for word in _NODES))
 
 
-_DEVICES = ("linux/can", "SIOCGIFINDEX", "termios.h", "<mutex>", "std::mutex")
-"""Headers and calls by which programs open a CAN bus or a serial port, and share what they read between threads."""
+_DEVICES = (
+    *("linux/can", "SIOCGIFINDEX", "termios.h", "linux/i2c-dev.h", "gpiod", "wiringPi", "pigpio", "hidapi", "libusb"),
+    *("<mutex>", "std::mutex", "ifaddrs.h", "asio.hpp", "asio/"),
+)
+"""Headers and calls by which programs open buses, ports, pins and sockets, and share what they read between threads."""
 
 
 def _is_driver(path: str, head: Head) -> bool:

@@ -3,10 +3,16 @@
 from __future__ import annotations
 
 from bringup_lint.model.cpp_driver import CppDriver
+from bringup_lint.parsers.cpp_driver.endless_walks import WALKS
+from bringup_lint.parsers.cpp_driver.endless_walks import endless_walks
 from bringup_lint.parsers.cpp_driver.idle_reads import SERIAL
 from bringup_lint.parsers.cpp_driver.idle_reads import idle_reads
 from bringup_lint.parsers.cpp_driver.relocks import LOCKS
 from bringup_lint.parsers.cpp_driver.relocks import relocks
+from bringup_lint.parsers.cpp_driver.taken_targets import RECEIVES
+from bringup_lint.parsers.cpp_driver.taken_targets import taken_targets
+from bringup_lint.parsers.cpp_driver.unchecked_devices import OPENS
+from bringup_lint.parsers.cpp_driver.unchecked_devices import unchecked_devices
 from bringup_lint.parsers.cpp_driver.unchecked_indexes import ASKS
 from bringup_lint.parsers.cpp_driver.unchecked_indexes import unchecked_indexes
 from bringup_lint.parsers.cpp_node.syntax import Code
@@ -17,9 +23,11 @@ from bringup_lint.source import Source
 def parse(source: Source) -> CppDriver:
     """What a file does with devices and locks. Never raises; ``problems``: ``too-large``, ``too-deep``."""
     driver = CppDriver(source)
-    text = source.text
-    asks, is_serial, locks = ASKS in text, SERIAL.search(text) is not None, LOCKS.search(text) is not None
-    if not (asks or is_serial or locks):
+    asks = ASKS in source.text
+    is_serial, locks, walks, receives, opens = (
+        each.search(source.text) is not None for each in (SERIAL, LOCKS, WALKS, RECEIVES, OPENS)
+    )
+    if not (asks or is_serial or locks or walks or receives or opens):
         return driver
     problem = too_much(source)
     if problem is not None:
@@ -29,4 +37,7 @@ def parse(source: Source) -> CppDriver:
     driver.unchecked_indexes = list(unchecked_indexes(code)) if asks else []
     driver.idle_reads = list(idle_reads(code)) if is_serial else []
     driver.relocks = list(relocks(code)) if locks else []
+    driver.endless_walks = list(endless_walks(code)) if walks else []
+    driver.taken_targets = list(taken_targets(code)) if receives else []
+    driver.unchecked_devices = list(unchecked_devices(code)) if opens else []
     return driver

@@ -15,6 +15,8 @@ from bringup_lint.parsers.cpp_node.deaf_loops import making_loops
 from bringup_lint.parsers.cpp_node.divisors import divisors
 from bringup_lint.parsers.cpp_node.dropped import dropped
 from bringup_lint.parsers.cpp_node.early_pointers import early_pointers
+from bringup_lint.parsers.cpp_node.endless_answers import ASKS
+from bringup_lint.parsers.cpp_node.endless_answers import endless_answers
 from bringup_lint.parsers.cpp_node.endpoints import endpoint
 from bringup_lint.parsers.cpp_node.endpoints import timer
 from bringup_lint.parsers.cpp_node.handles import few_handles
@@ -97,6 +99,8 @@ def parse(source: Source) -> CppNode:
         node.kept = node.kept or kept(code, node.callbacks[:CALLBACKS])
     node.lookups = list(lookups(code, node.callbacks[:CALLBACKS]))
     node.waits = list(waits(code, node.callbacks[:CALLBACKS]))
+    if any(each in source.text for each in ASKS):
+        node.endless_answers = list(endless_answers(code))
     node.nested_spins = list(nested_spins(code, node.callbacks[:CALLBACKS]))
     node.activation = activation(code)
     node.misread = list(misread(code))
