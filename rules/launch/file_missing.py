@@ -47,7 +47,9 @@ from bringup_lint.api.launch import Package
 from bringup_lint.api.launch import Reference
 from bringup_lint.api.spelling import nearest
 
-_READ = (".yaml", ".yml", ".rviz", ".urdf", ".xacro", ".srdf", ".sdf", ".world", ".xml", ".lua", ".json", ".bt")
+_READ = tuple(
+    ".yaml .yml .rviz .urdf .xacro .srdf .sdf .world .xml .lua .json .bt .pcd .ply .stl .dae .onnx .pgm .png".split()
+)
 """Files that programs read and people write."""
 _WRITTEN = regex(r"(?i)save|output|out_|log|record|export|write|dump|result|calib|cache|generated|tmp")
 """Names of files that a program makes."""

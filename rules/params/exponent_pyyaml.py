@@ -2,7 +2,8 @@
 
 ## What it finds
 `1e-3`, `1e3` and `1.0e3` in files that launch itself reads for composable nodes. PyYAML reads a number only if it
-has a point and a sign: `1.0e+3`.
+has a point and a sign: `1.0e+3`. Left alone is a section that is switched off (`enabled: false`), because nothing reads
+its values.
 
 ## Why it matters on a robot
 rcl reads a double, but PyYAML reads text. The composable node gets a string where it declares a double, and does
@@ -55,7 +56,7 @@ def exponent_pyyaml(robot: Robot) -> Iterator[Finding]:
             continue
         for item in robot.params.items(parameter):
             found = None if item.quoted else _EXPONENT.match(item.text)
-            if found is None or (found[3] and found[4]):
+            if found is None or (found[3] and found[4]) or robot.params.is_switched_off(parameter):
                 continue
             sign, whole, fraction, exponent_sign, exponent = found.groups()
             better = (

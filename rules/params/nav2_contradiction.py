@@ -4,8 +4,8 @@
 In parameter files that something names: a `footprint` of a costmap that is no polygon, or has the same corner twice in
 a row; an `inflation_radius` below the inscribed radius of the robot; `observation_sources` of an obstacle layer without
 a section of their own, where no other file knows the name; a source that marks farther away than it clears; a layer
-with `clearing: false` whose sources all mark, and none of which clears; limits of
-`velocity_smoother` with the wrong sign or not one for each axis; `polygons` of the collision monitor without a section;
+with `clearing: false` whose sources all mark, and none of which clears; limits of `velocity_smoother` with the wrong
+sign, not one for each axis, or of zero for turning both ways; `polygons` of the collision monitor without a section;
 `min_particles` of amcl above `max_particles`; an `initial_pose` without `set_initial_pose`; from Humble on the names
 that amcl's motion models had before, and a section `recoveries_server` without one for `behavior_server`; a local
 costmap that rolls in the frame that amcl corrects; critics that DWB or MPPI do not have; a `data_type` that obstacle
@@ -105,6 +105,8 @@ def _message(each: NavigationProblem) -> str:
             return f"{each.name} has the wrong sign ({each.detail}): the velocity smoother refuses it, or never stops"
         case "length":
             return f"{each.name} has {each.detail}: the velocity smoother ends when it configures"
+        case "turn":
+            return f"{each.name} and min_velocity are 0 for theta: the velocity smoother takes every turn away"
         case "polygon":
             return f"The polygon '{each.name}' has no section with a type: {each.detail} does not configure"
         case "pose":
@@ -148,6 +150,8 @@ def _advice(each: NavigationProblem) -> str:
             )
         case "length":
             return "write one number for each axis: x, y and theta"
+        case "turn":
+            return "write the speeds at which the robot may turn, in rad/s"
         case "polygon":
             return f"add a section {each.name}, or write the name of the one that is there"
         case "pose":

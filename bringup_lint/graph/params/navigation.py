@@ -72,7 +72,7 @@ _RECOVERIES, _BEHAVIORS = "recoveries_server", "behavior_server"
 class NavigationProblem(NamedTuple):
     kind: str
     """``footprint``, ``corner``, ``inflation``, ``ranges``, ``source``, ``sign``, ``length``, ``particles``, ``pose``,
-    ``model``, ``frame``, ``polygon``, ``library``, ``section``, ``critic``, ``type`` or ``clearing``."""
+    ``model``, ``frame``, ``polygon``, ``library``, ``section``, ``critic``, ``type``, ``clearing`` or ``turn``."""
     where: Span
     name: str
     """The parameter or observation source."""
@@ -292,12 +292,22 @@ def _smoother(params: Params, file: ParameterFile, block: Block) -> Iterator[Nav
         wrong = [f"{each:g}" for each in numbers if each * sign < 0]
         if wrong:
             yield NavigationProblem("sign", named[name].span, name, ", ".join(wrong))
+    yield from _unable_to_turn(named)
     counts = {name: len(numbers) for name in _LIMITS if (numbers := _numbers(named.get(name)))}
     spatial = [count for count in counts.values() if count == _SPATIAL]
     axes = _SPATIAL if 2 * len(spatial) > len(counts) else _PLANAR
     for name, count in counts.items():
         if count != axes:
             yield NavigationProblem("length", named[name].span, name, f"{count} numbers instead of {axes}")
+
+
+def _unable_to_turn(named: dict[str, Parameter]) -> Iterator[NavigationProblem]:
+    """Limits of zero for the yaw, both ways, while another axis may move."""
+    most, least = (_numbers(named.get(name)) for name in ("max_velocity", "min_velocity"))
+    if len(most) == len(least) and len(most) in (_PLANAR, _SPATIAL) and most[-1] == least[-1] == 0 and any(most):
+        yield NavigationProblem(
+            "turn", named["max_velocity"].span, "max_velocity", named["max_velocity"].text, named["min_velocity"].span
+        )
 
 
 def _monitor(params: Params, file: ParameterFile, block: Block) -> Iterator[NavigationProblem]:

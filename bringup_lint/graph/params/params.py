@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.params.loads import Load
     from bringup_lint.graph.params.mentions import Mentions
 
+_FILE_NAME = regex(r"[\w.-]+")
 BUILD = ("params", "cmake", "setup-py", "setup-cfg", "ros-package")
 """Kinds that may name a parameter file without loading it."""
 _UNTYPED = ("ardent", "bouncy", "crystal", "dashing", "eloquent", "foxy")
@@ -154,6 +155,18 @@ class Params:
 
     def holds_maps(self, parameter: Parameter) -> bool:
         return param_values.holds_maps(parameter)
+
+    def is_switched_off(self, parameter: Parameter) -> bool:
+        """Whether a section around a value says that it is not in use, as with ``enabled: false``."""
+        if id(parameter.block) not in self._switched_off:
+            self._switched_off[id(parameter.block)] = param_values.switched_off(parameter.block)
+        words = parameter.name.split(".")
+        sections = (".".join(words[:end]) for end in range(1, len(words)))
+        return not self._switched_off[id(parameter.block)].isdisjoint(sections)
+
+    @cached_property
+    def _switched_off(self) -> dict[int, frozenset[str]]:
+        return {}
 
     def is_flattened(self, parameter: Parameter) -> bool:
         return param_values.is_flattened(parameter)
@@ -318,7 +331,29 @@ class Params:
         if self.loads(file) or file.source.absolute in self._handed_on:
             return True
         name = file.source.basename
-        return len(list(self._tree_files.tree.named(name))) == 1 and self.named_elsewhere(name, {file.source})
+        same = list(self._tree_files.tree.named(name))
+        if len(same) == 1:
+            return self.named_elsewhere(name, {file.source})
+        return self._is_named_in_package(file, same)
+
+    def _is_named_in_package(self, file: ParameterFile, same: list[str]) -> bool:
+        """Whether a launch file of the package of a file names it, and the package has no other one of its name."""
+        launch = self._launch() if self._tree_files.of_kind(*LAUNCH) else None
+        owner = launch.workspace.owner(file.source) if launch is not None else None
+        if launch is None or owner is None:
+            return False
+        owners = [launch.workspace.package_of(os.path.dirname(os.path.abspath(path))) for path in same]
+        if sum(each is owner for each in owners) != 1:
+            return False
+        if id(owner) not in self._words:
+            texts = (each.source.uncommented for each in launch.files_of(owner))
+            self._words[id(owner)] = frozenset(word for text in texts for word in _FILE_NAME.findall(text))
+        return file.source.basename in self._words[id(owner)]
+
+    @cached_property
+    def _words(self) -> dict[int, frozenset[str]]:
+        """What the launch files of a package name, by the ``id`` of the package."""
+        return {}
 
     @cached_property
     def _handed_on(self) -> frozenset[str]:

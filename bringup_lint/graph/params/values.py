@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.model.params import NOT_SET
+from bringup_lint.model.params import Block
 from bringup_lint.model.params import Data
 from bringup_lint.model.params import Parameter
 from bringup_lint.model.params import ParameterFile
@@ -22,6 +23,8 @@ from bringup_lint.source import Source
 from bringup_lint.source import Span
 
 TAB = regex(r"^[ \t]*\t[ \t]*", re.M)
+_SWITCH = regex(r"(?:\w+_)?enabled?\Z")
+"""A parameter that says whether a section is in use."""
 WIDTHS = (2, 4, 8)
 WILDCARDS = 16
 """The last blocks with a wildcard that are compared with those for one node; a file has one or two."""
@@ -51,6 +54,14 @@ def items(parameter: Parameter) -> list[Item]:
 
 def _item(node: Scalar, value: Value) -> Item:
     return Item(value.type, value.data, str(node.value), node.span, bool(node.style or node.tag))
+
+
+def switched_off(block: Block) -> frozenset[str]:
+    """The sections of a block that say that they are not in use, as with ``enabled: false``."""
+    parts = ((each, *each.name.rpartition(".")) for each in block.parameters)
+    return frozenset(
+        section for each, section, _, name in parts if section and each.value.data is False and _SWITCH.match(name)
+    )
 
 
 def holds_maps(parameter: Parameter) -> bool:
