@@ -8,6 +8,7 @@ from bringup_lint.on_demand import on_demand
 
 if TYPE_CHECKING:
     from bringup_lint.graph.topics.questions.autopilot import too_reliable
+    from bringup_lint.graph.topics.questions.bonds import Bonds
     from bringup_lint.graph.topics.questions.command_sources import is_gate
     from bringup_lint.graph.topics.questions.command_sources import is_stop
     from bringup_lint.graph.topics.questions.command_sources import is_velocity
@@ -36,6 +37,7 @@ else:
     __getattr__ = on_demand(globals())
 
 __all__ = [
+    "Bonds",
     "DeadRemapping",
     "LaunchedNode",
     "Pair",

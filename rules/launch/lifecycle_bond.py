@@ -4,7 +4,8 @@
 Three mistakes with the `bond_timeout` of a nav2 lifecycle manager:
 
 - It is 0, so the manager does not monitor its nodes.
-- It is above 0, and a managed node of a package outside nav2 opens no bond.
+- It is above 0, also by default, and a managed node opens no bond: one of a public package outside nav2, or one of the
+  tree whose class builds on `rclcpp_lifecycle::LifecycleNode` or that of rclpy, in a package without bonds.
 - A comment calls it the time of a transition.
 
 ## Why it matters on a robot
@@ -22,11 +23,12 @@ parameters=[{'autostart': True, 'bond_timeout': 4.0, 'node_names': ['controller_
 ```
 
 ## When to ignore it
-When your own node opens a bond to the manager (the linter knows only the packages of nav2, opennav and
-slam_toolbox), or when you switch the bond off only for debugging.
+When the node opens a bond through a library that is not in the tree, or when you switch the bond off only for
+debugging.
 
 ## References
-- nav2, lifecycle manager parameters
+- nav2, lifecycle manager parameters; lifecycle_manager.cpp, `createBondConnection`
+- nav2_util, lifecycle_node.cpp, `createBond`: the lifecycle node of nav2 opens the bond, that of rclcpp does not
 """
 
 from collections.abc import Iterator
@@ -39,6 +41,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import launch
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api import topics
 
 BONDED = ("nav2_", "opennav_", "slam_toolbox")
 
@@ -51,6 +54,7 @@ BONDED = ("nav2_", "opennav_", "slam_toolbox")
     ],
 )
 def lifecycle_bond(robot: Robot) -> Iterator[Finding]:
+    bonds = topics.Bonds(robot.topics)
     for expansion in robot.launch.entries:
         if robot.launch.simulated(expansion.entry):
             continue
@@ -84,6 +88,17 @@ def lifecycle_bond(robot: Robot) -> Iterator[Finding]:
                     advice="give it a separate manager with bond_timeout 0",
                     related=[note(node.span, "the node is started here")],
                 )
+        for managed, node, base in bonds.lacking(expansion):
+            yield _of_tree(managed.name, node, base)
+
+
+def _of_tree(name: Located, node: launch.Started, base: Located) -> Finding:
+    return finding(
+        name,
+        f"The source of '{name}' opens no bond: the manager aborts the bring-up after the bond_timeout",
+        advice="build the class on nav2_util::LifecycleNode, or give it a separate manager with bond_timeout 0",
+        related=[note(base, "a plain lifecycle node"), note(node.span, "the node is started here")],
+    )
 
 
 def _comment_above(name: Located) -> str:
