@@ -18,6 +18,13 @@ TEMPLATE_SUFFIXES = {
     ".tpl": "template",
     ".template": "template",
 }
+_SAMPLE_SUFFIXES = (".example", ".sample", ".dist")
+"""What people copy without the suffix: final where nothing in it is to be filled in."""
+
+_TO_FILL = regex(
+    r"<[A-Za-z][^<>\n]{0,60}>|(?i:\byour[_-]?(?:user|name|robot|ws|workspace|home|path|package)|\bchange[_-]?me\b|/path/to/)"
+)
+"""What a sample has where its reader is to write something."""
 
 _PLACEHOLDERS = (
     ("jinja", "{", regex(r"\{\{(?:(?!\{\{|\}\}).)*\}\}|\{%(?:(?!\{%|%\}).)*%\}")),
@@ -61,9 +68,12 @@ def _of_others(name: str, text: str) -> str:
 
 def template_language(name: str, text: str) -> str:
     """The template language of a file, from its name or the placeholders in it; empty when the text is final."""
-    named = TEMPLATE_SUFFIXES.get(_suffix(name))
+    suffix = _suffix(name)
+    named = TEMPLATE_SUFFIXES.get(suffix)
     if named is not None:
         return named
+    if suffix in _SAMPLE_SUFFIXES and (has_placeholder(text) or _TO_FILL.search(text)):
+        return "template"
     text = _of_others(name, text)
     for language, mark, pattern in _PLACEHOLDERS[:-1]:
         if mark in text and pattern.search(text):
@@ -74,7 +84,12 @@ def template_language(name: str, text: str) -> str:
 def final_name(name: str) -> str:
     """The name that the file will have once it is filled in: ``robot.service.in`` becomes ``robot.service``."""
     suffix = _suffix(name)
-    return name[: -len(suffix)] if suffix in TEMPLATE_SUFFIXES else name
+    return name[: -len(suffix)] if suffix in TEMPLATE_SUFFIXES or suffix in _SAMPLE_SUFFIXES else name
+
+
+def is_sample(name: str) -> bool:
+    """Whether a file is one that people copy without the end of its name: ``robot.service.example``."""
+    return _suffix(name) in _SAMPLE_SUFFIXES
 
 
 def _suffix(name: str) -> str:

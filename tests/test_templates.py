@@ -2,6 +2,7 @@
 
 import pytest
 
+from bringup_lint.templates import final_name
 from bringup_lint.templates import template_language
 
 SCRIPT = "#!/bin/bash\n"
@@ -36,3 +37,18 @@ def test_script_that_is_filled_in(text: str, language: str) -> None:
 
 def test_other_files_fill_in_nothing() -> None:
     assert template_language("helm.service", "# s/@PILOT@/x/\nUser=@PILOT@\n") == "configure"
+
+
+@pytest.mark.parametrize(
+    ("text", "language"),
+    [
+        ("User=rover\n", ""),
+        ("User=__PILOT__\n", "template"),
+        ("User=<your user>\n", "template"),
+        ("WorkingDirectory=/path/to/ws\n", "template"),
+        ("Environment=ROBOT=your_robot\n", "template"),
+    ],
+)
+def test_sample_is_final_unless_something_is_to_be_filled_in(text: str, language: str) -> None:
+    assert template_language("helm.service.example", text) == language
+    assert final_name("helm.service.example") == "helm.service"

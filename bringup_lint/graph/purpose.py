@@ -18,6 +18,7 @@ from bringup_lint.dataclass import field
 from bringup_lint.facts.ros import simulation
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
+from bringup_lint.templates import final_name
 from bringup_lint.type_names import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -128,6 +129,9 @@ SOURCES: tuple[tuple[Purpose, re.Pattern[str]], ...] = (
 _TEST_DATA = _folder(r"tests?|test[_-]?data|test[_-]?(?:files|cases)[^/]*|[^/]*fixtures?|fuzz(?:ing)?|e2e|unittests?")
 """Folders for what tests read, which is often wrong on purpose."""
 
+_COPIED = ("systemd-unit", "systemd-dropin")
+"""Kinds of which people copy a sample as it is: that it is called one says nothing."""
+
 _VERSION = regex(r"[vV]?\d{1,4}\.\d{1,4}\.\d{1,4}")
 
 
@@ -183,6 +187,8 @@ class Purposes:
         if self.tree.root is not None:
             return Purpose.ROBOT
         path = self._path(source)
+        if source.kind in _COPIED:
+            path = final_name(path)
         return Purpose.ARCHIVE if self._is_superseded(path) else by_path(path)
 
     def _is_superseded(self, path: str) -> bool:

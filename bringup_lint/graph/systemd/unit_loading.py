@@ -24,6 +24,7 @@ from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.templates import final_name
+from bringup_lint.templates import is_sample
 
 _LINK_FOLDER = regex(r"([^/]+)\.(wants|requires|upholds)$", 0, ".wants .requires .upholds")
 _RELATION = {"wants": "Wants", "requires": "Requires", "upholds": "Upholds"}
@@ -115,11 +116,16 @@ def load_units(files: Files) -> LoadedUnits:
         else:
             fragments.setdefault((place.root, place.manager, name), []).append((order(place), source))
     for (root, manager, name), found in fragments.items():
-        sources = [source for _, source in sorted(found, key=lambda ranked: ranked[0])]
+        sources = _without_samples([source for _, source in sorted(found, key=lambda ranked: ranked[0])])
         _add_unit(loaded, Unit(name, manager, place=root), sources, files)
     _add_aliases(loaded, aliases)
     _add_dropins(loaded, files)
     return loaded
+
+
+def _without_samples(sources: list[Source]) -> list[Source]:
+    """The files of a unit; its sample only where there is nothing else."""
+    return [source for source in sources if not is_sample(source.basename)] or sources
 
 
 def _add_aliases(loaded: LoadedUnits, aliases: list[_Alias]) -> None:

@@ -210,6 +210,13 @@ def test_service_kept_as_conf_is_a_service(tmp_path, monkeypatch):
     assert [unit.name for unit in units.all] == ["nav.service"]
 
 
+@pytest.mark.parametrize(("beside", "user"), [({}, "sample"), ({"a.service": SERVICE + "User=rover\n"}, "rover")])
+def test_sample_is_read_where_there_is_nothing_else(tmp_path, monkeypatch, beside, user):
+    units = load(tmp_path, {"a.service.example": SERVICE + "User=sample\n", **beside}, monkeypatch)
+    assert only(units, "a.service").get("User") == user
+    assert units.files.purpose(only(units, "a.service").where).value == "robot"
+
+
 def test_new_line_goes_to_the_end_of_the_section_or_makes_it(tmp_path, monkeypatch):
     units = load(tmp_path, {"a.service": "[Unit]\nAfter=b.service\n\n[Service]\nExecStart=/bin/true"}, monkeypatch)
     unit = only(units, "a.service")
