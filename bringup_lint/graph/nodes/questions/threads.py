@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.model.cpp_source import LateJoin
 from bringup_lint.model.cpp_text import blanked
+from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
@@ -17,32 +17,53 @@ if TYPE_CHECKING:
 SUFFIXES = (".cpp", ".cc", ".cxx", ".hpp", ".hh", ".h", ".hxx", ".ipp", ".tpp", ".inl")
 FILES = 400
 """Source files of one package that are read."""
+_ENDS = regex(
+    r"\b(?P<own>\w+)\s{0,8}(?:\[[^\]]{0,80}\])?\s{0,8}\)?\s{0,40}(?:\.|->)\s{0,4}(?:join|detach|swap|release|begin|get)\b"
+    r"|\b(?:move|ref|swap|exchange)\s{0,4}\(\s{0,40}(?:this->)?(?P<given>\w+)|&\s{0,4}(?:this->)?(?P<pointed>\w+)"
+    r"|[^:]:\s{0,4}(?:this->)?(?P<looped>\w+)\s{0,4}\)|\breturn\s{1,40}(?P<returned>\w+)"
+)
+_KEEPS = regex(r"\b(?:push_back|emplace_back|emplace|insert)\s{0,4}\(")
+_WORD = regex(r"\w+")
+_STATEMENT = 2000
+"""Characters in which a statement ends."""
 
 
 def ends_thread(files: Files, package: Package | None, source: Source, name: str) -> bool:
     """Whether a source joins or detaches a thread, or hands it to something that may. True where too much is there to
     be read."""
     sources = package_sources(files, package, source)
-    return any(each is None or next(_ends(each, name), None) is not None for each in sources)
+    return any(each is None or name in _ended(each) for each in sources)
 
 
 def is_joined_elsewhere(files: Files, package: Package | None, source: Source, late: LateJoin) -> bool:
     """Whether the package ends a thread in other ways than by the joins in callbacks."""
-    sources = package_sources(files, package, source)
-    found = [place for each in sources for place in (_ends(each, late.thread) if each is not None else (None,))]
-    return len(found) != len(late.joins)
+    sources = list(package_sources(files, package, source))
+    if None in sources:
+        return True
+    ends = [place for each in sources if each is not None for place in _ended(each).get(late.thread, ())]
+    return len(ends) != len(late.joins)
 
 
-def _ends(source: Source, name: str) -> Iterator[re.Match[str]]:
-    """The places of a source that end a thread, or hand it to something that may."""
-    written = re.escape(name)
-    ends = re.compile(
-        rf"\b{written}\s*(?:\[[^\]]*\])?\s*\)?\s*(?:\.|->)\s*(?:join|detach|swap|release|begin|get)\b"
-        rf"|\b(?:move|ref|swap|exchange)\s*\(\s*(?:this->)?{written}\b|&\s*(?:this->)?{written}\b"
-        rf"|\b(?:push_back|emplace_back|emplace|insert)\s*\([^;]*\b{written}\b|[^:]:\s*(?:this->)?{written}\s*\)"
-        rf"|\breturn\s+{written}\b"
-    )
-    return ends.finditer(blanked(source.text)) if name in source.text else iter(())
+def _ended(source: Source) -> dict[str, set[int]]:
+    """Name -> the places of a source that end a thread of that name, or hand it to something that may."""
+    return source.once(_ended, lambda: _found(source))
+
+
+def _found(source: Source) -> dict[str, set[int]]:
+    found: dict[str, set[int]] = {}
+    text = blanked(source.text)
+    for match in _ENDS.finditer(text):
+        kind = str(match.lastgroup)
+        found.setdefault(match[kind], set()).add(match.start(kind))
+    for match in _KEEPS.finditer(text):
+        for word in _WORD.finditer(text, match.end(), _end_of_statement(text, match.end())):
+            found.setdefault(word[0], set()).add(word.start())
+    return found
+
+
+def _end_of_statement(text: str, start: int) -> int:
+    end = text.find(";", start, start + _STATEMENT)
+    return end if end >= 0 else min(len(text), start + _STATEMENT)
 
 
 def package_sources(files: Files, package: Package | None, source: Source) -> Iterator[Source | None]:
