@@ -6,8 +6,9 @@
 - Remappings of a name that the node does not use: `imu/data` of navsat_transform_node, which subscribes to `imu`. All
   names are known of nodes whose sources are in the tree and name no other, and of robot_state_publisher,
   joint_state_publisher, teleop_twist_joy, teleop_twist_keyboard, twist_mux, joy, robot_localization, slam_toolbox,
-  amcl, velocity_smoother, the spawner of controllers and some filters of sensor data. It is info where the
-  remapping only takes the slash away, and where the node uses the name already that it would get.
+  amcl, velocity_smoother, the spawner of controllers, depth_image_proc and some filters of sensor data. It is info
+  where the remapping only takes the slash away, and where the node uses the name already that it would get, unless two
+  are to get it.
 - Remappings of a relative name in a namespace, where the source names the absolute one (`/cmd_vel`), and the reverse.
 
 Remappings that reach several nodes are left alone when one of them uses the name or is not known.
@@ -102,6 +103,7 @@ def not_there(robot: Robot, first: topics.DeadRemapping, *others: topics.DeadRem
     started = first.node.started
     program = launch.literal_text(started.plugin) or launch.literal_text(started.executable)
     names = ", ".join(first.instead[:6])
+    is_one = any(launch.same(first.target, each.target) for each in others)
     return finding(
         first.source,
         f"{first.node.label()} ({program} of {launch.literal_text(started.package)}) has no topic or service "
@@ -109,6 +111,6 @@ def not_there(robot: Robot, first: topics.DeadRemapping, *others: topics.DeadRem
         advice=f"remap what the node has ({names})" if names else "remap a name of its source, or remove this",
         related=[note(each.source, f"it has no '{each.source}' either") for each in others],
         chain=robot.provenance.chain_to_node(started),
-        severity="info" if all(each.harmless for each in (first, *others)) else None,
+        severity="info" if all(each.harmless for each in (first, *others)) and not is_one else None,
         confidence="medium",
     )

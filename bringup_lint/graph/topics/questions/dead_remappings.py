@@ -11,6 +11,7 @@ from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.topics.resolved.names import expand
 from bringup_lint.graph.topics.resolved.names import tail
 from bringup_lint.graph.topics.resolved.remapping import remapping
+from bringup_lint.model.launch_values import same
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.topics.resolved.endpoint_use import LaunchedNode
     from bringup_lint.graph.topics.sources.code import Code
     from bringup_lint.graph.topics.topics import Topics
+    from bringup_lint.model.launch_values import Value
     from bringup_lint.model.parameter_words import ParameterWords
     from bringup_lint.source import Span
 
@@ -47,16 +49,26 @@ class DeadRemapping(NamedTuple):
     """Where the program uses the same name, in another namespace."""
 
     @property
-    def harmless(self) -> bool:
-        """Whether the node uses the name that it should get all the same; or the rule would only take the namespace of
-        the root away, as many are told to for all their nodes."""
+    def target(self) -> Value | None:
+        """The name that the rule would give."""
         pairs = self.node.started.remappings
-        targets = (text_of(target) for source, target in pairs if literal_text(source) is self.source)
+        return next((target for source, target in pairs if literal_text(source) is self.source), None)
+
+    @property
+    def harmless(self) -> bool:
+        """Whether the node uses the name that it should get all the same, or another rule gives it that name; or the
+        rule would only take the namespace of the root away, as many are told to for all their nodes."""
         names = {str(self.source), *(str(use.written) for use in (*self.node.uses, *self.node.calls) if use.written)}
         if self.node.given is not None:
             names.update(str(each.value) for each in self.node.given.values.values())
         own = {name.lstrip("/") for name in names}
-        return any(target is not None and target.lstrip("/") in own for target in targets)
+        target = text_of(self.target) if self.target is not None else None
+        return (target is not None and target.lstrip("/") in own) or self._is_given_by_another
+
+    @property
+    def _is_given_by_another(self) -> bool:
+        rules = ((literal_text(source), target) for source, target in self.node.started.remappings)
+        return any(source in self.instead and same(target, self.target) for source, target in rules)
 
 
 def dead_remappings(topics: Topics) -> Iterator[DeadRemapping]:
@@ -98,7 +110,7 @@ def _of_public(topics: Topics, node: LaunchedNode, source: Located, match: str) 
     name = match.lstrip("~/")
     if known is None or known.has(name):
         return None
-    if known.by_parameters and (node.given is None or node.given.open or _is_value(node, name)):
+    if known.may_be_given(name) and (node.given is None or node.given.open or _is_value(node, name)):
         return None
     return DeadRemapping(node, source, tuple(known.plain))
 
