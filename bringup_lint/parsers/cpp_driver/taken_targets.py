@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from itertools import islice
 from typing import TYPE_CHECKING
 
 from bringup_lint.model.cpp_driver import TakenTarget
@@ -14,13 +15,15 @@ if TYPE_CHECKING:
     from tree_sitter import Node
 
 RECEIVES = regex(r"\basync_receive_from\s{0,4}\(", hints="async_receive_from")
+SOCKETS = 40
+"""Receiving calls of one file that are looked at."""
 _SENDS = ("async_send_to", "send_to")
 _NAME = regex(r"(?:this->)?([A-Za-z_]\w{0,80})\Z")
 
 
 def taken_targets(code: Code) -> Iterator[TakenTarget]:
     """The first call that sends to what ``async_receive_from`` fills with the sender, and something else sets."""
-    receivers = (call for call in code.calls if call.name == "async_receive_from")
+    receivers = islice((call for call in code.calls if call.name == "async_receive_from"), SOCKETS)
     received = {_at(code, call.arguments): call.node for call in receivers}
     for call in code.calls:
         name = _at(code, call.arguments) if call.name in _SENDS else None

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from itertools import islice
 from typing import TYPE_CHECKING
 
 from bringup_lint.model.cpp_driver import UncheckedDevice
 from bringup_lint.model.cpp_text import blanked
+from bringup_lint.parsers.cpp_node.syntax import Call
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.pattern import regex
 
@@ -30,6 +32,8 @@ _NUMBERS = frozenset(
     }
 )
 """Functions that return a negative number when they fail."""
+DEVICES = 40
+"""Results of one file that are looked at."""
 OPENS = regex(rf"\b(?:{'|'.join(sorted(_POINTERS | _NUMBERS))})\s{{0,4}}\(")
 _NAME = regex(r"[*&\s]{0,8}(?:this->)?([A-Za-z_]\w{0,80})\Z")
 _CASTS = ("cast_expression", "parenthesized_expression")
@@ -37,16 +41,26 @@ _CASTS = ("cast_expression", "parenthesized_expression")
 
 def unchecked_devices(code: Code) -> Iterator[UncheckedDevice]:
     """Each name that gets the result, once, where the file asks nothing about it and uses it."""
-    told: set[str] = set()
-    for call in code.calls:
-        function = call.qualified.removeprefix("::")
-        name = _kept(code, call.node) if function in _POINTERS or function in _NUMBERS else None
-        if name is None or name in told or is_asked(code.source.text, name):
-            continue
-        used = _used(code, name, function in _NUMBERS)
+    for name, call in islice(_opened(code).items(), DEVICES):
+        function = _function(call)
+        used = None if is_asked(code.source.text, name) else _used(code, name, function in _NUMBERS)
         if used is not None:
-            told.add(name)
             yield UncheckedDevice(code.span(call.node), code.span(used), function, name, function in _POINTERS)
+
+
+def _opened(code: Code) -> dict[str, Call]:
+    """Name -> the first call whose result it gets."""
+    opened: dict[str, Call] = {}
+    for call in code.calls:
+        function = _function(call)
+        name = _kept(code, call.node) if function in _POINTERS or function in _NUMBERS else None
+        if name is not None:
+            opened.setdefault(name, call)
+    return opened
+
+
+def _function(call: Call) -> str:
+    return call.qualified.removeprefix("::")
 
 
 def _kept(code: Code, node: Node) -> str | None:

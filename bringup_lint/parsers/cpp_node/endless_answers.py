@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from itertools import islice
 from typing import TYPE_CHECKING
 
 from bringup_lint.model.cpp_source import EndlessAnswer
@@ -16,6 +17,8 @@ if TYPE_CHECKING:
     from tree_sitter import Node
 
 ASKS = ("async_send_request", "async_send_goal", "async_cancel_goal", "async_get_result")
+WAITS = 200
+"""Waits of one file that are looked at."""
 _LASTS = ("wait", "get")
 _BODIES = ("function_definition", "lambda_expression")
 _PLAIN = regex(r"(?:this->)?(?P<client>[A-Za-z_]\w*)->async_\w+\Z")
@@ -25,8 +28,9 @@ def endless_answers(code: Code) -> Iterator[EndlessAnswer]:
     """The first wait of each function for the answer to a request of its own, unless something else of the function
     may end it."""
     told: set[int] = set()
-    for call in code.calls:
-        body = _body(code, call.node) if call.name in _LASTS and not call.arguments else None
+    waits = islice((call for call in code.calls if call.name in _LASTS and not call.arguments), WAITS)
+    for call in waits:
+        body = _body(code, call.node)
         if body is None or body.id in told or code.function_name(call.node) in (None, "main"):
             continue
         asked = _asked(code, call, body)
