@@ -48,6 +48,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.missing_attributes import taken_attributes
     from bringup_lint.graph.nodes.questions.missing_modules import missing_modules
     from bringup_lint.graph.nodes.questions.missing_returns import missing_returns
+    from bringup_lint.graph.nodes.questions.mistaken_handlers import mistaken_handlers
     from bringup_lint.graph.nodes.questions.motion import is_remote
     from bringup_lint.graph.nodes.questions.motion import moves
     from bringup_lint.graph.nodes.questions.nested_spins import nested_spins
@@ -96,7 +97,6 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.unchecked_devices import unchecked_devices
     from bringup_lint.graph.nodes.questions.unchecked_messages import Unchecked
     from bringup_lint.graph.nodes.questions.unchecked_messages import unchecked_messages
-    from bringup_lint.graph.nodes.questions.unchecked_messages import wrong_handlers
     from bringup_lint.graph.nodes.questions.undefined_names import undefined
     from bringup_lint.graph.nodes.questions.unplugged_ports import unplugged_ports
     from bringup_lint.graph.nodes.questions.unreached_stops import unreached_stops
@@ -182,6 +182,7 @@ __all__ = [
     "missing_fields",
     "missing_modules",
     "missing_returns",
+    "mistaken_handlers",
     "moves",
     "nested_spins",
     "never_run",
@@ -235,7 +236,6 @@ __all__ = [
     "window_spins",
     "without_pin_mode",
     "without_qos",
-    "wrong_handlers",
     "wrong_units",
     "zero_divisors",
     "zeroed_commands",

@@ -7,8 +7,10 @@ In callbacks of subscriptions and services of Python nodes, outside every `try` 
 - the first or last element, `max()` or `min()` of an array that is empty in regular operation, and that the function
   asks nothing about before: `detections`, `markers`, the `poses` of a path, the `points` of a trajectory.
 
-Also `next()` of a search that may find nothing, in a `try` that takes another exception than its StopIteration. Texts
-that a node of the tree makes with `json.dumps` for the same topic are left out.
+Also a `try` that takes another exception than the one which is raised: StopIteration of `next()` of a search that may
+find nothing, SerialException of a port that is opened, ConnectionRefusedError of a socket, IndexError of the `axes` and
+`buttons` of a joystick, which are lists. Texts that a node of the tree makes with `json.dumps` for the same topic are
+left out.
 
 ## Why it matters on a robot
 rclpy hands an exception of a callback on to `spin()`, which ends the node. Everybody can publish on a topic: one
@@ -56,12 +58,12 @@ def message_unchecked(robot: Robot) -> Iterator[Finding]:
     for (file, _), found in alike.items():
         yield _finding(robot, file, *found)
     for file in robot.nodes.programs:
-        for call, handler in nodes.wrong_handlers(robot.nodes.syntax(file)):
+        syntax = robot.nodes.syntax(file)
+        for node, raised, handler in nodes.mistaken_handlers(syntax):
             yield finding(
-                file.span_of(call),
-                "next() raises StopIteration where nothing matches, and this try does not take it: "
-                f"{nodes.end_of(robot.nodes.syntax(file), call)}",
-                advice="give next() a default, as in next((...), None), and ask for it",
+                file.span_of(node),
+                f"{raised.what}, and this try does not take it: {nodes.end_of(syntax, node)}",
+                advice=raised.advice,
                 related=[note(file.span_of(handler), "takes another exception")],
                 severity=robot.nodes.graded(file.source, "warning"),
             )

@@ -12,7 +12,6 @@ from bringup_lint.graph.nodes.questions.callback_code import code_of
 from bringup_lint.graph.nodes.questions.stored_values import module_values
 from bringup_lint.graph.nodes.questions.stored_values import stored
 from bringup_lint.graph.nodes.questions.uncaught import Uncaught
-from bringup_lint.graph.nodes.questions.uncaught import is_caught
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import NodeClass
@@ -279,19 +278,3 @@ def _asked(function: ast.AST) -> Iterator[ast.AST]:
             yield from node.args
         elif isinstance(node, ast.Match):
             yield node.subject
-
-
-def wrong_handlers(syntax: Syntax) -> Iterator[tuple[ast.Call, ast.ExceptHandler]]:
-    """``next()`` of what may give nothing, whose ``try`` takes another exception than the StopIteration of it."""
-    for call in syntax.calls:
-        if not isinstance(call.func, ast.Name) or call.func.id != "next" or len(call.args) != 1:
-            continue
-        given = call.args[0]
-        if not isinstance(given, ast.GeneratorExp) or not any(each.ifs for each in given.generators):
-            continue
-        if is_caught(syntax, call, frozenset({"StopIteration"})):
-            continue
-        for outer, name in syntax.within(call):
-            if isinstance(outer, ast.Try) and name == "body" and outer.handlers:
-                yield call, outer.handlers[0]
-                break
