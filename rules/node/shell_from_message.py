@@ -1,10 +1,11 @@
-"""Text of a message becomes part of a shell command.
+"""Text of a message becomes part of a shell command or of a program.
 
 ## What it finds
-`os.system`, `os.popen` and `subprocess` with `shell=True`, whose command holds text of a subscription's message or of a
-service request: `std_msgs/String`, and types of the tree with fields of type `string`. Functions and methods of the
-file are followed. Not reported: text that is quoted with `shlex.quote`, converted to a number, looked up in a table or
-compared with what is allowed.
+`os.system`, `os.popen` and `subprocess` with `shell=True`, and `exec` and `eval` of Python, that run text of a
+subscription's message, of a service request or of the goal of an action: `std_msgs/String`, and types of the tree with
+fields of type `string`. Functions and methods of the file are followed, and what a callback keeps for them in
+attributes and queues. Not reported: text that is quoted with `shlex.quote`, converted to a number, looked up in a table
+or compared with what is allowed.
 
 ## Why it matters on a robot
 Without SROS2, everybody in the same ROS domain may publish and call services. A name such as `x; reboot` runs with the
@@ -39,6 +40,10 @@ from bringup_lint.api import nodes
 from bringup_lint.api import note
 from bringup_lint.api import rule
 
+PROGRAM = "Python runs text of {} here: whoever sends it runs any program on the robot"
+COMMAND = "The shell command holds text of {}: whoever sends it runs commands on the robot"
+ADVICE = "pass a list of arguments without shell=True, or accept only known values"
+
 
 @rule("warning", silent="the shell runs what it is given", tags=["CWE-78"])
 def shell_from_message(robot: Robot) -> Iterator[Finding]:
@@ -50,8 +55,8 @@ def shell_from_message(robot: Robot) -> Iterator[Finding]:
             seen.add(found.call)
             yield finding(
                 file.span_of(found.call),
-                f"The shell command holds text of {found.what}: whoever sends it runs commands on the robot",
-                advice="pass a list of arguments without shell=True, or accept only known values",
+                PROGRAM.format(found.what) if found.is_program else COMMAND.format(found.what),
+                advice="call what known names mean" if found.is_program else ADVICE,
                 related=[note(found.callback.span, f"the callback of a {found.callback.role}")],
                 severity=nodes.lowered(robot.nodes.purpose(file.source), "warning"),
             )
