@@ -12,6 +12,7 @@ from bringup_lint.type_names import TYPE_CHECKING
 if TYPE_CHECKING:
     from bringup_lint.facts.ros.launch_api import module_of
     from bringup_lint.facts.ros.launch_calls import parameters_of
+    from bringup_lint.facts.ros.public_programs import package_meant
     from bringup_lint.facts.ros.public_programs import public_package
     from bringup_lint.finding import Finding
     from bringup_lint.graph.dependencies.effects import AT_RUN_TIME
@@ -190,6 +191,7 @@ __all__ = [
     "not_passed",
     "of_robots",
     "outside",
+    "package_meant",
     "parameters_of",
     "public_package",
     "refused",

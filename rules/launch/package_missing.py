@@ -2,11 +2,12 @@
 
 ## What it finds
 A name that no package of this workspace has, but that is close to one that exists; or whose executable one other
-package of the workspace installs, where the executable is called like the missing package. Also, as packages of nodes
-and of included files, those of ROS 1 that ROS 2 has under other names (`rviz`, `tf`, `amcl`, ...), and those that the
-robot's distribution no longer has (`nav2_recoveries` from Humble on, `gazebo_ros` and `ros_ign_*` from Jazzy on). Left
-alone is what a list of repositories or a command of the tree fetches, and files that ask which distribution runs. It is
-an info in tests that the build of their package does not name.
+package of the workspace installs, where the executable is called like the missing package; or that is called like a
+program of Navigation2 or another common package, or nearly like the package, and starts its program: `behavior_server`
+for `nav2_behaviors`. Also, as packages of nodes and of included files, those of ROS 1 that ROS 2 has under other names
+(`rviz`, `tf`, `amcl`, ...), and those that the robot's distribution no longer has (`nav2_recoveries` from Humble on,
+`gazebo_ros` and `ros_ign_*` from Jazzy on). Left alone is what a list of repositories or a command of the tree fetches,
+and files that ask which distribution runs. It is an info in tests that the build of their package does not name.
 
 ## Why it matters on a robot
 launch aborts with "package 'my_robot_drivers' not found".
@@ -34,6 +35,7 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
+from bringup_lint.api import Related
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -95,24 +97,34 @@ def _grade(robot: Robot, name: Located, always: bool) -> str | None:
 
 
 def _moved(robot: Robot, node: launch.Started, package: Located) -> Iterator[Finding]:
-    """A package that became a part of another one, which installs its executable now."""
+    """A package that became a part of another one, which installs its executable now; or one that never was."""
     executable = launch.literal_text(node.executable)
     workspace = robot.launch.workspace
     known = package in workspace.packages or package in workspace.ambiguous or robot.launch.is_known_package(package)
-    if known or executable is None or len(package) < SHORTEST or package not in executable:
+    if known or executable is None or robot.dependencies.is_fetched(package):
+        return
+    public = launch.package_meant(package, executable)
+    if public is not None:
+        yield _renamed(robot, node, package, public)
+        return
+    if len(package) < SHORTEST or package not in executable:
         return
     having = [each for each in workspace.packages.values() if executable in each.executables]
-    if len(having) != 1 or robot.dependencies.is_fetched(package):
-        return
-    yield finding(
+    if len(having) == 1:
+        yield _renamed(
+            robot, node, package, having[0].name, note(having[0].executables[executable], "what installs it")
+        )
+
+
+def _renamed(robot: Robot, node: launch.Started, package: Located, other: str, *related: Related) -> Finding:
+    executable = launch.literal_text(node.executable)
+    return finding(
         package,
-        f"No package '{package}' is here or known, and {having[0].name} installs '{executable}': launch aborts",
-        advice=f"start it from '{having[0].name}'",
+        f"No package '{package}' is here or known, and {other} installs '{executable}': launch aborts",
+        advice=f"start it from '{other}'",
         chain=robot.provenance.chain_to_node(node),
-        related=[note(having[0].executables[executable], "what installs it")],
-        fix=fix(f"write {having[0].name}", (package, having[0].name), safe=False)
-        if package.span.text == package
-        else None,
+        related=related,
+        fix=fix(f"write {other}", (package, other), safe=False) if package.span.text == package else None,
         severity="warning",
         confidence="medium",
     )

@@ -8,6 +8,7 @@ from functools import cache
 from bringup_lint.facts import table
 from bringup_lint.facts.ros.distros import every
 from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.spelling import nearest
 
 ROS1 = "ros1"
 
@@ -51,6 +52,17 @@ def _is_after(distro: str | None, last: str) -> bool:
 
 def public_package(name: str) -> PublicPackage | None:
     return _all().get(name)
+
+
+def package_meant(name: str, program: str) -> str | None:
+    """The one common package with a program that a name nobody has stands for: it is that of one of its programs, or
+    nearly that of the package."""
+    having = [each for each in _all().values() if any(program == own.name for own in each.programs)]
+    if len(having) != 1 or name == having[0].name:
+        return None
+    package = having[0]
+    is_program = any(each.name == name for each in package.programs)
+    return package.name if is_program or nearest(name, [package.name]) else None
 
 
 @cache
