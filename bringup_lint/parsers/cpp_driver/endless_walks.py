@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.model.cpp_driver import EndlessWalk
+from bringup_lint.model.cpp_text import blanked
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.pattern import regex
 
@@ -29,28 +30,23 @@ def endless_walks(code: Code) -> Iterator[EndlessWalk]:
         if condition is None or body is None or body.type != "compound_statement":
             continue
         step = _step(code, body, condition[1])
-        skips = [each for each in _continues(body) if step is not None and each.start_byte < step.start_byte]
-        if step is not None and skips:
-            yield EndlessWalk(code.span(skips[0]), code.span(step), condition[1])
+        if step is not None:
+            skips = next((each for each in _continues(body) if each.start_byte < step.start_byte), None)
+            if skips is not None:
+                yield EndlessWalk(code.span(skips), code.span(step), condition[1])
 
 
 def _step(code: Code, body: Node, name: str) -> Node | None:
     """The statement of a loop itself that alone gives its variable a value, the next entry."""
-    assigned = [
-        each
-        for each in code.written.get("assignment", ())
-        if body.start_byte < each.start_byte < body.end_byte and code.text(each.child_by_field_name("left")) == name
-    ]
-    if len(assigned) != 1 or assigned[0].parent is None or assigned[0].parent.parent != body:
-        return None
-    right = "".join(code.text(assigned[0].child_by_field_name("right")).split())
-    is_next = re.match(rf"{re.escape(name)}->\w*next\w*\Z", right) is not None
-    return assigned[0] if is_next and not _is_given_away(code, body, name) else None
-
-
-def _is_given_away(code: Code, body: Node, name: str) -> bool:
-    """Whether a loop hands out the address of its variable."""
-    return re.search(rf"&\s*{re.escape(name)}\b(?!\s*->)", code.text(body)) is not None
+    word = re.escape(name)
+    changed = rf"\b{word}\s*=(?!=)|&\s*{word}\b(?!\s*->)"
+    for each in body.named_children:
+        step = each.named_children[0] if each.type == "expression_statement" and each.named_children else None
+        if step is not None and step.type == "assignment_expression" and code.text(step).startswith(name):
+            is_next = re.match(rf"{word}\s*=\s*{word}\s*->\s*\w{{0,40}}next\w{{0,40}}\Z", code.text(step)) is not None
+            is_only = len(re.findall(changed, blanked(code.text(body)))) == 1
+            return step if is_next and is_only else None
+    return None
 
 
 def _continues(body: Node) -> Iterator[Node]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from itertools import islice
 from typing import TYPE_CHECKING
 
 from bringup_lint.model.cpp_source import EndlessAnswer
@@ -17,8 +16,6 @@ if TYPE_CHECKING:
     from tree_sitter import Node
 
 ASKS = ("async_send_request", "async_send_goal", "async_cancel_goal", "async_get_result")
-WAITS = 200
-"""Waits of one file that are looked at."""
 _LASTS = ("wait", "get")
 _BODIES = ("function_definition", "lambda_expression")
 _PLAIN = regex(r"(?:this->)?(?P<client>[A-Za-z_]\w*)->async_\w+\Z")
@@ -27,15 +24,15 @@ _PLAIN = regex(r"(?:this->)?(?P<client>[A-Za-z_]\w*)->async_\w+\Z")
 def endless_answers(code: Code) -> Iterator[EndlessAnswer]:
     """The first wait of each function for the answer to a request of its own, unless something else of the function
     may end it."""
+    requests = _Requests(code)
     told: set[int] = set()
-    waits = islice((call for call in code.calls if call.name in _LASTS and not call.arguments), WAITS)
-    for call in waits:
-        body = _body(code, call.node)
-        if body is None or body.id in told or code.function_name(call.node) in (None, "main"):
+    for call in code.calls:
+        body = _body(code, call.node) if call.name in _LASTS and not call.arguments else None
+        if body is None or body.id in told:
             continue
-        asked = _asked(code, call, body)
+        asked = requests.answered(call, body)
         client = _PLAIN.match(asked.qualified) if asked is not None else None
-        if asked is not None and client is not None:
+        if asked is not None and client is not None and code.function_name(call.node) not in (None, "main"):
             told.add(body.id)
             yield EndlessAnswer(code.span(call.node), code.span(asked.node), client["client"], asked.name)
 
@@ -44,17 +41,28 @@ def _body(code: Code, node: Node) -> Node | None:
     return next((each for each in code.above(node) if each.type in _BODIES), None)
 
 
-def _asked(code: Code, call: Call, body: Node) -> Call | None:
-    """The request whose answer a call waits for without end."""
-    held = call.qualified.removesuffix(f".{call.name}").removesuffix(".future")
-    for each in code.calls:
-        if each.name not in ASKS or not body.start_byte <= each.node.start_byte < call.node.end_byte:
-            continue
-        if call.node.start_byte <= each.node.start_byte:
-            return each
-        if code.kept(each.node) == held and not _is_bounded(blanked(code.text(body)), held):
-            return each
-    return None
+class _Requests:
+    """The requests of a file, by themselves and by the function and variable that hold their futures."""
+
+    def __init__(self, code: Code) -> None:
+        requests = [each for each in code.calls if each.name in ASKS]
+        self._by_node = {each.node.id: each for each in requests}
+        self._kept: dict[tuple[int, str], Call] = {}
+        for each in requests:
+            body, name = _body(code, each.node), code.kept(each.node)
+            if body is not None and name is not None and not _is_bounded(blanked(code.text(body)), name):
+                self._kept.setdefault((body.id, name), each)
+
+    def answered(self, call: Call, body: Node) -> Call | None:
+        """The request whose answer a call waits for without end."""
+        held = call.qualified.removesuffix(f".{call.name}").removesuffix(".future")
+        found = self._kept.get((body.id, held))
+        if found is not None:
+            return found if found.node.start_byte < call.node.start_byte else None
+        inner = call.node.child_by_field_name("function")
+        while inner is not None and inner.type == "field_expression":
+            inner = inner.child_by_field_name("argument")
+        return self._by_node.get(inner.id) if inner is not None else None
 
 
 def _is_bounded(text: str, name: str) -> bool:
