@@ -72,6 +72,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.repeating import guards_commands
     from bringup_lint.graph.nodes.questions.repeating import held
     from bringup_lint.graph.nodes.questions.repeating import repeated
+    from bringup_lint.graph.nodes.questions.restamped import restamped
     from bringup_lint.graph.nodes.questions.safe_state import fed_without_condition
     from bringup_lint.graph.nodes.questions.safe_state import publish_after_deactivate
     from bringup_lint.graph.nodes.questions.safe_state import relays
@@ -198,6 +199,7 @@ __all__ = [
     "relays",
     "relocks",
     "repeated",
+    "restamped",
     "shell_commands",
     "stale_readings",
     "stale_reads",

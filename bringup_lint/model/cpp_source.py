@@ -63,6 +63,18 @@ class Unstamped(NamedTuple):
     """The call that publishes it."""
 
 
+class Restamped(NamedTuple):
+    """A message that takes the frame of the reading it is made of, and the time of now."""
+
+    stamped: Span
+    frame: Span
+    """Where it takes the frame."""
+    name: str
+    type: str
+    message: str
+    """The reading."""
+
+
 class Canceled(NamedTuple):
     """A goal that ends as canceled without having been asked to."""
 
@@ -284,6 +296,7 @@ class CppNode:
     late_joins: list[LateJoin] = field(default_factory=list)
     deaf_loops: list[DeafLoop] = field(default_factory=list)
     unstamped: list[Unstamped] = field(default_factory=list)
+    restamped: list[Restamped] = field(default_factory=list)
     swallowed: list[Swallowed] = field(default_factory=list)
     dropped: list[Dropped] = field(default_factory=list)
     early_pointers: list[EarlyPointer] = field(default_factory=list)

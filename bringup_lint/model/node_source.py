@@ -43,6 +43,15 @@ TIMED = frozenset(
     for name in names
 )
 """Readings whose receivers place them in time. Commands and goals are left out: there, 0 means now."""
+MEASURED = frozenset(
+    "LaserScan PointCloud2 Image CompressedImage CameraInfo Imu Range Detection2DArray Detection3DArray "
+    "AprilTagDetectionArray".split()
+)
+"""Types of readings that say when they were taken."""
+DERIVED = MEASURED | frozenset(
+    "PoseStamped PoseArray PointStamped PoseWithCovarianceStamped TransformStamped Odometry".split()
+)
+"""Types of what is computed from a reading, and placed in time like it."""
 TRANSFORM = "geometry_msgs/msg/TransformStamped"
 JOINTS = "sensor_msgs/msg/JointState"
 """A reading on ``joint_states``, and a command on other topics."""

@@ -33,6 +33,8 @@ from bringup_lint.parsers.cpp_node.parameters import is_open
 from bringup_lint.parsers.cpp_node.parameters import reads
 from bringup_lint.parsers.cpp_node.parameters import texts_as_bool
 from bringup_lint.parsers.cpp_node.races import races
+from bringup_lint.parsers.cpp_node.restamped import RESTAMPS
+from bringup_lint.parsers.cpp_node.restamped import restamped
 from bringup_lint.parsers.cpp_node.swallowed import swallowed
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.parsers.cpp_node.text_limits import TEXT
@@ -112,6 +114,8 @@ def parse(source: Source) -> CppNode:
     node.canceled = list(canceled(code))
     node.divisors = list(divisors(code))
     node.unstamped = list(unstamped(code, names, node.endpoints))
+    if RESTAMPS.search(source.text):
+        node.restamped = list(restamped(code))
     node.swallowed = list(dict.fromkeys(swallowed(code)))
     node.dropped = list(dropped(code))
     node.early_pointers = list(dict.fromkeys(early_pointers(code)))
