@@ -41,6 +41,14 @@ class Relock(NamedTuple):
     """The guard names the type of the mutex."""
 
 
+class LeftLocked(NamedTuple):
+    """A mutex that an early ``return`` leaves locked."""
+
+    left: Span
+    locked: Span
+    mutex: str
+
+
 class UncheckedDevice(NamedTuple):
     """A device or file that is opened, and whose failure nothing of the source notices."""
 
@@ -76,6 +84,7 @@ class CppDriver:
     unchecked_indexes: list[UncheckedIndex] = field(default_factory=list)
     idle_reads: list[IdleRead] = field(default_factory=list)
     relocks: list[Relock] = field(default_factory=list)
+    left_locked: list[LeftLocked] = field(default_factory=list)
     unchecked_devices: list[UncheckedDevice] = field(default_factory=list)
     endless_walks: list[EndlessWalk] = field(default_factory=list)
     taken_targets: list[TakenTarget] = field(default_factory=list)

@@ -25,7 +25,7 @@ def _is_node(path: str, head: Head) -> bool:
 
 _DEVICES = (
     *("linux/can", "SIOCGIFINDEX", "termios.h", "linux/i2c-dev.h", "gpiod", "wiringPi", "pigpio", "hidapi", "libusb"),
-    *("<mutex>", "std::mutex", "ifaddrs.h", "asio.hpp", "asio/"),
+    *("mutex", "ifaddrs.h", "asio.hpp", "asio/"),
 )
 """Headers and calls by which programs open buses, ports, pins and sockets, and share what they read between threads."""
 

@@ -7,6 +7,8 @@ from bringup_lint.parsers.cpp_driver.endless_walks import WALKS
 from bringup_lint.parsers.cpp_driver.endless_walks import endless_walks
 from bringup_lint.parsers.cpp_driver.idle_reads import SERIAL
 from bringup_lint.parsers.cpp_driver.idle_reads import idle_reads
+from bringup_lint.parsers.cpp_driver.left_locked import BY_HAND
+from bringup_lint.parsers.cpp_driver.left_locked import left_locked
 from bringup_lint.parsers.cpp_driver.relocks import LOCKS
 from bringup_lint.parsers.cpp_driver.relocks import relocks
 from bringup_lint.parsers.cpp_driver.taken_targets import RECEIVES
@@ -24,10 +26,10 @@ def parse(source: Source) -> CppDriver:
     """What a file does with devices and locks. Never raises; ``problems``: ``too-large``, ``too-deep``."""
     driver = CppDriver(source)
     asks = ASKS in source.text
-    is_serial, locks, walks, receives, opens = (
-        each.search(source.text) is not None for each in (SERIAL, LOCKS, WALKS, RECEIVES, OPENS)
+    is_serial, locks, by_hand, walks, receives, opens = (
+        each.search(source.text) is not None for each in (SERIAL, LOCKS, BY_HAND, WALKS, RECEIVES, OPENS)
     )
-    if not (asks or is_serial or locks or walks or receives or opens):
+    if not (asks or is_serial or locks or by_hand or walks or receives or opens):
         return driver
     problem = too_much(source)
     if problem is not None:
@@ -37,6 +39,7 @@ def parse(source: Source) -> CppDriver:
     driver.unchecked_indexes = list(unchecked_indexes(code)) if asks else []
     driver.idle_reads = list(idle_reads(code)) if is_serial else []
     driver.relocks = list(relocks(code)) if locks else []
+    driver.left_locked = list(left_locked(code)) if by_hand else []
     driver.endless_walks = list(endless_walks(code)) if walks else []
     driver.taken_targets = list(taken_targets(code)) if receives else []
     driver.unchecked_devices = list(unchecked_devices(code)) if opens else []
