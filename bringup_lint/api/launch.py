@@ -51,6 +51,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch.resolve import text_of
     from bringup_lint.graph.launch.resolve import truth
     from bringup_lint.graph.launch.shared_devices import shared_devices
+    from bringup_lint.graph.launch.shutdowns import shut_down_by_helpers
     from bringup_lint.graph.launch.started import Started
     from bringup_lint.graph.launch.started import exclusive
     from bringup_lint.graph.launch.started import literal_text
@@ -202,6 +203,7 @@ __all__ = [
     "same",
     "setting",
     "shared_devices",
+    "shut_down_by_helpers",
     "simulated_by_default",
     "simulated_literally",
     "simulates_nothing",
