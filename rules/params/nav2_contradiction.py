@@ -9,7 +9,8 @@ sign, not one for each axis, or of zero for turning both ways; `polygons` of the
 `min_particles` of amcl above `max_particles`; an `initial_pose` without `set_initial_pose`; from Humble on the names
 that amcl's motion models had before, and a section `recoveries_server` without one for `behavior_server`; a local
 costmap that rolls in the frame that amcl corrects; critics that DWB or MPPI do not have; a `data_type` that obstacle
-layers do not take; and from Jazzy on libraries in `plugin_lib_names` that bt_navigator loads by itself.
+layers do not take; and from Jazzy on libraries in `plugin_lib_names` that bt_navigator loads by itself. Layers with
+`enabled: false` are left alone.
 
 ## Why it matters on a robot
 A footprint that is refused leaves the robot with its radius, and the costmap lets it drive into what the corners touch.

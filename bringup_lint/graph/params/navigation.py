@@ -238,7 +238,13 @@ def _layers(named: dict[str, Parameter]) -> Iterator[str]:
 
 
 def _active(named: dict[str, Parameter]) -> list[str]:
-    return [item.text for key in ("plugins", "filters") if key in named for item in items(named[key])]
+    """The layers that are listed and not switched off."""
+    listed = [item.text for key in ("plugins", "filters") if key in named for item in items(named[key])]
+    return [layer for layer in listed if not _is_false(named.get(f"{layer}.enabled"))]
+
+
+def _is_false(parameter: Parameter | None) -> bool:
+    return parameter is not None and parameter.value.data is False
 
 
 def _observations(params: Params, named: dict[str, Parameter], layer: str) -> Iterator[NavigationProblem]:
