@@ -1,9 +1,9 @@
 """A C++ node waits for the answer of a server without a timeout, and never looks whether there is one.
 
 ## What it finds
-`get()` or `wait()` of what `async_send_request`, `async_send_goal`, `async_get_result` or `async_cancel_goal` returns,
-in a function that bounds the wait in no other way, in a source that makes the client and asks nowhere whether the
-server is there: neither `wait_for_service()` nor `service_is_ready()`. Once a source, with the other places.
+`get()` or `wait()` of what `async_send_request` or `async_send_goal` returns, in a function that bounds the wait in no
+other way, in a source that makes the client and asks nowhere whether its server is there: neither `wait_for_service()`
+nor `service_is_ready()`. Once a source, with the other places.
 
 ## Why it matters on a robot
 A request that is sent while no server is there is lost, and its future never gets a value. The function waits from

@@ -15,7 +15,8 @@ from bringup_lint.pattern import regex
 if TYPE_CHECKING:
     from tree_sitter import Node
 
-ASKS = ("async_send_request", "async_send_goal", "async_cancel_goal", "async_get_result")
+ASKS = ("async_send_request", "async_send_goal")
+"""What may be sent before there was a server; a goal is canceled only after its server has answered."""
 _LASTS = ("wait", "get")
 _BODIES = ("function_definition", "lambda_expression")
 _PLAIN = regex(r"(?:this->)?(?P<client>[A-Za-z_]\w*)->async_\w+\Z")
