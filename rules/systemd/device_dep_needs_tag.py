@@ -4,8 +4,8 @@
 `Requires=`, `BindsTo=`, `Requisite=`, `Wants=` or `After=` on a `.device` unit, when both are true:
 
 - a udev rule creates its link for a subsystem that 99-systemd.rules does not tag (video4linux, usb, hidraw,
-  input, i2c-dev, spidev, gpio);
-- that rule lacks `TAG+="systemd"`.
+  input, i2c-dev, spidev, gpio), or it is a device of the kernel of such a subsystem (`dev-video0.device`);
+- that rule lacks `TAG+="systemd"`, and for a device of the kernel nothing in the tree sets this tag.
 
 ## Why it matters on a robot
 The device unit never becomes active. With a requirement, systemd waits 90 s (DefaultDeviceTimeoutSec=) and
@@ -35,11 +35,13 @@ When a rule outside of this tree, for example from the vendor's package, adds th
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.udev import Link
 
 _KEYS = ("BindsTo", "Requires", "Requisite", "Wants", "After")
 
@@ -62,14 +64,25 @@ def device_dep_needs_tag(robot: Robot) -> Iterator[Finding]:
         for key in _KEYS:
             for word in unit.words(key):
                 links = robot.devices.untagged(word)
-                if not links or word in seen:
+                path = robot.devices.untracked(word)
+                if word in seen or not (links or path):
                     continue
                 seen.add(word)
-                link = links[0]
-                yield finding(
-                    word,
-                    f'{word} never becomes active: systemd tracks such devices only with TAG+="systemd"',
-                    advice='add TAG+="systemd" to the rule',
-                    related=[note(link.name, f"creates {link.path}")],
-                    fix=fix("tag the device", link.rule.before(link.token, 'TAG+="systemd"')),
-                )
+                if links:
+                    yield _without_tag(word, links[0])
+                else:
+                    yield finding(
+                        word,
+                        f'{word} never becomes active: systemd tracks such devices only with TAG+="systemd"',
+                        advice=f'add a udev rule for {path} with TAG+="systemd", or wait for it in ExecStartPre=',
+                    )
+
+
+def _without_tag(word: Located, link: Link) -> Finding:
+    return finding(
+        word,
+        f'{word} never becomes active: systemd tracks such devices only with TAG+="systemd"',
+        advice='add TAG+="systemd" to the rule',
+        related=[note(link.name, f"creates {link.path}")],
+        fix=fix("tag the device", link.rule.before(link.token, 'TAG+="systemd"')),
+    )

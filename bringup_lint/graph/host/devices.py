@@ -45,6 +45,10 @@ _CAMERA = "/dev/video"
 _SEPARATORS = regex(r"[/_.-]")
 _PERHAPS = ("default", "argument", "script")
 _LEAST = 6
+_UNTRACKED = frozenset({"video4linux", "hidraw", "input", "i2c-dev", "spidev", "gpio"})
+"""Subsystems of which 99-systemd.rules tags no device."""
+_NUMBERED = regex(r"/dev/(?:input/)?[a-z0-9]+?-?\d+(?:\.\d+)?")
+_TAGGED = regex(r"TAG[ \t]*\+?=[ \t]*\"systemd", hints="TAG")
 """Characters of a name that is long enough to be a misspelt one."""
 _OF_THE_ROBOT = ("systemd-unit", "compose", "params", "udev-rules", *OF_VARIABLES)
 _OF_KERNEL = frozenset(
@@ -256,6 +260,15 @@ class Devices:
             return []
         links = [link for link in self.udev().links_to(device_path(unit) or "") if link.is_fixed]
         return links if links and not any(self._is_device_unit(link) for link in links) else []
+
+    def untracked(self, unit: str) -> str | None:
+        """The path behind a ``.device`` name when it is one of the kernel that systemd does not hear of, and no rule of
+        the tree tells it of any device."""
+        path = device_path(unit) or ""
+        name = path.rpartition("/")[2]
+        if subsystem_of_name(name) not in _UNTRACKED or not _NUMBERED.fullmatch(path) or self.files.mentions(_TAGGED):
+            return None
+        return path
 
     def _is_device_unit(self, link: Link) -> bool:
         """Whether systemd hears of the device, for sure or perhaps."""

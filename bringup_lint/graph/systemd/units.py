@@ -17,6 +17,7 @@ from bringup_lint.graph.commands.environment import stays_local
 from bringup_lint.graph.commands.ros_command import Ros
 from bringup_lint.graph.graph import Edge
 from bringup_lint.graph.graph import Graph
+from bringup_lint.graph.graph import Node
 from bringup_lint.graph.memo import memo
 from bringup_lint.graph.systemd.boot import Boot
 from bringup_lint.graph.systemd.cycles import ROOTS
@@ -331,6 +332,15 @@ class Units(NamedUnits):
             return True
         edges = self.graph.into.get(self.node(unit), ())
         return any(edge.kind in STARTING for edge in edges) or unit.name in self._named_by_udev
+
+    def awaits_device(self, unit: Unit, name: str) -> bool:
+        """Whether a device unit has a start job that the unit can wait for, or the device is what starts the unit."""
+        device = Node("unit" if unit.manager == "system" else "user-unit", name)
+        pulling = self.graph.into.get(device, ())
+        by_device = (edge for edge in self.graph.into.get(self.node(unit), ()) if edge.source == device)
+        if any(edge.kind in STARTING for edge in (*pulling, *by_device)):
+            return True
+        return unit.is_template or unit.name in self._named_by_udev
 
     @cached_property
     def _named_by_udev(self) -> frozenset[str]:
