@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from bringup_lint.model.shell import Block
     from bringup_lint.model.shell import Command
     from bringup_lint.model.shell import Word
+    from bringup_lint.parsers.ansible_tasks import Module
     from bringup_lint.parsers.ansible_tasks import Task
     from bringup_lint.parsers.ansible_tasks import plays
     from bringup_lint.parsers.ansible_tasks import tasks
@@ -43,6 +44,7 @@ __all__ = [
     "Block",
     "Command",
     "Job",
+    "Module",
     "Option",
     "Run",
     "Task",

@@ -3,7 +3,8 @@
 ## What it finds
 A variable that nobody reads, whose name is that of a known one but for an underscore or a letter, and whose value is
 what the known one takes: the file of a DDS configuration, a number for a domain, the name of a middleware. Silent if
-something else in the tree reads the variable by this name.
+something else in the tree reads the variable by this name. Also a variable that is made up from the name of a
+middleware and of what it is to do, such as `RMW_FASTRTPS_USE_SHM`.
 
 ## Why it matters on a robot
 The setting has no effect, and nothing says so: the middleware runs with its defaults, on every interface and with
@@ -48,6 +49,17 @@ VALUES = {
     "file": regex(r"(?:file://)?[^\s<]+\.(?:xml|json5?|env)|<\S.*", re.S),
 }
 
+MADE_UP = regex(
+    r"RMW_(?:FASTRTPS|FASTDDS|CYCLONEDDS)_(?:\w+_)?(?:USE|ENABLE|DISABLE|SHM|TRANSPORT|DISCOVERY|INTERFACE)(?:_\w+)?"
+    r"|FAST(?:RTPS|DDS)_(?:\w+_)?(?:SHM|SHARED_MEM\w*|TRANSPORTS?)(?:_\w+)?"
+)
+"""Names of settings that a middleware has, but not as a variable."""
+INSTEAD = (
+    (regex(r"SHM|SHARED|TRANSPORT"), "set FASTDDS_BUILTIN_TRANSPORTS, or a profile by FASTDDS_DEFAULT_PROFILES_FILE"),
+    (regex(r"CYCLONE"), "write it in the file of CYCLONEDDS_URI"),
+    (regex(r""), "write it in the profile of FASTRTPS_DEFAULT_PROFILES_FILE"),
+)
+
 
 @rule("error", silent="no program looks at the misspelt name")
 def misspelt_variable(robot: Robot) -> Iterator[Finding]:
@@ -58,15 +70,20 @@ def misspelt_variable(robot: Robot) -> Iterator[Finding]:
     for (name, _), settings in strange.items():
         meant = _meant(name)
         fitting = [each for each in settings if meant and VALUES[variables()[meant]].fullmatch(each.value.strip("\"'"))]
-        if meant is None or not fitting or _is_read(robot, name):
-            continue
-        first, *others = fitting
-        yield finding(
-            first.value,
-            f"Nothing reads {name}: this setting has no effect",
-            advice=f"write {meant}",
-            related=[note(other.value, "the same name") for other in others],
-        )
+        if fitting and not _is_read(robot, name):
+            yield _unread(fitting, f"write {meant}")
+        elif MADE_UP.fullmatch(name) and not _is_read(robot, name):
+            yield _unread(settings, next(advice for word, advice in INSTEAD if word.search(name)))
+
+
+def _unread(settings: list[Setting], advice: str) -> Finding:
+    first, *others = settings
+    return finding(
+        first.value,
+        f"Nothing reads {first.name}: this setting has no effect",
+        advice=advice,
+        related=[note(other.value, "the same name") for other in others],
+    )
 
 
 def _meant(name: str) -> str | None:
@@ -81,6 +98,6 @@ def _meant(name: str) -> str | None:
 def _is_read(robot: Robot, name: str) -> bool:
     """Whether something of the tree asks for a variable of this name."""
     written = re.escape(name)
-    in_code = rf"(?:get(?:env)?\(|environ\[|Variable\(|\bname=)\s*[\"']{written}[\"']"
+    in_code = rf"(?:get(?:env)?\(|environ\[|(?<!SetEnvironment)Variable\(|\bname=)\s*[\"']{written}[\"']"
     asks = re.compile(rf"\$\{{?{written}\b|\(env {written}\b|{in_code}")
     return robot.files.mentions(asks)

@@ -1,0 +1,106 @@
+"""An image gets the links of a workspace, and not what they lead to.
+
+## What it finds
+`COPY --from=STAGE .../install` where the stage builds the workspace with `colcon build --symlink-install`, and nothing
+brings the folder `build` of the workspace to the same place. Silent where the stage replaces the links by files.
+
+## Why it matters on a robot
+`--symlink-install` fills `install/` with links into `build/` and `src/` of the workspace. COPY keeps them as links: in the
+image they lead nowhere, and ros2 finds neither the programs nor the launch files.
+
+## Bad
+```dockerfile
+FROM ros:jazzy AS build
+RUN . /opt/ros/jazzy/setup.sh && colcon build --symlink-install
+FROM ros:jazzy-ros-core
+COPY --from=build /ws/install /ws/install
+```
+
+## Good
+```dockerfile
+FROM ros:jazzy AS build
+RUN . /opt/ros/jazzy/setup.sh && colcon build
+FROM ros:jazzy-ros-core
+COPY --from=build /ws/install /ws/install
+```
+
+## When to ignore it
+When the workspace is mounted at the same path in each container.
+
+## References
+- https://colcon.readthedocs.io/en/released/reference/verb/build.html, "--symlink-install"
+- https://docs.docker.com/reference/dockerfile/, "COPY"
+"""
+
+import posixpath
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Located
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import regex
+from bringup_lint.api import rule
+from bringup_lint.api.docker import Dockerfile
+from bringup_lint.api.docker import Instruction
+from bringup_lint.api.docker import Stage
+from bringup_lint.api.docker import commands_of_run
+
+LINKS = "--symlink-install"
+REPLACED = regex(
+    r"\bcp[ \t]+(?:-\w+[ \t]+){0,3}-\w{0,6}L|--dereference|--copy-links|\breadlink\b|-type l\b",
+    hints="cp dereference copy-links readlink type",
+)
+"""What puts files in the place of links."""
+
+
+@rule("error", symptoms=["Package '*' not found", "No executable found", "cannot open shared object file"])
+def links_left_behind(robot: Robot) -> Iterator[Finding]:
+    for file in robot.dockerfiles:
+        for stage in file.stages:
+            for copy in stage.all("COPY"):
+                origin = _origin(file, copy)
+                if origin is not None and origin not in stage.chain:
+                    yield from _of_copy(stage, copy, origin)
+
+
+def _origin(file: Dockerfile, copy: Instruction) -> Stage | None:
+    """The stage that files are copied from."""
+    name = next((flag.partition("=")[2] for flag in copy.flags if flag.startswith("--from=")), "")
+    if name.isdecimal():
+        return file.stages[int(name)] if int(name) < len(file.stages) else None
+    return file.stage(name)
+
+
+def _of_copy(stage: Stage, copy: Instruction, origin: Stage) -> Iterator[Finding]:
+    word = next((word for word in list(copy.value.words())[:-1] if posixpath.basename(word.rstrip("/")) == "install"), None)
+    link = _link(origin) if word is not None else None
+    if word is None or link is None:
+        return
+    workspace = posixpath.dirname(word.rstrip("/")) or "/"
+    if any(_covers(each, workspace) for one in stage.chain for each in one.all("COPY")):
+        return
+    yield finding(
+        word,
+        f"The links in install/ lead to {posixpath.join(workspace, 'build')} and src, which this image does not have",
+        advice="build without --symlink-install, or copy the whole workspace to the same path",
+        related=[note(link, "makes links instead of files")],
+    )
+
+
+def _link(stage: Stage) -> Located | None:
+    """The option by which every build of a workspace in a stage makes links."""
+    steps = [step for one in stage.chain for step in one.all("RUN")]
+    if any(REPLACED.search(text) for step in steps for text in step.scripts):
+        return None
+    builds = [each.words for step in steps for each in commands_of_run(step) if each.words[:2] == ("colcon", "build")]
+    options = [next((word for word in words if word == LINKS), None) for words in builds]
+    return options[0] if options and None not in options else None
+
+
+def _covers(instruction: Instruction, workspace: str) -> bool:
+    """Whether an instruction brings the folder `build` of a workspace from another stage."""
+    whole = (workspace, posixpath.join(workspace, "build"), posixpath.dirname(workspace))
+    words = [word.rstrip("/") or "/" for word in list(instruction.value.words())[:-1]]
+    return any(flag.startswith("--from=") for flag in instruction.flags) and any(word in whole for word in words)
