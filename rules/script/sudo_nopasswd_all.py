@@ -6,6 +6,8 @@ In a sudoers file, or in what a script writes to one:
 - A line `USER ALL=(ALL) NOPASSWD: ALL`, with other commands beside `ALL` or without.
 - A line `ALL ALL=(ALL) NOPASSWD: COMMAND, ...`: every user and service of the robot may run the commands as root.
   It is info where they only shut the computer down.
+- A line `USER ALL=(root) NOPASSWD: COMMAND` without arguments, or with `*` alone, where the command runs any program or
+  writes any file for whoever calls it: a shell, an interpreter, `mount`, `tee`, `cp`, `systemctl`, `docker`, `apt`.
 
 ## Why it matters on a robot
 Whatever runs as this user is root: a node with a hole, a web interface, a USB stick that types. File permissions,
@@ -51,6 +53,13 @@ KEPT = regex(
     re.M,
 )
 """A line that a script keeps in a variable before it writes it."""
+BECOME_ROOT = frozenset(
+    "bash sh dash zsh python python3 perl ruby lua node vi vim nvim nano emacs less more man awk gawk mawk find env nice "
+    "timeout xargs tee dd cp mv chmod chown install ln rsync tar mount docker podman pip pip3 apt apt-get dpkg snap "
+    "systemd-run systemctl make gdb strace nsenter unshare chroot su sudo passwd usermod visudo crontab insmod modprobe "
+    "ip tcpdump wget curl sed ansible-playbook ros2".split()
+)
+"""Programs that run any program or write any file, if their arguments are free (gtfobins.github.io)."""
 TAGGED = regex(r"\s*(?P<tags>(?:[A-Z_]+:\s*)*)(?P<command>.*)")
 
 
@@ -85,6 +94,20 @@ def _judged(who: str, what: Located, text: Located) -> Iterator[Finding]:
             advice="name the user that needs it in place of the first ALL",
             severity="info" if all(program.rpartition("/")[2] in ENDS for program in programs) else None,
         )
+        return
+    free = [command.split()[0] for command in commands if _is_free(command)]
+    if free:
+        yield finding(
+            text,
+            f"With the free arguments of {' or '.join(dict.fromkeys(free))}, {_user(who)} becomes root without a password",
+            advice="name the arguments that are needed",
+        )
+
+
+def _is_free(command: str) -> bool:
+    """Whether a command gives a shell or any file to whoever chooses its arguments."""
+    program, _, arguments = command.partition(" ")
+    return program.startswith("/") and program.rpartition("/")[2] in BECOME_ROOT and arguments.strip() in ("", "*")
 
 
 def _without_password(text: str) -> Iterator[str]:
