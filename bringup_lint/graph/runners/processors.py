@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.graph.commands.wrappers import program_name
 from bringup_lint.graph.commands.wrappers import unwrapped
+from bringup_lint.model.dockerfile import substituted
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.dockerfile import commands_of
 from bringup_lint.parsers.shell import shell_commands
@@ -28,12 +29,12 @@ _ARTIFACT = regex(r"\.(?:deb|whl|AppImage|run|tar\.\w{2,3}|tgz|zip|xz|bin)\b|/re
 _FETCHERS = frozenset("wget curl dpkg gdebi apt apt-get pip pip3 tar unzip aria2c gh ADD".split())
 _LISTS = frozenset(("echo", "printf", "add-apt-repository"))
 _CHOOSES = regex(
-    r"\buname\b|\bdpkg --print|\bTARGET(?:ARCH|PLATFORM)\b|\bBUILDPLATFORM\b|\$\(arch\)|\blscpu\b|\bHOSTTYPE\b"
+    r"\buname\b|(?<!arch=\$\()\bdpkg --print|\bTARGET(?:ARCH|PLATFORM)\b|\bBUILDPLATFORM\b|\$\(arch\)|\blscpu\b|\bHOSTTYPE\b"
     r"|/device-tree/model|/proc/cpuinfo|--add-architecture|\bqemu|\bcross|\bdebootstrap\b|\bbinfmt|\bARCH\b",
     hints="uname dpkg TARGET BUILDPLATFORM $(arch) lscpu HOSTTYPE /device-tree/ /proc/cpuinfo --add-arch qemu cross "
     "debootstrap binfmt ARCH",
 )
-"""The file asks for the processor, or works for another one on purpose."""
+"""The file asks for the processor, other than for the line of a package source, or works for another one on purpose."""
 _PLATFORM = regex(r"(?:--platform=)?linux/(?P<name>amd64|x86_64|arm64|aarch64|arm)\b")
 _ARM_IMAGE = regex(r"^(?:arm(?:64v8|32v7)/|dustynv/)|\bl4t\b|/l4t-|\bjetpack\b|\b(?:rpi|raspberrypi\w*|raspbian)[-/:]")
 _AMD_IMAGE = regex(r"^amd64/")
@@ -45,8 +46,8 @@ _OF_BOARD = regex(
 
 _ELSEWHERE = ("[", "[[", "test", "ssh", "sshpass")
 """Commands that ask where they are, or tell another computer."""
-_NOT_RUN = regex(r"\.img\b|sysroot|rootfs|firmware|\.bin$")
-"""What is for another computer also where its processor is the same."""
+_NOT_RUN = regex(r"\.img\b|sysroot|rootfs|firmware|\.bin$|_all\.deb$")
+"""What is for another computer also where its processor is the same, or for all."""
 
 
 class Foreign(NamedTuple):
@@ -80,13 +81,14 @@ class Added(NamedTuple):
     """An ADD instruction, as if it were a command."""
 
     words: tuple[Located, ...]
+    depth: int = 0
 
 
 def _fetched(commands: Iterable[Command | Added], own: str, why: Located) -> Iterator[Foreign]:
     for command in commands:
         words = unwrapped(command.words)
         name = program_name(words[0]) if words else ""
-        if name not in _FETCHERS and name not in _LISTS:
+        if command.depth or (name not in _FETCHERS and name not in _LISTS):
             continue
         for word in words[1:]:
             named = list(_NAMED.finditer(word))
@@ -110,6 +112,10 @@ def _of_stage(compose: Compose, stage: Stage) -> tuple[str, Located] | None:
         return "arm", bottom.image
     if _AMD_IMAGE.search(bottom.resolved):
         return "amd64", bottom.image
+    for service in compose.users(stage):
+        given = service.build_arguments
+        if "$" in bottom.image and _ARM_IMAGE.search(substituted(bottom.image, given)):
+            return "arm", next(value for value in given.values() if value is not None and _ARM_IMAGE.search(value))
     platforms = [service.scalar("platform") for service in compose.users(stage)]
     known = [platform for platform in platforms if platform is not None and _PLATFORM.match(platform)]
     found = {_processor(platform.rpartition("/")[2]) for platform in known}
