@@ -5,8 +5,8 @@
 brings the folder `build` of the workspace to the same place. Silent where the stage replaces the links by files.
 
 ## Why it matters on a robot
-`--symlink-install` fills `install/` with links into `build/` and `src/` of the workspace. COPY keeps them as links: in the
-image they lead nowhere, and ros2 finds neither the programs nor the launch files.
+`--symlink-install` fills `install/` with links into `build/` and `src/` of the workspace. COPY keeps them as links: in
+the image they lead nowhere, and ros2 finds neither the programs nor the launch files.
 
 ## Bad
 ```dockerfile
@@ -74,7 +74,9 @@ def _origin(file: Dockerfile, copy: Instruction) -> Stage | None:
 
 
 def _of_copy(stage: Stage, copy: Instruction, origin: Stage) -> Iterator[Finding]:
-    word = next((word for word in list(copy.value.words())[:-1] if posixpath.basename(word.rstrip("/")) == "install"), None)
+    word = next(
+        (word for word in list(copy.value.words())[:-1] if posixpath.basename(word.rstrip("/")) == "install"), None
+    )
     link = _link(origin) if word is not None else None
     if word is None or link is None:
         return

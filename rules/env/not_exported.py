@@ -4,6 +4,10 @@
 `ROS_DOMAIN_ID=7` and the like on a line of its own, without `export`, in a script that runs `ros2` afterwards, where
 neither the script nor any other file of the tree names the variable a second time. Silent under `set -a`.
 
+Also a file of variables that a script sources before `ros2 launch`, when the launch file reads variables and the script
+exports none of these. It is one that a unit reads with `EnvironmentFile=`, where nothing may be exported, or one of the
+tree that sets a variable of the launch file.
+
 ## Why it matters on a robot
 The shell keeps the variable to itself. The nodes start with the default domain, the default middleware and without the
 file of settings, and nothing says so.
@@ -46,6 +50,14 @@ NAME = regex(
     r"|SECURITY_\w+)|RMW_\w+|CYCLONEDDS_URI|FAST(?:RTPS|DDS)_DEFAULT_PROFILES_FILE|RCUTILS_\w+)(?==)"
 )
 NAMED = regex(r"\b(?:ROS|RMW|RCUTILS|CYCLONEDDS|FASTRTPS|FASTDDS)_[A-Z0-9_]+\b")
+READ = regex(
+    r"(?:environ\.get\(|environ\[|getenv\(|(?<!Set)EnvironmentVariable\(|\$\((?:opt)?env )\s{0,9}[\"']?"
+    r"(?P<name>[A-Z][A-Z0-9_]+)",
+    hints="environ getenv EnvironmentVariable env",
+)
+"""What of the environment a launch file reads."""
+SETUP = regex(r"setup\.\w+$|\.bashrc$|activate$")
+EXPORTED = regex(r"^[ \t]*export\b", re.M)
 EXPORTS_ALL = regex(r"^[ \t]*set[ \t]+(?:-[a-z]{0,8}a[a-z]{0,8}\b|-o[ \t]+allexport)", re.M)
 
 
@@ -67,6 +79,51 @@ def not_exported(robot: Robot) -> Iterator[Finding]:
                     *(note(other, "is not exported, either") for other in others),
                 ],
             )
+    yield from _sourced_files(robot)
+
+
+def _sourced_files(robot: Robot) -> Iterator[Finding]:
+    """Files of variables that a script sources, and that do not reach what its launch file reads."""
+    of_units = _of_units(robot) if robot.of_kind("systemd-unit") else frozenset()
+    for launching in robot.runners.launches if robot.of_kind("shell-script") else ():
+        source, expansion = launching.runner.source, robot.runners.expansion(launching.start)
+        if launching.runner.kind.name != "SCRIPT" or expansion is None or EXPORTS_ALL.search(source.text):
+            continue
+        texts = [file.source for file in expansion.files]
+        wanted = {match["name"]: each.span(*match.span("name")) for each in texts for match in READ.finditer(each.text)}
+        for path in _files(robot, source, launching.target):
+            lost = [name for name in wanted if not re.search(rf"\bexport\b[^\n]*\b{name}\b", source.text)]
+            entries = _entries(robot, path)
+            known = [name for name in lost if name in entries] if entries else lost if str(path) in of_units else []
+            if known:
+                yield finding(
+                    path,
+                    f"What this file sets is not exported: the launch file does not see {', '.join(known[:3])}",
+                    advice="write set -a before it, and set +a after it",
+                    related=[note(wanted[name], f"reads {name}") for name in known[:5]],
+                )
+
+
+def _of_units(robot: Robot) -> frozenset[str]:
+    """The paths that units read as EnvironmentFile=."""
+    units = robot.units
+    return frozenset(each.path for unit in units.judged for each in units.environment_files(unit) if each.path)
+
+
+def _files(robot: Robot, source: Source, before: Located) -> Iterator[Located]:
+    """The files that a script sources before it starts something."""
+    for did in robot.scripts.done(source):
+        if isinstance(did, Run) and did.name in ("source", ".") and len(did.words) > 1:
+            if did.words[1].span.start < before.span.start and not SETUP.search(did.words[1]):
+                yield did.words[1]
+
+
+def _entries(robot: Robot, path: Located) -> dict[str, Located]:
+    """The variables of a file of the tree, where it exports none."""
+    found = robot.environment_file(str(path)) if path.startswith("/") else None
+    if found is None or EXPORTED.search(found.source.text):
+        return {}
+    return {str(entry.name): entry.value for entry in found.entries}
 
 
 def _starts(robot: Robot) -> Iterator[tuple[Source, list[Located], Located]]:

@@ -54,9 +54,9 @@ KEPT = regex(
 )
 """A line that a script keeps in a variable before it writes it."""
 BECOME_ROOT = frozenset(
-    "bash sh dash zsh python python3 perl ruby lua node vi vim nvim nano emacs less more man awk gawk mawk find env nice "
-    "timeout xargs tee dd cp mv chmod chown install ln rsync tar mount docker podman pip pip3 apt apt-get dpkg snap "
-    "systemd-run systemctl make gdb strace nsenter unshare chroot su sudo passwd usermod visudo crontab insmod modprobe "
+    "bash sh dash zsh python python3 perl ruby lua node vi vim nvim nano emacs less more man awk gawk mawk find env "
+    "nice timeout xargs tee dd cp mv chmod chown install ln rsync tar mount docker podman pip pip3 apt apt-get dpkg "
+    "snap systemd-run systemctl make gdb strace nsenter unshare chroot su sudo passwd usermod visudo crontab insmod modprobe "
     "ip tcpdump wget curl sed ansible-playbook ros2".split()
 )
 """Programs that run any program or write any file, if their arguments are free (gtfobins.github.io)."""
@@ -99,7 +99,8 @@ def _judged(who: str, what: Located, text: Located) -> Iterator[Finding]:
     if free:
         yield finding(
             text,
-            f"With the free arguments of {' or '.join(dict.fromkeys(free))}, {_user(who)} becomes root without a password",
+            f"With the free arguments of {' or '.join(dict.fromkeys(free))}, {_user(who)} becomes root without a "
+            "password",
             advice="name the arguments that are needed",
         )
 

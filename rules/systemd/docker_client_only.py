@@ -10,8 +10,9 @@ A service that runs `docker run` or `docker compose up`, and that sets one of th
   compose file, environment file or Dockerfile of the tree names.
 
 ## Why it matters on a robot
-The client only asks dockerd for the container. dockerd starts it in a cgroup of its own, with its own limits and with the
-environment of the image: the control loop gets no real-time priority, or the nodes are in domain 0, and nothing says so.
+The client only asks dockerd for the container. dockerd starts it in a cgroup of its own, with its own limits and with
+the environment of the image: the control loop gets no real-time priority, or the nodes are in domain 0, and nothing
+says so.
 
 ## Bad
 ```ini
@@ -108,7 +109,9 @@ def _variables(robot: Robot, unit: Unit, start: DockerStart) -> Iterator[tuple[L
         if variable.name not in variables() or variable.value.span.source.kind == "env-file":
             continue
         if not _is_handed_on(robot, start, variable.name):
-            advice = "name it below environment: in the compose file" if start.compose else f"pass --env {variable.name}"
+            advice = (
+                "name it below environment: in the compose file" if start.compose else f"pass --env {variable.name}"
+            )
             yield variable.value, variable.name, advice
 
 

@@ -34,7 +34,7 @@ _CHOOSES = regex(
     hints="uname dpkg TARGET BUILDPLATFORM $(arch) lscpu HOSTTYPE /device-tree/ /proc/cpuinfo --add-arch qemu cross "
     "debootstrap binfmt ARCH",
 )
-"""The file asks for the processor, other than for the line of a package source, or works for another one on purpose."""
+"""The file asks for the processor (not only for the line of a package source), or works for another one on purpose."""
 _PLATFORM = regex(r"(?:--platform=)?linux/(?P<name>amd64|x86_64|arm64|aarch64|arm)\b")
 _ARM_IMAGE = regex(r"^(?:arm(?:64v8|32v7)/|dustynv/)|\bl4t\b|/l4t-|\bjetpack\b|\b(?:rpi|raspberrypi\w*|raspbian)[-/:]")
 _AMD_IMAGE = regex(r"^amd64/")
