@@ -56,8 +56,8 @@ KEPT = regex(
 BECOME_ROOT = frozenset(
     "bash sh dash zsh python python3 perl ruby lua node vi vim nvim nano emacs less more man awk gawk mawk find env "
     "nice timeout xargs tee dd cp mv chmod chown install ln rsync tar mount docker podman pip pip3 apt apt-get dpkg "
-    "snap systemd-run systemctl make gdb strace nsenter unshare chroot su sudo passwd usermod visudo crontab insmod modprobe "
-    "ip tcpdump wget curl sed ansible-playbook ros2".split()
+    "snap systemd-run systemctl make gdb strace nsenter unshare chroot su sudo passwd usermod visudo crontab insmod "
+    "modprobe ip tcpdump wget curl sed ansible-playbook ros2".split()
 )
 """Programs that run any program or write any file, if their arguments are free (gtfobins.github.io)."""
 TAGGED = regex(r"\s*(?P<tags>(?:[A-Z_]+:\s*)*)(?P<command>.*)")

@@ -29,8 +29,8 @@ _ARTIFACT = regex(r"\.(?:deb|whl|AppImage|run|tar\.\w{2,3}|tgz|zip|xz|bin)\b|/re
 _FETCHERS = frozenset("wget curl dpkg gdebi apt apt-get pip pip3 tar unzip aria2c gh ADD".split())
 _LISTS = frozenset(("echo", "printf", "add-apt-repository"))
 _CHOOSES = regex(
-    r"\buname\b|(?<!arch=\$\()\bdpkg --print|\bTARGET(?:ARCH|PLATFORM)\b|\bBUILDPLATFORM\b|\$\(arch\)|\blscpu\b|\bHOSTTYPE\b"
-    r"|/device-tree/model|/proc/cpuinfo|--add-architecture|\bqemu|\bcross|\bdebootstrap\b|\bbinfmt|\bARCH\b",
+    r"\buname\b|(?<!arch=\$\()\bdpkg --print|\bTARGET(?:ARCH|PLATFORM)\b|\bBUILDPLATFORM\b|\$\(arch\)|\blscpu\b"
+    r"|\bHOSTTYPE\b|/device-tree/model|/proc/cpuinfo|--add-architecture|\bqemu|\bcross|\bdebootstrap\b|\bbinfmt|\bARCH\b",
     hints="uname dpkg TARGET BUILDPLATFORM $(arch) lscpu HOSTTYPE /device-tree/ /proc/cpuinfo --add-arch qemu cross "
     "debootstrap binfmt ARCH",
 )
