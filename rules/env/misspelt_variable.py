@@ -49,11 +49,9 @@ VALUES = {
     "file": regex(r"(?:file://)?[^\s<]+\.(?:xml|json5?|env)|<\S.*", re.S),
 }
 
-MADE_UP = regex(
-    r"RMW_(?:FASTRTPS|FASTDDS|CYCLONEDDS)_(?:\w+_)?(?:USE|ENABLE|DISABLE|SHM|TRANSPORT|DISCOVERY|INTERFACE)(?:_\w+)?"
-    r"|FAST(?:RTPS|DDS)_(?:\w+_)?(?:SHM|SHARED_MEM\w*|TRANSPORTS?)(?:_\w+)?"
-)
-"""Names of settings that a middleware has, but not as a variable."""
+OF_MIDDLEWARE = regex(r"(?:RMW_(?:FASTRTPS|FASTDDS|CYCLONEDDS)|FASTRTPS|FASTDDS)_\w+")
+WISHED = frozenset("USE ENABLE DISABLE SHM SHARED TRANSPORT TRANSPORTS DISCOVERY INTERFACE".split())
+"""Words for settings that a middleware has, but not as a variable."""
 INSTEAD = (
     (regex(r"SHM|SHARED|TRANSPORT"), "set FASTDDS_BUILTIN_TRANSPORTS, or a profile by FASTDDS_DEFAULT_PROFILES_FILE"),
     (regex(r"CYCLONE"), "write it in the file of CYCLONEDDS_URI"),
@@ -72,8 +70,12 @@ def misspelt_variable(robot: Robot) -> Iterator[Finding]:
         fitting = [each for each in settings if meant and VALUES[variables()[meant]].fullmatch(each.value.strip("\"'"))]
         if fitting and not _is_read(robot, name):
             yield _unread(fitting, f"write {meant}")
-        elif MADE_UP.fullmatch(name) and not _is_read(robot, name):
+        elif _is_made_up(name) and not _is_read(robot, name):
             yield _unread(settings, next(advice for word, advice in INSTEAD if word.search(name)))
+
+
+def _is_made_up(name: str) -> bool:
+    return OF_MIDDLEWARE.fullmatch(name) is not None and not WISHED.isdisjoint(name.split("_"))
 
 
 def _unread(settings: list[Setting], advice: str) -> Finding:
