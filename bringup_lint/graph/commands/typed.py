@@ -1,7 +1,8 @@
-"""The ROS 2 programs that scripts start in terminals (tmux, screen, windows of a desktop) or give a short name."""
+"""The ROS 2 programs that scripts start in terminals (tmux, screen, windows), or give a short name or an icon."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from bringup_lint.graph.commands.ros_command import Ros
@@ -22,6 +23,8 @@ _TERMINALS = frozenset(
 _OWN = regex(r"tmux|screen|terminal|pane|window")
 """In the name of a script's function that opens one, or types into it."""
 _STARTS = regex(r"\bros2[ \t]+(?:launch|run)[ \t]")
+_DESKTOP = regex(r"^Exec=(?P<command>[^\n]+)$", re.M, "Exec=")
+"""The command of a desktop entry that a script writes."""
 _DEPTH = 3
 
 
@@ -33,6 +36,16 @@ def typed(command: Command) -> Iterator[Ros]:
         yield from (ros for word in words[1:] for ros in _of_text(word.part(word.find("=") + 1, len(word)), 0))
     elif name in _TERMINALS or _OWN.search(name):
         yield from _behind(words[1:], 0)
+    for redirect in command.redirects:
+        if redirect.document is not None:
+            yield from _on_desktop(redirect.document.text)
+
+
+def _on_desktop(text: Located) -> Iterator[Ros]:
+    for match in _DESKTOP.finditer(text):
+        for command in commands(text.part(*match.span("command"))):
+            found = ros_command(command)
+            yield from (found,) if found is not None else _behind(command.words, 0)
 
 
 def _behind(words: tuple[Located, ...], depth: int) -> Iterator[Ros]:
@@ -61,3 +74,5 @@ def _of_text(text: Located, depth: int) -> Iterator[Ros]:
             yield found
         elif (words := unwrapped(command.words)) and program_name(words[0]) in SHELLS:
             yield from _behind(words, depth + 1)
+            given = (each.target for each in command.redirects if each.operator == "<<<" and each.target is not None)
+            yield from (ros for each in given for ros in _of_text(each, depth + 1))
