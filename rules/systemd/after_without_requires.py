@@ -4,7 +4,8 @@
 - `After=` of a service in the same tree that nothing starts: it has no `[Install]` section, no unit wants or
   requires it, and no timer, socket, path or device activates it.
 - `After=` of a device that no unit wants, requires or mounts (a warning): systemd waits for a device only where a
-  unit asks for it. Silent where a udev rule starts the service.
+  unit asks for it. Silent where a udev rule starts the service, for disks, which mounts ask for, and for interfaces of
+  which the tree names an instance (`wpa_supplicant@wlan0`).
 
 ## Why it matters on a robot
 `After=` orders two units if both start, but it starts neither. The unit that should come first never runs,
@@ -31,6 +32,7 @@ another package.
 - systemd.unit(5), "After="
 """
 
+import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -38,10 +40,14 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.systemd import Assignment
 from bringup_lint.api.systemd import Unit
 from bringup_lint.api.systemd import Units
+
+DISK = regex(r"dev-(?:disk|mapper|sd[a-z]|nvme|mmcblk|md)")
+INTERFACE = "sys-subsystem-net-devices-"
 
 
 @rule("info", fix="unsafe", silent="an order between units that do not both start has no effect and is not reported")
@@ -70,6 +76,7 @@ def _services(units: Units, unit: Unit, line: Assignment) -> Iterator[Finding]:
 def _devices(robot: Robot, unit: Unit, line: Assignment) -> Iterator[Finding]:
     words = [word for word in line.value.words() if word.endswith(".device") and "%" not in word]
     lost = [word for word in words if not robot.units.awaits_device(unit, word) and not _is_untracked(robot, word)]
+    lost = [word for word in lost if not DISK.match(word) and not _has_instance(robot, word)]
     if lost and not unit.unsure_of():
         yield finding(
             lost[0],
@@ -83,3 +90,9 @@ def _devices(robot: Robot, unit: Unit, line: Assignment) -> Iterator[Finding]:
 def _is_untracked(robot: Robot, word: str) -> bool:
     """Whether systemd hears nothing of the device, so that nothing can wait for it."""
     return bool(robot.devices.untagged(word) or robot.devices.untracked(word))
+
+
+def _has_instance(robot: Robot, word: str) -> bool:
+    """Whether the tree names an instance for the interface: the templates of the distribution ask for its device."""
+    name = word.removeprefix(INTERFACE).removesuffix(".device")
+    return name != word.removesuffix(".device") and robot.files.mentions(re.compile(rf"@{re.escape(name)}\b"))

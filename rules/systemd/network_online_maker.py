@@ -24,6 +24,7 @@ ExecStart=/usr/sbin/hostapd /etc/hostapd/field.conf
 ## Good
 ```ini
 [Unit]
+Wants=sys-subsystem-net-devices-wlan0.device
 After=sys-subsystem-net-devices-wlan0.device
 [Service]
 ExecStart=/usr/sbin/hostapd /etc/hostapd/field.conf
@@ -73,7 +74,7 @@ def network_online_maker(robot: Robot) -> Iterator[Finding]:
                     word,
                     f"{unit.name} makes the network and waits for it: without a known one it starts when "
                     "the wait service gives up",
-                    advice="order it after NetworkManager.service, or after the device of the interface",
+                    advice="order it after NetworkManager.service, or with Wants= after the device of the interface",
                     related=[note(maker, "this makes a network")],
                     confidence="medium",
                     severity="info" if maker == "nmcli" or maker.endswith("/nmcli") else None,
