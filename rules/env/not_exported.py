@@ -57,6 +57,8 @@ READ = regex(
 )
 """What of the environment a launch file reads."""
 SETUP = regex(r"setup\.\w+$|\.bashrc$|activate$")
+SOURCES = regex(r"^[ \t]*(?:source|\.)[ \t]", re.M)
+EXPORT, WORD = regex(r"\bexport\b([^\n]*)"), regex(r"\w+")
 EXPORTED = regex(r"^[ \t]*export\b", re.M)
 EXPORTS_ALL = regex(r"^[ \t]*set[ \t]+(?:-[a-z]{0,8}a[a-z]{0,8}\b|-o[ \t]+allexport)", re.M)
 
@@ -84,15 +86,18 @@ def not_exported(robot: Robot) -> Iterator[Finding]:
 
 def _sourced_files(robot: Robot) -> Iterator[Finding]:
     """Files of variables that a script sources, and that do not reach what its launch file reads."""
-    of_units = _of_units(robot) if robot.of_kind("systemd-unit") else frozenset()
-    for launching in robot.runners.launches if robot.of_kind("shell-script") else ():
+    scripts = [each for each in robot.of_kind("shell-script") if "ros2" in each.text and SOURCES.search(each.text)]
+    launches = robot.runners.launches if scripts else []
+    of_units = _of_units(robot) if launches else frozenset()
+    for launching in launches:
         source, expansion = launching.runner.source, robot.runners.expansion(launching.start)
-        if launching.runner.kind.name != "SCRIPT" or expansion is None or EXPORTS_ALL.search(source.text):
+        if source not in scripts or expansion is None or EXPORTS_ALL.search(source.text):
             continue
         texts = [file.source for file in expansion.files]
         wanted = {match["name"]: each.span(*match.span("name")) for each in texts for match in READ.finditer(each.text)}
+        exported = {name for line in EXPORT.findall(source.text) for name in WORD.findall(line)}
+        lost = [name for name in wanted if name not in exported]
         for path in _files(robot, source, launching.target):
-            lost = [name for name in wanted if not re.search(rf"\bexport\b[^\n]*\b{name}\b", source.text)]
             entries = _entries(robot, path)
             known = [name for name in lost if name in entries] if entries else lost if str(path) in of_units else []
             if known:

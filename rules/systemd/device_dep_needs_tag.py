@@ -35,13 +35,11 @@ When a rule outside of this tree, for example from the vendor's package, adds th
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
-from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api.udev import Link
 
 _KEYS = ("BindsTo", "Requires", "Requisite", "Wants", "After")
 
@@ -63,26 +61,23 @@ def device_dep_needs_tag(robot: Robot) -> Iterator[Finding]:
         seen = set()
         for key in _KEYS:
             for word in unit.words(key):
-                links = robot.devices.untagged(word)
-                path = robot.devices.untracked(word)
-                if word in seen or not (links or path):
+                if word in seen or not word.endswith(".device"):
                     continue
                 seen.add(word)
+                links = robot.devices.untagged(word)
+                path = robot.devices.untracked(word)
                 if links:
-                    yield _without_tag(word, links[0])
-                else:
+                    link = links[0]
+                    yield finding(
+                        word,
+                        f'{word} never becomes active: systemd tracks such devices only with TAG+="systemd"',
+                        advice='add TAG+="systemd" to the rule',
+                        related=[note(link.name, f"creates {link.path}")],
+                        fix=fix("tag the device", link.rule.before(link.token, 'TAG+="systemd"')),
+                    )
+                elif path:
                     yield finding(
                         word,
                         f'{word} never becomes active: systemd tracks such devices only with TAG+="systemd"',
                         advice=f'add a udev rule for {path} with TAG+="systemd", or wait for it in ExecStartPre=',
                     )
-
-
-def _without_tag(word: Located, link: Link) -> Finding:
-    return finding(
-        word,
-        f'{word} never becomes active: systemd tracks such devices only with TAG+="systemd"',
-        advice='add TAG+="systemd" to the rule',
-        related=[note(link.name, f"creates {link.path}")],
-        fix=fix("tag the device", link.rule.before(link.token, 'TAG+="systemd"')),
-    )
