@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.late_spins import late_spins
     from bringup_lint.graph.nodes.questions.loop_variables import late_bound
     from bringup_lint.graph.nodes.questions.lost_cameras import lost_cameras
+    from bringup_lint.graph.nodes.questions.lost_requests import lost_requests
     from bringup_lint.graph.nodes.questions.making_loops import making_loops
     from bringup_lint.graph.nodes.questions.message_fields import NoField
     from bringup_lint.graph.nodes.questions.message_fields import consequence
@@ -174,6 +175,7 @@ __all__ = [
     "late_bound",
     "late_spins",
     "lost_cameras",
+    "lost_requests",
     "lowered",
     "making_loops",
     "misfits",
