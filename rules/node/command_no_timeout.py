@@ -8,9 +8,9 @@ of a joystick that a timer goes on with. The same for a callback that writes vel
 unless the firmware of the tree compares times or the controller is known to stop by itself (VESC, moteus,
 ros_arduino_bridge, ...); where the tree holds no firmware, it is info. What turns a gimbal or a camera is left out. So
 it is for a class that nothing of the tree makes. In all cases when nothing in the source looks at a time: no time-out,
-no stamp that is read, no difference of two times, no count of the turns without a message. A timer in Python is found
-in spite of such a look when no condition comes before the call that sends the command: a watchdog that only publishes a
-flag does not alter what the motors get.
+no stamp that is read, no difference of two times, no count of the turns without a message; a time that is kept and
+never read is no look. A timer in Python is found in spite of such a look when no condition comes before the call that
+sends the command: a watchdog that only publishes a flag does not alter what the motors get.
 
 ## Why it matters on a robot
 When the planner ends, the teleoperation loses its WiFi or the message queue runs dry, the robot drives on at its last

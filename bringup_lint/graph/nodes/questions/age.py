@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 
 from bringup_lint.model.cpp_text import COMMENT
 from bringup_lint.pattern import regex
@@ -26,6 +27,15 @@ _OTHER_TIMEOUTS = regex(
 """Time-outs of reading and writing and stamps that are written, which end no motion."""
 
 
+_SET = regex(
+    r"(?m)^[ \t]{0,60}(?:(?:self\.|this->)?(?P<set>[A-Za-z_]\w{0,60})[ \t]{0,4}[-+]?=[ \t]{0,4}"
+    r"(?:None|0|0\.0|1|[\w.()>-]{0,60}\b(?:now|time|monotonic|perf_counter)\(\)[\w.()]{0,60})[ \t]{0,4};?[ \t]{0,4}$"
+    r"|rclcpp::Time[ \t]{1,4}(?P<declared>\w{1,60})[ \t]{0,4};)"
+)
+"""A line that sets a name to a time or a number, or declares a time."""
+_WORD = regex(r"[A-Za-z_]\w*")
+
+
 def looks_at_time(source: Source) -> bool:
     """Whether a file compares times, or speaks of a time-out that is not one of reading or writing."""
     return source.once(looks_at_time, lambda: looks_at_age(source.text))
@@ -33,4 +43,18 @@ def looks_at_time(source: Source) -> bool:
 
 def looks_at_age(text: str) -> bool:
     """As ``looks_at_time``, for a text."""
-    return bool(_TIMED.search(_OTHER_TIMEOUTS.sub("", COMMENTS.sub("", text))))
+    return bool(_TIMED.search(_OTHER_TIMEOUTS.sub("", _without_unread(COMMENTS.sub("", text)))))
+
+
+def _without_unread(text: str) -> str:
+    """A text without the lines that set a time which nothing reads: ``self.last_cmd_time = now``."""
+    lines = Counter(name for match in _SET.finditer(text) if (name := _name(match)) and _TIMED.search(name))
+    if not lines:
+        return text
+    words = Counter(match[0] for match in _WORD.finditer(text))
+    unread = {name for name, number in lines.items() if words[name] == number}
+    return _SET.sub(lambda match: "" if _name(match) in unread else match[0], text)
+
+
+def _name(match: re.Match[str]) -> str:
+    return match["set"] or match["declared"]
