@@ -79,6 +79,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.safe_state import relays
     from bringup_lint.graph.nodes.questions.service_waits import waits
     from bringup_lint.graph.nodes.questions.shell_commands import shell_commands
+    from bringup_lint.graph.nodes.questions.shut_constructors import shut_constructors
     from bringup_lint.graph.nodes.questions.signatures import without_qos
     from bringup_lint.graph.nodes.questions.stale_parameters import stale_reads
     from bringup_lint.graph.nodes.questions.stale_readings import stale_readings
@@ -203,6 +204,7 @@ __all__ = [
     "repeated",
     "restamped",
     "shell_commands",
+    "shut_constructors",
     "stale_readings",
     "stale_reads",
     "starved_waits",

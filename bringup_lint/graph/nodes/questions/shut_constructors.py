@@ -1,0 +1,72 @@
+"""Constructors of nodes that shut the context down and then go on with it."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+
+from bringup_lint.graph.nodes.sources.syntax import Syntax
+from bringup_lint.graph.nodes.sources.syntax import body_of
+from bringup_lint.graph.nodes.sources.syntax import own
+from bringup_lint.graph.nodes.sources.syntax import own_calls
+from bringup_lint.model.node_source import NodeClass
+from bringup_lint.model.python import is_self
+from bringup_lint.named_tuple import NamedTuple
+
+_SHUTDOWNS = frozenset({"rclpy.shutdown", "rclpy.try_shutdown"})
+_MAKES = frozenset(
+    {"create_publisher", "create_subscription", "create_service", "create_client", "create_timer", "create_rate"}
+)
+_LEAVES = (ast.Return, ast.Raise)
+_EXITS = frozenset({"exit", "quit", "_exit", "kill", "abort"})
+
+
+class ShutConstructor(NamedTuple):
+    shutdown: ast.Call
+    made: ast.Call
+    """What raises, because the context is shut down."""
+    name: str
+
+
+def shut_constructors(syntax: Syntax, node: NodeClass) -> Iterator[ShutConstructor]:
+    """The first of them in a class."""
+    init = node.methods.get("__init__")
+    calls = own_calls(body_of(init.node)) if init is not None else ()
+    for call in calls:
+        if syntax.qualified(call) in _SHUTDOWNS:
+            made = next(_made_after(syntax, call), None)
+            if made is not None:
+                yield ShutConstructor(call, made, ast.unparse(made.func))
+                return
+
+
+def _made_after(syntax: Syntax, call: ast.Call) -> Iterator[ast.Call]:
+    """What the constructor surely makes after a call, unless it leaves before."""
+    outers = [outer for outer, _ in syntax.within(call) if isinstance(outer, ast.stmt)]
+    unset = {name for outer in outers if isinstance(outer, ast.Try) for name in _attributes(outer.body, ast.Store)}
+    for following in (each for outer in outers for each in syntax.after(outer)):
+        if _may_leave(following) or not unset.isdisjoint(_attributes([following], ast.Load)):
+            return
+        if isinstance(following, (ast.Expr, ast.Assign, ast.AnnAssign)):
+            yield from (each for each in own_calls([following]) if _makes(each))
+
+
+def _attributes(statements: list[ast.stmt], context: type[ast.expr_context]) -> Iterator[str]:
+    """The attributes of ``self`` that statements set, or read: what a ``try`` failed to set raises sooner."""
+    for each in own(statements):
+        if isinstance(each, ast.Attribute) and is_self(each.value) and isinstance(each.ctx, context):
+            yield each.attr
+
+
+def _may_leave(statement: ast.stmt) -> bool:
+    if any(isinstance(each, _LEAVES) for each in ast.walk(statement)):
+        return True
+    return any(_name(each) in _EXITS for each in own_calls([statement]))
+
+
+def _makes(call: ast.Call) -> bool:
+    return isinstance(call.func, ast.Attribute) and is_self(call.func.value) and call.func.attr in _MAKES
+
+
+def _name(call: ast.Call) -> str:
+    return getattr(call.func, "attr", getattr(call.func, "id", ""))

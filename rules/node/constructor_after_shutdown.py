@@ -1,0 +1,54 @@
+"""The constructor of a node goes on after it has shut the context down.
+
+## What it finds
+`rclpy.shutdown()` in the constructor of a Python node that neither returns nor raises after it, and then makes a
+publisher, a subscription, a service, a client or a timer.
+
+## Why it matters on a robot
+`shutdown()` ends nothing: it returns. The constructor goes on without the device that it did not find, and the next
+entity raises an error of rcl about the context. The log ends with that, launch sees a crash, and nobody tries the
+device again.
+
+## Bad
+```python
+if not self.port:
+    self.get_logger().error('no port')
+    rclpy.shutdown()
+self.timer = self.create_timer(0.1, self.read)
+```
+
+## Good
+```python
+if not self.port:
+    raise RuntimeError('no port')
+self.timer = self.create_timer(0.1, self.read)
+```
+
+## When to ignore it
+Never: raise an exception, which launch or systemd can answer with a restart.
+
+## References
+- rclpy, `shutdown`; rcl, guard_condition.c and node.c: both refuse a context that is not valid
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import nodes
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("warning", symptoms=["either rcl_init() was not called or rcl_shutdown() was called"])
+def constructor_after_shutdown(robot: Robot) -> Iterator[Finding]:
+    for file, node in robot.nodes.with_callbacks:
+        for found in nodes.shut_constructors(robot.nodes.syntax(file), node):
+            yield finding(
+                file.span_of(found.shutdown),
+                f"The constructor goes on after this: {found.name}() raises, because the context is shut down",
+                advice="raise an exception instead, and let launch or systemd start the node again",
+                related=[note(file.span_of(found.made), "raises")],
+                severity=robot.nodes.graded(file.source, "warning"),
+            )
