@@ -90,6 +90,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.stopping import handler_never_runs
     from bringup_lint.graph.nodes.questions.stopping import stop_after_shutdown
     from bringup_lint.graph.nodes.questions.stopping import unhandled_shutdown
+    from bringup_lint.graph.nodes.questions.stuck_switches import stuck_switches
     from bringup_lint.graph.nodes.questions.swallowed_failures import swallowed_failures
     from bringup_lint.graph.nodes.questions.time_clocks import ClockMix
     from bringup_lint.graph.nodes.questions.time_clocks import clock_mixes
@@ -212,6 +213,7 @@ __all__ = [
     "stopped_callbacks",
     "stopped_in_cpp",
     "stuck_flags",
+    "stuck_switches",
     "swallowed_failures",
     "swap",
     "switchless",
