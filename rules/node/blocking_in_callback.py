@@ -3,9 +3,9 @@
 ## What it finds
 Calls in a callback, or in the methods that it calls, that keep the executor busy:
 
-- `time.sleep` of 0.1 s or more, `requests.*`, `subprocess.run` and similar functions (not for programs that return
-  at once, such as `systemctl poweroff`), `communicate()` and `wait()` of a program, `input()`, reads of keys, and of a
-  serial port or a socket without a timeout, and `while True`.
+- `time.sleep` of 0.1 s or more, `requests.*` and the sessions of it, `subprocess.run` and similar functions (not for
+  programs that return at once, such as `systemctl poweroff`), `communicate()` and `wait()` of a program, `input()`,
+  reads of keys, and of a serial port or a socket without a timeout, and `while True`.
 - The first three of these also in the methods of `self.driver`, whose class is in another file of the workspace; once a
   node that waits nowhere else.
 - In the callback of a timer, measurements of `psutil` that last longer than its period.

@@ -11,6 +11,7 @@ from bringup_lint.graph.nodes.questions.device_reads import device_read
 from bringup_lint.graph.nodes.questions.endless_loops import has_no_exit
 from bringup_lint.graph.nodes.questions.endless_loops import is_endless
 from bringup_lint.graph.nodes.questions.short_programs import is_short
+from bringup_lint.graph.nodes.questions.stored_values import stored
 from bringup_lint.graph.nodes.sources.ending import Ending
 from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.graph.nodes.sources.syntax import own
@@ -32,6 +33,7 @@ _PROGRAMS = frozenset(
 _REQUESTS = frozenset(
     f"requests.{verb}" for verb in ("get", "post", "put", "delete", "patch", "head", "options", "request")
 )
+_SESSIONS = ("requests.Session", "requests.session")
 _OPENS = frozenset({*_REQUESTS, "urllib.request.urlopen"})
 _MEASURES = frozenset({"psutil.cpu_percent", "psutil.cpu_times_percent"})
 """Functions that wait as long as their first argument says."""
@@ -206,7 +208,16 @@ def _of_attribute(ending: Ending, call: ast.Call, cls: NodeClass) -> Blocked | N
         return Blocked(f"{kept}.call()", _timeout(ending, call, 1))
     if name == "sleep" and not call.args and _is_rate(ending, owner.attr):
         return Blocked(f"{kept}.sleep()", "")
+    if f"requests.{name}" in _REQUESTS and _is_session(ending, owner, cls):
+        return _open(ending, call, f"{kept}.{name}()")
     return None
+
+
+def _is_session(ending: Ending, owner: ast.Attribute, cls: NodeClass) -> bool:
+    """Whether an attribute is a session of requests."""
+    made = stored(ending.syntax, cls, owner)
+    calls = [each for each in made if isinstance(each, ast.Call) and ending.syntax.qualified(each) in _SESSIONS]
+    return bool(made) and len(calls) == len(made)
 
 
 def _of_local_rate(ending: Ending, call: ast.Call) -> Blocked | None:
