@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 _SENDS = ("publish", "sendTransform")
 _CAMERAS = regex(r"\b(?:VideoCapture|[Pp]icamera2?|pyrealsense2|pypylon|depthai|ArducamCamera)\b")
 """What takes pictures: those of another node that are published again show how something works."""
+_Uses = dict[ast.AST, dict[str, list["ast.Name | ast.Attribute"]]]
+"""Function or class -> name -> where it is used there."""
 
 
 def unstamped(nodes: Nodes) -> Iterator[list[Unstamped]]:
@@ -42,11 +44,12 @@ def unstamped(nodes: Nodes) -> Iterator[list[Unstamped]]:
 
 def _in_file(nodes: Nodes, syntax: Syntax) -> Iterator[Unstamped]:
     seen: set[ast.AST] = set()
+    uses: _Uses = {}
     endpoints = [*(each for cls in syntax.file.classes for each in cls.endpoints), *syntax.file.strays]
     for call in syntax.calls:
         if not isinstance(call.func, ast.Attribute) or call.func.attr not in _SENDS or len(call.args) != 1:
             continue
-        made = _made(syntax, call.args[0])
+        made = _made(syntax, call.args[0], uses)
         kind = _unstamped(syntax, made) if made is not None and made not in seen else None
         if made is None or kind is None or not _is_sent(syntax, call, kind):
             continue
@@ -58,23 +61,39 @@ def _in_file(nodes: Nodes, syntax: Syntax) -> Iterator[Unstamped]:
         yield Unstamped(syntax.file.span_of(made), kind, syntax.file.span_of(call))
 
 
-def _made(syntax: Syntax, value: ast.expr) -> ast.Call | None:
+def _made(syntax: Syntax, value: ast.expr, known: _Uses) -> ast.Call | None:
     """The call that makes a message, when nothing but fields is set between there and its publication."""
     if isinstance(value, ast.Call):
         return value if value.keywords or value.args else None
     scope = syntax.function(value) if isinstance(value, ast.Name) else syntax.definition(value)
-    name = ast.unparse(value)
-    if scope is None or not isinstance(value, (ast.Name, ast.Attribute)):
+    name = _name(value)
+    if scope is None or name is None:
         return None
-    if isinstance(value, ast.Attribute) and name != f"self.{value.attr}":
-        return None
-    uses = [each for each in walk(scope) if isinstance(each, type(value)) and ast.unparse(each) == name]
+    if scope not in known:
+        known[scope] = _uses(scope)
+    uses = known[scope].get(name, [])
     makings = [each for each in uses if isinstance(each.ctx, ast.Store)]
     if len(makings) != 1 or not all(each in makings or _is_plain_use(syntax, each) for each in uses):
         return None
     outer = next(syntax.above(makings[0]))[0]
     made = outer.value if isinstance(outer, (ast.Assign, ast.AnnAssign)) else None
     return made if isinstance(made, ast.Call) else None
+
+
+def _name(value: ast.AST) -> str | None:
+    """What a local variable or an attribute of the own object is called."""
+    if isinstance(value, ast.Attribute):
+        return f"self.{value.attr}" if isinstance(value.value, ast.Name) and value.value.id == "self" else None
+    return value.id if isinstance(value, ast.Name) else None
+
+
+def _uses(scope: ast.AST) -> dict[str, list[ast.Name | ast.Attribute]]:
+    found: dict[str, list[ast.Name | ast.Attribute]] = {}
+    for each in walk(scope):
+        name = _name(each)
+        if name is not None and isinstance(each, (ast.Name, ast.Attribute)):
+            found.setdefault(name, []).append(each)
+    return found
 
 
 def _is_plain_use(syntax: Syntax, use: ast.AST) -> bool:
