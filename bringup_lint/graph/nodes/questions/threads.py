@@ -18,10 +18,12 @@ SUFFIXES = (".cpp", ".cc", ".cxx", ".hpp", ".hh", ".h", ".hxx", ".ipp", ".tpp", 
 FILES = 400
 """Source files of one package that are read."""
 _ENDS = regex(
-    r"\b(?P<own>\w+)\s{0,8}(?:\[[^\]]{0,80}\])?\s{0,8}\)?\s{0,40}(?:\.|->)\s{0,4}(?:join|detach|swap|release|begin|get)\b"
-    r"|\b(?:move|ref|swap|exchange)\s{0,4}\(\s{0,40}(?:this->)?(?P<given>\w+)|&\s{0,4}(?:this->)?(?P<pointed>\w+)"
-    r"|[^:]:\s{0,4}(?:this->)?(?P<looped>\w+)\s{0,4}\)|\breturn\s{1,40}(?P<returned>\w+)"
+    r"\b(?P<own>\w+)(?=\s{0,8}(?:\[[^\]]{0,80}\])?\s{0,8}\)?\s{0,40}(?:\.|->)\s{0,4}"
+    r"(?:join|detach|swap|release|begin|get)\b)"
+    r"|\b(?:move|ref|swap|exchange)\s{0,4}\(\s{0,40}(?:this->)?(?=(?P<given>\w+))|&\s{0,4}(?:this->)?(?=(?P<pointed>\w+))"
+    r"|[^:]:\s{0,4}(?:this->)?(?=(?P<looped>\w+)\s{0,4}\))|\breturn\s{1,40}(?=(?P<returned>\w+))"
 )
+"""What ends a thread or may; only the name itself is taken, as one may follow another: ``copy.swap(thread_)``."""
 _KEEPS = regex(r"\b(?:push_back|emplace_back|emplace|insert)\s{0,4}\(")
 _WORD = regex(r"\w+")
 _STATEMENT = 2000
