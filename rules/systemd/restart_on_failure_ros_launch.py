@@ -2,7 +2,7 @@
 
 ## What it finds
 Restart=on-failure, on-abnormal or on-abort on a service whose main process is ros2 launch. If the launch file
-is in the tree and respawns all of its nodes itself, nothing is reported.
+is in the tree and respawns all of its nodes itself, or its package is there without it, nothing is reported.
 
 ## Why it matters on a robot
 ros2 launch keeps running when a node dies, and exits with status 0 after on_exit=Shutdown(). systemd sees a
@@ -43,6 +43,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.supervision import every_node_respawns
 from bringup_lint.api.supervision import expansion_of
+from bringup_lint.api.systemd import Ros
 
 FAILURES = ("on-failure", "on-abnormal", "on-abort")
 
@@ -58,7 +59,7 @@ def restart_on_failure_ros_launch(robot: Robot) -> Iterator[Finding]:
         if not programs or not (service.main.kind == "launch" or last):
             continue
         expansion = expansion_of(programs[-1], robot.launch)
-        if expansion is not None and every_node_respawns(expansion):
+        if every_node_respawns(expansion) if expansion is not None else _is_missing(robot, programs[-1]):
             continue
         yield finding(
             policy.where,
@@ -69,3 +70,8 @@ def restart_on_failure_ros_launch(robot: Robot) -> Iterator[Finding]:
             confidence="high" if expansion is not None else "medium",
             fix=fix("set Restart=always", (policy.where, "always"), safe=False) if unit.editable else None,
         )
+
+
+def _is_missing(robot: Robot, program: Ros) -> bool:
+    """Whether the package is in the tree and has no such file, with which the service fails at once."""
+    return program.package in robot.launch.workspace.packages and "$" not in (program.target or "$")
