@@ -37,8 +37,10 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
+from bringup_lint.api import NamedTuple
 from bringup_lint.api import Robot
 from bringup_lint.api import Source
+from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
@@ -84,29 +86,42 @@ def not_exported(robot: Robot) -> Iterator[Finding]:
     yield from _sourced_files(robot)
 
 
+class Unseen(NamedTuple):
+    """A file of variables that a script sources, and what the launch file reads and the script does not export."""
+
+    path: Located
+    names: dict[str, Span]
+    """Variable -> where it is read."""
+
+
 def _sourced_files(robot: Robot) -> Iterator[Finding]:
     """Files of variables that a script sources, and that do not reach what its launch file reads."""
-    scripts = [each for each in robot.of_kind("shell-script") if "ros2" in each.text and SOURCES.search(each.text)]
-    launches = robot.runners.launches if scripts else []
-    of_units = _of_units(robot) if launches else frozenset()
-    for launching in launches:
-        source, expansion = launching.runner.source, robot.runners.expansion(launching.start)
-        if source not in scripts or expansion is None or EXPORTS_ALL.search(source.text):
-            continue
-        texts = [file.source for file in expansion.files]
-        wanted = {match["name"]: each.span(*match.span("name")) for each in texts for match in READ.finditer(each.text)}
-        exported = {name for line in EXPORT.findall(source.text) for name in WORD.findall(line)}
-        lost = [name for name in wanted if name not in exported]
-        for path in _files(robot, source, launching.target):
-            entries = _entries(robot, path)
-            known = [name for name in lost if name in entries] if entries else lost if str(path) in of_units else []
-            if known:
-                yield finding(
-                    path,
-                    f"What this file sets is not exported: the launch file does not see {', '.join(known[:3])}",
-                    advice="write set -a before it, and set +a after it",
-                    related=[note(wanted[name], f"reads {name}") for name in known[:5]],
-                )
+    found = [each for source in robot.of_kind("shell-script") for each in _unseen(robot, source)]
+    of_units = _of_units(robot) if found else frozenset()
+    for each in found:
+        entries = _entries(robot, each.path)
+        known = [name for name in each.names if name in entries or (not entries and str(each.path) in of_units)]
+        if known:
+            yield finding(
+                each.path,
+                f"What this file sets is not exported: the launch file does not see {', '.join(known[:3])}",
+                advice="write set -a before it, and set +a after it",
+                related=[note(each.names[name], f"reads {name}") for name in known[:5]],
+            )
+
+
+def _unseen(robot: Robot, source: Source) -> Iterator[Unseen]:
+    text = source.text
+    if "ros2" not in text or not SOURCES.search(text) or EXPORTS_ALL.search(text):
+        return
+    exported = {name for line in EXPORT.findall(text) for name in WORD.findall(line)}
+    for launching in robot.runners.launched_by(source):
+        expansion = robot.runners.expansion(launching.start)
+        files = [file.source for file in expansion.files] if expansion is not None else []
+        wanted = {match["name"]: each.span(*match.span("name")) for each in files for match in READ.finditer(each.text)}
+        lost = {name: place for name, place in wanted.items() if name not in exported}
+        if lost:
+            yield from (Unseen(path, lost) for path in _files(robot, source, launching.target))
 
 
 def _of_units(robot: Robot) -> frozenset[str]:

@@ -114,6 +114,17 @@ class Runners:
         """Those that start a launch file."""
         return self._by_file.get(file, [])
 
+    def launched_by(self, source: Source) -> list[Launching]:
+        """Those in a file."""
+        return self._by_source.get(source, [])
+
+    @cached_property
+    def _by_source(self) -> dict[Source, list[Launching]]:
+        found: dict[Source, list[Launching]] = {}
+        for each in self.launches:
+            found.setdefault(each.runner.source, []).append(each)
+        return found
+
     def always_passed(self, file: LaunchFile) -> set[str]:
         """The arguments that every command of the tree that launches a file passes: they exist before it is read."""
         names = [{str(name) for name, _ in command.arguments} for command in self.launching(file)]
