@@ -4,7 +4,7 @@
 A variable that nobody reads, whose name is that of a known one but for an underscore or a letter, and whose value is
 what the known one takes: the file of a DDS configuration, a number for a domain, the name of a middleware. Silent if
 something else in the tree reads the variable by this name. Also a variable that is made up from the name of a
-middleware and of what it is to do, such as `RMW_FASTRTPS_USE_SHM`.
+middleware and of what it is to do, such as `RMW_FASTRTPS_USE_SHM`; an info beside a profile of Fast DDS.
 
 ## Why it matters on a robot
 The setting has no effect, and nothing says so: the middleware runs with its defaults, on every interface and with
@@ -52,8 +52,10 @@ VALUES = {
 OF_MIDDLEWARE = regex(r"(?:RMW_(?:FASTRTPS|FASTDDS|CYCLONEDDS)|FASTRTPS|FASTDDS)_\w+")
 WISHED = frozenset("USE ENABLE DISABLE SHM SHARED TRANSPORT TRANSPORTS DISCOVERY INTERFACE".split())
 """Words for settings that a middleware has, but not as a variable."""
+PROFILES = "_DEFAULT_PROFILES_FILE"
+"""Beside a profile, which says the same in earnest, a name that nothing reads does no harm."""
 INSTEAD = (
-    (regex(r"SHM|SHARED|TRANSPORT"), "set FASTDDS_BUILTIN_TRANSPORTS, or a profile by FASTDDS_DEFAULT_PROFILES_FILE"),
+    (regex(r"SHM|SHARED|TRANSPORT"), "set FASTDDS_BUILTIN_TRANSPORTS, or a profile by FASTRTPS_DEFAULT_PROFILES_FILE"),
     (regex(r"CYCLONE"), "write it in the file of CYCLONEDDS_URI"),
     (regex(r""), "write it in the profile of FASTRTPS_DEFAULT_PROFILES_FILE"),
 )
@@ -71,20 +73,22 @@ def misspelt_variable(robot: Robot) -> Iterator[Finding]:
         if fitting and not _is_read(robot, name):
             yield _unread(fitting, f"write {meant}")
         elif _is_made_up(name) and not _is_read(robot, name):
-            yield _unread(settings, next(advice for word, advice in INSTEAD if word.search(name)))
+            advice = next(advice for word, advice in INSTEAD if word.search(name))
+            yield _unread(settings, advice, "info" if PROFILES in settings[0].value.span.source.text else "error")
 
 
 def _is_made_up(name: str) -> bool:
     return OF_MIDDLEWARE.fullmatch(name) is not None and not WISHED.isdisjoint(name.split("_"))
 
 
-def _unread(settings: list[Setting], advice: str) -> Finding:
+def _unread(settings: list[Setting], advice: str, severity: str = "error") -> Finding:
     first, *others = settings
     return finding(
         first.value,
         f"Nothing reads {first.name}: this setting has no effect",
         advice=advice,
         related=[note(other.value, "the same name") for other in others],
+        severity=severity,
     )
 
 

@@ -53,9 +53,11 @@ from bringup_lint.api.docker import foreign_programs
 def other_processor(robot: Robot) -> Iterator[Finding]:
     for foreign in foreign_programs(robot.files, robot.compose):
         own, other = ("amd64", "arm64") if foreign.processor == "amd64" else ("arm64", "amd64")
+        refused = ".deb" in foreign.word or foreign.word.startswith("deb ")
+        end = "apt does not install it there" if refused else "it ends with 'Exec format error'"
         yield finding(
             foreign.word,
-            f"This is for {own}, and runs on {other}: it ends with 'Exec format error'",
+            f"This is for {own}, and the computer is {other}: {end}",
             advice=f"take the one for {other}, or ask dpkg --print-architecture",
             related=[note(foreign.why, "shows the processor")],
         )

@@ -3,9 +3,9 @@
 ## What it finds
 - `After=` of a service in the same tree that nothing starts: it has no `[Install]` section, no unit wants or
   requires it, and no timer, socket, path or device activates it.
-- `After=` of a device that no unit wants, requires or mounts (a warning): systemd waits for a device only where a
-  unit asks for it. Silent where a udev rule starts the service, for disks, which mounts ask for, and for interfaces of
-  which the tree names an instance (`wpa_supplicant@wlan0`).
+- `After=` of a device that no unit wants, requires or mounts: systemd waits for a device only where a unit asks for it.
+  It is a warning where nothing restarts the service. Silent where a udev rule starts the service, for disks, which
+  mounts ask for, and for interfaces of which the tree names an instance (`wpa_supplicant@wlan0`).
 
 ## Why it matters on a robot
 `After=` orders two units if both start, but it starts neither. The unit that should come first never runs,
@@ -82,7 +82,7 @@ def _devices(robot: Robot, unit: Unit, line: Assignment) -> Iterator[Finding]:
             lost[0],
             f"After= alone waits for no device: {unit.name} starts whether {' or '.join(lost)} is there or not",
             advice="add Wants= or BindsTo= for the device that this robot has",
-            severity="warning",
+            severity="warning" if robot.units.restart(unit).restart == "no" else "info",
             fix=fix(f"add Wants={lost[0]}", (line.end, f"\nWants={lost[0]}"), safe=False),
         )
 
