@@ -3,7 +3,7 @@
 ## What it finds
 In the source of a system or actuator: a failure in `read()` or `write()` that is caught, or told by the call, and after
 which the method goes on and returns OK. Methods that return ERROR or DEACTIVATE anywhere, throw or count failures are
-left out.
+left out. It is an info where the robot descriptions of the tree name other hardware of the tree, and not this.
 
 ## Why it matters on a robot
 The controller manager learns of a failure only by what `read()` and `write()` return. With OK, the states keep their
@@ -59,5 +59,5 @@ def hardware_failure_hidden(robot: Robot) -> Iterator[Finding]:
                 note(first.answer, "returned all the same"),
                 *(note(each.place, f"the same in {each.method}()") for each in others),
             ],
-            severity=nodes.lowered(robot.nodes.purpose(first.source), "warning"),
+            severity=nodes.lowered(robot.nodes.purpose(first.source), "warning") if first.is_described else "info",
         )

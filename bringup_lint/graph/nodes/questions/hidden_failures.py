@@ -41,6 +41,13 @@ _LOG = regex(
 _MOVES_ON = regex(r"\s*(?:(?:continue|break)\s*;\s*)?\Z")
 
 
+_EXPORTED = regex(
+    r"\bPLUGINLIB_EXPORT_CLASS\s{0,4}\(\s{0,40}(?:::)?(?P<name>\w{1,80}(?:::\w{1,80}){0,4})\s{0,4},\s{0,40}"
+    r"(?:::)?hardware_interface::"
+)
+_PLUGIN = regex(r"<plugin>\s{0,40}([\w:/]{1,200})\s{0,40}</plugin>", hints="<plugin>")
+
+
 class HiddenFailure(NamedTuple):
     source: Source
     place: Span
@@ -49,15 +56,28 @@ class HiddenFailure(NamedTuple):
     """``read`` or ``write``."""
     answer: Span
     """The OK that it returns then."""
+    is_described: bool
+    """False where the descriptions of the tree name other hardware of the tree, and not this."""
 
 
 def hidden_failures(nodes: Nodes) -> Iterator[list[HiddenFailure]]:
     """The failures that ``read()`` and ``write()`` only report or pass over, those of one source together."""
-    for source, plain, bodies in hardware(nodes):
-        if not SIMULATED.search(plain):
-            found = [each for name in ("read", "write") for each in _hidden(source, plain, name, bodies.get(name))]
-            if found:
-                yield found
+    known = list(hardware(nodes))
+    exported = {source: set(_EXPORTED.findall(plain)) for source, plain, _ in known}
+    described = _described(nodes, set().union(*exported.values()))
+    for source, plain, bodies in known:
+        if SIMULATED.search(plain):
+            continue
+        is_described = not described or not exported[source] or not exported[source].isdisjoint(described)
+        found = [each for name in ("read", "write") for each in _hidden(source, plain, name, bodies.get(name))]
+        if found:
+            yield [each._replace(is_described=is_described) for each in found]
+
+
+def _described(nodes: Nodes, names: set[str]) -> set[str]:
+    """Those classes that a robot description names as its hardware."""
+    texts = [each.text for each in nodes.files.of_kind("urdf")] if names else []
+    return names & {name.replace("/", "::") for text in texts for name in _PLUGIN.findall(text)}
 
 
 def _hidden(source: Source, plain: str, method: str, body: tuple[int, int] | None) -> Iterator[HiddenFailure]:
@@ -67,11 +87,11 @@ def _hidden(source: Source, plain: str, method: str, body: tuple[int, int] | Non
     answer = Span(source, *answers[-1].span())
     for handler in _HANDLER.finditer(plain, *body):
         if not _OF_VALUES.search(handler["what"]) and _only_reports(plain, handler.start("body")):
-            yield HiddenFailure(source, Span(source, handler.start(), handler.start("body") - 1), method, answer)
+            yield HiddenFailure(source, Span(source, handler.start(), handler.start("body") - 1), method, answer, True)
     for test in _TEST.finditer(plain, *body):
         failed = test["not"] or test["compared"]
         if failed and _EXCHANGES.search(test["call"]) and _only_reports(plain, test.start("body")):
-            yield HiddenFailure(source, Span(source, test.start(), test.start("body") - 1), method, answer)
+            yield HiddenFailure(source, Span(source, test.start(), test.start("body") - 1), method, answer, True)
 
 
 def _only_reports(plain: str, start: int) -> bool:
