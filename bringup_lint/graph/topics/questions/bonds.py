@@ -89,7 +89,7 @@ def _may_be(node: Started, managed: Managed) -> bool:
 
 def _named(source: Source) -> frozenset[str]:
     """The names that lifecycle nodes of a file give themselves."""
-    return frozenset(found["name"] for found in _NAMED.finditer(source.text))
+    return source.once(_named, lambda: frozenset(found["name"] for found in _NAMED.finditer(source.text)))
 
 
 def _base(source: Source) -> Located | None:
