@@ -81,6 +81,21 @@ def template_language(name: str, text: str) -> str:
     return ""
 
 
+def with_variables(text: str, language: str) -> str:
+    """The text of a shell script with a variable that nothing sets for each placeholder, and blanks for statements of
+    the template; offsets stay."""
+    for name, mark, pattern in _PLACEHOLDERS:
+        if language in (name, "template") and mark in text:
+            text = pattern.sub(_variable, text)
+    return text
+
+
+def _variable(match: re.Match[str]) -> str:
+    size = len(match[0])
+    is_variable = size > len("${}") and not match[0].startswith("{%")
+    return "${" + "_" * (size - len("${}")) + "}" if is_variable else " " * size
+
+
 def final_name(name: str) -> str:
     """The name that the file will have once it is filled in: ``robot.service.in`` becomes ``robot.service``."""
     suffix = _suffix(name)

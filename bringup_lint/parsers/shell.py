@@ -17,6 +17,7 @@ from bringup_lint.parsers.shell_tokens import Token
 from bringup_lint.parsers.shell_tokens import tokens
 from bringup_lint.source import Located
 from bringup_lint.source import Source
+from bringup_lint.templates import with_variables
 
 _DEPTH = 40
 _SEPARATORS = frozenset({";", "\n", "&", "&&", "||", "|"})
@@ -28,9 +29,15 @@ def blocks(script: Located) -> tuple[Block, ...]:
     return _Reader(tokens(script)).statements(frozenset(), 0)
 
 
+def script_text(source: Source) -> Located:
+    """The text of a whole script file; where a template has a placeholder, a variable that nothing sets."""
+    whole = source.located(0, len(source.text))
+    return Located(with_variables(source.text, source.template), whole.span) if source.template else whole
+
+
 def script_blocks(source: Source) -> tuple[Block, ...]:
     """The statements of a whole script file, read once for all layers."""
-    return source.once(script_blocks, lambda: blocks(source.located(0, len(source.text))))
+    return source.once(script_blocks, lambda: blocks(script_text(source)))
 
 
 def commands(script: Located) -> list[Command]:
@@ -46,7 +53,7 @@ def shell_commands(source: Source) -> list[Command]:
 
 def shell_blocks(source: Source) -> tuple[Block, ...]:
     """The statements of a whole script file."""
-    return blocks(source.located(0, len(source.text)))
+    return blocks(script_text(source))
 
 
 def words(line: Located) -> Iterator[Located]:

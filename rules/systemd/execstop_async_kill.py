@@ -1,11 +1,13 @@
 """ExecStop= only repeats what KillSignal= does.
 
 ## What it finds
-ExecStop= that runs `kill` on $MAINPID and nothing else.
+ExecStop= that runs `kill` on $MAINPID and nothing else. A warning where it sends SIGINT, the main process is a shell
+without a trap that starts `ros2 launch`, `ros2 run` or `ros2 bag record` as a child, and KillSignal= is another signal.
 
 ## Why it matters on a robot
 `kill` returns at once, and systemd then sends KillSignal= anyway. ros2 launch ignores a second SIGINT. A
-SIGTERM after the SIGINT makes it exit before its nodes have stopped.
+SIGTERM after the SIGINT makes it exit before its nodes have stopped. A shell that waits for a program does not pass
+the signal on: the program never gets the SIGINT that ExecStop= is there for.
 
 ## Bad
 ```ini
@@ -38,8 +40,12 @@ from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Process
+from bringup_lint.api.systemd import Step
+from bringup_lint.api.systemd import Unit
 from bringup_lint.api.systemd import delete_lines
 
+TOOL = regex(r"\bros2 (?:launch|run|bag record)\b")
 SIGNAL = regex(r"-{1,2}(?:s|signal|n)?=?\s*((?:SIG)?[A-Z][A-Z0-9]+|\d+)$")
 
 
@@ -58,6 +64,10 @@ def execstop_async_kill(robot: Robot) -> Iterator[Finding]:
                 continue
             signal = _signal(words)
             same = signal == service.kill_signal.value
+            child = _behind_shell(robot, unit) if signal == "SIGINT" and not same else None
+            if child is not None:
+                yield _lost(unit, process, child)
+                continue
             lines = [line for line in unit.assignments("ExecStop", "Service") if line.value is process.line]
             yield finding(
                 process.line,
@@ -69,6 +79,33 @@ def execstop_async_kill(robot: Robot) -> Iterator[Finding]:
                 else (),
                 fix=fix("leave it to KillSignal=", *map(delete_lines, lines)) if same and unit.editable else None,
             )
+
+
+def _behind_shell(robot: Robot, unit: Unit) -> Step | None:
+    """The command of ROS 2 that a shell, the main process, starts as its child and waits for."""
+    service = robot.units.supervision(unit)
+    main, mode = service.main, service.kill_mode
+    stops = [process for process in robot.units.processes(unit) if process.key == "ExecStop"]
+    if main is None or main.kind != "shell" or mode.value != "control-group" or len(stops) > 1:
+        return None
+    if service.kill_signal.value is None or "trap" in (main.script.text if main.script else service.main_line.line):
+        return None
+    steps = (step for step, _ in service.main_line.ros if step.shell and not step.command.background)
+    return next((step for step in steps if TOOL.search(" ".join(step.command.words))), None)
+
+
+def _lost(unit: Unit, process: Process, child: Step) -> Finding:
+    words = child.command.words
+    program = TOOL.findall(" ".join(words))[0]
+    signal = unit.get("KillSignal") or "SIGTERM"
+    return finding(
+        process.line,
+        f"ExecStop= sends SIGINT to the shell alone, which does not pass it on: {program} of {unit.name} only gets "
+        f"the {signal} that systemd sends right after it",
+        advice="delete the line and set KillSignal=SIGINT, which reaches all processes of the unit",
+        related=[note(words[0], "the shell starts it as a child and stays the main process")],
+        severity="warning",
+    )
 
 
 def _signal(words: list[str]) -> str:

@@ -49,3 +49,18 @@ def test_no_file_is_claimed_twice() -> None:
 def test_an_fstab_is_a_table(path: str, kind: str) -> None:
     text = "/dev/mmcblk0p1 / ext4 defaults 0 1\n"
     assert kind_of(path, lambda: text) == kind
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "kind"),
+    [
+        ("roles/rover/templates/start.sh.j2", "{{ ansible_managed }}\n", "shell-script"),
+        ("roles/rover/templates/start.j2", "#!/bin/bash\n", "shell-script"),
+        ("roles/rover/templates/start.j2", "#jinja2: trim_blocks: False\n#!/bin/bash\n", "shell-script"),
+        ("roles/rover/templates/start.j2", "#!/usr/bin/fish\n", ""),
+        ("ansible/roles/rover/files/start", "#!/bin/sh\n", "shell-script"),
+        ("start.sh.example", "#!/bin/sh\n", ""),
+    ],
+)
+def test_script_by_its_final_name(path: str, text: str, kind: str) -> None:
+    assert kind_of(path, lambda: text) == kind

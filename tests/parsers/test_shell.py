@@ -8,6 +8,7 @@ from hypothesis import settings
 from hypothesis import strategies as st
 
 from bringup_lint.parsers.shell import commands
+from bringup_lint.parsers.shell import shell_commands
 from bringup_lint.source import Source
 
 TOKENS = st.sampled_from(
@@ -91,3 +92,16 @@ def test_never_raises_and_every_span_lies_in_the_text(text: str) -> None:
     for command in commands(Source("x.sh", text).located(0, len(text))):
         for word in (*command.words, *command.assignments):
             assert 0 <= word.span.start <= word.span.end <= len(text)
+
+
+def test_placeholders_are_variables_that_nothing_sets() -> None:
+    text = "source {{ workspace }}/setup.bash\n{% if arm %}\nros2 launch rover {{x}}.py\n{% endif %}\n"
+    first, second = shell_commands(Source("start.sh.j2", text, template="jinja"))
+    assert [str(word) for word in first.words] == ["source", "${____________}/setup.bash"]
+    assert [str(word) for word in second.words] == ["ros2", "launch", "rover", "${__}.py"]
+    assert second.words[3].span.text == "{{x}}.py"
+
+
+def test_final_script_keeps_its_braces() -> None:
+    (command,) = shell_commands(Source("start.sh", "docker ps --format '{{.Names}}'\n"))
+    assert str(command.words[3]) == "{{.Names}}"

@@ -5,20 +5,25 @@ from __future__ import annotations
 from bringup_lint.discover.kinds import Head
 from bringup_lint.discover.kinds import Kind
 from bringup_lint.pattern import regex
+from bringup_lint.templates import final_name
+from bringup_lint.templates import is_sample
 
 _NAME = regex(r"\.(?:sh|bash)$")
 _FOLDER = regex(
     r"(?:^|/)(?:s?bin|scripts?|libexec|usr/lib/[\w.-]+|cron\.(?:hourly|daily|weekly|monthly))/[^/.]+$"
+    r"|/roles/[^/]+/(?:files|templates)/[^/.]+$"
     r"|(?:^|/)(?:rc\.local|[\w.-]*entrypoint|(?:[\w.-]*[.-])?(?:pre|post)(?:inst|rm))$"
 )
 """Places and names of scripts that have no ending of their own."""
-_SHEBANG = regex(r"#!\s*(?:/usr)?(?:/bin/env\s+)?(?:\S*/)?(?:ba|da|k|z)?sh\b")
+_SHEBANG = regex(r"(?:#jinja2:[^\n]*\n)?#!\s*(?:/usr)?(?:/bin/env\s+)?(?:\S*/)?(?:ba|da|k|z)?sh\b")
 
 
 def _is_shell(path: str, head: Head) -> bool:
-    if _NAME.search(path):
+    """A template is one by the name that it will have, or by its first line."""
+    final = path if is_sample(path) else final_name(path)
+    if _NAME.search(final):
         return True
-    return bool(_FOLDER.search(path)) and bool(_SHEBANG.match(head()))
+    return bool(final != path or _FOLDER.search(path)) and bool(_SHEBANG.match(head()))
 
 
 KINDS = (Kind("shell-script", _is_shell),)

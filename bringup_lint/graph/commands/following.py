@@ -19,6 +19,7 @@ from bringup_lint.graph.commands.shells import shell_input
 from bringup_lint.graph.commands.wrappers import unwrapped
 from bringup_lint.model.shell import Command
 from bringup_lint.parsers.shell import commands
+from bringup_lint.parsers.shell import script_text
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
@@ -92,7 +93,7 @@ class _Follower:
         if source in self.read:
             return
         self.read.add(source)
-        text = source.located(0, len(source.text))
+        text = script_text(source)
         yield from self.text(text, shell or (shebang[1] if shebang else ""), source, arguments, depth)
 
     def text(

@@ -19,8 +19,8 @@ STRICT = (
     r"|^#![^\n]{0,80}[ \t]-\w{0,8}e"
 )
 """Part of a pattern (with re.M): the first failing command ends the script, by ``set -e`` or ``#!/bin/bash -e``."""
-SHELL_SCRIPT = regex(r"#!\s*\S*/(?:env\s+(?:-S\s+)?)?(sh|bash|dash|zsh|ksh)\b")
-"""The first line of a shell script."""
+SHELL_SCRIPT = regex(r"(?:#jinja2:[^\n]*\n)?#!\s*\S*/(?:env\s+(?:-S\s+)?)?(sh|bash|dash|zsh|ksh)\b")
+"""The first line of a shell script; in a template, what Ansible takes away may be above it."""
 SCRIPT_DEPTH = 4
 """How many scripts that call each other are followed."""
 

@@ -20,6 +20,7 @@ from bringup_lint.graph.systemd.process import Process
 from bringup_lint.model.shell import Command
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.shell import commands
+from bringup_lint.parsers.shell import script_text
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
@@ -112,7 +113,7 @@ def _shell(name: str, words: tuple[Located, ...], files: Files, depth: int) -> M
 
 
 def _script(source: Source, path: Located, arguments: tuple[Located, ...], files: Files, depth: int) -> Main:
-    text = source.located(0, len(source.text))
+    text = script_text(source)
     return _text(text, _Shell(path, arguments, source, execs_last=False), files, depth)
 
 

@@ -13,6 +13,7 @@ from bringup_lint.graph.systemd.provision import scripts_of
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
+from bringup_lint.templates import final_name
 
 _OWN = regex(r"/(?:usr/local|opt|etc|home|root|srv|var|data)/.+", 0, "local/ opt/ etc/ home/ root/ srv/ var/ data/")
 """Where programs lie that no package of the distribution brings."""
@@ -57,12 +58,22 @@ def unstartable(process: Process, filesystem: Filesystem) -> Iterator[Unstartabl
         return
     if source.mode is not None and not source.mode & 0o111:
         yield Unstartable(Defect.NOT_EXECUTABLE, source)
-    if tree.root is None and source.origin is None and _lacks_mode(filesystem.files, source):
+    if (
+        tree.root is None
+        and source.origin is None
+        and not _is_named_template(source)
+        and _lacks_mode(filesystem.files, source)
+    ):
         yield Unstartable(Defect.PLAIN, source)
     if source.origin is not None and source.origin.certain and not _is_made_executable(filesystem.files, source):
         yield Unstartable(Defect.WRITTEN, source)
     if source.text and not source.template and not source.text.startswith("#!") and _SCRIPT.search(program):
         yield Unstartable(Defect.NO_INTERPRETER, source)
+
+
+def _is_named_template(source: Source) -> bool:
+    """Whether another file is made of it, which gets its own mode."""
+    return final_name(source.name) != source.name
 
 
 def _lacks_mode(files: Files, source: Source) -> bool:
