@@ -20,6 +20,8 @@ TEMPLATE_SUFFIXES = {
 }
 _SAMPLE_SUFFIXES = (".example", ".sample", ".dist")
 """What people copy without the suffix: final where nothing in it is to be filled in."""
+SUFFIXES = (*TEMPLATE_SUFFIXES, *_SAMPLE_SUFFIXES)
+"""The ends of names that a file loses before it is in use."""
 
 _TO_FILL = regex(
     r"<[A-Za-z][^<>\n]{0,60}>|(?i:\byour[_-]?(?:user|name|robot|ws|workspace|home|path|package)|\bchange[_-]?me\b|/path/to/)"
@@ -99,7 +101,7 @@ def _variable(match: re.Match[str]) -> str:
 def final_name(name: str) -> str:
     """The name that the file will have once it is filled in: ``robot.service.in`` becomes ``robot.service``."""
     suffix = _suffix(name)
-    return name[: -len(suffix)] if suffix in TEMPLATE_SUFFIXES or suffix in _SAMPLE_SUFFIXES else name
+    return name[: -len(suffix)] if suffix in SUFFIXES else name
 
 
 def is_sample(name: str) -> bool:

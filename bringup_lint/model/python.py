@@ -61,6 +61,16 @@ def is_self(node: ast.AST | None) -> bool:
     return isinstance(node, ast.Name) and node.id == "self"
 
 
+def is_own(node: ast.AST) -> bool:
+    """Whether a node is an attribute of the own object: ``self.name``."""
+    return isinstance(node, ast.Attribute) and is_self(node.value)
+
+
+def called_name(call: ast.Call) -> str:
+    """The last part of the name of what is called; empty where that has none."""
+    return getattr(call.func, "attr", getattr(call.func, "id", ""))
+
+
 def walk(node: ast.AST) -> Iterator[ast.AST]:
     """As ``ast.walk``, breadth first, without contexts and operators."""
     found = [node]

@@ -48,7 +48,8 @@ from bringup_lint.api import rule
 
 @rule("warning", confidence="medium", silent="the controllers go on, and what the source logs are words of its own")
 def hardware_failure_hidden(robot: Robot) -> Iterator[Finding]:
-    for first, *others in nodes.hidden_failures(robot.nodes):
+    for found in nodes.hidden_failures(robot.nodes):
+        first, *others = found.places
         what = "states look as if they were new" if first.method == "read" else "commands are lost"
         yield finding(
             first.place,
@@ -59,5 +60,5 @@ def hardware_failure_hidden(robot: Robot) -> Iterator[Finding]:
                 note(first.answer, "returned all the same"),
                 *(note(each.place, f"the same in {each.method}()") for each in others),
             ],
-            severity=nodes.lowered(robot.nodes.purpose(first.source), "warning") if first.is_described else "info",
+            severity=nodes.lowered(robot.nodes.purpose(first.source), "warning") if found.is_described else "info",
         )

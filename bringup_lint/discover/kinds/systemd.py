@@ -8,9 +8,10 @@ from bringup_lint.discover.kinds import UNIT_TYPES
 from bringup_lint.discover.kinds import Head
 from bringup_lint.discover.kinds import Kind
 from bringup_lint.pattern import regex
+from bringup_lint.templates import SUFFIXES
 
 _TYPES = "|".join(UNIT_TYPES)
-_TEMPLATE = r"(?:\.(?:in|j2|jinja|jinja2|em|m4|tmpl|tpl|template|erb|example|sample|dist))?"
+_TEMPLATE = rf"(?:{'|'.join(map(re.escape, SUFFIXES))})?"
 _UNIT = regex(rf"/[^/]+\.(?:{_TYPES}){_TEMPLATE}$")
 _DROPIN = regex(rf"/(?:[^/]*\.)?(?:{_TYPES})\.d/[^/]+$", 0, ".d/")
 _LINK = regex(r"\.(?:wants|requires|upholds)/[^/]+$", 0, ".wants/ .requires/ .upholds/")

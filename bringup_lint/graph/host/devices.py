@@ -45,11 +45,11 @@ _CAMERA = "/dev/video"
 _SEPARATORS = regex(r"[/_.-]")
 _PERHAPS = ("default", "argument", "script")
 _LEAST = 6
+"""Characters of a name that is long enough to be a misspelt one."""
 _UNTRACKED = frozenset({"video4linux", "hidraw", "input", "i2c-dev", "spidev", "gpio"})
 """Subsystems of which 99-systemd.rules tags no device."""
 _NUMBERED = regex(r"/dev/(?:input/)?[a-z0-9]+?-?\d+(?:\.\d+)?")
 _TAGGED = regex(r"TAG[ \t]*\+?=[ \t]*\"systemd", hints="TAG")
-"""Characters of a name that is long enough to be a misspelt one."""
 _OF_THE_ROBOT = ("systemd-unit", "compose", "params", "udev-rules", *OF_VARIABLES)
 _OF_KERNEL = frozenset(
     [

@@ -45,11 +45,8 @@ def _locked(code: Code, call: Call) -> str | None:
     found = _NAME.match(call.qualified.removesuffix(".lock")) if call.name == "lock" and not call.arguments else None
     if found is None or not _MUTEX.search(found[1]):
         return None
-    return (
-        None
-        if re.search(rf"_(?:lock|guard)\b[^;]{{0,100}}\b{re.escape(found[1])}\s*[;({{]", code.source.text)
-        else found[1]
-    )
+    guard = rf"_(?:lock|guard)\b[^;]{{0,100}}\b{re.escape(found[1])}\s*[;({{]"
+    return found[1] if re.search(guard, code.source.text) is None else None
 
 
 def _region(code: Code, call: Call, name: str) -> list[Node]:

@@ -26,8 +26,8 @@ _GUARD = regex(
     r"(?P<name>\w{1,60})\s{0,4}[({]\s{0,4}(?:this->)?(?P<mutex>[A-Za-z_]\w{0,80})\s{0,4}[)}]\s{0,4};"
 )
 """A guard of one mutex that the object, the file or the function has."""
-_PLAIN = ("mutex", "shared_mutex", "timed_mutex", "shared_timed_mutex", None)
-"""Types that the thread that holds them may not lock again; None where the compiler deduces the type."""
+PLAIN = ("mutex", "shared_mutex", "timed_mutex", "shared_timed_mutex")
+"""Types that the thread that holds them may not lock again."""
 _BODIES = ("function_definition", "lambda_expression")
 
 
@@ -131,7 +131,7 @@ def _locks(code: Code) -> Iterator[_Lock]:
     for node in code.written.get("declaration", ()):
         found = _GUARD.match(code.text(node))
         block = node.parent
-        if found is None or found["type"] not in _PLAIN or block is None or block.type != "compound_statement":
+        if found is None or found["type"] not in (*PLAIN, None) or block is None or block.type != "compound_statement":
             continue
         body = next((each for each in code.above(node) if each.type in _BODIES), None)
         if body is not None:

@@ -9,6 +9,7 @@ from functools import cached_property
 
 from bringup_lint.model.parameter_words import Asked
 from bringup_lint.model.parameter_words import ParameterWords
+from bringup_lint.model.python import called_name
 from bringup_lint.model.python import children
 from bringup_lint.model.python import walk
 from bringup_lint.parsers.python_syntax import Positions
@@ -51,7 +52,7 @@ class _Reader:
         self.calls = [node for node in self.nodes if isinstance(node, ast.Call)]
 
     def words(self) -> ParameterWords:
-        read = {id(call.args[0]) for call in self.calls if call.args and _called(call) in _READING}
+        read = {id(call.args[0]) for call in self.calls if call.args and called_name(call) in _READING}
         constants = [node for node in self.nodes if isinstance(node, ast.Constant) and isinstance(node.value, str)]
         used = [node for node in constants if id(node) not in read and not self._is_docstring(node)]
         pieces = (node for node in used if isinstance(self.parents.get(id(node)), (ast.BinOp, ast.JoinedStr)))
@@ -72,14 +73,14 @@ class _Reader:
             if not isinstance(name, ast.Constant) or not isinstance(name.value, str):
                 continue
             if isinstance(call.func, ast.Attribute) and _OWN.match(ast.unparse(call.func)):
-                required = _called(call) == "get_parameter" and not self._is_tried(call)
+                required = called_name(call) == "get_parameter" and not self._is_tried(call)
                 yield Asked(Located(name.value, self.positions.span(name)), required)
 
     def _unset(self) -> Iterator[Located]:
         """What is declared with a type alone and asked for."""
         used = {str(each.name) for each in self._asked() if each.required}
         for call in self.calls:
-            if _called(call) == "declare_parameter" and len(call.args) == 2 and not call.keywords:
+            if called_name(call) == "declare_parameter" and len(call.args) == 2 and not call.keywords:
                 name, kind = call.args
                 if not isinstance(name, ast.Constant) or name.value not in used or self._is_tried(call):
                     continue
@@ -96,7 +97,7 @@ class _Reader:
         return False
 
     def _is_open(self, call: ast.Call) -> bool:
-        called = _called(call)
+        called = called_name(call)
         if called == "declare_parameters":
             given = call.args[1] if len(call.args) > 1 else _keyword(call, "parameters")
             return given is None or not self._is_container(given)
@@ -138,7 +139,7 @@ class _Reader:
         if isinstance(node, _CONTAINERS):
             return True
         if isinstance(node, ast.Call):
-            called = _called(node)
+            called = called_name(node)
             if called in ("items", "keys") and isinstance(node.func, ast.Attribute):
                 return self._is_container(node.func.value)
             return called in ("enumerate", "sorted", "list", "zip") and all(map(self._is_container, node.args))
@@ -177,18 +178,13 @@ class _Reader:
         if node.id not in names:
             return False
         place = names.index(node.id) - (1 if names[0] in ("self", "cls") else 0)
-        calls = [call for call in self.calls if _called(call) == outer.name]
+        calls = [call for call in self.calls if called_name(call) == outer.name]
         given = [call.args[place] if len(call.args) > place else _keyword(call, node.id) for call in calls]
         return bool(given) and all(each is not None and self._is_written(each, depth + 1) for each in given)
 
 
 def _has_text(node: ast.expr) -> bool:
     return any(isinstance(each, ast.Constant) and isinstance(each.value, str) for each in ast.walk(node))
-
-
-def _called(call: ast.Call) -> str:
-    function = call.func
-    return function.attr if isinstance(function, ast.Attribute) else getattr(function, "id", "")
 
 
 def _keyword(call: ast.Call, name: str) -> ast.expr | None:

@@ -17,6 +17,7 @@ from bringup_lint.model.node_source import Callback
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import Group
 from bringup_lint.model.node_source import NodeClass
+from bringup_lint.model.python import is_own
 from bringup_lint.model.python import is_self
 from bringup_lint.model.python import walk
 from bringup_lint.named_tuple import NamedTuple
@@ -101,7 +102,7 @@ def _constant_names(ending: Ending, loop: ast.While, cls: NodeClass) -> set[str]
 
 def _is_of_node(ending: Ending, cls: NodeClass, node: ast.Attribute) -> bool:
     """Whether what an attribute means changes in this file alone: an object of another class may change by itself."""
-    if not _is_self_attribute(node.value):
+    if not is_own(node.value):
         return True
     values = stored(ending.syntax, cls, node.value)
     if node.attr in _ASKS:
@@ -117,15 +118,11 @@ def _is_waited_for(ending: Ending, value: ast.expr | None) -> bool:
 
 def _is_event(call: ast.Call) -> bool:
     function = call.func
-    return isinstance(function, ast.Attribute) and function.attr in _ASKS and _is_self_attribute(function.value)
+    return isinstance(function, ast.Attribute) and function.attr in _ASKS and is_own(function.value)
 
 
 def _is_ok(ending: Ending, call: ast.Call) -> bool:
     return ending.syntax.qualified(call) == "rclpy.ok"
-
-
-def _is_self_attribute(node: ast.AST) -> bool:
-    return isinstance(node, ast.Attribute) and is_self(node.value)
 
 
 def _is_untouched(ending: Ending, loop: ast.While, cls: NodeClass, attributes: set[str], names: set[str]) -> bool:
@@ -199,7 +196,7 @@ def _changes(ending: Ending, attributes: set[str], is_event: bool) -> Iterator[a
             continue
         if node.attr in attributes and not _is_read(ending, node) and not _asks(ending, node):
             yield node
-        elif is_event and node.attr in ("set", "set_result") and not _is_self_attribute(node.value):
+        elif is_event and node.attr in ("set", "set_result") and not is_own(node.value):
             yield node
 
 

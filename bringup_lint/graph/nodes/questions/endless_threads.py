@@ -16,6 +16,7 @@ from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import NodeClass
+from bringup_lint.model.python import called_name
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
@@ -87,7 +88,7 @@ def _loop(syntax: Syntax, function: ast.AST, cls: NodeClass) -> ast.While | None
 
 def _may_raise(syntax: Syntax, call: ast.Call) -> bool:
     """Whether a call ends the thread after the shutdown."""
-    name = getattr(call.func, "attr", getattr(call.func, "id", ""))
+    name = called_name(call)
     is_rate = name == "sleep" and syntax.qualified(call) != "time.sleep"
     return (name in _RAISES or "exit" in name or is_rate) and not syntax.catches(call, _ALL)
 

@@ -141,8 +141,15 @@ def hardware(nodes: Nodes) -> Iterator[tuple[Source, str, dict[str, tuple[int, i
     for each in nodes.cpp:
         text = each.source.text
         if "hardware_interface" in text and _HARDWARE.search(text):
-            plain = blanked(text)
-            yield each.source, plain, _bodies(plain)
+            yield each.source, *_read(each.source)
+
+
+def _read(source: Source) -> tuple[str, dict[str, tuple[int, int]]]:
+    def read() -> tuple[str, dict[str, tuple[int, int]]]:
+        plain = blanked(source.text)
+        return plain, _bodies(plain)
+
+    return source.once(_read, read)
 
 
 def _bodies(plain: str) -> dict[str, tuple[int, int]]:

@@ -39,8 +39,6 @@ _LOG = regex(
     r"|\bstd::c(?:err|out)\b(?:[^;\"]|\"(?:[^\"\\\n]|\\.)*\"){0,900};"
 )
 _MOVES_ON = regex(r"\s*(?:(?:continue|break)\s*;\s*)?\Z")
-
-
 _EXPORTED = regex(
     r"\bPLUGINLIB_EXPORT_CLASS\s{0,4}\(\s{0,40}(?:::)?(?P<name>\w{1,80}(?:::\w{1,80}){0,4})\s{0,4},\s{0,40}"
     r"(?:::)?hardware_interface::"
@@ -56,22 +54,28 @@ class HiddenFailure(NamedTuple):
     """``read`` or ``write``."""
     answer: Span
     """The OK that it returns then."""
+
+
+class HiddenFailures(NamedTuple):
+    """Those of one source."""
+
+    places: list[HiddenFailure]
     is_described: bool
     """False where the descriptions of the tree name other hardware of the tree, and not this."""
 
 
-def hidden_failures(nodes: Nodes) -> Iterator[list[HiddenFailure]]:
-    """The failures that ``read()`` and ``write()`` only report or pass over, those of one source together."""
+def hidden_failures(nodes: Nodes) -> Iterator[HiddenFailures]:
+    """The failures that ``read()`` and ``write()`` only report or pass over."""
     known = list(hardware(nodes))
     exported = {source: set(_EXPORTED.findall(plain)) for source, plain, _ in known}
     described = _described(nodes, set().union(*exported.values()))
     for source, plain, bodies in known:
         if SIMULATED.search(plain):
             continue
-        is_described = not described or not exported[source] or not exported[source].isdisjoint(described)
         found = [each for name in ("read", "write") for each in _hidden(source, plain, name, bodies.get(name))]
         if found:
-            yield [each._replace(is_described=is_described) for each in found]
+            is_described = not described or not exported[source] or not exported[source].isdisjoint(described)
+            yield HiddenFailures(found, is_described)
 
 
 def _described(nodes: Nodes, names: set[str]) -> set[str]:
@@ -87,11 +91,11 @@ def _hidden(source: Source, plain: str, method: str, body: tuple[int, int] | Non
     answer = Span(source, *answers[-1].span())
     for handler in _HANDLER.finditer(plain, *body):
         if not _OF_VALUES.search(handler["what"]) and _only_reports(plain, handler.start("body")):
-            yield HiddenFailure(source, Span(source, handler.start(), handler.start("body") - 1), method, answer, True)
+            yield HiddenFailure(source, Span(source, handler.start(), handler.start("body") - 1), method, answer)
     for test in _TEST.finditer(plain, *body):
         failed = test["not"] or test["compared"]
         if failed and _EXCHANGES.search(test["call"]) and _only_reports(plain, test.start("body")):
-            yield HiddenFailure(source, Span(source, test.start(), test.start("body") - 1), method, answer, True)
+            yield HiddenFailure(source, Span(source, test.start(), test.start("body") - 1), method, answer)
 
 
 def _only_reports(plain: str, start: int) -> bool:

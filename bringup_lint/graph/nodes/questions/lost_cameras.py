@@ -10,6 +10,7 @@ from bringup_lint.graph.nodes.sources.ending import Ending
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import own
 from bringup_lint.model.node_source import NodeSource
+from bringup_lint.model.python import called_name
 from bringup_lint.model.python import walk
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
@@ -161,12 +162,8 @@ def _goes_on(statement: ast.stmt) -> bool:
     if isinstance(statement, _LEAVES):
         return True
     call = statement.value if isinstance(statement, ast.Expr) else None
-    return isinstance(call, ast.Call) and _called(call) in (*_LOGS, *_WAITS)
+    return isinstance(call, ast.Call) and called_name(call) in (*_LOGS, *_WAITS)
 
 
 def _is_log(statement: ast.stmt) -> bool:
-    return any(isinstance(each, ast.Call) and _called(each) in _LOGS for each in own([statement]))
-
-
-def _called(call: ast.Call) -> str:
-    return getattr(call.func, "attr", getattr(call.func, "id", ""))
+    return any(isinstance(each, ast.Call) and called_name(each) in _LOGS for each in own([statement]))

@@ -9,6 +9,7 @@ from bringup_lint.graph.nodes.sources.ending import Ending
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import own
 from bringup_lint.model.node_source import Endpoint
+from bringup_lint.model.python import called_name
 from bringup_lint.named_tuple import NamedTuple
 
 _SPIN = "rclpy.spin_until_future_complete"
@@ -74,12 +75,8 @@ def _is_at_start(syntax: Syntax, sent: ast.Call, client: Endpoint) -> bool:
     function = syntax.function(sent)
     if function is None or function.name == client.method:
         return True
-    callers = {_name(syntax.function(call)) for call in syntax.calls if _called(call) == function.name}
+    callers = {_name(syntax.function(call)) for call in syntax.calls if called_name(call) == function.name}
     return client.method in _FIRST and bool(callers) and callers <= {*_FIRST, ""}
-
-
-def _called(call: ast.Call) -> str:
-    return getattr(call.func, "attr", getattr(call.func, "id", ""))
 
 
 def _name(function: ast.FunctionDef | ast.AsyncFunctionDef | None) -> str:

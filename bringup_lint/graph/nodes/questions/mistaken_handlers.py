@@ -49,7 +49,7 @@ _CONNECT = Raised(
 _INDEX = Raised(
     "A joystick with fewer axes or buttons raises IndexError",
     frozenset({"IndexError", "LookupError"}),
-    "catch IndexError: an array of a message is a list",
+    "catch IndexError: the arrays of a message have positions and no keys",
 )
 
 

@@ -14,6 +14,7 @@ from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.graph.nodes.sources.syntax import own
 from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import NodeClass
+from bringup_lint.model.python import called_name
 from bringup_lint.model.python import is_self
 from bringup_lint.model.python import walk
 from bringup_lint.named_tuple import NamedTuple
@@ -94,7 +95,7 @@ def _is_accepted(node: ast.expr) -> bool:
 
 def _goes_on(branch: ast.If) -> bool:
     """Whether a branch does more than to write to the log: it may set the node right in another way."""
-    names = {getattr(call.func, "attr", getattr(call.func, "id", "")) for call in own_calls(branch.body)}
+    names = {called_name(call) for call in own_calls(branch.body)}
     return not names <= _LOGS or any(isinstance(each, ast.Raise) for each in own(branch.body))
 
 

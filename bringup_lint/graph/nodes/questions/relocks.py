@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from bringup_lint.graph.nodes.questions.with_header import with_header
 from bringup_lint.model.cpp_driver import Relock
 from bringup_lint.model.cpp_text import blanked
+from bringup_lint.parsers.cpp_driver.relocks import PLAIN
 
 if TYPE_CHECKING:
     from bringup_lint.graph.nodes.nodes import Nodes
@@ -28,4 +29,4 @@ def relocks(nodes: Nodes) -> Iterator[list[Relock]]:
 def _is_plain(text: str, name: str) -> bool:
     """Whether a text declares a mutex that one thread may hold only once."""
     declared = re.findall(rf"\b(?:std::)?(\w*mutex)\s+(?:\w+\s*,\s*)?{re.escape(name)}\b\s*[;,{{=]", text)
-    return bool(declared) and all(each in ("mutex", "shared_mutex", "timed_mutex") for each in declared)
+    return bool(declared) and all(each in PLAIN for each in declared)

@@ -15,6 +15,7 @@ from bringup_lint.graph.nodes.sources.syntax import own
 from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
+from bringup_lint.model.python import called_name
 from bringup_lint.model.python import is_self
 from bringup_lint.model.python import walk
 from bringup_lint.pattern import regex
@@ -135,12 +136,8 @@ def _looks_at_age(files: list[NodeSource], sender: ast.Call) -> bool:
         seen |= todo
         if any(looks_at_age(ast.unparse(each)) for each in texts):
             return True
-        todo = {_name(call) for each in texts for call in own_calls(body_of(each))} - seen
+        todo = {called_name(call) for each in texts for call in own_calls(body_of(each))} - seen
     return False
-
-
-def _name(call: ast.Call) -> str:
-    return getattr(call.func, "attr", getattr(call.func, "id", ""))
 
 
 def _bodies(files: list[NodeSource], names: set[str]) -> Iterator[ast.AST]:

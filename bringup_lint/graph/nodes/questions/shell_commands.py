@@ -12,7 +12,7 @@ from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.graph.nodes.sources.syntax import own
 from bringup_lint.model.node_source import Callback
-from bringup_lint.model.python import is_self
+from bringup_lint.model.python import is_own
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
@@ -130,7 +130,7 @@ def _assign(flow: _Flow, each: ast.Assign, messages: set[str], texts: set[str]) 
         messages |= names
     elif _is_text(flow, each.value, messages, texts):
         texts |= names
-        flow.kept.update(ast.unparse(target) for target in each.targets if _is_own(target))
+        flow.kept.update(ast.unparse(target) for target in each.targets if is_own(target))
 
 
 def _is_message(value: ast.AST, messages: set[str]) -> bool:
@@ -140,14 +140,10 @@ def _is_message(value: ast.AST, messages: set[str]) -> bool:
     return isinstance(value, ast.Name) and value.id in messages
 
 
-def _is_own(node: ast.AST) -> bool:
-    return isinstance(node, ast.Attribute) and is_self(node.value)
-
-
 def _keeps(flow: _Flow, call: ast.Call, messages: set[str], texts: set[str]) -> bool:
     """``self.commands.put(text)``."""
     function = call.func
-    if not isinstance(function, ast.Attribute) or function.attr not in _KEEPS or not _is_own(function.value):
+    if not isinstance(function, ast.Attribute) or function.attr not in _KEEPS or not is_own(function.value):
         return False
     return any(_is_text(flow, each, messages, texts) for each in call.args)
 
@@ -185,7 +181,7 @@ def _is_text(flow: _Flow, value: ast.AST, messages: set[str], texts: set[str]) -
         return value.id in texts
     if isinstance(value, ast.Attribute):
         is_field = _is_message(value.value, messages) and value.attr in flow.fields
-        return is_field or (_is_own(value) and ast.unparse(value) in flow.kept)
+        return is_field or (is_own(value) and ast.unparse(value) in flow.kept)
     if isinstance(value, ast.Subscript):
         return _is_text(flow, value.value, messages, texts)
     if isinstance(value, _JOINS):

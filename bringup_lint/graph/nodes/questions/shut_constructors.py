@@ -10,6 +10,7 @@ from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.graph.nodes.sources.syntax import own
 from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import NodeClass
+from bringup_lint.model.python import called_name
 from bringup_lint.model.python import is_self
 from bringup_lint.named_tuple import NamedTuple
 
@@ -61,12 +62,8 @@ def _attributes(statements: list[ast.stmt], context: type[ast.expr_context]) -> 
 def _may_leave(statement: ast.stmt) -> bool:
     if any(isinstance(each, _LEAVES) for each in ast.walk(statement)):
         return True
-    return any(_name(each) in _EXITS for each in own_calls([statement]))
+    return any(called_name(each) in _EXITS for each in own_calls([statement]))
 
 
 def _makes(call: ast.Call) -> bool:
     return isinstance(call.func, ast.Attribute) and is_self(call.func.value) and call.func.attr in _MAKES
-
-
-def _name(call: ast.Call) -> str:
-    return getattr(call.func, "attr", getattr(call.func, "id", ""))

@@ -10,6 +10,7 @@ from bringup_lint.graph.nodes.questions.stored_values import stored
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.model.node_source import NodeClass
+from bringup_lint.model.python import is_own
 from bringup_lint.model.python import is_self
 from bringup_lint.named_tuple import NamedTuple
 
@@ -72,11 +73,7 @@ def _step(syntax: Syntax, node: NodeClass, each: ast.AST) -> _Step | None:
     if not isinstance(each, ast.Call) or not isinstance(each.func, ast.Attribute):
         return None
     owner, change = each.func.value, _CHANGES.get(each.func.attr)
-    return _Step(each, owner.attr, change) if change is not None and _is_own(owner) else None  # type: ignore[attr-defined]
-
-
-def _is_own(node: ast.AST) -> bool:
-    return isinstance(node, ast.Attribute) and is_self(node.value)
+    return _Step(each, owner.attr, change) if change is not None and is_own(owner) else None  # type: ignore[attr-defined]
 
 
 def _is_known(syntax: Syntax, node: NodeClass, name: str) -> bool:
