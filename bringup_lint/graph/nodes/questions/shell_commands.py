@@ -6,6 +6,7 @@ import ast
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.graph.memo import memo
 from bringup_lint.graph.nodes.questions.callback_code import code_of
 from bringup_lint.graph.nodes.sources.sending import called
 from bringup_lint.graph.nodes.sources.syntax import Syntax
@@ -13,6 +14,7 @@ from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.graph.nodes.sources.syntax import own
 from bringup_lint.model.node_source import Callback
 from bringup_lint.model.python import is_own
+from bringup_lint.model.python import walk
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
@@ -78,9 +80,21 @@ def shell_commands(nodes: Nodes, syntax: Syntax, node: NodeClass) -> Iterator[Sh
 def _kept_commands(flow: _Flow) -> Iterator[ast.Call]:
     """The commands that other methods make of what a callback keeps for them."""
     seen: set[ast.AST] = set()
+    mentions = flow.syntax.once(_Mentions)
     for method in flow.node.methods.values():
-        if flow.kept:
+        if not flow.kept.isdisjoint(mentions.of(method.node)):
             yield from _commands(flow, body_of(method.node), set(), set(), DEPTH, seen)
+
+
+class _Mentions:
+    """The attributes of the node that methods name."""
+
+    def __init__(self, _: Syntax) -> None:
+        """It does not keep the syntax, which keeps it."""
+
+    @memo
+    def of(self, method: ast.AST) -> frozenset[str]:
+        return frozenset(ast.unparse(each) for each in walk(method) if is_own(each))
 
 
 def _text_fields(nodes: Nodes, node: NodeClass, callback: Callback) -> frozenset[str]:
