@@ -59,6 +59,7 @@ def test_an_fstab_is_a_table(path: str, kind: str) -> None:
         ("roles/rover/templates/start.j2", "#jinja2: trim_blocks: False\n#!/bin/bash\n", "shell-script"),
         ("roles/rover/templates/start.j2", "#!/usr/bin/fish\n", ""),
         ("ansible/roles/rover/files/start", "#!/bin/sh\n", "shell-script"),
+        ("roles/rover/files/start", "#!/bin/sh\n", "shell-script"),
         ("start.sh.example", "#!/bin/sh\n", ""),
     ],
 )

@@ -11,7 +11,7 @@ from bringup_lint.templates import is_sample
 _NAME = regex(r"\.(?:sh|bash)$")
 _FOLDER = regex(
     r"(?:^|/)(?:s?bin|scripts?|libexec|usr/lib/[\w.-]+|cron\.(?:hourly|daily|weekly|monthly))/[^/.]+$"
-    r"|/roles/[^/]+/(?:files|templates)/[^/.]+$"
+    r"|(?:^|/)roles/[^/]+/(?:files|templates)/[^/.]+$"
     r"|(?:^|/)(?:rc\.local|[\w.-]*entrypoint|(?:[\w.-]*[.-])?(?:pre|post)(?:inst|rm))$"
 )
 """Places and names of scripts that have no ending of their own."""
