@@ -8,6 +8,11 @@ from collections.abc import Iterator
 from collections.abc import Sequence
 from typing import Union
 
+from bringup_lint.type_names import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from typing import TypeGuard
+
 PlacedNode = Union["ast.expr", "ast.stmt", "ast.keyword", "ast.arg", "ast.excepthandler", "ast.alias"]
 """The nodes of a syntax tree that have a place in the text; those of operators, contexts and clauses have none."""
 
@@ -61,7 +66,7 @@ def is_self(node: ast.AST | None) -> bool:
     return isinstance(node, ast.Name) and node.id == "self"
 
 
-def is_own(node: ast.AST) -> bool:
+def is_own(node: ast.AST | None) -> TypeGuard[ast.Attribute]:
     """Whether a node is an attribute of the own object: ``self.name``."""
     return isinstance(node, ast.Attribute) and is_self(node.value)
 

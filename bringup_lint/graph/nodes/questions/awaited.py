@@ -55,7 +55,7 @@ def awaited(ending: Ending, loop: ast.While, cls: NodeClass) -> Awaited | None:
         return None
     if not all(_is_of_node(ending, cls, each) for each in walk(loop.test) if isinstance(each, ast.Attribute)):
         return None
-    attributes = {each.attr for each in walk(loop.test) if isinstance(each, ast.Attribute) and is_self(each.value)}
+    attributes = {each.attr for each in walk(loop.test) if is_own(each)}
     names = {each.id for each in walk(loop.test) if isinstance(each, ast.Name)} - {"self"}
     if not names <= _constant_names(ending, loop, cls) or not _is_untouched(ending, loop, cls, attributes, names):
         return None
@@ -130,7 +130,7 @@ def _is_untouched(ending: Ending, loop: ast.While, cls: NodeClass, attributes: s
     for node in reached(ending.syntax, list(loop.body), cls):
         if isinstance(node, ast.Name) and node.id in names and not _is_read(ending, node):
             return False
-        if isinstance(node, ast.Attribute) and node.attr in attributes and is_self(node.value):
+        if is_own(node) and node.attr in attributes:
             if not _is_read(ending, node):
                 return False
         if is_self(node) and not isinstance(next(ending.syntax.above(node))[0], ast.Attribute):
@@ -159,7 +159,7 @@ def _is_read(ending: Ending, node: ast.Name | ast.Attribute) -> bool:
 def _is_unknown_method(call: ast.Call, cls: NodeClass) -> bool:
     """Whether a call is one of a method of the class which is not in its source, so that it may do anything."""
     function = call.func
-    if not isinstance(function, ast.Attribute) or not is_self(function.value):
+    if not is_own(function):
         return False
     return function.attr not in cls.methods and function.attr not in ("get_logger", "get_clock", "get_name")
 

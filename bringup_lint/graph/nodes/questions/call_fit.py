@@ -13,7 +13,7 @@ from bringup_lint.graph.nodes.sources.idle import is_late
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.node_source import NodeSource
 from bringup_lint.model.python import bound_names
-from bringup_lint.model.python import is_self
+from bringup_lint.model.python import is_own
 from bringup_lint.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
@@ -95,7 +95,7 @@ class _Known:
         """What a call surely runs, when that has no decorators."""
         if isinstance(call.func, ast.Name):
             found = self._named(call.func.id)
-        elif isinstance(call.func, ast.Attribute) and is_self(call.func.value):
+        elif is_own(call.func):
             found = self._method(self._syntax.definition(call), call.func.attr)
         else:
             return None

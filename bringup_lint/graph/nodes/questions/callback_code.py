@@ -14,7 +14,7 @@ from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.graph.nodes.sources.syntax import own
 from bringup_lint.model.node_source import Callback
 from bringup_lint.model.node_source import NodeClass
-from bringup_lint.model.python import is_self
+from bringup_lint.model.python import is_own
 
 DEPTH = 3
 
@@ -68,7 +68,7 @@ def _entered(syntax: Syntax, body: list[ast.AST], cls: NodeClass, entered: dict[
 def _is_plain(call: ast.Call) -> bool:
     """Whether a call is one of ``self`` or of a function, of which it is known what it runs."""
     function = call.func
-    return isinstance(function, ast.Name) or (isinstance(function, ast.Attribute) and is_self(function.value))
+    return isinstance(function, ast.Name) or is_own(function)
 
 
 def only_stores(ending: Ending, cls: NodeClass, callback: Callback) -> bool:

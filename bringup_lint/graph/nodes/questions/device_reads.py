@@ -10,7 +10,7 @@ from bringup_lint.graph.nodes.questions.stored_values import stored
 from bringup_lint.graph.nodes.sources.ending import Ending
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.node_source import NodeClass
-from bringup_lint.model.python import is_self
+from bringup_lint.model.python import is_own
 from bringup_lint.pattern import regex
 
 UNTIL_BYTE = "until a byte arrives"
@@ -58,7 +58,7 @@ def _made(syntax: Syntax, cls: NodeClass, owner: ast.expr) -> list[ast.expr | No
     """The values but ``None`` that an attribute of the node, or a variable of that name anywhere in the file, gets."""
     if isinstance(owner, ast.Call):
         return [owner]
-    if isinstance(owner, ast.Attribute) and is_self(owner.value):
+    if is_own(owner):
         return stored(syntax, cls, owner)
     return syntax.once(_variables).get(owner.id, []) if isinstance(owner, ast.Name) else []
 

@@ -14,7 +14,7 @@ from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import Callback
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
-from bringup_lint.model.python import is_self
+from bringup_lint.model.python import is_own
 
 if TYPE_CHECKING:
     from bringup_lint.graph.nodes.nodes import Nodes
@@ -41,7 +41,7 @@ def _wait(
     if not isinstance(node, ast.Call) or not isinstance(function, ast.Attribute):
         return None
     driver = function.value
-    if not isinstance(driver, ast.Attribute) or not is_self(driver.value):
+    if not is_own(driver):
         return None
     syntax = nodes.syntax(file)
     made = stored(syntax, cls, driver)
@@ -72,6 +72,6 @@ def _in_method(nodes: Nodes, other: NodeSource, class_name: str, method: str) ->
             found = blocked_by_library(ending, call)
             if found is not None:
                 return found.what, found.how_long, other.span_of(call)
-            if isinstance(call.func, ast.Attribute) and is_self(call.func.value):
+            if is_own(call.func):
                 todo.append((call.func.attr, depth + 1))
     return None

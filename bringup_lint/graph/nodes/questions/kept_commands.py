@@ -10,7 +10,7 @@ from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.graph.nodes.sources.syntax import own
 from bringup_lint.model.node_source import NodeClass
-from bringup_lint.model.python import is_self
+from bringup_lint.model.python import is_own
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.source import Span
 
@@ -46,7 +46,7 @@ def loops(syntax: Syntax, node: NodeClass) -> Iterator[Loop]:
 
 def _own_attribute(node: ast.AST | None) -> str | None:
     """``x`` of ``self.x``."""
-    if isinstance(node, ast.Attribute) and is_self(node.value):
+    if is_own(node):
         return node.attr
     return None
 

@@ -6,7 +6,7 @@ import ast
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from bringup_lint.model.python import is_self
+from bringup_lint.model.python import is_own
 from bringup_lint.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
@@ -57,7 +57,7 @@ class _Class:
         for each in ast.walk(node):
             targets = each.targets if isinstance(each, ast.Assign) else [getattr(each, "target", None)]
             for target in targets:
-                if isinstance(target, ast.Attribute) and is_self(target.value):
+                if is_own(target):
                     value = getattr(each, "value", None)
                     kind = self._file.qualified(value.func) if isinstance(value, ast.Call) else None
                     made.setdefault(target.attr, set()).add(kind)
@@ -97,7 +97,7 @@ class _Class:
     def _called(self, node: ast.AST) -> str | None:
         """The method of the own class that a call runs."""
         function = node.func if isinstance(node, ast.Call) else None
-        if isinstance(function, ast.Attribute) and is_self(function.value):
+        if is_own(function):
             return function.attr if len(self._methods.get(function.attr, [])) == 1 else None
         return None
 

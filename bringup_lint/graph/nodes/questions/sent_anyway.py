@@ -16,6 +16,7 @@ from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
 from bringup_lint.model.python import called_name
+from bringup_lint.model.python import is_own
 from bringup_lint.model.python import is_self
 from bringup_lint.model.python import walk
 from bringup_lint.pattern import regex
@@ -49,16 +50,12 @@ def is_sent_anyway(
 def _set_in(function: ast.AST) -> Iterator[str]:
     """The attributes of ``self`` that a method sets."""
     for each in walk(function):
-        if isinstance(each, ast.Attribute) and is_self(each.value) and not isinstance(each.ctx, ast.Load):
+        if is_own(each) and not isinstance(each.ctx, ast.Load):
             yield each.attr
 
 
 def _mentions(values: Iterable[ast.AST], kept: str) -> bool:
-    return any(
-        isinstance(each, ast.Attribute) and each.attr == kept and is_self(each.value)
-        for value in values
-        for each in ast.walk(value)
-    )
+    return any(is_own(each) and each.attr == kept for value in values for each in ast.walk(value))
 
 
 def _decides(syntax: Syntax, node: NodeClass, sender: ast.Call, moving: set[str]) -> bool:
@@ -92,7 +89,7 @@ def _is_steady(test: ast.expr, moving: set[str]) -> bool:
     for each in ast.walk(test):
         if isinstance(each, ast.Call) and ast.unparse(each.func) not in _PLAIN:
             return False
-        if isinstance(each, ast.Attribute) and is_self(each.value) and each.attr in moving:
+        if is_own(each) and each.attr in moving:
             return False
         if isinstance(each, ast.Name) and each.id not in (*_PLAIN, "self", "math") and not each.id.isupper():
             return False

@@ -11,7 +11,7 @@ from bringup_lint.graph.nodes.sources.syntax import own
 from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.python import called_name
-from bringup_lint.model.python import is_self
+from bringup_lint.model.python import is_own
 from bringup_lint.named_tuple import NamedTuple
 
 _SHUTDOWNS = frozenset({"rclpy.shutdown", "rclpy.try_shutdown"})
@@ -55,7 +55,7 @@ def _made_after(syntax: Syntax, call: ast.Call) -> Iterator[ast.Call]:
 def _attributes(statements: list[ast.stmt], context: type[ast.expr_context]) -> Iterator[str]:
     """The attributes of ``self`` that statements set, or read: what a ``try`` failed to set raises sooner."""
     for each in own(statements):
-        if isinstance(each, ast.Attribute) and is_self(each.value) and isinstance(each.ctx, context):
+        if is_own(each) and isinstance(each.ctx, context):
             yield each.attr
 
 
@@ -66,4 +66,4 @@ def _may_leave(statement: ast.stmt) -> bool:
 
 
 def _makes(call: ast.Call) -> bool:
-    return isinstance(call.func, ast.Attribute) and is_self(call.func.value) and call.func.attr in _MAKES
+    return is_own(call.func) and call.func.attr in _MAKES

@@ -20,7 +20,7 @@ from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.model.cpp_text import COMMENT
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import NodeClass
-from bringup_lint.model.python import is_self
+from bringup_lint.model.python import is_own
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
@@ -104,11 +104,10 @@ def _counted(node: ast.AST) -> Iterator[str]:
     if isinstance(node, ast.AugAssign):
         targets: list[ast.expr] = [node.target] if isinstance(node.value, ast.Constant) else []
     elif isinstance(node, ast.Assign):
-        is_own = isinstance(node.value, ast.Attribute) and is_self(node.value.value)
-        targets = node.targets if is_own else []
+        targets = node.targets if is_own(node.value) else []
     else:
         return
-    yield from (each.attr for each in targets if isinstance(each, ast.Attribute) and is_self(each.value))
+    yield from (each.attr for each in targets if is_own(each))
 
 
 def _is_motion(endpoint: Endpoint) -> bool:

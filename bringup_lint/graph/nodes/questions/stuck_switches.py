@@ -11,7 +11,6 @@ from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.python import is_own
-from bringup_lint.model.python import is_self
 from bringup_lint.named_tuple import NamedTuple
 
 _EARLIER = ("__init__", "on_configure", "on_cleanup")
@@ -63,7 +62,7 @@ def _code(syntax: Syntax, node: NodeClass, name: str) -> list[ast.AST]:
 
 def _step(syntax: Syntax, node: NodeClass, each: ast.AST) -> _Step | None:
     """``self.stop.set()``, or ``self.running = False``."""
-    if isinstance(each, ast.Attribute) and is_self(each.value) and isinstance(each.ctx, ast.Store):
+    if is_own(each) and isinstance(each.ctx, ast.Store):
         outer = next(syntax.above(each))[0]
         value = outer.value if isinstance(outer, (ast.Assign, ast.AnnAssign)) else None
         if isinstance(value, ast.Call) and syntax.qualified(value) == "threading.Event":
@@ -73,7 +72,7 @@ def _step(syntax: Syntax, node: NodeClass, each: ast.AST) -> _Step | None:
     if not isinstance(each, ast.Call) or not isinstance(each.func, ast.Attribute):
         return None
     owner, change = each.func.value, _CHANGES.get(each.func.attr)
-    return _Step(each, owner.attr, change) if change is not None and is_own(owner) else None  # type: ignore[attr-defined]
+    return _Step(each, owner.attr, change) if change is not None and is_own(owner) else None
 
 
 def _is_known(syntax: Syntax, node: NodeClass, name: str) -> bool:
@@ -97,4 +96,4 @@ def _asked(test: ast.expr) -> tuple[str, bool] | None:
         return (inner[0], not inner[1]) if inner is not None else None
     if isinstance(test, ast.Call) and isinstance(test.func, ast.Attribute) and test.func.attr in _ASKS:
         test = test.func.value
-    return (test.attr, True) if isinstance(test, ast.Attribute) and is_self(test.value) else None
+    return (test.attr, True) if is_own(test) else None

@@ -16,7 +16,7 @@ from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
-from bringup_lint.model.python import is_self
+from bringup_lint.model.python import is_own
 from bringup_lint.model.python import walk
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
@@ -175,7 +175,7 @@ def _values(syntax: Syntax, cls: NodeClass, node: ast.expr) -> list[ast.expr | N
     """What an attribute of the node, or a variable of the module, gets."""
     if isinstance(node, ast.Name):
         return module_values(syntax).get(node.id, [])
-    if not isinstance(node, ast.Attribute) or not is_self(node.value):
+    if not is_own(node):
         return []
     body = cls.node.body if cls.node is not None else []
     constants = [each.value for each in body if isinstance(each, ast.Assign) and _is_named(each.targets, node.attr)]

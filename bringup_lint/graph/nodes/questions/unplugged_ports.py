@@ -16,7 +16,7 @@ from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
-from bringup_lint.model.python import is_self
+from bringup_lint.model.python import is_own
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
@@ -95,7 +95,7 @@ def _read(syntax: Syntax, cls: NodeClass, node: ast.AST) -> tuple[ast.expr, ast.
 
 
 def _of_port(syntax: Syntax, cls: NodeClass, node: ast.expr, port: ast.expr) -> tuple[ast.expr, ast.expr] | None:
-    if isinstance(port, ast.Attribute) and is_self(port.value):
+    if is_own(port):
         values = stored(syntax, cls, port)
     elif isinstance(port, ast.Name):
         values = module_values(syntax).get(port.id, [])

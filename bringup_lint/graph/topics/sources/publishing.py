@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
-from bringup_lint.model.python import is_self
+from bringup_lint.model.python import is_own
 from bringup_lint.source import Span
 
 
@@ -50,7 +50,7 @@ def _only_at_start(node: NodeClass) -> set[str]:
     for name, method in node.methods.items():
         called = {each.func for each in ast.walk(method.node) if isinstance(each, ast.Call)}
         for each in ast.walk(method.node):
-            if isinstance(each, ast.Attribute) and is_self(each.value):
+            if is_own(each):
                 mentions.setdefault(each.attr, []).append((name, each in called))
     return {"__init__"} | {
         name
