@@ -30,7 +30,7 @@ class Waiting(NamedTuple):
 
 def waits(ending: Ending, cls: NodeClass) -> Iterator[Waiting]:
     """The waits for a service that may last forever."""
-    if not any(word in each.source.text for each in cls.lineage for word in _WAITS):
+    if not any(word in source.text for source in {each.source for each in cls.lineage} for word in _WAITS):
         return
     init = cls.methods.get("__init__")
     places = [("__init__", body_of(init.node))] if init is not None else []
