@@ -1,11 +1,11 @@
 """A redirect that sudo does not cover.
 
 ## What it finds
-`sudo command > /etc/...`: a redirect after `sudo` into a folder that only root may write. Silent in a script that asks
-for root itself (`EUID`, `id -u`, `whoami`, `SUDO_USER`).
+`sudo command > /etc/...` and `sudo command | tee /etc/...`: what follows is not run by `sudo`, and may not write there.
+Silent in a script that asks for root itself (`EUID`, `id -u`, `whoami`, `SUDO_USER`).
 
 ## Why it matters on a robot
-The shell opens the file before it starts sudo, as the user of the script: "Permission denied". The udev rule, the
+The shell, or tee behind a pipe, opens the file as the user of the script: "Permission denied". The udev rule, the
 kernel parameter or the unit is never written, and the set-up goes on without it.
 
 ## Bad
@@ -41,7 +41,7 @@ def sudo_redirect(robot: Robot) -> Iterator[Finding]:
         more = f" (and {len(others)} more)" if others else ""
         yield finding(
             first.where,
-            f"The shell opens {first.path}{more} without sudo: permission denied, and nothing is written",
+            f"{first.path}{more} is opened without sudo: permission denied, and nothing is written",
             advice=f"write ... | sudo tee {first.path}",
             related=[note(other.where, "not opened either") for other in others[:20]],
         )

@@ -92,7 +92,7 @@ class Written(NamedTuple):
     where: Located
     certain: bool
     refused: bool = False
-    """``sudo command > file``: the shell of the script, which is not root, opens the file, and may not."""
+    """``sudo command > file`` or ``sudo command | tee file``: who opens the file is not root, and may not."""
 
 
 def runs(source: Source) -> Iterator[Run | Written]:
@@ -127,6 +127,12 @@ def _constants(statements: tuple[Block, ...]) -> dict[str, str | None]:
     return {name: next(iter(values)) if len(values) == 1 else None for name, values in found.items()}
 
 
+def _is_refused(block: Block, did: Written) -> bool:
+    """Whether ``tee`` opens a file of root as the user who runs the script."""
+    by_tee = block.command is not None and bool(block.command.words) and block.command.words[0] == "tee"
+    return by_tee and _OF_ROOT.match(did.path) is not None
+
+
 @dataclass
 class _Reader:
     values: dict[str, str | None]
@@ -139,15 +145,24 @@ class _Reader:
     def all(self, statements: Iterable[Block], certain: bool, depth: int) -> Iterator[Run | Written]:
         piped: Text | None = None
         guarded = False
+        sudo = False
         for block in statements:
             self.budget -= 1
             if self.budget < 0 or depth > _DEPTH:
                 return
-            yield from self.one(block, certain and not guarded, piped, depth)
+            for did in self.one(block, certain and not guarded, piped, depth):
+                if sudo and isinstance(did, Written) and _is_refused(block, did):
+                    did = did._replace(refused=True)
+                yield did
             ends = block.command.ends if block.command else block.ends
             piped = self.output(block, piped) if ends == "|" else None
+            sudo = ends == "|" and (sudo or self.is_sudo(block.command))
             tested = block.command is not None and block.command.name in _TESTS
             guarded = ends == "||" or (ends in ("&&", "|") and (guarded or (tested and ends == "&&")))
+
+    def is_sudo(self, command: Command | None) -> bool:
+        """Whether a command asks for root itself, so that the script is not run by root."""
+        return command is not None and bool(command.words) and command.words[0] == "sudo" and not self.has_root
 
     def one(self, block: Block, certain: bool, piped: Text | None, depth: int) -> Iterator[Run | Written]:
         if block.kind == "function":
@@ -165,7 +180,6 @@ class _Reader:
     def command(self, command: Command, certain: bool, piped: Text | None, depth: int) -> Iterator[Run | Written]:
         words = command.words
         by_root = False
-        sudo = bool(words) and words[0] == "sudo" and not self.has_root
         while words and (_AS_ROOT.fullmatch(words[0]) or unwrapped(words) != words):
             by_root |= bool(_AS_ROOT.fullmatch(words[0])) or program_name(words[0]) == "sudo"
             words = words[1:] if _AS_ROOT.fullmatch(words[0]) else unwrapped(words)
@@ -180,7 +194,7 @@ class _Reader:
             self.called.add(name)
             yield from self.all(self.functions[name], certain, depth + 1)
         for each in self.redirected(command.redirects, lambda: self.printed(words, given), certain):
-            yield each._replace(refused=True) if sudo and _OF_ROOT.match(each.path) else each
+            yield each._replace(refused=True) if self.is_sudo(command) and _OF_ROOT.match(each.path) else each
 
     def shell(self, words: tuple[Located, ...], certain: bool, depth: int) -> Iterator[Run | Written]:
         read = shell_input(words[1:])
