@@ -9,11 +9,12 @@ name. All parameters are known of `joy_node`, `joy_linux_node`, `robot_state_pub
 slam_toolbox, robot_localization, twist_mux, teleop_twist_joy, usb_cam, pointcloud_to_laserscan,
 depthimage_to_laserscan, imu_tools, rosbridge_suite, cartographer_ros, web_video_server, apriltag_ros, explore_lite, the
 drivers of common laser scanners (rplidar_ros, sllidar_ros2, ydlidar_ros2_driver, ldlidar_stl_ros2, livox_ros_driver2,
-velodyne, urg_node), the servers of Navigation2 and the controllers of ros2_controllers whose class the file names; a
-block with the usual name of such a node is judged as its own. A value that the launch file reads itself is left alone.
-In the sections of Navigation2's own plugins, a parameter is unknown when nothing of Navigation2 has one whose name ends
-so. Packages whose repository the tree patches, or fetches from others than its first owners, may be changed, and are
-left alone.
+velodyne, urg_node), the servers of Navigation2, the controller manager and the controllers of ros2_controllers whose
+class the file names; a block with the usual name of such a node is judged as its own. The controller manager hands
+nothing of its block to a controller, whose parameters need a block of their own. A value that the launch file reads
+itself is left alone. In the sections of Navigation2's own plugins, a parameter is unknown when nothing of Navigation2
+has one whose name ends so. Packages whose repository the tree patches, or fetches from others than its first owners,
+may be changed, and are left alone.
 
 Where it is not known which program gets a block, or the program declares whatever it is given: parameters that no
 source of the tree names, when one source reads at least five others of the block, and most of them.
@@ -110,10 +111,19 @@ def _of_public(found: Unknown) -> Finding:
         first.key,
         f"{found.name} ({found.node.package}) declares no parameter '{first.name}'{_more(others)}: "
         "the value has no effect",
-        advice=f"write {near[0]}, or remove the value" if near else "remove the value, or correct its name",
+        advice=_advice_of_public(found.node.package, first.name, near),
         related=[note(each.key, f"'{each.name}' is not declared either") for each in others[:10]],
         confidence="medium",
     )
+
+
+def _advice_of_public(package: str, name: str, near: Sequence[str]) -> str:
+    if near:
+        return f"write {near[0]}, or remove the value"
+    controller, dot, _ = name.partition(".")
+    if package == "controller_manager" and dot:
+        return f"write it in a block of its own, {controller}: the controller manager hands nothing on"
+    return "remove the value, or correct its name"
 
 
 def _of_reader(lost: Unread) -> Finding:
