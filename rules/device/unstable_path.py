@@ -3,9 +3,9 @@
 ## What it finds
 `/dev/ttyUSB0`, `/dev/ttyACM1`, `/dev/video2` and similar paths. The severity depends on the place:
 
-- Warning: units and their environment files, compose, launch and parameter files, YAML of a driver in a folder such as
-  `config/`, scripts, variables of Ansible's hosts and groups; the default of a launch argument where a unit launches
-  the file without giving the argument a value.
+- Warning: units and their environment files, compose, launch and parameter files, what a launch file gives to one that
+  it includes, YAML of a driver in a folder such as `config/`, scripts, variables of Ansible's hosts and groups; the
+  default of a launch argument where a unit launches the file without giving the argument a value.
 - Info: any other default of a launch argument or of an Ansible role; the default of a driver in its own launch file;
   the only camera of the robot in a launch file, a script or code.
 

@@ -166,10 +166,14 @@ def _with_default(actions: tuple[Action, ...]) -> frozenset[str]:
 def _of_action(action: Action, declared: frozenset[str]) -> Iterator[DeviceUse]:
     from bringup_lint.model.launch import ComposableNode
     from bringup_lint.model.launch import DeclareArgument
+    from bringup_lint.model.launch import Include
     from bringup_lint.model.launch import Node
 
     if isinstance(action, DeclareArgument):
         yield from _of_value(action.default, "the launch argument", "argument", declared)
+    if isinstance(action, Include):
+        for _, value in action.arguments:
+            yield from _of_value(value, "a launch file", "literal", declared)
     if isinstance(action, (Node, ComposableNode)):
         values = (*action.parameters, *(action.arguments if isinstance(action, Node) else ()))
         for value in values:
