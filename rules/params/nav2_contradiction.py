@@ -8,9 +8,10 @@ with `clearing: false` whose sources all mark, and none of which clears; limits 
 sign, not one for each axis, or of zero for turning both ways; `polygons` of the collision monitor without a section;
 `min_particles` of amcl above `max_particles`; an `initial_pose` without `set_initial_pose`; from Humble on the names
 that amcl's motion models had before, and a section `recoveries_server` without one for `behavior_server`; a local
-costmap that rolls in the frame that amcl corrects; critics that DWB or MPPI do not have; a `data_type` that obstacle
-layers do not take; and from Jazzy on libraries in `plugin_lib_names` that bt_navigator loads by itself. Layers with
-`enabled: false` are left alone.
+costmap that rolls in the frame that amcl corrects; critics that DWB or MPPI do not have; limits of
+`velocity_smoother` below those that a controller of the same file plans with; a tree for `NavigateToPose` as that for
+`NavigateThroughPoses`, or the reverse; a `data_type` that obstacle layers do not take; and from Jazzy on libraries in
+`plugin_lib_names` that bt_navigator loads by itself. Layers with `enabled: false` are left alone.
 
 ## Why it matters on a robot
 A footprint that is refused leaves the robot with its radius, and the costmap lets it drive into what the corners touch.
@@ -19,7 +20,9 @@ the range of clearing stays in the costmap after it left. In the frame of the ma
 robot against the obstacles that it has seen. Without `set_initial_pose`, amcl waits for a pose and publishes no
 transform. A limit of the wrong sign or length, a polygon without a type, an old motion model, or a library that
 registers its nodes twice ends the server when it configures, and the lifecycle manager takes the whole navigation down.
-A section that no node reads leaves the recoveries with the frames, speeds and plugins of the source.
+A smoother that is slower than the controller makes another motion than the one that the controller found free.
+`NavigateThroughPoses` sets `goals` and not `goal`, so that the tree of the other action fails. A section that no node
+reads leaves the recoveries with the frames, speeds and plugins of the source.
 
 ## Bad
 ```yaml
@@ -108,6 +111,10 @@ def _message(each: NavigationProblem) -> str:
             return f"{each.name} has {each.detail}: the velocity smoother ends when it configures"
         case "turn":
             return f"{each.name} and min_velocity are 0 for theta: the velocity smoother takes every turn away"
+        case "slower":
+            return f"The velocity smoother drives slower than the controller plans ({each.detail})"
+        case "tree":
+            return f"The tree is that of the other action: the navigator sets {each.detail}: each goal fails"
         case "polygon":
             return f"The polygon '{each.name}' has no section with a type: {each.detail} does not configure"
         case "pose":
@@ -153,6 +160,10 @@ def _advice(each: NavigationProblem) -> str:
             return "write one number for each axis: x, y and theta"
         case "turn":
             return "write the speeds at which the robot may turn, in rad/s"
+        case "slower":
+            return "give both the same limit"
+        case "tree":
+            return f"write the tree of its own action, or leave out {each.name}"
         case "polygon":
             return f"add a section {each.name}, or write the name of the one that is there"
         case "pose":

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 from itertools import pairwise
 from math import cos
@@ -10,10 +11,15 @@ from math import pi
 from typing import TYPE_CHECKING
 
 from bringup_lint.facts import table
+from bringup_lint.facts.ros import distros
+from bringup_lint.graph.params.navigation_blocks import NavigationProblem
+from bringup_lint.graph.params.navigation_blocks import by_name
+from bringup_lint.graph.params.navigation_blocks import node_name
+from bringup_lint.graph.params.navigation_blocks import number_of
+from bringup_lint.graph.params.navigation_blocks import numbers_of
+from bringup_lint.graph.params.navigation_speeds import slower_smoother
 from bringup_lint.graph.params.values import items
-from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
-from bringup_lint.source import Span
 from bringup_lint.spelling import nearest
 
 if TYPE_CHECKING:
@@ -23,6 +29,7 @@ if TYPE_CHECKING:
     from bringup_lint.model.params import Block
     from bringup_lint.model.params import Parameter
     from bringup_lint.model.params import ParameterFile
+    from bringup_lint.source import Span
 
 Point = tuple[float, float]
 
@@ -65,27 +72,21 @@ _CRITICS = {
 }
 _SEEN = ("LaserScan", "PointCloud2", "")
 """What an obstacle layer takes as the type of a source (obstacle_layer.cpp)."""
+_TREES = {
+    "default_nav_through_poses_bt_xml": ("navigate_to_pose", "goals, which a tree for NavigateThroughPoses reads"),
+    "default_nav_to_pose_bt_xml": ("navigate_through_poses", "goal, which a tree for NavigateToPose reads"),
+}
+"""The name that trees of the other action have (nav2_bt_navigator, behavior_trees), and what the navigator sets
+(navigate_through_poses.cpp, navigate_to_pose.cpp)."""
 _RECOVERIES, _BEHAVIORS = "recoveries_server", "behavior_server"
 """One server, before Humble and since."""
-
-
-class NavigationProblem(NamedTuple):
-    kind: str
-    """``footprint``, ``corner``, ``inflation``, ``ranges``, ``source``, ``sign``, ``length``, ``particles``, ``pose``,
-    ``model``, ``frame``, ``polygon``, ``library``, ``section``, ``critic``, ``type``, ``clearing`` or ``turn``."""
-    where: Span
-    name: str
-    """The parameter or observation source."""
-    detail: str
-    other: Span | None = None
-    """What the value contradicts."""
 
 
 def navigation_problems(params: Params) -> Iterator[NavigationProblem]:
     for file in params.judged:
         if file.accepted and not file.uncertain and params.is_used(file):
             for block in file.blocks:
-                check = _CHECKS.get(_name(block))
+                check = _CHECKS.get(node_name(block))
                 if check is not None:
                     found = check(params, file, block)
                     yield from (each for each in found if not _is_replaced(params, file, block, each))
@@ -103,7 +104,7 @@ def _covers(outer: Span, inner: Span) -> bool:
 
 
 def _costmap(params: Params, file: ParameterFile, block: Block) -> Iterator[NavigationProblem]:
-    named = _named(block)
+    named = by_name(block)
     shape = _shape(named)
     if shape is not None and shape.name == "footprint":
         yield from _footprint(shape)
@@ -119,9 +120,9 @@ def _jumping(
 ) -> Iterator[NavigationProblem]:
     """A window that moves with the robot in a frame that jumps against it whenever amcl corrects the pose."""
     rolling, frame = named.get("rolling_window"), named.get("global_frame")
-    if frame is None or rolling is None or rolling.value.data is not True or _name(block) != "local_costmap":
+    if frame is None or rolling is None or rolling.value.data is not True or node_name(block) != "local_costmap":
         return
-    localized = [_named(each) for each in file.blocks if _name(each) == "amcl"]
+    localized = [by_name(each) for each in file.blocks if node_name(each) == "amcl"]
     frames = [(_text(named, "global_frame_id", "map"), _text(named, "odom_frame_id", "odom")) for named in localized]
     if frames and frame.value.data == frames[0][0] != frames[0][1] and not params.is_static(*frames[0]):
         yield NavigationProblem("frame", frame.span, "global_frame", str(frame.value.data), rolling.span)
@@ -132,8 +133,14 @@ def _text(named: dict[str, Parameter], name: str, default: str) -> str:
 
 
 def _navigator(params: Params, file: ParameterFile, block: Block) -> Iterator[NavigationProblem]:
-    """Libraries that bt_navigator loads itself, the first with the number of the others."""
-    libraries = _named(block).get("plugin_lib_names")
+    """Libraries that bt_navigator loads itself, the first with the number of the others, and trees of the other
+    action."""
+    named = by_name(block)
+    for name, (wrong, right) in _TREES.items():
+        each = named.get(name)
+        if each is not None and isinstance(each.value.data, str) and wrong in each.value.data.rpartition("/")[2]:
+            yield NavigationProblem("tree", each.span, name, right)
+    libraries = named.get("plugin_lib_names")
     loaded = _loaded(params.distribution) if libraries is not None else frozenset()
     twice = [item for item in items(libraries) if item.text in loaded] if libraries is not None else []
     if twice:
@@ -145,14 +152,6 @@ def _loaded(distribution: str | None) -> frozenset[str]:
     """What the bt_navigator of a distribution loads itself."""
     rows = (row for row in table("ros/bt_nodes") if distribution in row["distributions"].split())
     return frozenset(row["library"] for row in rows)
-
-
-def _name(block: Block) -> str:
-    return str(block.key).rpartition("/")[2]
-
-
-def _named(block: Block) -> dict[str, Parameter]:
-    return {str(each.name): each for each in block.parameters}
 
 
 def _shape(named: dict[str, Parameter]) -> Parameter | None:
@@ -202,7 +201,7 @@ def _inflation(named: dict[str, Parameter]) -> Iterator[NavigationProblem]:
     shape = _shape(named)
     inscribed = _inscribed(shape) if shape is not None else None
     for name, each in named.items():
-        radius = _number(each)
+        radius = number_of(each)
         if not name.endswith(".inflation_radius") or radius is None or inscribed is None or shape is None:
             continue
         layer = name.rpartition(".")[0]
@@ -215,7 +214,7 @@ def _inscribed(shape: Parameter) -> float | None:
     if shape.name == "footprint":
         points = _points(str(shape.value.data))
         return min(_distance(one, other) for one, other in pairwise([*points, points[0]])) if points else None
-    radius = _number(shape)
+    radius = number_of(shape)
     return radius * cos(pi / _SIDES) if radius is not None else None
 
 
@@ -262,8 +261,8 @@ def _observations(params: Params, named: dict[str, Parameter], layer: str) -> It
             if "$" not in kind.value.data:
                 yield NavigationProblem("type", kind.span, source, kind.value.data)
         marked, cleared = named.get(f"{prefix}obstacle_max_range"), named.get(f"{prefix}raytrace_max_range")
-        far = _number(marked) if marked is not None else _OBSTACLE
-        clear = _number(cleared) if cleared is not None else _RAYTRACE
+        far = number_of(marked) if marked is not None else _OBSTACLE
+        clear = number_of(cleared) if cleared is not None else _RAYTRACE
         where = cleared or marked
         if where is None or far is None or clear is None or clear >= far or _is_off(named, prefix):
             continue
@@ -292,14 +291,16 @@ def _is_off(named: dict[str, Parameter], prefix: str) -> bool:
 
 
 def _smoother(params: Params, file: ParameterFile, block: Block) -> Iterator[NavigationProblem]:
-    named = _named(block)
+    named = by_name(block)
     for name, sign in _SIGNS:
-        numbers = _numbers(named.get(name))
+        numbers = numbers_of(named.get(name))
         wrong = [f"{each:g}" for each in numbers if each * sign < 0]
         if wrong:
             yield NavigationProblem("sign", named[name].span, name, ", ".join(wrong))
     yield from _unable_to_turn(named)
-    counts = {name: len(numbers) for name in _LIMITS if (numbers := _numbers(named.get(name)))}
+    if _may_smooth(params, file):
+        yield from slower_smoother(file, block)
+    counts = {name: len(numbers) for name in _LIMITS if (numbers := numbers_of(named.get(name)))}
     spatial = [count for count in counts.values() if count == _SPATIAL]
     axes = _SPATIAL if 2 * len(spatial) > len(counts) else _PLANAR
     for name, count in counts.items():
@@ -309,7 +310,7 @@ def _smoother(params: Params, file: ParameterFile, block: Block) -> Iterator[Nav
 
 def _unable_to_turn(named: dict[str, Parameter]) -> Iterator[NavigationProblem]:
     """Limits of zero for the yaw, both ways, while another axis may move."""
-    most, least = (_numbers(named.get(name)) for name in ("max_velocity", "min_velocity"))
+    most, least = (numbers_of(named.get(name)) for name in ("max_velocity", "min_velocity"))
     if len(most) == len(least) and len(most) in (_PLANAR, _SPATIAL) and most[-1] == least[-1] == 0 and any(most):
         yield NavigationProblem(
             "turn", named["max_velocity"].span, "max_velocity", named["max_velocity"].text, named["min_velocity"].span
@@ -318,7 +319,7 @@ def _unable_to_turn(named: dict[str, Parameter]) -> Iterator[NavigationProblem]:
 
 def _monitor(params: Params, file: ParameterFile, block: Block) -> Iterator[NavigationProblem]:
     """Polygons that are listed and have no section, in which their type must be given."""
-    listed = _named(block).get("polygons")
+    listed = by_name(block).get("polygons")
     if listed is None or any("$" in item.text for item in items(listed)):
         return
     sections = {
@@ -326,13 +327,13 @@ def _monitor(params: Params, file: ParameterFile, block: Block) -> Iterator[Navi
     }
     for item in items(listed):
         if item.text not in sections and not params.named_elsewhere(item.text, {file.source}):
-            yield NavigationProblem("polygon", item.span, item.text, _name(block))
+            yield NavigationProblem("polygon", item.span, item.text, node_name(block))
 
 
 def _controllers(params: Params, file: ParameterFile, block: Block) -> Iterator[NavigationProblem]:
     """Critics that a controller does not have, and that nothing else of the tree names, as a package with critics of
     its own does."""
-    named = _named(block)
+    named = by_name(block)
     for name, each in named.items():
         section = name.removesuffix(".critics")
         plugin = named.get(f"{section}.primary_controller") or named.get(f"{section}.plugin")
@@ -349,13 +350,13 @@ def _controllers(params: Params, file: ParameterFile, block: Block) -> Iterator[
 
 
 def _amcl(params: Params, file: ParameterFile, block: Block) -> Iterator[NavigationProblem]:
-    named = _named(block)
-    pose = [named[name] for name in _COORDINATES if name in named and _number(named[name])]
+    named = by_name(block)
+    pose = [named[name] for name in _COORDINATES if name in named and number_of(named[name])]
     if pose and "set_initial_pose" not in named and not params.named_elsewhere("set_initial_pose", {file.source}):
         yield NavigationProblem("pose", pose[0].span, str(pose[0].name), pose[0].text)
     least, most = (named.get(name) for name in ("min_particles", "max_particles"))
     if least is not None and most is not None:
-        low, high = _number(least), _number(most)
+        low, high = number_of(least), number_of(most)
         if low is not None and high is not None and low > high:
             yield NavigationProblem("particles", least.span, "min_particles", f"{low:g}, {high:g}", most.span)
     model = named.get("robot_model_type")
@@ -365,37 +366,38 @@ def _amcl(params: Params, file: ParameterFile, block: Block) -> Iterator[Navigat
 
 def _recoveries(params: Params, file: ParameterFile, block: Block) -> Iterator[NavigationProblem]:
     """The section of the server that Humble calls behavior_server, where the file has none for that name."""
-    has_both = any(_name(each) == _BEHAVIORS for each in file.blocks)
+    has_both = any(node_name(each) == _BEHAVIORS for each in file.blocks)
     if has_both or not block.parameters or not _is_since_humble(params, file):
         return
     if _starts_recoveries(params, file):
         return
-    yield NavigationProblem("section", block.key.span, _name(block), _BEHAVIORS)
+    yield NavigationProblem("section", block.key.span, node_name(block), _BEHAVIORS)
 
 
 def _starts_recoveries(params: Params, file: ParameterFile) -> bool:
     """Whether a launch file starts a node of the old name, or nodes of which not all names are known."""
-    names = [load.node.fqn for load in params.loads(file)]
-    return None in names or any(str(name).endswith(f"/{_RECOVERIES}") for name in names)
+    return None in (names := _loading(params, file)) or _RECOVERIES in names
+
+
+def _may_smooth(params: Params, file: ParameterFile) -> bool:
+    """Whether the smoother runs beside the controllers, as far as launch files of the tree start who reads the file."""
+    names = _loading(params, file)
+    return not names or None in names or {"velocity_smoother", "controller_server"} <= names
+
+
+def _loading(params: Params, file: ParameterFile) -> set[str | None]:
+    """The names of the nodes that launch files give a file to."""
+    names = (load.node.fqn for load in params.loads(file))
+    return {str(name).rpartition("/")[2] if name is not None else None for name in names}
 
 
 def _is_since_humble(params: Params, file: ParameterFile) -> bool:
-    """Whether a file is for Humble or newer: the tree says so, or it is for a node that older ones do not have."""
-    if params.distribution is not None:
-        return params.distribution not in _BEFORE_PLUGINS
+    """Whether a file is for Humble or newer: its folder or the tree says so, or it is for a node that older ones do
+    not have."""
+    distribution = distros.named_in(os.path.basename(os.path.dirname(file.source.absolute))) or params.distribution
+    if distribution is not None:
+        return distribution not in _BEFORE_PLUGINS
     return any(str(block.key).rpartition("/")[2] in _SINCE_HUMBLE for block in file.blocks)
-
-
-def _number(parameter: Parameter) -> float | None:
-    value = parameter.value.data
-    return float(value) if isinstance(value, (int, float)) and not isinstance(value, bool) else None
-
-
-def _numbers(parameter: Parameter | None) -> list[float]:
-    """The numbers of a list; empty when it holds anything else."""
-    value = parameter.value.data if parameter is not None else None
-    found = value if isinstance(value, list) else []
-    return found if all(isinstance(each, (int, float)) and not isinstance(each, bool) for each in found) else []
 
 
 _CHECKS: dict[str, Callable[[Params, ParameterFile, Block], Iterator[NavigationProblem]]] = {

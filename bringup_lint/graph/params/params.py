@@ -13,6 +13,7 @@ from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.memo import memo
 from bringup_lint.graph.params import values as param_values
+from bringup_lint.graph.params.composed_names import ComposedNames
 from bringup_lint.graph.params.values import Item
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.model.params import Parameter
@@ -34,6 +35,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.params.declared import Declared
     from bringup_lint.graph.params.loads import Load
     from bringup_lint.graph.params.mentions import Mentions
+    from bringup_lint.graph.workspace import Package
 
 _FILE_NAME = regex(r"[\w.-]+")
 BUILD = ("params", "cmake", "setup-py", "setup-cfg", "ros-package")
@@ -332,16 +334,20 @@ class Params:
             return True
         name = file.source.basename
         same = list(self._tree_files.tree.named(name))
-        if len(same) == 1:
-            return self.named_elsewhere(name, {file.source})
+        if len(same) == 1 and self.named_elsewhere(name, {file.source}):
+            return True
         return self._is_named_in_package(file, same)
 
     def _is_named_in_package(self, file: ParameterFile, same: list[str]) -> bool:
-        """Whether a launch file of the package of a file names it, and the package has no other one of its name."""
+        """Whether a launch file of the package of a file names it, and the package has no other one of its name, or
+        puts its name together."""
         launch = self._launch() if self._tree_files.of_kind(*LAUNCH) else None
         owner = launch.workspace.owner(file.source) if launch is not None else None
         if launch is None or owner is None:
             return False
+        path = os.path.relpath(file.source.absolute, owner.folder)
+        if self._composed(launch, owner).has(path):
+            return True
         owners = [launch.workspace.package_of(os.path.dirname(os.path.abspath(path))) for path in same]
         if sum(each is owner for each in owners) != 1:
             return False
@@ -349,6 +355,16 @@ class Params:
             texts = (each.source.uncommented for each in launch.files_of(owner))
             self._words[id(owner)] = frozenset(word for text in texts for word in _FILE_NAME.findall(text))
         return file.source.basename in self._words[id(owner)]
+
+    def _composed(self, launch: Launch, owner: Package) -> ComposedNames:
+        if id(owner) not in self._ends:
+            self._ends[id(owner)] = ComposedNames(each.source.uncommented for each in launch.files_of(owner))
+        return self._ends[id(owner)]
+
+    @cached_property
+    def _ends(self) -> dict[int, ComposedNames]:
+        """The names that the launch files of a package put together, by the ``id`` of the package."""
+        return {}
 
     @cached_property
     def _words(self) -> dict[int, frozenset[str]]:

@@ -1,0 +1,69 @@
+"""A velocity smoother of Navigation2 that takes away what a controller of the same file plans with."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.graph.params.navigation_blocks import NavigationProblem
+from bringup_lint.graph.params.navigation_blocks import by_name
+from bringup_lint.graph.params.navigation_blocks import node_name
+from bringup_lint.graph.params.navigation_blocks import number_of
+from bringup_lint.graph.params.navigation_blocks import numbers_of
+from bringup_lint.graph.params.values import items
+
+if TYPE_CHECKING:
+    from bringup_lint.model.params import Block
+    from bringup_lint.model.params import Parameter
+    from bringup_lint.model.params import ParameterFile
+
+_LINEAR = ("max_vel_x", "vx_max", "desired_linear_vel", "max_linear_vel", "v_linear_max")
+_ANGULAR = ("max_vel_theta", "wz_max", "v_angular_max")
+_BACKWARDS = ("min_vel_x", "vx_min")
+"""What controllers call their limits (dwb_plugins, kinematic_parameters.cpp; nav2_mppi_controller, optimizer.cpp;
+nav2_regulated_pure_pursuit_controller and nav2_graceful_controller, parameter_handler.cpp)."""
+_LIMITS = (("max_velocity", 0, _LINEAR), ("max_velocity", -1, _ANGULAR), ("min_velocity", 0, _BACKWARDS))
+"""A limit of the smoother, the number for the axis, and what it cuts off."""
+_TOLERANCE = 0.02
+"""The part of a limit by which rounded values may differ."""
+
+
+def slower_smoother(file: ParameterFile, smoother: Block) -> Iterator[NavigationProblem]:
+    """Limits below those of a controller in the same namespace, each with the first that it cuts off."""
+    named = by_name(smoother)
+    planned = [
+        each
+        for block in file.blocks
+        if node_name(block) == "controller_server" and _namespace(block) == _namespace(smoother)
+        for each in _planned(by_name(block))
+    ]
+    cuts: dict[str, tuple[str, Parameter]] = {}
+    for limit, axis, names in _LIMITS:
+        allowed = numbers_of(named.get(limit))
+        wanted = [each for each in planned if allowed and str(each.name).rpartition(".")[2] in names]
+        over = [each for each in wanted if _is_cut(number_of(each), allowed[axis], limit)]
+        if over:
+            cuts.setdefault(limit, (f"{limit} {allowed[axis]:g} instead of {over[0].text}", over[0]))
+    if cuts:
+        first, (_, other) = next(iter(cuts.items()))
+        detail = ", ".join(detail for detail, _ in cuts.values())
+        yield NavigationProblem("slower", named[first].span, first, detail, other.span)
+
+
+def _namespace(block: Block) -> str:
+    return block.name.strip("/").rpartition("/")[0]
+
+
+def _is_cut(wanted: float | None, allowed: float, limit: str) -> bool:
+    if wanted is None:
+        return False
+    if limit == "max_velocity":
+        return 0 < allowed * (1 + _TOLERANCE) < wanted
+    return 0 >= allowed * (1 + _TOLERANCE) > wanted
+
+
+def _planned(named: dict[str, Parameter]) -> list[Parameter]:
+    """The parameters of the controllers that the server loads."""
+    listed = named.get("controller_plugins")
+    loaded = [item.text for item in items(listed)] if listed is not None else ["FollowPath"]
+    return [each for name, each in named.items() if name.partition(".")[0] in loaded]
