@@ -1,13 +1,13 @@
 """A parameter that the node does not declare.
 
 ## What it finds
-Parameters in a parameter file or launch file for a node whose source is in the workspace and which
-declares none of that name: no text of the source, or of the files that it includes or imports, is the name or a part of
-it. Nodes that take undeclared parameters, or that build on classes which are not in the workspace, are left alone, and
-so are programs of which a source is missing, and parameters that a launch file gives to several programs under one node
-name. All parameters are known of `joy_node`, `joy_linux_node`, `robot_state_publisher`, `joint_state_publisher`,
-slam_toolbox, robot_localization, twist_mux, teleop_twist_joy, usb_cam, pointcloud_to_laserscan,
-depthimage_to_laserscan, imu_tools, rosbridge_suite, cartographer_ros, web_video_server, apriltag_ros, explore_lite, the
+Parameters in a parameter file or launch file for a node whose source is in the workspace and which declares none of
+that name: no text of the source, or of the files that it includes or imports, is the name or a part of it. Nodes that
+take undeclared parameters, or that build on classes which are not in the workspace, are left alone, and so are programs
+of which a source is missing, and parameters that a launch file gives to several programs under one node name. All
+parameters are known of `joy_node`, `joy_linux_node`, `robot_state_publisher`, `joint_state_publisher`, slam_toolbox,
+robot_localization, twist_mux, teleop_twist_joy, usb_cam, pointcloud_to_laserscan, depthimage_to_laserscan, imu_tools,
+rosbridge_suite, foxglove_bridge, topic_tools, cartographer_ros, web_video_server, apriltag_ros, explore_lite, the
 drivers of common laser scanners (rplidar_ros, sllidar_ros2, ydlidar_ros2_driver, ldlidar_stl_ros2, livox_ros_driver2,
 velodyne, urg_node), the servers of Navigation2, the controller manager and the controllers of ros2_controllers whose
 class the file names; a block with the usual name of such a node is judged as its own. The controller manager hands
