@@ -100,7 +100,7 @@ class RefusedCall(NamedTuple):
     code: str
     """``keyword`` (not known), ``missing``, ``positional`` (given without a name), or what the value should be:
     ``text``, ``words``, ``pairs``, ``seconds``, ``truth``, ``actions``, ``action``, ``registered``, ``function``,
-    ``condition``."""
+    ``condition``, and further ones of parsers/launch_python/value_checks.py."""
     owner: str
     """The class that is called."""
     word: str

@@ -8,7 +8,10 @@ Python launch files that give the classes of launch and launch_ros what they do 
 - numbers and truth values where launch takes texts (`default_value=True`, `arguments=['--rate', 50]`);
 - a text as `arguments=`, `launch_arguments=` without `.items()`, a whole number as the `period` of a timer, a text as
   `respawn=`;
-- one action where a list is needed, a list or an event handler where an action is needed, a `condition=` that is none.
+- one action where a list is needed, a list, a text or an event handler where an action is needed, a `condition=` that
+  is none;
+- `on_exit=` and its like with a text, an event or a `LaunchConfiguration`, event handlers that wait for the end of an
+  include or a group, an action as the event of `EmitEvent`.
 
 Silent where the file catches TypeError. It is an info where the file holds names to be filled in, as `your_package`.
 
@@ -81,6 +84,18 @@ MESSAGES = {
     "action": "A list is not an action: launch ends with \"AttributeError: 'list' object has no attribute 'visit'\"",
     "registered": "Nothing registers this event handler: launch ends with \"AttributeError: ... no attribute 'visit'\"",
     "function": "function= is not a function but what a call of it returns: launch ends with a TypeError",
+    "one": "{word} of {owner} is a substitution and not a list of them: launch ends with a TypeError",
+    "letters": "cmd is a text and not a list: launch looks for a program called as its first letter, and finds none",
+    "dictionary": "{word} of {owner} is {given} and not a dictionary: launch ends with an AttributeError",
+    "pair": "launch_arguments takes pairs of name and value, not this: launch ends with a ValueError at this include",
+    "visited": "{given} is not an action: launch ends with an AttributeError, because it has no attribute 'visit'",
+    "reaction": "{word} of {owner} takes actions or a function, not {given}: launch ends with an exception there",
+    "event": "EmitEvent takes an event and not an action: launch ends with a RuntimeError",
+    "process": "{word} of {owner} is no process: launch ends with a TypeError",
+    "lifecycle": "{word} of {owner} is no LifecycleNode: launch ends with a RuntimeError",
+    "components": "{word} of {owner} is a component and not a list of them: launch ends with a TypeError",
+    "component": "A process is no component: launch ends with an exception when it loads it",
+    "callable": "{word} of {owner} is a text and not a function: launch ends with a TypeError",
     "condition": "condition= is not a condition: launch ends with \"AttributeError: ... no attribute 'evaluate'\"",
 }
 ADVICE = {
@@ -94,6 +109,18 @@ ADVICE = {
     "actions": "put it into a list",
     "function": "name the function without calling it",
     "condition": "write IfCondition(...)",
+    "callable": "name the function without quotes",
+    "one": "put it into a list",
+    "letters": "write a list of the words",
+    "dictionary": "write a dictionary of names and values",
+    "pair": "write [('name', 'value')], or a dictionary with .items()",
+    "visited": "put only actions into the list",
+    "reaction": "write an action, as launch.actions.Shutdown()",
+    "event": "use the action itself, or the event of launch.events",
+    "process": "name the Node or ExecuteProcess that is meant",
+    "lifecycle": "make the node a LifecycleNode",
+    "components": "put it into a list",
+    "component": "write ComposableNode(...)",
 }
 
 PLACEHOLDER = regex(r"[\"'/](?:your_(?:package|pkg|robot)|path/to/(?:your|my)?)\b", hints="your_ path/to/")
@@ -113,9 +140,9 @@ PLACEHOLDER = regex(r"[\"'/](?:your_(?:package|pkg|robot)|path/to/(?:your|my)?)\
 )
 def call_refused(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
-        groups: dict[tuple[str, str, str], list[RefusedCall]] = {}
+        groups: dict[tuple[str, ...], list[RefusedCall]] = {}
         for each in robot.launch.refused_calls(file):
-            groups.setdefault((each.code, each.owner, each.word), []).append(each)
+            groups.setdefault((message(each), each.word), []).append(each)
         for first, *others in groups.values():
             yield finding(
                 first.where,
@@ -128,11 +155,12 @@ def call_refused(robot: Robot) -> Iterator[Finding]:
 
 
 def message(call: RefusedCall) -> str:
-    return MESSAGES[call.code].format(
+    said = MESSAGES[call.code].format(
         owner=call.owner,
         word=call.word.replace(",", "= and "),
         given=call.given,
     )
+    return said[0].upper() + said[1:] if call.code == "visited" else said
 
 
 def advice(call: RefusedCall) -> str:

@@ -1,9 +1,9 @@
 """The parameters or remappings of a node are not what launch_ros takes.
 
 ## What it finds
-`parameters=` that is a dictionary or a text instead of a list, actions such as `OpaqueFunction` in the list, and in its
-dictionaries keys that are not strings, None, lists of lists and lists of dictionaries. `remappings=` with anything but
-tuples of two.
+`parameters=` that is a dictionary, a text, a substitution or one file instead of a list, actions such as
+`OpaqueFunction`, numbers and None in the list, and in its dictionaries keys that are not strings, None, lists of lists
+and lists of dictionaries. `remappings=` with anything but tuples of two.
 
 ## Why it matters on a robot
 launch_ros raises an exception while the file is loaded: nothing starts.
@@ -36,7 +36,9 @@ from bringup_lint.api.python import in_list
 
 WRONG = {
     "not-a-list": ("parameters= is not a list", "put it into a list"),
+    "no-list": ("parameters= of this node is not a list", "put it into a list"),
     "action": ("An action is given as parameters", "start the node in the OpaqueFunction, with what it computes"),
+    "value": ("A number, truth value or None stands among the parameters without a name", "write {'name': value}"),
     "key": ("The name of a parameter is not a string", "quote it"),
     "nested-list": ("A parameter is a list of lists", "write a flat list"),
     "list-of-maps": ("A parameter is a list of dictionaries", "write a list of names, and a dictionary for each name"),

@@ -3,25 +3,21 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Callable
 from collections.abc import Iterator
 from typing import Any
 
 from bringup_lint.facts.ros.launch_calls import Signature
 from bringup_lint.facts.ros.launch_calls import needs
 from bringup_lint.facts.ros.launch_calls import signature
-from bringup_lint.model.launch import Action
 from bringup_lint.model.launch import RefusedCall
-from bringup_lint.model.launch_values import Literal
 from bringup_lint.parsers.launch_python.arguments import Arguments
 from bringup_lint.parsers.launch_python.objects import Bound
 from bringup_lint.parsers.launch_python.objects import Description
-from bringup_lint.parsers.launch_python.objects import Handler
-from bringup_lint.parsers.launch_python.objects import Mapping
-from bringup_lint.parsers.launch_python.objects import Sequence
 from bringup_lint.parsers.launch_python.objects import Symbol
 from bringup_lint.parsers.launch_python.state import State
-from bringup_lint.parsers.launch_python.unperformed import is_object
+from bringup_lint.parsers.launch_python.value_checks import CHECKS
+from bringup_lint.parsers.launch_python.value_checks import kind_of
+from bringup_lint.parsers.launch_python.value_checks import not_action
 from bringup_lint.source import Span
 
 _OLD = ("node_executable", "node_name", "node_namespace", "node_plugin")
@@ -41,7 +37,7 @@ def note_misfit(state: State, function: Any, call: ast.Call, args: Arguments) ->
     for word, (code, thing) in _mistyped(known, args):
         inside = thing is not None and args.span.start <= thing.span.start < args.span.end
         where = thing.span if inside else _place(state, known, call, word) or args.span
-        given = repr(thing.value) if isinstance(thing, Literal) else ""
+        given = kind_of(thing)
         _note(state, RefusedCall(code, owner, word, where, given))
 
 
@@ -54,8 +50,8 @@ def _note(state: State, refused: RefusedCall) -> None:
 def _note_added(state: State, function: Bound, args: Arguments) -> None:
     """``add_action`` takes one action."""
     if function.name == "add_action" and isinstance(function.owner, Description) and len(args.positional) == 1:
-        for code, thing in _not_action(args.positional[0]):
-            _note(state, RefusedCall(code, "LaunchDescription", "add_action", thing.span))
+        for code, thing in not_action(args.positional[0]):
+            _note(state, RefusedCall(code, "LaunchDescription", "add_action", thing.span, kind_of(thing)))
 
 
 def _place(state: State, known: Signature, call: ast.Call, word: str) -> Span | None:
@@ -89,112 +85,9 @@ def _misnamed(state: State, known: Signature, call: ast.Call, args: Arguments) -
         yield "missing", ",".join(missing), state.positions.span(call.func)
 
 
-Found = Iterator[tuple[str, Any]]
-"""What a value should be, and the part of it that is something else."""
-
-
 def _mistyped(known: Signature, args: Arguments) -> Iterator[tuple[str, tuple[str, Any]]]:
     for word, what in needs(known).items():
         index = known.positional.index(word) if word in known.positional else None
         thing = args.get(word, index)
         if thing is not None:
-            yield from ((word, found) for found in _CHECKS[what](thing))
-
-
-def _text(thing: Any) -> Found:
-    if _is_number(thing):
-        yield "text", thing
-    elif isinstance(thing, Sequence):
-        yield from (("text", item) for _, item in thing.items if _is_number(item) or _is_none(item))
-
-
-def _words(thing: Any) -> Found:
-    if isinstance(thing, Literal) and isinstance(thing.value, str) and len(thing.value) > 1:
-        yield "words", thing
-    yield from _texts(thing)
-
-
-def _texts(thing: Any) -> Found:
-    for item in _items(thing):
-        if _is_number(item) or _is_none(item):
-            yield "text", item
-        elif isinstance(item, Sequence):
-            yield from _text(item)
-
-
-def _values(thing: Any) -> Found:
-    if isinstance(thing, Mapping):
-        yield from (("text", item) for _, item in thing.pairs() if _is_number(item) or _is_none(item))
-
-
-def _pairs(thing: Any) -> Found:
-    if isinstance(thing, Mapping):
-        if thing.entries:
-            yield "pairs", thing
-        return
-    for pair in _items(thing):
-        inner = pair.plain() if isinstance(pair, Sequence) else None
-        if inner is not None and len(inner) == 2 and (_is_number(inner[1]) or _is_none(inner[1])):
-            yield "text", inner[1]
-
-
-def _seconds(thing: Any) -> Found:
-    if isinstance(thing, Literal) and isinstance(thing.value, int):
-        yield "seconds", thing
-
-
-def _truth(thing: Any) -> Found:
-    if isinstance(thing, Literal) and not isinstance(thing.value, (bool, type(None))):
-        yield "truth", thing
-
-
-def _actions(thing: Any) -> Found:
-    if isinstance(thing, Action):
-        yield "actions", None
-    for item in _items(thing):
-        yield from _not_action(item)
-
-
-def _not_action(thing: Any) -> Found:
-    """What launch cannot visit: a list, or an event handler that nothing registers."""
-    if isinstance(thing, Sequence) and not isinstance(thing, Description):
-        yield "action", thing
-    elif isinstance(thing, Handler) and thing.name.startswith("On"):
-        yield "registered", thing
-
-
-def _function(thing: Any) -> Found:
-    if isinstance(thing, (Sequence, Action)):
-        yield "function", None
-
-
-def _condition(thing: Any) -> Found:
-    if is_object(thing) or (isinstance(thing, Literal) and isinstance(thing.value, str)):
-        yield "condition", None
-
-
-def _items(thing: Any) -> list[Any]:
-    """What is in a list; nothing of anything else."""
-    return [item for _, item in thing.items] if isinstance(thing, Sequence) else []
-
-
-def _is_number(thing: Any) -> bool:
-    return isinstance(thing, Literal) and isinstance(thing.value, (bool, int, float))
-
-
-def _is_none(thing: Any) -> bool:
-    return isinstance(thing, Literal) and thing.value is None
-
-
-_CHECKS: dict[str, Callable[[Any], Found]] = {
-    "text": _text,
-    "texts": _texts,
-    "words": _words,
-    "values": _values,
-    "pairs": _pairs,
-    "seconds": _seconds,
-    "truth": _truth,
-    "actions": _actions,
-    "function": _function,
-    "condition": _condition,
-}
+            yield from ((word, found) for found in CHECKS[what](thing))

@@ -11,7 +11,15 @@ from bringup_lint.model.launch import Node
 from bringup_lint.model.launch import OldKeyword
 from bringup_lint.model.launch import Other
 from bringup_lint.model.launch import Process
+from bringup_lint.model.launch_values import Argument
+from bringup_lint.model.launch_values import Command
+from bringup_lint.model.launch_values import DerivedFile
+from bringup_lint.model.launch_values import Env
 from bringup_lint.model.launch_values import Literal
+from bringup_lint.model.launch_values import PackageShare
+from bringup_lint.model.launch_values import ParameterFile
+from bringup_lint.model.launch_values import PathJoin
+from bringup_lint.model.launch_values import TypedValue
 from bringup_lint.model.launch_values import Value
 from bringup_lint.parsers.launch_python import freeze
 from bringup_lint.parsers.launch_python.actions import conditions
@@ -35,6 +43,8 @@ _OPTIONS = (
 ).split()
 
 
+_NO_LISTS = (Argument, PathJoin, PackageShare, DerivedFile, ParameterFile, TypedValue, Command, Env)
+"""Values that are one file, or one value."""
 OLD_KEYWORDS = ("node_executable", "node_name", "node_namespace", "node_plugin")
 _OLD = regex(rf"\b({'|'.join(OLD_KEYWORDS)})\s*=(?!=)")
 
@@ -128,16 +138,20 @@ def _note_old(state: State, args: Arguments, owner: str) -> None:
             state.file.keywords.append(OldKeyword(owner, place, now, now in args.keywords))
 
 
-def _note_refused(state: State, thing: Any) -> None:
+def _note_refused(state: State, args: Arguments) -> None:
     """Keep what ``parameters=`` may not be: anything but a list, and in its dictionaries keys that are not strings and
     lists with lists of numbers."""
-    if isinstance(thing, Mapping) or _is_text(thing):
-        _refuse(state, "not-a-list", thing.span)
+    thing = args.get("parameters")
+    if isinstance(thing, (Mapping, *_NO_LISTS)) or _is_text(thing):
+        is_here = args.span.start <= thing.span.start < args.span.end
+        _refuse(state, "not-a-list" if is_here else "no-list", thing.span if is_here else args.span)
     if not isinstance(thing, Sequence) or thing.open:
         return
     for _, item in thing.items:
         if isinstance(item, Action):
             _refuse(state, "action", item.span)
+        if isinstance(item, Literal) and not _is_text(item):
+            _refuse(state, "value", item.span)
     dictionaries = (item for _, item in thing.items if isinstance(item, Mapping))
     for key, value in (pair for dictionary in dictionaries for pair in dictionary.pairs()):
         if isinstance(key, Literal) and not _is_text(key):
@@ -184,7 +198,7 @@ def _refuse(state: State, code: str, where: Span) -> None:
 def _node_fields(state: State, args: Arguments) -> dict[str, Any]:
     fields = _common(state, args)
     _note_old(state, args, "Node")
-    _note_refused(state, args.get("parameters"))
+    _note_refused(state, args)
     _note_remappings(state, args.get("remappings"))
     remappings, more = freeze.pairs(state, args.get("remappings"))
     old_name = args.get("node_name")
@@ -241,7 +255,7 @@ def _component(lifecycle: bool) -> Builder:
     def builder(state: State, args: Arguments) -> Any:
         remappings, more = freeze.pairs(state, args.get("remappings"))
         _note_old(state, args, "ComposableNode")
-        _note_refused(state, args.get("parameters"))
+        _note_refused(state, args)
         _note_remappings(state, args.get("remappings"))
         return ComposableNode(
             span=args.span,

@@ -6,13 +6,29 @@ from typing import Any
 
 from bringup_lint.model.launch import ObjectAsValue
 from bringup_lint.model.launch_values import Argument
+from bringup_lint.model.launch_values import Literal
+from bringup_lint.model.launch_values import Unknown
+from bringup_lint.model.launch_values import is_value
 from bringup_lint.parsers.launch_python.state import State
+from bringup_lint.pattern import regex
 from bringup_lint.source import Span
+
+_CLASS = regex(r"(?:launch(?:_ros)?\.substitutions\.)?(?:Python|Path|FindPackage|Command|Environment|IfElse)\w*\(")
+"""A call of a class of substitutions."""
 
 
 def is_object(thing: Any) -> bool:
     """A ``LaunchConfiguration``, which equals no text and is none."""
     return isinstance(thing, Argument) and not thing.performed
+
+
+def is_substitution(thing: Any) -> bool:
+    """A substitution of any class that stands where it was made, in a file that performs none itself."""
+    if is_object(thing):
+        return True
+    if not is_value(thing) or isinstance(thing, (Argument, Literal, Unknown)):
+        return False
+    return _CLASS.match(thing.span.text) is not None and "perform" not in thing.span.source.text
 
 
 def is_text(thing: Any) -> bool:
