@@ -3,16 +3,18 @@
 ## What it finds
 In `.urdf` and `.xacro` files: joints of type `revolute` or `prismatic` without `<limit>`, limits of any joint without
 `effort` or `velocity`, a lower limit above the upper one, and limits of revolute joints and `rpy` of any origin in
-degrees (a warning). In `.urdf` files without xacro that no other description includes also: joints whose parent or
-child link does not exist, links and joints of the same name, and a second link without a parent. In files for xacro:
-joints outside of macros whose parent or child link no description of the tree has, when all that they include is in the
-tree; and included files that do not exist, outside of macros and conditions. A file that no launch file and no other
-description names is reported as info.
+degrees (a warning); `xyz`, `rpy` and `size` that are not three numbers with blanks between them; and in a file or macro
+two links or joints of the same name, and links that are the child of two joints (a warning). In `.urdf` files without
+xacro that no other description includes also: joints whose parent or child link does not exist, and a second link
+without a parent. In files for xacro: joints outside of macros whose parent or child link no description of the tree
+has, when all that they include is in the tree; and included files that do not exist, outside of macros and conditions.
+A file that no launch file and no other description names is reported as info.
 
 ## Why it matters on a robot
 urdfdom takes a description as a whole or not at all. robot_state_publisher ends at its start, the controller manager
 and MoveIt get no robot, and no frame of it exists. With reversed limits the file is read, and every goal is out of
-range. An origin in degrees is read as well, as many turns that end anywhere: what the sensor sees is in another place.
+range. A link has one parent: what a second joint was to place is not placed. An origin in degrees is read as well, as
+many turns that end anywhere: what the sensor sees is in another place.
 
 ## Bad
 ```xml
@@ -77,7 +79,7 @@ def _severity(refused: Refused) -> str:
     """Info for a file that nothing loads."""
     if not refused.used:
         return "info"
-    return "warning" if refused.what in ("limits", "degrees", "turned") else "error"
+    return "warning" if refused.what in ("limits", "degrees", "turned", "parents") else "error"
 
 
 def _what(refused: Refused) -> str:
@@ -97,6 +99,10 @@ def _what(refused: Refused) -> str:
             return f"xacro does not find the file '{refused.name}'"
         case "no-link":
             return f"Joint '{refused.detail}' names the link '{refused.name}', which does not exist"
+        case "vector":
+            return f"The {refused.name} is not three numbers ('{refused.detail}')"
+        case "parents":
+            return f"The link '{refused.name}' is the child of two joints ({refused.detail})"
         case "twice":
             return f"There are two {refused.detail}s called '{refused.name}'"
     return f"'{refused.name}' is a second link without a parent, beside '{refused.detail}'"
@@ -109,6 +115,8 @@ def _consequence(refused: Refused) -> str:
         return "it makes no description, and robot_state_publisher does not start"
     if refused.what == "degrees":
         return "many turns, which nothing keeps the joint from"
+    if refused.what == "parents":
+        return "only one of them places it, and the link that the other one was for has no place"
     if refused.what == "turned":
         return "many turns, so that it does not point where it should"
     return "robot_state_publisher refuses the whole description"
@@ -128,6 +136,10 @@ def _advice(refused: Refused) -> str:
             return "add the file, or correct the path"
         case "no-link":
             return "add the link, or correct the name"
+        case "vector":
+            return "write three numbers with blanks between them, such as 0 0 0"
+        case "parents":
+            return "give one of the joints its own child"
         case "twice":
             return "rename one of them"
     return "join it to the others"

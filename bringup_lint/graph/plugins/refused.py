@@ -24,6 +24,8 @@ if TYPE_CHECKING:
 _LIMITED = ("revolute", "prismatic")
 _DEGREES = (30, 360)
 _NEEDED = ("effort", "velocity")
+_VECTORS = {"origin": ("xyz", "rpy"), "axis": ("xyz",), "box": ("size",)}
+_AXES = 3
 _OUTER = frozenset({"ros2_control", "transmission", "gazebo", "state", "group_state"})
 """Elements whose joints only refer to those of the robot."""
 
@@ -31,8 +33,8 @@ _OUTER = frozenset({"ros2_control", "transmission", "gazebo", "state", "group_st
 class Refused(NamedTuple):
     where: Span
     what: str
-    """``no-limit``, ``no-attribute``, ``limits``, ``degrees``, ``turned``, ``no-link``, ``twice``, ``roots`` or
-    ``no-file``."""
+    """``no-limit``, ``no-attribute``, ``limits``, ``degrees``, ``turned``, ``no-link``, ``twice``, ``roots``,
+    ``vector``, ``parents`` or ``no-file``."""
     name: str
     detail: str = ""
     other: Span | None = None
@@ -53,6 +55,8 @@ def refused_descriptions(files: Files, workspace: Workspace) -> Iterator[list[Re
             *_includes(root, workspace),
             *_joints(root),
             *_origins(root),
+            *_repeated(root),
+            *_vectors(root),
             *(_tree(root) if _is_plain(source) and not is_part else ()),
         ]
         lost = list(_lost(root)) if "xacro" in source.text and not found else []
@@ -77,7 +81,7 @@ def _includes(root: Element, workspace: Workspace) -> Iterator[Refused]:
 
 def _is_read(refused: Refused) -> bool:
     """Whether urdfdom takes the description all the same."""
-    return refused.what in ("limits", "degrees", "turned")
+    return refused.what in ("limits", "degrees", "turned", "parents")
 
 
 def _is_named(files: Files, source: Source, *kinds: str) -> bool:
@@ -155,8 +159,6 @@ def _number(text: str | None) -> float | None:
 def _tree(root: Element) -> Iterator[Refused]:
     links = [each for each in root.find_all("link") if each.get("name") is not None]
     joints = [each for each in root.find_all("joint") if each.get("name") is not None]
-    for kind, elements in (("link", links), ("joint", joints)):
-        yield from _twice(kind, elements)
     names = {str(each.get("name")) for each in links}
     children = set()
     for joint in joints:
@@ -181,6 +183,39 @@ def _lost(root: Element) -> Iterator[Refused]:
         lost = [link for link in links if str(link) not in own]
         if joint.get("type") and len(links) == 2 and len(lost) == 1:
             yield Refused(lost[0].span, "no-link", str(lost[0]), str(joint.get("name")))
+
+
+def _vectors(root: Element) -> Iterator[Refused]:
+    """Attributes of three numbers that urdfdom does not take for that: it splits at blanks alone."""
+    for element in root.walk():
+        for attribute in _VECTORS.get(element.name, ()):
+            value = element.get(attribute)
+            if value is None or "$" in value or not _is_own(element):
+                continue
+            numbers = [_number(each) for each in value.split()]
+            if len(numbers) != _AXES or None in numbers:
+                yield Refused(value.span, "vector", f"{element.name} {attribute}", str(value))
+
+
+def _repeated(root: Element) -> Iterator[Refused]:
+    """What the description itself, or one macro, has twice under one literal name."""
+    for scope in (root, *(each for each in root.walk() if each.name == "xacro:macro")):
+        for kind in ("link", "joint"):
+            yield from _twice(kind, [each for each in scope.find_all(kind) if _is_literal(each.get("name"))])
+        placed: dict[str, Element] = {}
+        for joint in (each for each in scope.find_all("joint") if _is_literal(each.get("name"))):
+            child = joint.find("child")
+            link = child.get("link") if child is not None else None
+            if link is None or not _is_literal(link):
+                continue
+            first = placed.setdefault(str(link), joint)
+            if first.get("name") != joint.get("name"):
+                names = f"{first.get('name')}, {joint.get('name')}"
+                yield Refused(link.span, "parents", str(link), names, first.tag)
+
+
+def _is_literal(name: str | None) -> bool:
+    return name is not None and "$" not in name
 
 
 def _twice(kind: str, elements: list[Element]) -> Iterator[Refused]:
