@@ -26,7 +26,7 @@ DEFAULT_SYSTEMD = 249
 _DISTROS = distros.supported()
 _DISTRO = "|".join(_DISTROS)
 _MENTIONS = regex(
-    rf"(?=[/Rri])(?:/opt/ros/({_DISTRO})\b|\bROS_DISTRO[=:]\s*[\"']?({_DISTRO})\b"
+    rf"(?=[/Rri])(?:/opt/ros/({_DISTRO})\b|(?<![A-Za-z0-9])ROS_DISTRO[=:]\s*[\"']?({_DISTRO})\b"
     rf"|\bros:({_DISTRO})\b|\bros-({_DISTRO})-"
     rf"|\bimage:\s*[\"']?[\w./-]+:({_DISTRO})(?=[-.\s\"'@])"
     rf"|/(?<=[\w./]/)[\w.-]*(?:l4t|ros2?|focal|jammy|noble)[\w.]*-({_DISTRO})(?=[:@\s\"'-]))"
@@ -45,7 +45,7 @@ def mentions_of(distro: str) -> re.Pattern[str]:
     """What names a distribution, outside of comments."""
     name = re.escape(distro)
     before = r"(?m)^(?![ \t]*(?:#|//))[^#\n]*?"
-    words = rf"/opt/ros/{name}\b|\bROS_DISTRO[=:]\s*[\"']?{name}\b|\bros:{name}\b|\bros-{name}-"
+    words = rf"/opt/ros/{name}\b|(?<![A-Za-z0-9])ROS_DISTRO[=:]\s*[\"']?{name}\b|\bros:{name}\b|\bros-{name}-"
     return regex(f"{before}(?P<name>{words})")
 
 

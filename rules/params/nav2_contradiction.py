@@ -7,11 +7,12 @@ a section of their own, where no other file knows the name; a source that marks 
 with `clearing: false` whose sources all mark, and none of which clears; limits of `velocity_smoother` with the wrong
 sign, not one for each axis, or of zero for turning both ways; `polygons` of the collision monitor without a section;
 `min_particles` of amcl above `max_particles`; an `initial_pose` without `set_initial_pose`; from Humble on the names
-that amcl's motion models had before, and a section `recoveries_server` without one for `behavior_server`; a local
-costmap that rolls in the frame that amcl corrects; critics that DWB or MPPI do not have; limits of
-`velocity_smoother` below those that a controller of the same file plans with; a tree for `NavigateToPose` as that for
-`NavigateThroughPoses`, or the reverse; a `data_type` that obstacle layers do not take; and from Jazzy on libraries in
-`plugin_lib_names` that bt_navigator loads by itself. Layers with `enabled: false` are left alone.
+that amcl's motion models had before, and a section `recoveries_server` without one for `behavior_server` or
+`default_bt_xml_filename`; a local costmap that rolls in the frame that amcl corrects; critics that DWB or MPPI do not
+have; limits of `velocity_smoother` below those that a controller of the same file plans with; a tree for
+`NavigateToPose` as that for `NavigateThroughPoses`, or the reverse; a `data_type` that obstacle layers do not take; and
+from Jazzy on libraries in `plugin_lib_names` that bt_navigator loads by itself. Layers with `enabled: false` are left
+alone.
 
 ## Why it matters on a robot
 A footprint that is refused leaves the robot with its radius, and the costmap lets it drive into what the corners touch.
@@ -115,6 +116,8 @@ def _message(each: NavigationProblem) -> str:
             return f"The velocity smoother drives slower than the controller plans ({each.detail})"
         case "tree":
             return f"The tree is that of the other action: the navigator sets {each.detail}: each goal fails"
+        case "old-tree":
+            return f"bt_navigator reads no {each.name} since Galactic: it takes the tree of its own package"
         case "polygon":
             return f"The polygon '{each.name}' has no section with a type: {each.detail} does not configure"
         case "pose":
@@ -164,6 +167,8 @@ def _advice(each: NavigationProblem) -> str:
             return "give both the same limit"
         case "tree":
             return f"write the tree of its own action, or leave out {each.name}"
+        case "old-tree":
+            return "write the path of the tree as default_nav_to_pose_bt_xml, or remove the line"
         case "polygon":
             return f"add a section {each.name}, or write the name of the one that is there"
         case "pose":

@@ -72,6 +72,8 @@ _CRITICS = {
 }
 _SEEN = ("LaserScan", "PointCloud2", "")
 """What an obstacle layer takes as the type of a source (obstacle_layer.cpp)."""
+_OLD_TREE = "default_bt_xml_filename"
+"""The parameter that bt_navigator declared before Galactic."""
 _TREES = {
     "default_nav_through_poses_bt_xml": ("navigate_to_pose", "goals, which a tree for NavigateThroughPoses reads"),
     "default_nav_to_pose_bt_xml": ("navigate_through_poses", "goal, which a tree for NavigateToPose reads"),
@@ -140,6 +142,9 @@ def _navigator(params: Params, file: ParameterFile, block: Block) -> Iterator[Na
         each = named.get(name)
         if each is not None and isinstance(each.value.data, str) and wrong in each.value.data.rpartition("/")[2]:
             yield NavigationProblem("tree", each.span, name, right)
+    old = named.get(_OLD_TREE)
+    if old is not None and old.value.data and _is_since_humble(params, file):
+        yield NavigationProblem("old-tree", old.key.span, _OLD_TREE, old.text)
     libraries = named.get("plugin_lib_names")
     loaded = _loaded(params.distribution) if libraries is not None else frozenset()
     twice = [item for item in items(libraries) if item.text in loaded] if libraries is not None else []

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Callable
 from collections.abc import Iterator
 from functools import cached_property
@@ -355,6 +356,13 @@ class Params:
             texts = (each.source.uncommented for each in launch.files_of(owner))
             self._words[id(owner)] = frozenset(word for text in texts for word in _FILE_NAME.findall(text))
         return file.source.basename in self._words[id(owner)]
+
+    def is_named_with(self, node: str, package: str) -> bool:
+        """Whether a launch file names a node and a package, as one does that starts nodes in a way that is not
+        followed."""
+        named = regex(rf"[\"']{re.escape(node)}[\"']")
+        texts = (each.source.uncommented for each in self._launch().judged) if self._tree_files.of_kind(*LAUNCH) else ()
+        return any(package in text and named.search(text) is not None for text in texts)
 
     def _composed(self, launch: Launch, owner: Package) -> ComposedNames:
         if id(owner) not in self._ends:
