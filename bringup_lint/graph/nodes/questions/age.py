@@ -9,10 +9,17 @@ from bringup_lint.model.cpp_text import COMMENT
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 
+_QUANTITY = (
+    r"(?:\w{1,20}_)?(?:rpms?|vel|velocity|velocities|speeds?|err|errors?|servos?|pos|positions?|angles?|yaw|theta"
+    r"|encoders?|ticks?|throttle|steering|linear|angular|[xyz])(?:_[a-z]|_left|_right)?"
+    r"|(?:cmd|command|twist)\w{0,10}\.(?:linear|angular|twist|drive|data)"
+)
+"""What a difference to the last one of is no age: a slope of a speed, an error of a controller."""
 _TIMED = regex(
     r"(?=[twdsehflnamc-])(?:time_?out|watch_?dog|\bwdog|dead_?man|stale|expir|elapsed|heart_?beat|fail_?safe|deadline"
     r"|\blease|since_?last|last_?\w{0,20}(?:time|stamp|recv|received|call)|(?:time|stamp)\w{0,20}last|no_?(?:cmd|command)|\bstamp\b|\bage\b"
-    r"|\bnow\s{0,3}-(?!>)|(?:now|time|monotonic|clock)\(\)[\w.()]{0,40}\s{0,3}-|-\s{0,3}(?:self\.|this->)?(?:last|prev))",
+    r"|\bnow\s{0,3}-(?!>)|(?:now|time|monotonic|clock)\(\)[\w.()]{0,40}\s{0,3}-"
+    rf"|-\s{{0,3}}(?:self\.|this->)?(?:last|prev)(?!(?:ious)?_?(?:{_QUANTITY})(?![a-z])))",
     re.I,
 )
 """What code that ends a motion by time has in it somewhere. The look at the first character keeps the search from
