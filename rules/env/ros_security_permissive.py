@@ -39,12 +39,14 @@ from bringup_lint.api import rule
 
 @rule("warning", fix="unsafe", symptoms=["SECURITY ERROR: directory '*' does not exist., at"], tags=["CWE-1188"])
 def ros_security_permissive(robot: Robot) -> Iterator[Finding]:
+    seen = set()
     for process in robot.ros.processes:
         environment = process.environment
         enable, strategy = environment.get("ROS_SECURITY_ENABLE"), environment.get("ROS_SECURITY_STRATEGY")
         if enable is None or enable.text != "true" or robot.ros.is_development(enable.value):
             continue
         if strategy is not None and strategy.text == "Permissive":
+            seen.add(strategy.value.span)
             yield finding(
                 strategy.value,
                 f"{process.name} is permissive: nodes without credentials still join",
@@ -59,4 +61,17 @@ def ros_security_permissive(robot: Robot) -> Iterator[Finding]:
                 "still join",
                 advice="add ROS_SECURITY_STRATEGY=Enforce",
                 related=[note(process.where, f"{process.name} gets the variable")],
+            )
+    enabled = {each.value.span.source: each for each in robot.ros.of("ROS_SECURITY_ENABLE") if each.text == "true"}
+    for each in robot.ros.of("ROS_SECURITY_STRATEGY"):
+        switch = enabled.get(each.value.span.source)
+        if each.origin != "export" or each.text != "Permissive" or switch is None or each.value.span in seen:
+            continue
+        if not robot.ros.is_development(each.value):
+            yield finding(
+                each.value,
+                "Whoever sources this script is permissive: nodes without credentials still join",
+                advice="write Enforce",
+                related=[note(switch.value, "security is switched on here")],
+                fix=fix("write Enforce", (each.value, "Enforce"), safe=False),
             )

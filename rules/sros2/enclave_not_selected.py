@@ -6,6 +6,8 @@ A process that has `ROS_SECURITY_ENABLE` set to true, but neither `--enclave` no
 - nodes of launch files, secured by `additional_env`, by `SetEnvironmentVariable`, or by the environment of
   the unit, service or script that runs `ros2 launch`
 - nodes that a command line starts with `ros2 run`
+- nodes of launch files beside others that select an enclave, where a script exports the variable with Enforce, and the
+  tree holds the keystore
 
 A keystore with an enclave for `/` counts as intent, and nothing is reported. Without a keystore in the tree
 the finding is a warning, because the robot may have an enclave `/`, unless the node itself sets the variable

@@ -59,7 +59,7 @@ OF_GRANTS = {
     regex(r"rr/\*+(?:Reply)?$"): ANSWERS,
 }
 OF_POLICIES = {("topic", "publish"): TOPICS, ("service", "request"): CALLS, ("service", "reply"): ANSWERS}
-ALL = ("*", "/*", "/**")
+ALL = ("*", "**", "/*", "/**")
 
 
 class Wide(NamedTuple):

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch.started import Started
 
 ENABLE = "ROS_SECURITY_ENABLE"
+STRATEGY = "ROS_SECURITY_STRATEGY"
 
 
 class Secured(NamedTuple):
@@ -39,7 +40,8 @@ def without_enclave(ros: RosEnvironment, nodes: Iterable[Started]) -> list[list[
     """The secured processes that surely select no enclave; those with a common switch together. ``nodes``: the
     processes of launch files."""
     found: dict[Span, dict[Span, Secured]] = {}
-    for each in (*_launched(nodes), *_of_launchers(ros)):
+    nodes = list(nodes)
+    for each in (*_launched(nodes), *_of_launchers(ros), *_of_exports(ros, nodes)):
         if each.where.source.judged:
             found.setdefault(each.switch.span, {}).setdefault(each.where, each)
     return [list(group.values()) for group in found.values()]
@@ -58,6 +60,21 @@ def _of_launchers(ros: RosEnvironment) -> Iterator[Secured]:
         if any(ENABLE in start.environment for start in launcher.starts):
             for each in ros.launched_by(launcher):
                 yield from _of_node(each.node, each.environment)
+
+
+def _of_exports(ros: RosEnvironment, nodes: list[Started]) -> Iterator[Secured]:
+    """Those of launch files, where a script that is sourced exports the switch with Enforce, and other nodes of the
+    tree select an enclave."""
+    enforced = {
+        each.value.span.source for each in ros.of(STRATEGY) if each.origin == "export" and each.text == "Enforce"
+    }
+    switches = [each for each in ros.of(ENABLE) if each.value.span.source in enforced and each.text == "true"]
+    chosen = [enclave_of(node)[0] for node in nodes]
+    if len(switches) != 1 or not any(chosen) or ros.is_development(switches[0].value):
+        return
+    for node, selects in zip(nodes, chosen):
+        if node.is_node and not selects and not node.env and not node.own_env:
+            yield Secured(node.label(), node.span, switches[0].value, False)
 
 
 def _of_commands(launcher: RosProcess) -> Iterator[Secured]:
