@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.params.unread import Unread
     from bringup_lint.graph.params.unread import unread
     from bringup_lint.graph.params.values import Item
+    from bringup_lint.graph.params.wrong_types import WrongType
     from bringup_lint.graph.params.wrong_types import wrong_types
     from bringup_lint.graph.plugins.hardware_parameters import HardwareParameter
     from bringup_lint.graph.plugins.incomplete import IncompleteController
@@ -65,6 +66,7 @@ __all__ = [
     "UnknownPlugin",
     "Unread",
     "UntypedPlugin",
+    "WrongType",
     "navigation_problems",
     "operator_problems",
     "qos_overrides",

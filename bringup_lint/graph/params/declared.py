@@ -39,6 +39,7 @@ _CPP_TYPES = {
     "size_t": "integer",
     "double": "double",
     "float": "double",
+    "std::double_t": "double",
     "std::string": "string",
 }
 _CPP_CALL = regex(
@@ -47,6 +48,10 @@ _CPP_CALL = regex(
     r"|\bdeclare_parameter_if_not_declared\s*\(\s*[\w.>-]+(?:\(\))?\s*,\s*\"(?P<other>[\w./-]+)\"\s*,\s*"
     r"(?P<value>rclcpp::ParameterValue\([^(){};]*\)|rclcpp::[\w:]+)\s*[,)]"
 )
+_CPP_SEVERAL = regex(
+    r"\bdeclare_parameters\s{0,4}<\s{0,4}(?P<type>[\w:]+)\s{0,4}>\s{0,4}\(\s{0,40}\"(?P<prefix>[\w./-]*)\"\s{0,4},\s{0,40}\{"
+)
+_CPP_ENTRY = regex(r"\s{0,80}\{\s{0,40}\"(?P<name>[\w./-]+)\"\s{0,4},[^{};]{0,200}\}\s{0,40},?")
 _CPP_DEFAULT = (
     (regex(r"(?:true|false)\Z"), "bool"),
     (regex(r"[+-]?(?:0|[1-9][0-9]*)[uUlL]*\Z"), "integer"),
@@ -230,6 +235,13 @@ def _of_cpp(source: Source) -> Iterator[Declared]:
             yield Declared(_cpp_type(found["type"]), name)
         else:
             yield Declared(_cpp_default(found["call"] or found["default"] or found["value"] or ""), name)
+    for call in _CPP_SEVERAL.finditer(text):
+        entry = _CPP_ENTRY.match(text, call.end())
+        while entry is not None:
+            span = source.located(*entry.span("name")).span
+            prefix = f"{call['prefix']}." if call["prefix"] else ""
+            yield Declared("" if loose else _cpp_type(call["type"]), Located(prefix + entry["name"], span))
+            entry = _CPP_ENTRY.match(text, entry.end())
 
 
 def _cpp_type(text: str) -> str:

@@ -1,4 +1,4 @@
-"""The numbers that launch files give to nodes as parameters, with the types that launch_ros makes of them."""
+"""The values that launch files give to nodes as parameters, with the types that launch_ros makes of them."""
 
 from __future__ import annotations
 
@@ -30,30 +30,33 @@ _NUMBER = regex(r"[+-]?(?:0|[1-9][0-9]*)(?P<real>\.[0-9]*)?\Z")
 """A text that YAML reads as a number, whoever reads it."""
 
 
-class LaunchedNumber(NamedTuple):
-    """A number, or a list of them."""
+_TYPES = ((str, "string"), (bool, "bool"), (int, "integer"), (float, "double"))
+
+
+class LaunchedValue(NamedTuple):
+    """A number, a boolean or a text, or a list of them."""
 
     node: Started
     name: str
     type: str
-    """``integer`` or ``double``, or an array of them."""
+    """``integer``, ``double``, ``bool`` or ``string``, or an array of them."""
     items: list[Item]
     where: Span
 
 
-def launched_numbers(params: Params, launch: Launch) -> Iterator[LaunchedNumber]:
+def launched_values(params: Params, launch: Launch) -> Iterator[LaunchedValue]:
     """Those that arrive at the nodes of judged launch files, each place once for a node."""
     seen: set[tuple[Span, str, Span]] = set()
     for expansion in launch.expansions:
         for node in expansion.nodes:
-            for each in _numbers_of(params, launch, node):
+            for each in _values_of(params, launch, node):
                 key = (node.span, each.name, each.where)
                 if each.where.source.judged and key not in seen:
                     seen.add(key)
                     yield each
 
 
-def _numbers_of(params: Params, launch: Launch, node: Started) -> Iterator[LaunchedNumber]:
+def _values_of(params: Params, launch: Launch, node: Started) -> Iterator[LaunchedValue]:
     """From the last source of parameters to the first, as long as all that comes later is known."""
     texts = _named_arguments(node.action)
     again: set[str] = set()
@@ -66,14 +69,15 @@ def _numbers_of(params: Params, launch: Launch, node: Started) -> Iterator[Launc
         for name, value in given:
             items = _items(value, name in texts) if name not in again else []
             if items:
-                yield LaunchedNumber(node, str(name), _type(value, items), items, value.span)
+                yield LaunchedValue(node, str(name), _type(value, items), items, value.span)
         again |= {str(name) for name in names}
 
 
 def _type(value: Value, items: list[Item]) -> str:
     """launch_ros makes a list of doubles of whole and other numbers."""
-    number = "double" if any(item.type == "double" for item in items) else "integer"
-    return f"{number}_array" if isinstance(value, ListValue) else number
+    types = {item.type for item in items}
+    type_ = "double" if types == {"integer", "double"} else min(types)
+    return f"{type_}_array" if isinstance(value, ListValue) else type_
 
 
 def _names_in_file(params: Params, launch: Launch, source: Value) -> set[str | None]:
@@ -106,21 +110,22 @@ def _flat(values: DictValue, prefix: str) -> Iterator[tuple[str | None, Value]]:
 
 
 def _items(value: Value, is_argument: bool) -> list[Item]:
-    """The numbers of a value; empty when it is, or holds, anything else."""
+    """The scalars of a value; empty when one of them is not known, or launch_ros refuses to mix them."""
     values = value.items if isinstance(value, ListValue) else (value,)
     found = [item for each in values if (item := _item(each, is_argument)) is not None]
     is_known = len(found) == len(values) and not (isinstance(value, ListValue) and value.open)
-    return found if is_known else []
+    types = {item.type for item in found}
+    return found if is_known and (len(types) == 1 or types == {"integer", "double"}) else []
 
 
 def _item(value: Value, is_argument: bool) -> Item | None:
     if not isinstance(value, Literal):
         return None
-    text = str(value.value)
-    match = _NUMBER.match(text) if is_argument and isinstance(value.value, str) else None
-    if match is not None:
-        return Item("double" if match["real"] else "integer", None, text, value.span, True)
-    if isinstance(value.value, bool) or not isinstance(value.value, (int, float)):
-        return None
-    type_ = "integer" if isinstance(value.value, int) else "double"
-    return Item(type_, value.value, text, value.span, value.span.text != text)
+    data, text = value.value, str(value.value)
+    if is_argument and isinstance(data, str):
+        match = _NUMBER.match(text)
+        return Item("double" if match["real"] else "integer", None, text, value.span, True) if match else None
+    types = [name for kind, name in _TYPES if isinstance(data, kind)]
+    if types[:1] == ["string"] and value.span.text.strip("\"'") != text:
+        return None  # the outcome of a call, which may be no text
+    return Item(types[0], data, text, value.span, value.span.text != text) if types else None

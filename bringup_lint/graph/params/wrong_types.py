@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch.started import Started
     from bringup_lint.graph.params.params import Params
     from bringup_lint.graph.params.values import Item
+    from bringup_lint.graph.workspace import Package
 
 
 class WrongType(NamedTuple):
@@ -59,10 +60,10 @@ def wrong_types(params: Params, launch: Launch, given: str, declared: str) -> It
 
 
 def _launched(params: Params, launch: Launch, given: str, declared: str) -> Iterator[WrongType]:
-    from bringup_lint.graph.params.launched_values import launched_numbers
+    from bringup_lint.graph.params.launched_values import launched_values
 
     pairs = ((given, declared), (f"{given}_array", f"{declared}_array"))
-    for each in launched_numbers(params, launch):
+    for each in launched_values(params, launch):
         package = str(literal_text(each.node.package))
         text = ", ".join(item.text for item in each.items)
         text = f"[{text}]" if each.type.endswith("_array") else text
@@ -78,12 +79,26 @@ def _launched(params: Params, launch: Launch, given: str, declared: str) -> Iter
 
 
 def _is_of_another(launch: Launch, started: Started, place: Located) -> bool:
-    """Whether the module of another console script of the package declares a parameter: that is another node."""
-    points = launch.workspace.packages[str(literal_text(started.package))].entry_points
+    """Whether the source of another program of the package declares a parameter: that is another node."""
+    package = launch.workspace.packages[str(literal_text(started.package))]
+    if _is_built_into_another(package, str(literal_text(started.executable)), place.span.source.basename):
+        return True
+    points = package.entry_points
     modules = {name: target.partition(":")[0].rpartition(".")[2] for name, target in points.items()}
     own = modules.get(str(literal_text(started.executable)))
     declaring = place.span.source.basename.removesuffix(".py")
     return own is not None and declaring != own and declaring in modules.values()
+
+
+def _is_built_into_another(package: Package, program: str, file: str) -> bool:
+    """Whether CMake makes another program, and not this one, of a file."""
+    for build in package.builds:
+        users = {
+            name for name, files in build.targets.items() if any(file == each.rpartition("/")[2] for each in files)
+        }
+        if program in build.targets and program not in users:
+            return not users.isdisjoint(build.executables)
+    return False
 
 
 def _public_type(started: Started, name: str) -> str | None:
