@@ -108,6 +108,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.unsafe_ends import unsafe_ends
     from bringup_lint.graph.nodes.questions.unsafe_hardware import unsafe_hardware
     from bringup_lint.graph.nodes.questions.unsafe_hardware import unsafe_in_cpp
+    from bringup_lint.graph.nodes.questions.unsafe_publishers import unsafe_publishers
     from bringup_lint.graph.nodes.questions.unset_members import unset_members
     from bringup_lint.graph.nodes.questions.unstamped import unstamped
     from bringup_lint.graph.nodes.questions.what_ends import end_of
@@ -235,6 +236,7 @@ __all__ = [
     "unsafe_ends",
     "unsafe_hardware",
     "unsafe_in_cpp",
+    "unsafe_publishers",
     "unset",
     "unset_members",
     "unstamped",

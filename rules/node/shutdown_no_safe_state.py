@@ -5,7 +5,7 @@ A program whose node publishes velocities or efforts (`cmd_vel`, `*_command`, ..
 no `finally` or `except` that publishes, no signal handler, no `on_deactivate` or `on_shutdown` that publishes. A
 program that leaves SIGTERM to the operating system (`SignalHandlerOptions.NO` without a handler) is also reported,
 and one that takes commands for motors to pins or to an I2C bus, which keep what was written last, and stops nothing,
-in Python or C++.
+in Python or C++. Of C++, programs that only spin the node, without a destructor or a callback for the shutdown.
 The finding is info when the tree has a mux, smoother or controller with its own timeout, or firmware that looks at the
 time, when MoveIt Servo receives
 the topic and has an `incoming_command_timeout`, when the node only relays
@@ -95,4 +95,12 @@ def shutdown_no_safe_state(robot: Robot) -> Iterator[Finding]:
             advice="stop it in the destructor of the node, which runs after the spin",
             related=[note(each.command.span, f"the commands of {each.command.name or 'this topic'} stay in force")],
             severity=nodes.lowered(robot.nodes.purpose(each.source), "warning"),
+        )
+    for sent in nodes.unsafe_publishers(robot.nodes):
+        yield finding(
+            sent.spin,
+            f"The node exits without a stop command: {KEEPS}",
+            advice="publish zero in a callback of the context's add_pre_shutdown_callback(): after it nothing is sent",
+            related=[note(sent.command.span, f"publishes {sent.command.name}")],
+            severity="info" if sent.is_caught else nodes.lowered(robot.nodes.purpose(sent.source), "warning"),
         )

@@ -12,6 +12,7 @@ from bringup_lint.graph.nodes.questions.repeating import is_held
 from bringup_lint.graph.nodes.questions.safe_state import has_safe_state
 from bringup_lint.graph.nodes.questions.with_header import with_header
 from bringup_lint.graph.nodes.sources.ending import Spin
+from bringup_lint.model.cpp_source import CppNode
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import NodeSource
 from bringup_lint.named_tuple import NamedTuple
@@ -67,11 +68,17 @@ def unsafe_in_cpp(nodes: Nodes) -> Iterator[UnsafeCpp]:
     """The same for C++ files with a ``main`` that only spins the node."""
     for node in nodes.cpp:
         command = next((each for each in node.endpoints if is_held(each)), None)
-        spins = list(_SPIN.finditer(node.source.text)) if command is not None else []
-        if command is None or not spins or _CALL.search(node.source.text, spins[-1].end()):
-            continue
-        text = with_header(nodes, node.source)
-        bus = bus_in_cpp(text)
-        if bus is not None and not _MAY_STOP.search(COMMENTS.sub("", text)):
-            spin = Span(node.source, spins[-1].start(), spins[-1].end())
+        bus = bus_in_cpp(with_header(nodes, node.source)) if command is not None else None
+        spin = only_spin(nodes, node) if bus is not None else None
+        if command is not None and bus is not None and spin is not None:
             yield UnsafeCpp(node.source, spin, bus, command)
+
+
+def only_spin(nodes: Nodes, node: CppNode) -> Span | None:
+    """The last spin of a file, where nothing comes after it, and nothing of the file may run when the program ends."""
+    spins = list(_SPIN.finditer(node.source.text))
+    if not spins or _CALL.search(node.source.text, spins[-1].end()):
+        return None
+    if _MAY_STOP.search(COMMENTS.sub("", with_header(nodes, node.source))):
+        return None
+    return Span(node.source, spins[-1].start(), spins[-1].end())
