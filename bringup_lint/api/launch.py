@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.dependencies.effects import effect_of
     from bringup_lint.graph.dependencies.effects import of_robots
     from bringup_lint.graph.dependencies.needs import Need
+    from bringup_lint.graph.launch.allowed_words import allowed_words
     from bringup_lint.graph.launch.delays import delayed
     from bringup_lint.graph.launch.delays import undelayed
     from bringup_lint.graph.launch.delays import waiting_comment
@@ -173,6 +174,7 @@ __all__ = [
     "Used",
     "Value",
     "Wait",
+    "allowed_words",
     "brought_up",
     "check_of",
     "choices_of",

@@ -12,6 +12,7 @@ from bringup_lint.model.launch_values import Argument
 from bringup_lint.model.launch_values import Choice
 from bringup_lint.model.launch_values import Condition
 from bringup_lint.model.launch_values import DictValue
+from bringup_lint.model.launch_values import Operation
 from bringup_lint.model.launch_values import Value
 from bringup_lint.model.launch_values import understood
 from bringup_lint.named_tuple import NamedTuple
@@ -334,6 +335,8 @@ class LaunchFile:
     """The entry function's name, or the root of the document."""
     reads: list[Argument] = field(default_factory=list)
     """Every launch configuration that the file mentions, also in code that was not followed to the end."""
+    expressions: list[Operation] = field(default_factory=list)
+    """Every Python expression of a Python launch file that launch evaluates."""
     bound: list[tuple[Argument, str]] = field(default_factory=list)
     """Those of them that Python code only assigns to a variable, with its name."""
     reads_all: bool = False

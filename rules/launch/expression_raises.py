@@ -1,10 +1,11 @@
-"""A Python expression in a condition ends with an exception.
+"""A Python expression of a launch file ends with an exception.
 
 ## What it finds
 `PythonExpression` (`$(eval ...)`) in the condition of an action whose text, with the defaults of the arguments, names
 something that Python does not know, as `not true` where the default of an argument is `true` and not `True`, or a text
 that lacks its quotes; and texts that are no expression. Silent where every command of the tree that launches the file
-passes one of the arguments. A warning where launch comes to the condition only with some arguments.
+passes one of the arguments. A warning where launch comes to the condition only with some arguments, and for `true` and
+`false` that are no default and among the `choices` of the argument, in conditions and elsewhere.
 
 ## Why it matters on a robot
 launch evaluates the text as Python. `true` and `false` are no names there: the whole launch aborts, with a NameError.
@@ -35,6 +36,7 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Related
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import launch
 from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.launch import Expansion
@@ -63,6 +65,19 @@ def expression_raises(robot: Robot) -> Iterator[Finding]:
                 related=[*_defaults(expansion, each), *(note(span, "included from here") for span in each.chain)],
                 severity=None if each.by_default else "warning",
             )
+    for file in robot.launch.judged:
+        yield from _allowed(robot, file)
+
+
+def _allowed(robot: Robot, file: launch.LaunchFile) -> Iterator[Finding]:
+    for each in launch.allowed_words(robot.launch, file):
+        yield finding(
+            each.expression.span,
+            f"With {each.name}:={each.word} launch evaluates `{each.text.strip()}`: {each.error}, and it aborts",
+            advice="compare it as a text ('true'), or leave only True and False among the choices",
+            related=[note(each.word, f"'{each.word}' is one of the choices of '{each.name}'")],
+            severity="warning",
+        )
 
 
 def _defaults(expansion: Expansion, failed: Failed) -> Iterator[Related]:

@@ -97,7 +97,9 @@ def _command(state: State, args: Arguments) -> Any:
 def _python(state: State, args: Arguments) -> Any:
     if args.get("python_modules", 1) is not None:
         return Unknown("an expression with modules", args.span)
-    return Operation("python", (freeze.text(state, args.need("expression", 0)),), args.span)
+    result = Operation("python", (freeze.text(state, args.need("expression", 0)),), args.span)
+    state.file.expressions.append(result)
+    return result
 
 
 def _operation(name: str, *parameters: str) -> Builder:
