@@ -20,6 +20,8 @@ from bringup_lint.graph.plugins.incomplete import IncompleteController
 from bringup_lint.graph.plugins.incomplete import incomplete_controllers
 from bringup_lint.graph.plugins.joints import UnknownJoint
 from bringup_lint.graph.plugins.joints import unknown_joints
+from bringup_lint.graph.plugins.meshes import MissingMesh
+from bringup_lint.graph.plugins.meshes import missing_meshes
 from bringup_lint.graph.plugins.moveit import MoveItProblem
 from bringup_lint.graph.plugins.moveit import moveit_problems
 from bringup_lint.graph.plugins.moveit_files import MissingMoveItFile
@@ -92,6 +94,11 @@ class Plugins:
     def refused_descriptions(self) -> list[list[Refused]]:
         """What is wrong with robot descriptions, that of one file together."""
         return list(refused_descriptions(self._files, self._launch.workspace))
+
+    @cached_property
+    def missing_meshes(self) -> list[list[MissingMesh]]:
+        """Meshes that descriptions name and that packages of the tree do not have, those of one file together."""
+        return list(missing_meshes(self._files, self._launch.workspace))
 
     @cached_property
     def gone_simulator_plugins(self) -> list[list[GonePlugin]]:
