@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.commands.wrappers import unwrapped
     from bringup_lint.graph.installed.ansible.names import missing_names
     from bringup_lint.graph.installed.ansible.shells import sh_commands
+    from bringup_lint.graph.installed.misnamed_files import Misnamed
+    from bringup_lint.graph.installed.misnamed_files import misnamed_files
     from bringup_lint.graph.installed.script import Run
     from bringup_lint.graph.installed.script import Written
     from bringup_lint.graph.installed.script_arguments import short_calls
@@ -44,6 +46,7 @@ __all__ = [
     "Block",
     "Command",
     "Job",
+    "Misnamed",
     "Module",
     "Option",
     "Run",
@@ -53,6 +56,7 @@ __all__ = [
     "background_jobs",
     "commands",
     "may_fail",
+    "misnamed_files",
     "missing_files",
     "missing_names",
     "plays",

@@ -135,7 +135,7 @@ def _steps(value: str, up: int) -> str | None:
 
 def _named(run: Run, folders: dict[str, str]) -> Iterator[NamedFile]:
     """The files that a command reads."""
-    for word in _read(run):
+    for word in read_words(run):
         text = run.text(word)
         below = _BELOW.fullmatch(text)
         if below and below[1] in folders and _PLAIN.fullmatch(below[2]):
@@ -152,7 +152,8 @@ def _is_needed(runs: list[Run]) -> bool:
     return ends != "||"
 
 
-def _read(run: Run) -> Iterator[Located]:
+def read_words(run: Run) -> Iterator[Located]:
+    """The words of a command that name files which it reads."""
     words = run.words
     if run.name in _COPIES:
         given = [
@@ -206,7 +207,7 @@ def _is_missing(scripts: Scripts, source: Source, base: str, named: NamedFile) -
         return False
     if "*" in name:
         return not tree.matches(path) and (tree.exists(folder or ".") or _is_missing_folder(tree, source, folder))
-    if len(re.findall(rf"(?<![\w.-]){re.escape(name)}(?![\w-])", _without_comments(source.text))) > 1:
+    if len(re.findall(rf"(?<![\w.-]){re.escape(name)}(?![\w-])", without_comments(source.text))) > 1:
         return False
     return tree.exists(folder or ".") or (named.folder is not None and _is_missing_folder(tree, source, folder))
 
@@ -228,5 +229,6 @@ def _is_missing_folder(tree: Tree, source: Source, folder: str) -> bool:
     return tree.exists(outer or ".") and made is None
 
 
-def _without_comments(text: str) -> str:
+def without_comments(text: str) -> str:
+    """A script without the lines that are comments."""
     return re.sub(r"^[ \t]*#[^\n]*", "", text, flags=re.M)
