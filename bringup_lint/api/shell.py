@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.installed.script import Written
     from bringup_lint.graph.installed.script_arguments import short_calls
     from bringup_lint.graph.installed.script_files import missing_files
+    from bringup_lint.graph.installed.without_sudo import without_sudo
     from bringup_lint.model.shell import Block
     from bringup_lint.model.shell import Command
     from bringup_lint.model.shell import Word
@@ -70,4 +71,5 @@ __all__ = [
     "tasks",
     "tokens",
     "unwrapped",
+    "without_sudo",
 ]

@@ -122,7 +122,8 @@ class Block:
     name: str = ""
     """The variable of a ``for``, the name of a ``function``."""
     items: tuple[Located, ...] = ()
-    """The words that a ``for`` goes through; for ``for ((...))`` the one arithmetic text."""
+    """The words that a ``for`` goes through; for ``for ((...))`` the one arithmetic text; for a ``case`` the last
+    pattern of each branch."""
     condition: tuple[Block, ...] = ()
     bodies: tuple[tuple[Block, ...], ...] = ()
     """The body; for ``branches`` every branch."""

@@ -209,16 +209,16 @@ class _Reader:
             self.at += 1
         self.at += 1
         bodies = []
+        patterns = []
         while (token := self.peek()) is not None and self.keyword() != "esac":
+            self.at += 1
             if token.operator and token.text == ")":
-                self.at += 1
+                patterns.append(self.tokens[max(self.at - 2, 0)].text)
                 bodies.append(self.statements(_ENDS_BRANCH | {"esac"}, depth + 1))
                 if self.taken() == "esac":
-                    return Block("branches", bodies=tuple(bodies))
-            else:
-                self.at += 1
+                    return Block("branches", bodies=tuple(bodies), items=tuple(patterns))
         self.at += 1
-        return Block("branches", bodies=tuple(bodies))
+        return Block("branches", bodies=tuple(bodies), items=tuple(patterns))
 
     def function(self, depth: int) -> Block:
         if self.keyword() == "function":

@@ -93,6 +93,8 @@ class Written(NamedTuple):
     certain: bool
     refused: bool = False
     """``sudo command > file`` or ``sudo command | tee file``: who opens the file is not root, and may not."""
+    by_shell: bool = True
+    """The shell opens it, without ``sudo`` before it."""
 
 
 def runs(source: Source) -> Iterator[Run | Written]:
@@ -189,25 +191,28 @@ class _Reader:
         if name == "tee":
             yield from self.tee(words, given, certain)
         elif name in SHELLS:
-            yield from self.shell(words, certain, depth)
+            yield from self.shell(words, certain, depth, by_root)
         elif name in self.functions and name not in self.called:
             self.called.add(name)
             yield from self.all(self.functions[name], certain, depth + 1)
         for each in self.redirected(command.redirects, lambda: self.printed(words, given), certain):
             yield each._replace(refused=True) if self.is_sudo(command) and _OF_ROOT.match(each.path) else each
 
-    def shell(self, words: tuple[Located, ...], certain: bool, depth: int) -> Iterator[Run | Written]:
+    def shell(self, words: tuple[Located, ...], certain: bool, depth: int, by_root: bool) -> Iterator[Run | Written]:
         read = shell_input(words[1:])
         if read is not None and read.text is not None:
             shell = program_name(words[0])
             for did in self.all(blocks(read.text), certain, depth + 1):
-                yield did._replace(shell=did.shell or shell) if isinstance(did, Run) else did
+                if isinstance(did, Run):
+                    yield did._replace(shell=did.shell or shell, by_root=did.by_root or by_root)
+                else:
+                    yield did._replace(by_shell=did.by_shell and not by_root)
 
     def tee(self, words: tuple[Located, ...], given: Text | None, certain: bool) -> Iterator[Written]:
         appends = any(re.fullmatch(r"-[a-z]*a[a-z]*|--append", word) for word in words[1:])
         for word in words[1:]:
             if not word.startswith("-"):
-                yield Written(plain(word, self.values), given, appends, word, certain)
+                yield Written(plain(word, self.values), given, appends, word, certain, by_shell=False)
 
     def redirected(self, redirects: Iterable[Redirect], output: object, certain: bool) -> Iterator[Written]:
         for each in redirects:

@@ -1,0 +1,102 @@
+"""What a script that is for a user does without sudo, and only root may do."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from bringup_lint.graph.installed.script import Run
+from bringup_lint.graph.installed.script import Written
+from bringup_lint.graph.installed.scripts import Scripts
+from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.pattern import regex
+from bringup_lint.source import Located
+from bringup_lint.source import Source
+
+_OF_ROOT = regex(r"/(?:etc|lib|boot|opt/ros|usr(?:/local)?/(?:s?bin|lib|share))/[^{}]*")
+_TO_LAST = ("cp", "mv", "ln", "install")
+_TO_ALL = ("tee", "mkdir", "touch", "rm", "rmdir", "chmod", "chown")
+_PACKAGES = ("apt", "apt-get", "dpkg")
+_CHANGES = ("install", "update", "upgrade", "full-upgrade", "dist-upgrade", "remove", "purge", "autoremove", "-i")
+_MAY_BE_ROOT = regex(
+    r"\bEUID\b|\bid[ \t]+-u\b|\bwhoami\b|\$\{?UID\b|\bSUDO_(?:USER|UID|GID)\b|\bsudo[ \t]+(?:-[isu]|su\b)"
+    r"|^[ \t]*su\b|\blogname\b|\b(?:command -v|which|type)[ \t]+sudo\b"
+    r"|\$\{?(?:USER|HOME)\}?[\"']?[ \t]*(?:==?|!=)[ \t]*[\"']?/?root",
+    re.M,
+)
+"""The script asks who runs it, or becomes another user."""
+_PAGE = regex(r"\.(?:md|rst|txt|mk)$|(?:^|/)(?:makefile|justfile)[^/]*$", re.I)
+_MOST_OF_PAGE = 100_000
+_GIVES = regex(r"\bsudo[ \t]+ch(?:own|mod)[ \t][^\n;&|]{0,200}?[ \t](?P<path>[\"']?/[^\s;&|]{2,200})")
+_LEAST = 2
+"""Commands with sudo that show that the script is for a user."""
+
+
+class Unprivileged(NamedTuple):
+    where: Located
+    path: str
+    """The file or folder; empty for the packages of the system."""
+
+
+class ForUser(NamedTuple):
+    source: Source
+    with_sudo: Located
+    """A command of the same kind that has sudo."""
+    without: list[Unprivileged]
+
+
+def without_sudo(scripts: Scripts) -> Iterator[ForUser]:
+    """The scripts that use sudo for what only root may do, and forget it elsewhere."""
+    for source in scripts.files.of_kind("shell-script"):
+        if source.judged and "sudo " in source.text and not _MAY_BE_ROOT.search(source.uncommented):
+            found = _forgotten(scripts, source)
+            if found is not None and not _is_run_by_root(scripts, source):
+                yield found
+
+
+def _forgotten(scripts: Scripts, source: Source) -> ForUser | None:
+    with_sudo: list[Located] = []
+    without: list[Unprivileged] = []
+    done = scripts.done(source)
+    refused_elsewhere = {did.where.span for did in done if isinstance(did, Written) and did.refused}
+    for did in done:
+        if isinstance(did, Written):
+            refused = not did.refused and did.by_shell and _OF_ROOT.match(did.path) is not None
+            without += [Unprivileged(did.where, did.path)] if refused else []
+            continue
+        path = _changed(did)
+        if path is not None and did.by_root:
+            with_sudo.append(did.words[0])
+        elif path is None or did.command.hides_errors or did.command.ends == "||":
+            continue
+        elif refused_elsewhere.isdisjoint(word.span for word in did.words):
+            without.append(Unprivileged(did.words[0], path))
+    without = [each for each in without if not _is_given_away(source, each.path)]
+    if len(with_sudo) < _LEAST or not without:
+        return None
+    return ForUser(source, with_sudo[0], without)
+
+
+def _is_given_away(source: Source, path: str) -> bool:
+    """Whether the script gives the file or a folder above it to its user."""
+    given = (match["path"].strip("\"'").rstrip("/") for match in _GIVES.finditer(source.text))
+    return any(path.startswith(each) for each in given)
+
+
+def _changed(run: Run) -> str | None:
+    """The first path of the system that a command changes; empty for packages; None when it changes nothing there."""
+    named = [word for word in run.words[1:] if not word.startswith("-")]
+    if run.name in _PACKAGES:
+        return "" if any(word in _CHANGES for word in run.words[1:]) else None
+    changed = named[-1:] if run.name in _TO_LAST else named if run.name in _TO_ALL else []
+    return next((path for path in map(run.text, changed) if _OF_ROOT.match(path)), None)
+
+
+def _is_run_by_root(scripts: Scripts, source: Source) -> bool:
+    """Whether an image takes the script, or something of the tree starts it with sudo, or as a service."""
+    if scripts.is_for_image(source) or scripts.starts_by_itself(source):
+        return True
+    started = re.compile(rf"\bsudo\b[^\n|;&]{{0,80}}(?<![\w-]){re.escape(source.basename)}\b")
+    tree = scripts.files.tree
+    pages = (tree.head(path, _MOST_OF_PAGE) for path in tree.like(_PAGE))
+    return any(started.search(each.text) for each in scripts.files.sources) or any(map(started.search, pages))
