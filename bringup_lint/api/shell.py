@@ -36,6 +36,8 @@ if TYPE_CHECKING:
     from bringup_lint.parsers.shell import commands
     from bringup_lint.parsers.shell import shell_blocks
     from bringup_lint.parsers.shell import shell_commands
+    from bringup_lint.parsers.shell_syntax import Mistake
+    from bringup_lint.parsers.shell_syntax import syntax_mistake
     from bringup_lint.parsers.shell_tokens import tokens
 else:
     __getattr__ = on_demand(globals())
@@ -48,6 +50,7 @@ __all__ = [
     "Command",
     "Job",
     "Misnamed",
+    "Mistake",
     "Module",
     "Option",
     "Run",
@@ -68,6 +71,7 @@ __all__ = [
     "shell_commands",
     "shell_input",
     "short_calls",
+    "syntax_mistake",
     "tasks",
     "tokens",
     "unwrapped",
