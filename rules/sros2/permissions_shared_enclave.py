@@ -1,8 +1,9 @@
-"""A process that moves the robot shares its identity with another one.
+"""A process shares its identity with another one.
 
 ## What it finds
 One enclave that two processes of the same launch file, or of the units of the same robot, select: one with
-actuators (a motor, base, arm or gripper driver, or a ros2_control node), and another one without.
+actuators (a motor, base, arm or gripper driver, or a ros2_control node), and another one without. Also a
+process that selects the enclave that is called like another process beside it.
 
 ## Why it matters on a robot
 Permissions belong to the enclave: the other process may do whatever the driver may. Whoever takes over the
@@ -43,7 +44,8 @@ def permissions_shared_enclave(robot: Robot) -> Iterator[Finding]:
         names = ", ".join(user.label for user in others[:3])
         yield finding(
             others[0].enclave,
-            f"{names} and {driver.label} share the identity {driver.enclave}: whoever takes over one moves the robot",
+            f"{names} and {driver.label} share the identity {driver.enclave}: whoever takes over one "
+            + ("moves the robot" if driver.moves else "may do what the other may"),
             advice=f"give {driver.label} its own enclave",
             related=[
                 note(driver.enclave, f"{driver.label} selects it here"),

@@ -1,4 +1,4 @@
-"""Processes that run together with one identity, though one of them moves the robot."""
+"""Processes that run together with one identity, though one of them moves the robot, or one has given it its name."""
 
 from __future__ import annotations
 
@@ -38,7 +38,8 @@ class User(NamedTuple):
 
 
 def shared_enclaves(files: Files, ros: RosEnvironment, launch: Launch) -> Iterator[tuple[User, list[User]]]:
-    """A process that moves the robot, and others that run beside it with the same enclave."""
+    """A process that moves the robot, or after which its enclave is called, and others that run beside it with the same
+    enclave."""
     systems = [*_of_systems(ros, launch)]
     if files.of_kind(*LAUNCH):
         systems += _of_entries(ros, launch)
@@ -48,6 +49,14 @@ def shared_enclaves(files: Files, ros: RosEnvironment, launch: Launch) -> Iterat
             others = [user for user in same if not user.moves]
             if moving and others:
                 yield moving[0], others
+                continue
+            owner = next((user for user in same if _is_named_after(user)), None)
+            if owner is not None and len(same) > 1:
+                yield owner, [user for user in same if user is not owner]
+
+
+def _is_named_after(user: User) -> bool:
+    return user.enclave.rpartition("/")[2].lower() == user.label.lower()
 
 
 def _by_enclave(users: list[User]) -> Iterator[list[User]]:
