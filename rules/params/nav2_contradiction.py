@@ -10,9 +10,9 @@ sign, not one for each axis, or of zero for turning both ways; `polygons` of the
 that amcl's motion models had before, and a section `recoveries_server` without one for `behavior_server` or
 `default_bt_xml_filename`; a local costmap that rolls in the frame that amcl corrects; critics that DWB or MPPI do not
 have; limits of `velocity_smoother` below those that a controller of the same file plans with; a tree for
-`NavigateToPose` as that for `NavigateThroughPoses`, or the reverse; a `data_type` that obstacle layers do not take; and
-from Jazzy on libraries in `plugin_lib_names` that bt_navigator loads by itself. Layers with `enabled: false` are left
-alone.
+`NavigateToPose` as that for `NavigateThroughPoses`, or the reverse; zones of the collision monitor inside of the robot;
+a `data_type` that obstacle layers do not take; and from Jazzy on libraries in `plugin_lib_names` that bt_navigator
+loads by itself. Layers with `enabled: false` are left alone.
 
 ## Why it matters on a robot
 A footprint that is refused leaves the robot with its radius, and the costmap lets it drive into what the corners touch.
@@ -22,8 +22,9 @@ robot against the obstacles that it has seen. Without `set_initial_pose`, amcl w
 transform. A limit of the wrong sign or length, a polygon without a type, an old motion model, or a library that
 registers its nodes twice ends the server when it configures, and the lifecycle manager takes the whole navigation down.
 A smoother that is slower than the controller makes another motion than the one that the controller found free.
-`NavigateThroughPoses` sets `goals` and not `goal`, so that the tree of the other action fails. A section that no node
-reads leaves the recoveries with the frames, speeds and plugins of the source.
+`NavigateThroughPoses` sets `goals` and not `goal`, so that the tree of the other action fails. A zone inside of the
+robot stops it after the collision. A section that no node reads leaves the recoveries with the frames, speeds and
+plugins of the source.
 
 ## Bad
 ```yaml
@@ -118,6 +119,8 @@ def _message(each: NavigationProblem) -> str:
             return f"The tree is that of the other action: the navigator sets {each.detail}: each goal fails"
         case "old-tree":
             return f"bt_navigator reads no {each.name} since Galactic: it takes the tree of its own package"
+        case "zone":
+            return f"The robot itself fills {each.name} (radius {each.detail}): what is seen there has touched it"
         case "polygon":
             return f"The polygon '{each.name}' has no section with a type: {each.detail} does not configure"
         case "pose":
@@ -169,6 +172,8 @@ def _advice(each: NavigationProblem) -> str:
             return f"write the tree of its own action, or leave out {each.name}"
         case "old-tree":
             return "write the path of the tree as default_nav_to_pose_bt_xml, or remove the line"
+        case "zone":
+            return "make the zone larger than the robot, by the distance that it needs to stop"
         case "polygon":
             return f"add a section {each.name}, or write the name of the one that is there"
         case "pose":

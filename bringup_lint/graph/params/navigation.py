@@ -5,9 +5,6 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator
 from itertools import pairwise
-from math import cos
-from math import hypot
-from math import pi
 from typing import TYPE_CHECKING
 
 from bringup_lint.facts import table
@@ -17,9 +14,12 @@ from bringup_lint.graph.params.navigation_blocks import by_name
 from bringup_lint.graph.params.navigation_blocks import node_name
 from bringup_lint.graph.params.navigation_blocks import number_of
 from bringup_lint.graph.params.navigation_blocks import numbers_of
+from bringup_lint.graph.params.navigation_shapes import hidden_zones
+from bringup_lint.graph.params.navigation_shapes import inscribed_radius
+from bringup_lint.graph.params.navigation_shapes import points_of
+from bringup_lint.graph.params.navigation_shapes import shape_of
 from bringup_lint.graph.params.navigation_speeds import slower_smoother
 from bringup_lint.graph.params.values import items
-from bringup_lint.pattern import regex
 from bringup_lint.spelling import nearest
 
 if TYPE_CHECKING:
@@ -31,12 +31,6 @@ if TYPE_CHECKING:
     from bringup_lint.model.params import ParameterFile
     from bringup_lint.source import Span
 
-Point = tuple[float, float]
-
-_NUMBER = regex(r"[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?\Z")
-_CORNERS = 3
-_SIDES = 16
-"""A robot with a radius is a polygon of so many corners (nav2_costmap_2d, footprint.cpp)."""
 _OBSTACLE, _RAYTRACE = 2.5, 3.0
 """Default ranges of an observation source in metres (nav2_costmap_2d, obstacle_layer.cpp)."""
 _OBSTACLE_LAYERS = ("nav2_costmap_2d::ObstacleLayer", "nav2_costmap_2d::VoxelLayer")
@@ -107,7 +101,7 @@ def _covers(outer: Span, inner: Span) -> bool:
 
 def _costmap(params: Params, file: ParameterFile, block: Block) -> Iterator[NavigationProblem]:
     named = by_name(block)
-    shape = _shape(named)
+    shape = shape_of(named)
     if shape is not None and shape.name == "footprint":
         yield from _footprint(shape)
     yield from _inflation(named)
@@ -159,19 +153,11 @@ def _loaded(distribution: str | None) -> frozenset[str]:
     return frozenset(row["library"] for row in rows)
 
 
-def _shape(named: dict[str, Parameter]) -> Parameter | None:
-    """What gives a costmap the shape of the robot: its footprint, or the radius where there is none."""
-    footprint = named.get("footprint")
-    if footprint is None or footprint.value.data in ("", "[]"):
-        return named.get("robot_radius")
-    return footprint
-
-
 def _footprint(parameter: Parameter) -> Iterator[NavigationProblem]:
     text = parameter.value.data
     if not isinstance(text, str) or "$" in text:
         return
-    points = _points(text)
+    points = points_of(text)
     if points is None:
         reason = "it is not a list of at least three points of two numbers"
         yield NavigationProblem("footprint", parameter.span, "footprint", reason)
@@ -179,32 +165,10 @@ def _footprint(parameter: Parameter) -> Iterator[NavigationProblem]:
         yield NavigationProblem("corner", parameter.span, "footprint", f"{len(set(points))} of {len(points)} corners")
 
 
-def _points(text: str) -> list[Point] | None:
-    """The corners of a footprint as nav2_costmap_2d reads them (array_parser.cpp): blanks separate, too."""
-    words = text.replace("[", " [ ").replace("]", " ] ").replace(",", " ").split()
-    depth = 0
-    points: list[Point] = []
-    numbers: list[float] = []
-    for word in words:
-        if word == "[":
-            depth, numbers = depth + 1, []
-        elif word == "]":
-            depth -= 1
-            if depth == 1 and len(numbers) != len(("x", "y")):
-                return None
-            if depth == 1:
-                points.append((numbers[0], numbers[1]))
-        elif depth == len(("list", "point")) and _NUMBER.match(word):
-            numbers.append(float(word))
-        else:
-            return None
-    return points if depth == 0 and len(points) >= _CORNERS else None
-
-
 def _inflation(named: dict[str, Parameter]) -> Iterator[NavigationProblem]:
     """Inflation below the inscribed radius, about which the layer itself warns."""
-    shape = _shape(named)
-    inscribed = _inscribed(shape) if shape is not None else None
+    shape = shape_of(named)
+    inscribed = inscribed_radius(shape) if shape is not None else None
     for name, each in named.items():
         radius = number_of(each)
         if not name.endswith(".inflation_radius") or radius is None or inscribed is None or shape is None:
@@ -212,25 +176,6 @@ def _inflation(named: dict[str, Parameter]) -> Iterator[NavigationProblem]:
         layer = name.rpartition(".")[0]
         if layer in _active(named) and 0 < radius < inscribed:
             yield NavigationProblem("inflation", each.span, name, f"{inscribed:.2f}", shape.span)
-
-
-def _inscribed(shape: Parameter) -> float | None:
-    """The radius of the largest circle about the origin that is inside of the robot, in metres."""
-    if shape.name == "footprint":
-        points = _points(str(shape.value.data))
-        return min(_distance(one, other) for one, other in pairwise([*points, points[0]])) if points else None
-    radius = number_of(shape)
-    return radius * cos(pi / _SIDES) if radius is not None else None
-
-
-def _distance(one: Point, other: Point) -> float:
-    """Of the origin from the line between two points."""
-    length = hypot(other[0] - one[0], other[1] - one[1])
-    if length == 0:
-        return hypot(*one)
-    along = -(one[0] * (other[0] - one[0]) + one[1] * (other[1] - one[1])) / length**2
-    along = min(1.0, max(0.0, along))
-    return hypot(one[0] + along * (other[0] - one[0]), one[1] + along * (other[1] - one[1]))
 
 
 def _layers(named: dict[str, Parameter]) -> Iterator[str]:
@@ -333,6 +278,7 @@ def _monitor(params: Params, file: ParameterFile, block: Block) -> Iterator[Navi
     for item in items(listed):
         if item.text not in sections and not params.named_elsewhere(item.text, {file.source}):
             yield NavigationProblem("polygon", item.span, item.text, node_name(block))
+    yield from hidden_zones(file, block)
 
 
 def _controllers(params: Params, file: ParameterFile, block: Block) -> Iterator[NavigationProblem]:

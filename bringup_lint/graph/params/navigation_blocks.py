@@ -16,7 +16,7 @@ class NavigationProblem(NamedTuple):
     kind: str
     """``footprint``, ``corner``, ``inflation``, ``ranges``, ``source``, ``sign``, ``length``, ``particles``, ``pose``,
     ``model``, ``frame``, ``polygon``, ``library``, ``section``, ``critic``, ``type``, ``clearing``, ``turn``,
-    ``slower``, ``tree`` or ``old-tree``."""
+    ``slower``, ``tree``, ``old-tree`` or ``zone``."""
     where: Span
     name: str
     """The parameter or observation source."""
