@@ -11,8 +11,9 @@ that amcl's motion models had before, and a section `recoveries_server` without 
 `default_bt_xml_filename`; a local costmap that rolls in the frame that amcl corrects; critics that DWB or MPPI do not
 have; limits of `velocity_smoother` below those that a controller of the same file plans with; a tree for
 `NavigateToPose` as that for `NavigateThroughPoses`, or the reverse; zones of the collision monitor inside of the robot;
-a `data_type` that obstacle layers do not take; and from Jazzy on libraries in `plugin_lib_names` that bt_navigator
-loads by itself. Layers with `enabled: false` are left alone.
+a `robot_radius` of the local costmap far from that of the global one; a `model_dt` of MPPI below the period of its
+server; a `data_type` that obstacle layers do not take; and from Jazzy on libraries in `plugin_lib_names` that
+bt_navigator loads by itself. Layers with `enabled: false` are left alone.
 
 ## Why it matters on a robot
 A footprint that is refused leaves the robot with its radius, and the costmap lets it drive into what the corners touch.
@@ -61,7 +62,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.params import NavigationProblem
 from bringup_lint.api.params import navigation_problems
 
-_ENDS = ("sign", "length", "polygon", "model", "footprint", "library", "critic", "type")
+_ENDS = ("sign", "length", "polygon", "model", "footprint", "library", "critic", "type", "step")
 """What a server refuses."""
 
 
@@ -79,6 +80,7 @@ _ENDS = ("sign", "length", "polygon", "model", "footprint", "library", "critic",
         "Positive values set of min_velocities",
         "Negative values set of max_velocities",
         "Invalid size of parameter *. Must be size",
+        "Controller period more then model dt, set it equal to model dt",
         "Only topics that use point cloud2s or laser scans are currently supported",
         "with base class type dwb_core::TrajectoryCritic does not exist",
         "with base class type mppi::critics::CriticFunction does not exist",
@@ -121,6 +123,10 @@ def _message(each: NavigationProblem) -> str:
             return f"bt_navigator reads no {each.name} since Galactic: it takes the tree of its own package"
         case "zone":
             return f"The robot itself fills {each.name} (radius {each.detail}): what is seen there has touched it"
+        case "radii":
+            return f"The costmaps are for robots of two sizes ({each.detail}): what one lets through, the other blocks"
+        case "step":
+            return f"The step of {each.name} is below the period of its server ({each.detail}): MPPI does not configure"
         case "polygon":
             return f"The polygon '{each.name}' has no section with a type: {each.detail} does not configure"
         case "pose":
@@ -174,6 +180,10 @@ def _advice(each: NavigationProblem) -> str:
             return "write the path of the tree as default_nav_to_pose_bt_xml, or remove the line"
         case "zone":
             return "make the zone larger than the robot, by the distance that it needs to stop"
+        case "radii":
+            return "give both costmaps the same robot_radius"
+        case "step":
+            return "set model_dt to 1 / controller_frequency"
         case "polygon":
             return f"add a section {each.name}, or write the name of the one that is there"
         case "pose":

@@ -18,6 +18,8 @@ from bringup_lint.graph.params.navigation_shapes import hidden_zones
 from bringup_lint.graph.params.navigation_shapes import inscribed_radius
 from bringup_lint.graph.params.navigation_shapes import points_of
 from bringup_lint.graph.params.navigation_shapes import shape_of
+from bringup_lint.graph.params.navigation_shapes import two_radii
+from bringup_lint.graph.params.navigation_speeds import short_steps
 from bringup_lint.graph.params.navigation_speeds import slower_smoother
 from bringup_lint.graph.params.values import items
 from bringup_lint.spelling import nearest
@@ -106,6 +108,8 @@ def _costmap(params: Params, file: ParameterFile, block: Block) -> Iterator[Navi
         yield from _footprint(shape)
     yield from _inflation(named)
     yield from _jumping(params, file, block, named)
+    if node_name(block) == "local_costmap":
+        yield from two_radii(file, block)
     for layer in _layers(named):
         yield from _observations(params, named, layer)
         yield from _never_cleared(named, layer)
@@ -284,6 +288,7 @@ def _monitor(params: Params, file: ParameterFile, block: Block) -> Iterator[Navi
 def _controllers(params: Params, file: ParameterFile, block: Block) -> Iterator[NavigationProblem]:
     """Critics that a controller does not have, and that nothing else of the tree names, as a package with critics of
     its own does."""
+    yield from short_steps(block)
     named = by_name(block)
     for name, each in named.items():
         section = name.removesuffix(".critics")
@@ -331,9 +336,9 @@ def _starts_recoveries(params: Params, file: ParameterFile) -> bool:
 
 
 def _may_smooth(params: Params, file: ParameterFile) -> bool:
-    """Whether the smoother runs beside the controllers, as far as launch files of the tree start who reads the file."""
+    """Whether the smoother may run beside the controllers: no launch file starts these for the file without it."""
     names = _loading(params, file)
-    return not names or None in names or {"velocity_smoother", "controller_server"} <= names
+    return "controller_server" not in names or "velocity_smoother" in names or None in names
 
 
 def _loading(params: Params, file: ParameterFile) -> set[str | None]:

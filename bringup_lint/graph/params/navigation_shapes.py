@@ -27,6 +27,8 @@ _NUMBER = regex(r"[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?\Z")
 _CORNERS = 3
 _SIDES = 16
 """A robot with a radius is a polygon of so many corners (nav2_costmap_2d, footprint.cpp)."""
+_FAR = 1.25
+"""How many times as large one radius must be to be that of another robot, and not one with a margin."""
 _REACTIONS = ("stop", "slowdown", "limit")
 """What a zone does when points are in it; with ``approach`` it moves along with the robot."""
 
@@ -46,6 +48,18 @@ def hidden_zones(file: ParameterFile, monitor: Block) -> Iterator[NavigationProb
     if inside:
         names = ", ".join(name for name, _ in inside)
         yield NavigationProblem("zone", inside[0][1].span, names, f"{radius:.2f} m", shape.span)
+
+
+def two_radii(file: ParameterFile, costmap: Block) -> Iterator[NavigationProblem]:
+    """A radius of the robot in the local costmap that is far from the one in the global costmap."""
+    own = shape_of(by_name(costmap))
+    others = [shape_of(by_name(each)) for each in file.blocks if node_name(each) == "global_costmap"]
+    other = others[0] if len(others) == 1 else None
+    if own is None or other is None or own.name != "robot_radius" or other.name != own.name:
+        return
+    here, there = number_of(own), number_of(other)
+    if here is not None and there is not None and 0 < min(here, there) * _FAR < max(here, there):
+        yield NavigationProblem("radii", own.span, "robot_radius", f"{here:g} m, {there:g} m", other.span)
 
 
 def _zone(named: dict[str, Parameter], name: str, radius: float) -> Parameter | None:

@@ -1,4 +1,5 @@
-"""A velocity smoother of Navigation2 that takes away what a controller of the same file plans with."""
+"""Limits and rates of Navigation2 that do not go together: a velocity smoother that takes away what a controller of the
+same file plans with, and steps of MPPI that are shorter than those of its server."""
 
 from __future__ import annotations
 
@@ -24,6 +25,10 @@ _BACKWARDS = ("min_vel_x", "vx_min")
 nav2_regulated_pure_pursuit_controller and nav2_graceful_controller, parameter_handler.cpp)."""
 _LIMITS = (("max_velocity", 0, _LINEAR), ("max_velocity", -1, _ANGULAR), ("min_velocity", 0, _BACKWARDS))
 """A limit of the smoother, the number for the axis, and what it cuts off."""
+_MPPI = "nav2_mppi_controller::MPPIController"
+_FREQUENCY, _STEP = 20.0, 0.05
+"""The defaults of ``controller_frequency`` (controller_server.cpp) and ``model_dt`` (optimizer.cpp)."""
+_ROUNDING = 1e-5
 _TOLERANCE = 0.02
 """The part of a limit by which rounded values may differ."""
 
@@ -48,6 +53,24 @@ def slower_smoother(file: ParameterFile, smoother: Block) -> Iterator[Navigation
         first, (_, other) = next(iter(cuts.items()))
         detail = ", ".join(detail for detail, _ in cuts.values())
         yield NavigationProblem("slower", named[first].span, first, detail, other.span)
+
+
+def short_steps(server: Block) -> Iterator[NavigationProblem]:
+    """The first controller of MPPI whose step is below the period of the server (optimizer.cpp, ``setOffset``)."""
+    named = by_name(server)
+    given = named.get("controller_frequency")
+    frequency = number_of(given) if given is not None else _FREQUENCY
+    for each in _planned(named):
+        section, _, last = str(each.name).rpartition(".")
+        if last not in ("plugin", "primary_controller") or each.value.data != _MPPI or not frequency or frequency < 0:
+            continue
+        step = named.get(f"{section}.model_dt")
+        length = number_of(step) if step is not None else _STEP
+        where = given or step
+        if length is not None and where is not None and 1 / frequency > length + _ROUNDING:
+            other = step.span if step is not None and where is given else None
+            yield NavigationProblem("step", where.span, section, f"{length:g} s, {1 / frequency:g} s", other)
+            return
 
 
 def _namespace(block: Block) -> str:
