@@ -116,6 +116,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.window_spins import window_spins
     from bringup_lint.graph.nodes.questions.wrong_unit import WrongUnit
     from bringup_lint.graph.nodes.questions.zero_divisors import zero_divisors
+    from bringup_lint.graph.nodes.questions.zero_fractions import zero_fractions
     from bringup_lint.graph.topics.questions.undeclared import asked_in_vain
     from bringup_lint.graph.topics.questions.undeclared import is_called_nowhere
     from bringup_lint.graph.topics.questions.undeclared import switchless
@@ -248,6 +249,7 @@ __all__ = [
     "without_qos",
     "wrong_units",
     "zero_divisors",
+    "zero_fractions",
     "zeroed_commands",
 ]
 
