@@ -3,8 +3,8 @@
 ## What it finds
 `<mesh filename="package://...">` and `file://$(find ...)` in `.urdf` and `.xacro` files that lead into a package of the
 tree, where the package has no file of that name: either it has one whose name differs in upper and lower case or that
-lies in another folder, or it has no mesh at all, and nothing in the folder that is named. Not reported is what git
-ignores and what lies in a submodule.
+lies in another folder, or it is the package of the description itself and has no mesh at all, and nothing in the folder
+that is named. Not reported is what git ignores and what lies in a submodule.
 
 ## Why it matters on a robot
 RViz and Gazebo show nothing in its place and print an error for each mesh. Where it is the collision geometry, MoveIt

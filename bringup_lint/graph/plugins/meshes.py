@@ -39,7 +39,7 @@ class MissingMesh(NamedTuple):
 
 def missing_meshes(files: Files, workspace: Workspace) -> Iterator[list[MissingMesh]]:
     """Those of one description together. A package that has some of its meshes may be given the large ones in another
-    way: there, only what is misspelt is known to be missing."""
+    way, and so may another package than that of the description: there, only what is misspelt is missing for sure."""
     shelves: dict[str, _Shelf] = {}
     for source in files.of_kind("urdf"):
         root = parse(source).root if source.judged and not source.template else None
@@ -65,7 +65,8 @@ def _missing(tree: Tree, workspace: Workspace, shelves: dict[str, _Shelf], root:
             shelves[package.folder] = _Shelf(tree, package)
         shelf = shelves[package.folder]
         like = shelf.like(path) if match["computed"] is None else None
-        if like is not None or shelf.lacks_all(path if match["computed"] is not None else os.path.dirname(path)):
+        folder = path if match["computed"] is not None else os.path.dirname(path)
+        if like is not None or (workspace.owner(name.span.source) is package and shelf.lacks_all(folder)):
             yield MissingMesh(name, package.name, inside, _is_collision(element), like)
 
 
