@@ -44,6 +44,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch.public_includes import untaken
     from bringup_lint.graph.launch.references import Reference
     from bringup_lint.graph.launch.refused_words import in_degrees
+    from bringup_lint.graph.launch.refused_words import options_with_next
     from bringup_lint.graph.launch.refused_words import refused_transforms
     from bringup_lint.graph.launch.refused_words import unknown_flags
     from bringup_lint.graph.launch.refused_words import unsplit_commands
@@ -193,6 +194,7 @@ __all__ = [
     "names_beside",
     "not_passed",
     "of_robots",
+    "options_with_next",
     "outside",
     "package_meant",
     "parameters_of",

@@ -25,6 +25,8 @@ if TYPE_CHECKING:
 
 _PROGRAM = regex(r"[a-z][\w.+-]*\s+\S")
 """A program without its path, and the first of its arguments."""
+_NO_COMMA = regex(r"""(['"])(--?[A-Za-z](?:[\w-]{0,60}\w)?)\1\s+['"][^\s='"]""")
+"""An option, and another text behind it."""
 _LENGTHS = (0, 8, 9)
 """Words of static_transform_publisher (geometry2, static_transform_broadcaster_program.cpp)."""
 _MOST_RADIANS = 2 * math.pi + 0.01
@@ -51,6 +53,16 @@ def _goes_on(value: Value) -> bool:
         return False
     texts = (literal_text(part) for part in value.parts[1:])
     return any(text is not None and text[:1].isspace() and text.strip() for text in texts)
+
+
+def options_with_next(launch: Launch) -> Iterator[tuple[Located, str]]:
+    """The words of options that Python joins with the text after them, where a comma is missing; and the option."""
+    for file, action in launch.actions(Process):
+        words = (*action.cmd, *(action.arguments if isinstance(action, Node) else ()))
+        for text in map(literal_text, words if file.source.kind == "launch-python" else ()):
+            found = _NO_COMMA.match(text.span.text) if text is not None and text.startswith("-") else None
+            if text is not None and found is not None:
+                yield text, found[2]
 
 
 def unsplit_ros_arguments(launch: Launch) -> Iterator[Located]:
