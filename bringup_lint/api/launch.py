@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch.delays import waiting_comment
     from bringup_lint.graph.launch.entry_points import MissingEntry
     from bringup_lint.graph.launch.entry_points import missing_entries
+    from bringup_lint.graph.launch.expansion import Declared
     from bringup_lint.graph.launch.expansion import Expansion
     from bringup_lint.graph.launch.expansion import Failed
     from bringup_lint.graph.launch.expansion import Used
@@ -129,6 +130,7 @@ __all__ = [
     "Concat",
     "Condition",
     "DeclareArgument",
+    "Declared",
     "DerivedFile",
     "DictValue",
     "Effect",
