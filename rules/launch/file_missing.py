@@ -2,12 +2,12 @@
 
 ## What it finds
 Maps, worlds, robot descriptions and configurations in the share folder of a package of the workspace, or beside the
-launch file, that neither exist in the source nor are made by the build: as parameters, as arguments of programs, and
-as arguments of included launch files, defaults among them. Files that git ignores or a build makes are left alone,
-those that the launch file asks for before it uses them, and those that a node of the tree or, by its name, a program
-writes. It is an info where the path is the value of an argument that nothing reads. Where a folder between is not
-known, the file is missing if the whole tree has none of its name. Included launch files and parameter files have
-rules of their own.
+launch file, that neither exist in the source nor are made by the build: as parameters, as arguments of programs, as
+arguments of included launch files, defaults among them, and where the code of the launch file reads them itself.
+Files that git ignores or a build makes are left alone, those that the launch file asks for before it uses them, and
+those that a node of the tree or, by its name, a program writes. It is an info where the path is the value of an
+argument that nothing reads. Where a folder between is not known, the file is missing if the whole tree has none of
+its name. Included launch files and parameter files have rules of their own.
 
 ## Why it matters on a robot
 The program that is given the path ends, or runs without the file: map_server does not activate, RViz shows an empty
@@ -82,11 +82,12 @@ def file_missing(robot: Robot) -> Iterator[Finding]:
             places.setdefault(f"{package.name}/{reference.name}", []).append((reference, package))
     for (first, package), *others in places.values():
         near = nearest(first.name, sorted(_names(robot, package)), 3)
+        effect = "launch reads it and ends" if first.aborts else "what is given the path runs without it, or ends"
         spans = {each.span: each for each, _ in others if each.span != first.span}
         is_idle = all(_is_unread(robot, each) for each in (first, *spans.values()))
         yield finding(
             first.where,
-            f"{first.name} does not exist in {package.name}: what is given the path runs without it, or ends",
+            f"{first.name} does not exist in {package.name}: {effect}",
             advice=f"use {near[0]}" if near else "correct the path, or add the file",
             related=[
                 note(package.place, f"the package {package.name}"),

@@ -27,6 +27,7 @@ from bringup_lint.model.launch_values import children
 from bringup_lint.model.launch_values import text
 from bringup_lint.model.launch_values import walk
 from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.pattern import regex
 from bringup_lint.source import Span
 
 
@@ -64,6 +65,8 @@ class Reference(NamedTuple):
         return os.path.relpath(where.path, package.folder) if where is not None and where.base == "file" else self.name
 
 
+_READERS = ("open", "xacro.process_file")
+_CATCHES = regex(r"(?m)^[ \t]*except\b", hints="except")
 _OF_ANY_NODE = ("use", "robot")
 """How ``use_sim_time`` and ``robot_description`` begin."""
 Find = Callable[[Value], "Found | None"]
@@ -80,6 +83,17 @@ def references(expansion: Expansion, file: LaunchFile, find: Find) -> Iterator[R
         if node.file is file:
             yield from _of_node(node, find)
     yield from _passed(expansion, file, find)
+    yield from _opened(file, find)
+
+
+def _opened(file: LaunchFile, find: Find) -> Iterator[Reference]:
+    """What the code of a launch file reads itself, without catching that it is missing."""
+    resolver = Resolver(Scope())
+    for call in file.calls:
+        path, *mode = (resolver.value(each) for each in call.arguments) if call.name in _READERS else (None,)
+        found = find(path) if path is not None and not any((text(each) or "r") != "r" for each in mode[:1]) else None
+        if path is not None and found is not None and not file.source.says(_CATCHES):
+            yield Reference("path", path, path.span, _name(path), found, False, True)
 
 
 def _passed(expansion: Expansion, file: LaunchFile, find: Find) -> Iterator[Reference]:
