@@ -49,7 +49,7 @@ ADVICE = {
 }
 PAIRS = [(given, wanted) for given in KINDS for wanted in KINDS if given != wanted]
 OF_NUMBERS = {"integer", "double"}
-READABLE = regex(r"(?i)\s*(?:(?:true|false|yes|no|on|off|y|n|null|~|)\Z|[-+]?[.,]?\d|[^$<{]*[$<{])")
+READABLE = regex(r"(?i)\s*(?:(?:true|false|yes|no|on|off|y|n|null|~|)\Z|[-+]?[.,]?\d)|[^$<{]*[$<{]")
 """What a reader of YAML may take for another type than text, and a place to be filled in."""
 
 
