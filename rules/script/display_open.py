@@ -1,0 +1,58 @@
+"""A script turns off the access control of the X server.
+
+## What it finds
+`xhost +` without a name, also where `xhost -` of the same script turns it on again later. `xhost +local:` and
+`xhost +si:localuser:root` let in whom they name and are not reported.
+
+## Why it matters on a robot
+It stays off until the user logs out, or until the program between the two has ended. Every user, program and
+container that reaches the display can read its keyboard and screen and type into its windows: the terminal in which the
+robot is driven, with its sudo. Where the X server listens to the network, every other computer can too.
+
+## Bad
+```sh
+xhost +
+docker run -e DISPLAY -v /tmp/.X11-unix:/tmp/.X11-unix mower/rviz
+```
+
+## Good
+```sh
+xhost +si:localuser:root
+docker run -e DISPLAY -v /tmp/.X11-unix:/tmp/.X11-unix mower/rviz
+```
+
+## When to ignore it
+When nobody but the operator has an account, a container or a cable to this computer.
+
+## References
+- xhost(1)
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Located
+from bringup_lint.api import Robot
+from bringup_lint.api import Source
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("warning", silent="xhost says that anyone can connect, which is what was asked for")
+def display_open(robot: Robot) -> Iterator[Finding]:
+    opened: dict[Source, list[Located]] = {}
+    closed: dict[Source, Located] = {}
+    for source, run in robot.scripts.run("xhost"):
+        if run.words[1:] == ("+",):
+            opened.setdefault(source, []).append(run.words[1])
+        elif run.words[1:] == ("-",):
+            closed[source] = run.words[1]
+    for source, (first, *others) in opened.items():
+        until = [note(closed[source], "until here")] if source in closed else []
+        yield finding(
+            first,
+            "xhost + lets every user and container that reaches this display read its keyboard and type into it",
+            advice="name who needs it, for example xhost +si:localuser:root for a container",
+            related=[*until, *(note(other, "here too") for other in others)],
+        )
