@@ -20,6 +20,9 @@ _ESCAPE = regex(r"\\[$`\"\\\n]")
 _PLAIN = regex(r"[^ \t\r\n\\'\"`$;&|<>()#]+")
 _ALONE = regex(_PLAIN.pattern + r"(?=[ \t\r\n;&|<>()]|\Z)")
 """A word of which nothing is quoted or expanded."""
+_MARK = regex(r"\\[\s\S]|\$[({]|[\"'`(){}]")
+_INNER = {"$(": ")", "${": "}"}
+"""What begins an expansion inside double quotes, and what ends it."""
 
 
 class Token(NamedTuple):
@@ -44,6 +47,7 @@ def tokens(script: Located) -> list[Token]:
     at, size = 0, len(text)
     found: list[Token] = []
     opened: list[_Open] = []
+    broken: list[int] = []
     while at < size:
         char = text[at]
         if char in " \t\r":
@@ -62,13 +66,13 @@ def tokens(script: Located) -> list[Token]:
                 at = _read_documents(script, at, opened, found)
                 opened = []
         else:
-            end, word = _word(script, at)
+            end, word = _word(script, at, broken)
             found.append(Token(word, False))
             at = end
     return found
 
 
-def _word(script: Located, start: int) -> tuple[int, Word]:
+def _word(script: Located, start: int, broken: list[int]) -> tuple[int, Word]:
     """The word at ``start``, its quotes removed, and where it ends."""
     text: str = script  # str(script) would copy the whole script for each word
     size = len(text)
@@ -105,7 +109,7 @@ def _word(script: Located, start: int) -> tuple[int, Word]:
             keep(at + 1, end, "'")
             at = end + 1
         elif char == '"':
-            end = _closing_quote(text, at + 1)
+            end = _closing_quote(text, at + 1, broken)
             for begin, stop, quote in _in_quotes(text, at + 1, end):
                 keep(begin, stop, quote)
             at = end + 1
@@ -153,10 +157,36 @@ def _in_quotes(text: str, at: int, end: int) -> Iterator[tuple[int, int, str]]:
     yield at, end, '"'
 
 
-def _closing_quote(text: str, at: int) -> int:
+def _closing_quote(text: str, at: int, broken: list[int]) -> int:
+    """Where double quotes end: what ``$(...)`` and ``${...}`` between them quote has quotes of its own. A place from
+    which that leads past the end of the text is noted in ``broken``, and none is looked at so closely after it."""
+    end = -1 if broken else _closing_of_all(text, at)
+    if end >= 0:
+        return end
+    broken.append(at)
     while at < len(text) and text[at] != '"':
         at += 2 if text[at] == "\\" else 1
     return min(at, len(text))
+
+
+def _closing_of_all(text: str, at: int) -> int:
+    """Where double quotes end, with all that is open inside of them; -1 where they do not."""
+    inner = ['"']
+    while match := _MARK.search(text, at):
+        mark, at = match[0], match.end()
+        if mark == inner[-1]:
+            inner.pop()
+            if not inner:
+                return match.start()
+        elif mark in _INNER:
+            inner.append(_INNER[mark])
+        elif mark == "(" and inner[-1] == ")":
+            inner.append(")")
+        elif mark == '"':
+            inner.append('"')
+        elif mark == "`" or (mark == "'" and inner[-1] == ")"):
+            at = _find(text, mark, at) + 1
+    return -1
 
 
 def _find(text: str, what: str, at: int) -> int:

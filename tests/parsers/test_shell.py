@@ -105,3 +105,18 @@ def test_placeholders_are_variables_that_nothing_sets() -> None:
 def test_final_script_keeps_its_braces() -> None:
     (command,) = shell_commands(Source("start.sh", "docker ps --format '{{.Names}}'\n"))
     assert str(command.words[3]) == "{{.Names}}"
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("""a "$(tr -d '"')" b\nc""", [["a", """$(tr -d '"')""", "b"], ["c"]]),
+        ("""a "$(b "$(c ")" )")d" e""", [["a", """$(b "$(c ")" )")d""", "e"]]),
+        ("""a "${b:-"c d"}'" e""", [["a", """${b:-"c d"}'""", "e"]]),
+        ("""a "`b "c"`" d""", [["a", """`b "c"`""", "d"]]),
+        ("""a "\\"b(" c""", [["a", '"b(', "c"]]),
+        ("""a "$(b" c "d" e""", [["a", "$(b", "c", "d", "e"]]),
+    ],
+)
+def test_quotes_in_quotes(text: str, expected: list[list[str]]) -> None:
+    assert words(text) == expected
