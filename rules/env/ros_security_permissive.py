@@ -2,7 +2,8 @@
 
 ## What it finds
 A process with ROS_SECURITY_ENABLE=true and ROS_SECURITY_STRATEGY=Permissive, or without a strategy, which means the
-same. Files for tests and development are not reported.
+same, and a script that exports both for whoever sources it. Files for tests and development are not reported, nor a
+script beside another one for Enforce: the user has the choice.
 
 ## Why it matters on a robot
 A node whose credentials are not found runs unsecured and can still join: the robot works, but is open.
@@ -27,6 +28,7 @@ During the migration of a robot to SROS2, as long as the network is trusted.
 - https://docs.ros.org/en/rolling/Tutorials/Advanced/Security/The-Keystore.html
 """
 
+import os
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -63,9 +65,13 @@ def ros_security_permissive(robot: Robot) -> Iterator[Finding]:
                 related=[note(process.where, f"{process.name} gets the variable")],
             )
     enabled = {each.value.span.source: each for each in robot.ros.of("ROS_SECURITY_ENABLE") if each.text == "true"}
-    for each in robot.ros.of("ROS_SECURITY_STRATEGY"):
+    strategies = list(robot.ros.of("ROS_SECURITY_STRATEGY"))
+    strict = {os.path.dirname(each.value.span.path) for each in strategies if each.text == "Enforce"}
+    for each in strategies:
         switch = enabled.get(each.value.span.source)
         if each.origin != "export" or each.text != "Permissive" or switch is None or each.value.span in seen:
+            continue
+        if os.path.dirname(each.value.span.path) in strict:
             continue
         if not robot.ros.is_development(each.value):
             yield finding(

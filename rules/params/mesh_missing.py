@@ -2,9 +2,8 @@
 
 ## What it finds
 `<mesh filename="package://...">` and `file://$(find ...)` in `.urdf` and `.xacro` files that lead into a package of the
-tree, where the package has no file of that name: either it has one whose name differs in upper and lower case or that
-lies in another folder, or it is the package of the description itself and has no mesh at all, and nothing in the folder
-that is named. Not reported is what git ignores and what lies in a submodule.
+tree, where the package has one whose name differs in upper and lower case only. Not reported is what git ignores and
+what lies in a submodule.
 
 ## Why it matters on a robot
 RViz and Gazebo show nothing in its place and print an error for each mesh. Where it is the collision geometry, MoveIt
@@ -50,6 +49,6 @@ def mesh_missing(robot: Robot) -> Iterator[Finding]:
         yield finding(
             first.where,
             f"{first.package} has no {first.path}{more}: RViz and Gazebo show nothing there{moveit}",
-            advice=f"write {first.like}, which the package has" if first.like is not None else "add it to the package",
+            advice=f"write {first.like}, which the package has",
             related=[note(each.where, "missing too") for each in others[:10]],
         )

@@ -118,7 +118,7 @@ def _message(each: NavigationProblem) -> str:
         case "slower":
             return f"The velocity smoother drives slower than the controller plans ({each.detail})"
         case "tree":
-            return f"The tree is that of the other action: the navigator sets {each.detail}: each goal fails"
+            return f"The tree is that of the other action: it reads {each.detail}: each goal fails"
         case "old-tree":
             return f"bt_navigator reads no {each.name} since Galactic: it takes the tree of its own package"
         case "zone":

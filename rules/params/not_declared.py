@@ -122,7 +122,7 @@ def _advice_of_public(package: str, name: str, near: Sequence[str]) -> str:
         return f"write {near[0]}, or remove the value"
     controller, dot, _ = name.partition(".")
     if package == "controller_manager" and dot:
-        return f"write it in a block of its own, {controller}: the controller manager hands nothing on"
+        return f"write it in the block of {controller} itself, or remove it: the controller manager hands nothing on"
     return "remove the value, or correct its name"
 
 

@@ -44,8 +44,8 @@ KINDS = {"string": "a string", "bool": "a boolean", "integer": "an integer", "do
 ADVICE = {
     "string": 'give it as a string: in quotes, in a launch file in XML with type="str"',
     "bool": "write true or false, without quotes (True or False in Python)",
-    "integer": "write whole numbers, without quotes",
-    "double": "write numbers with a decimal point, without quotes",
+    "integer": "write it as a whole number, and not as a text",
+    "double": "write it as a number with a decimal point, and not as a text",
 }
 PAIRS = [(given, wanted) for given in KINDS for wanted in KINDS if given != wanted]
 OF_NUMBERS = {"integer", "double"}
@@ -76,7 +76,7 @@ def type_mismatch(robot: Robot) -> Iterator[Finding]:
                 each.where,
                 f"'{each.name}: {text}' is {_kind(each, given)}, but {each.node} declares {_kind(each, wanted)}: "
                 f"{each.outcome}",
-                advice=ADVICE[wanted],
+                advice=ADVICE[wanted] + (f", or declare it as {_kind(each, given)}" if each.declared else ""),
                 related=[note(each.declared, f"declared as {_kind(each, wanted)} here")] if each.declared else [],
                 chain=robot.provenance.chain_to_node(each.started) if each.started is not None else (),
             )

@@ -62,5 +62,5 @@ def enclave_not_selected(robot: Robot) -> Iterator[Finding]:
                 note(first.switch, "security is switched on here"),
                 *(note(other.where, "this one selects none either") for other in group[1:6]),
             ],
-            severity=None if first.own or robot.sros2.keystores else "warning",
+            severity=None if first.own or (robot.sros2.keystores and not first.by_hand) else "warning",
         )

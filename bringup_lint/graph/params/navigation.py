@@ -71,8 +71,8 @@ _SEEN = ("LaserScan", "PointCloud2", "")
 _OLD_TREE = "default_bt_xml_filename"
 """The parameter that bt_navigator declared before Galactic."""
 _TREES = {
-    "default_nav_through_poses_bt_xml": ("navigate_to_pose", "goals, which a tree for NavigateThroughPoses reads"),
-    "default_nav_to_pose_bt_xml": ("navigate_through_poses", "goal, which a tree for NavigateToPose reads"),
+    "default_nav_through_poses_bt_xml": ("navigate_to_pose", "'goal', and NavigateThroughPoses sets 'goals'"),
+    "default_nav_to_pose_bt_xml": ("navigate_through_poses", "'goals', and NavigateToPose sets 'goal'"),
 }
 """The name that trees of the other action have (nav2_bt_navigator, behavior_trees), and what the navigator sets
 (navigate_through_poses.cpp, navigate_to_pose.cpp)."""
@@ -336,9 +336,11 @@ def _starts_recoveries(params: Params, file: ParameterFile) -> bool:
 
 
 def _may_smooth(params: Params, file: ParameterFile) -> bool:
-    """Whether the smoother may run beside the controllers: no launch file starts these for the file without it."""
+    """Whether the smoother may run beside the controllers: no launch file of the tree starts these without it."""
     names = _loading(params, file)
-    return "controller_server" not in names or "velocity_smoother" in names or None in names
+    if "velocity_smoother" in names:
+        return True
+    return "controller_server" not in names and not params.is_launched_without("controller_server", "velocity_smoother")
 
 
 def _loading(params: Params, file: ParameterFile) -> set[str | None]:

@@ -48,7 +48,8 @@ def slower_smoother(file: ParameterFile, smoother: Block) -> Iterator[Navigation
         wanted = [each for each in planned if allowed and str(each.name).rpartition(".")[2] in names]
         over = [each for each in wanted if _is_cut(number_of(each), allowed[axis], limit)]
         if over:
-            cuts.setdefault(limit, (f"{limit} {allowed[axis]:g} instead of {over[0].text}", over[0]))
+            turn = " of theta" if axis else ""
+            cuts.setdefault(limit, (f"{limit}{turn} {allowed[axis]:g} instead of {over[0].text}", over[0]))
     if cuts:
         first, (_, other) = next(iter(cuts.items()))
         detail = ", ".join(detail for detail, _ in cuts.values())

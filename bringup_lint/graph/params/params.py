@@ -328,6 +328,11 @@ class Params:
             self._mentions[count] = Mentions([each for each in self._tree_files.sources if each.kind not in BUILD])
         return self._mentions[count].outside(name, known)
 
+    def is_launched_without(self, name: str, other: str) -> bool:
+        """Whether launch files of the tree name one word and none of them another one."""
+        texts = [each.text for each in self._tree_files.of_kind(*LAUNCH)]
+        return any(name in text for text in texts) and not any(other in text for text in texts)
+
     def is_used(self, file: ParameterFile) -> bool:
         """Whether a launch file loads a file or hands its path on, or something names it, and means no other one of its
         name."""

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from bringup_lint.source import Located
 
 _PATH = regex(
-    r"(?:package://(?P<scheme>[\w-]+)|(?:file://)?\$\(find\s+(?P<find>[\w-]+)\s*\))/(?P<rest>[^$]+)(?P<computed>\$.*)?\Z",
+    r"(?:package://(?P<scheme>[\w-]+)|(?:file://)?\$\(find\s+(?P<find>[\w-]+)\s*\))/(?P<rest>[^$]+)\Z",
     hints="package:// $(find",
 )
 _ENDINGS = (".stl", ".dae", ".obj", ".glb", ".gltf", ".mesh")
@@ -30,16 +30,16 @@ class MissingMesh(NamedTuple):
     where: Located
     package: str
     path: str
-    """In the package; only the folder where the name is computed."""
+    """In the package."""
     collides: bool
     """It is the shape by which collisions are found."""
-    like: str | None
-    """The mesh that is meant: the same name, in other letters or in another folder."""
+    like: str
+    """The mesh that is meant."""
 
 
 def missing_meshes(files: Files, workspace: Workspace) -> Iterator[list[MissingMesh]]:
-    """Those of one description together. A package that has some of its meshes may be given the large ones in another
-    way, and so may another package than that of the description: there, only what is misspelt is missing for sure."""
+    """Those of one description together. Meshes are large, and a package may be given them in another way: only what
+    is misspelt is missing for sure."""
     shelves: dict[str, _Shelf] = {}
     for source in files.of_kind("urdf"):
         root = parse(source).root if source.judged and not source.template else None
@@ -53,21 +53,16 @@ def _missing(tree: Tree, workspace: Workspace, shelves: dict[str, _Shelf], root:
         name = element.get("filename") if element.name == "mesh" else None
         match = _PATH.match(name) if name is not None else None
         package = workspace.packages.get(match["scheme"] or match["find"]) if match is not None else None
-        if name is None or match is None or package is None:
+        if name is None or match is None or package is None or not name.lower().endswith(_ENDINGS):
             continue
-        if match["computed"] is None and not name.lower().endswith(_ENDINGS):
-            continue
-        inside = match["rest"] if match["computed"] is None else os.path.dirname(match["rest"])
-        path = os.path.normpath(os.path.join(package.folder, inside))
+        path = os.path.normpath(os.path.join(package.folder, match["rest"]))
         if tree.exists(path) or tree.is_ignored(path) or is_below(path, tree.submodules):
             continue
         if package.folder not in shelves:
             shelves[package.folder] = _Shelf(tree, package)
-        shelf = shelves[package.folder]
-        like = shelf.like(path) if match["computed"] is None else None
-        folder = path if match["computed"] is not None else os.path.dirname(path)
-        if like is not None or (workspace.owner(name.span.source) is package and shelf.lacks_all(folder)):
-            yield MissingMesh(name, package.name, inside, _is_collision(element), like)
+        like = shelves[package.folder].spelt_otherwise(path)
+        if like is not None:
+            yield MissingMesh(name, package.name, match["rest"], _is_collision(element), like)
 
 
 def _is_collision(mesh: Element) -> bool:
@@ -80,22 +75,13 @@ class _Shelf:
 
     def __init__(self, tree: Tree, package: Package) -> None:
         self._folder = package.folder
-        self._folders: set[str] = set()
-        self._by_name: dict[str, list[str]] = {}
+        self._by_path: dict[str, list[str]] = {}
         for each in tree.walked_below(package.folder):
-            path = os.path.relpath(os.path.abspath(each), package.folder)
-            self._folders.add(os.path.dirname(path))
-            if path.lower().endswith(_ENDINGS):
-                self._by_name.setdefault(os.path.basename(path).lower(), []).append(path)
+            if each.lower().endswith(_ENDINGS):
+                path = os.path.relpath(os.path.abspath(each), package.folder)
+                self._by_path.setdefault(path.lower(), []).append(path)
 
-    def lacks_all(self, folder: str) -> bool:
-        """Whether the package has no mesh at all, nor anything else in a folder."""
-        return not self._by_name and os.path.relpath(folder, self._folder) not in self._folders
-
-    def like(self, path: str) -> str | None:
-        """The one mesh of the same name, where only its letters differ, or nothing is in the folder that is named."""
-        wanted = os.path.relpath(path, self._folder)
-        alike = self._by_name.get(os.path.basename(wanted).lower(), [])
-        same = [each for each in alike if each.lower() == wanted.lower()]
-        found = same or (alike if os.path.dirname(wanted) not in self._folders else [])
+    def spelt_otherwise(self, path: str) -> str | None:
+        """The one mesh whose path differs in upper and lower case only."""
+        found = self._by_path.get(os.path.relpath(path, self._folder).lower(), [])
         return found[0] if len(found) == 1 else None

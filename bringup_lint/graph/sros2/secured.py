@@ -34,6 +34,8 @@ class Secured(NamedTuple):
     """The value that switches it on."""
     own: bool
     """Whether that value is for this process alone."""
+    by_hand: bool = False
+    """Only whoever sources a script switches it on."""
 
 
 def without_enclave(ros: RosEnvironment, nodes: Iterable[Started]) -> list[list[Secured]]:
@@ -74,7 +76,7 @@ def _of_exports(ros: RosEnvironment, nodes: list[Started]) -> Iterator[Secured]:
         return
     for node, selects in zip(nodes, chosen):
         if node.is_node and not selects and not node.env and not node.own_env:
-            yield Secured(node.label(), node.span, switches[0].value, False)
+            yield Secured(node.label(), node.span, switches[0].value, own=False, by_hand=True)
 
 
 def _of_commands(launcher: RosProcess) -> Iterator[Secured]:
