@@ -2,7 +2,7 @@
 
 ## What it finds
 `DeclareLaunchArgument` or `<arg>` for an argument that the same file has already declared with another default, where
-launch comes to both without a condition.
+launch comes to both without a condition. An argument that nothing reads is for launch/unused-arg.
 
 ## Why it matters on a robot
 A declaration gives its default to an argument that has no value yet. The first one does; the second one finds the value
@@ -41,9 +41,13 @@ from bringup_lint.api import rule
 def arg_declared_twice(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         said = set()
-        for each in robot.launch.expansion(file).declared:
+        own = robot.launch.expansion(file)
+        is_alone = not own.open and len(own.files) == 1 and not file.reads_all
+        for each in own.declared:
             first, default = _before(each), launch.literal(each.action.default)
             if each.file is not file or each.name in said or first is None or default is None or default == first:
+                continue
+            if is_alone and all(argument.name != each.name for argument in file.reads):
                 continue
             said.add(each.name)
             yield finding(

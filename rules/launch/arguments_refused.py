@@ -6,7 +6,7 @@
 - `static_transform_publisher` with another number of arguments than it takes: 8 (x y z yaw pitch roll frame child),
   9 (with a quaternion) or options alone; and with options (`--frame-id`) before Humble
 - yaw, pitch and roll of `static_transform_publisher` above 2π: they are in radians (a warning)
-- `'-y' '-0.8'` among the arguments, without a comma: one word
+- `'-entity' 'bucket'` among the arguments, without a comma: one word
 - `Command(['xacro', path])` without a blank after the program, `Command(['xacro ', path, 'name:=', value])` without one
   before an argument, and `Command([path])` of a robot description without a program
 

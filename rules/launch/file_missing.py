@@ -83,12 +83,13 @@ def file_missing(robot: Robot) -> Iterator[Finding]:
     for (first, package), *others in places.values():
         near = nearest(first.name, sorted(_names(robot, package)), 3)
         effect = "launch reads it and ends" if first.aborts else "what is given the path runs without it, or ends"
+        is_elsewhere = first.name in near
         spans = {each.span: each for each, _ in others if each.span != first.span}
         is_idle = all(_is_unread(robot, each) for each in (first, *spans.values()))
         yield finding(
             first.where,
-            f"{first.name} does not exist in {package.name}: {effect}",
-            advice=f"use {near[0]}" if near else "correct the path, or add the file",
+            f"{first.path_in(package) if is_elsewhere else first.name} does not exist in {package.name}: {effect}",
+            advice=f"use {near[0]}" if near and not is_elsewhere else "correct the path, or add the file",
             related=[
                 note(package.place, f"the package {package.name}"),
                 *(note(each, "it is named here, too") for each in spans),

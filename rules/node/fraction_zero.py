@@ -29,12 +29,17 @@ Never: write 0 where 0 is meant.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import nodes
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
+
+REACH = 80
+DURATION = regex(r"\bchrono::(?:nano|micro|milli)?seconds[({][^;]*\Z")
 
 
 @rule("warning", fix="unsafe", silent="0 is a number like others", tags=["CWE-682"])
@@ -43,11 +48,22 @@ def fraction_zero(robot: Robot) -> Iterator[Finding]:
         yield finding(
             first,
             f"{first} is 0: C++ drops the fraction of a quotient of integers",
-            advice=f"write {_as_double(first)}",
+            advice=f"write {_as_double(first)}"
+            if not _is_duration(first)
+            else f"write std::chrono::duration<double>({_as_double(first)})",
             related=[note(each, "the same here") for each in others],
             severity=robot.nodes.graded(first.span.source, "warning"),
-            fix=fix("divide as doubles", *((each, _as_double(each)) for each in (first, *others)), safe=False),
+            fix=None
+            if any(_is_duration(each) for each in (first, *others))
+            else fix("divide as doubles", *((each, _as_double(each)) for each in (first, *others)), safe=False),
         )
+
+
+def _is_duration(quotient: Located) -> bool:
+    """Whether it is in the brackets of a duration of whole units, such as ``std::chrono::milliseconds``, which no
+    floating point number initializes."""
+    start = quotient.span.start
+    return DURATION.search(quotient.span.source.text[max(0, start - REACH) : start]) is not None
 
 
 def _as_double(quotient: str) -> str:

@@ -25,8 +25,8 @@ if TYPE_CHECKING:
 
 _PROGRAM = regex(r"[a-z][\w.+-]*\s+\S")
 """A program without its path, and the first of its arguments."""
-_NO_COMMA = regex(r"""(['"])(--?[A-Za-z](?:[\w-]{0,60}\w)?)\1\s+['"][^\s='"]""")
-"""An option, and another text behind it."""
+_NO_COMMA = regex(r"""(['"])(--?[A-Za-z](?:[\w-]{0,60}\w))\1\s+['"][^\s='"]""")
+"""An option, and another text behind it. Not one letter: programs take ``-y0.8`` for ``-y 0.8``."""
 _LENGTHS = (0, 8, 9)
 """Words of static_transform_publisher (geometry2, static_transform_broadcaster_program.cpp)."""
 _MOST_RADIANS = 2 * math.pi + 0.01
