@@ -41,7 +41,6 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
-from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.shell import Block
@@ -56,30 +55,22 @@ ARGUMENTS_LEFT = regex(
 STAYS = frozenset("echo printf : true [ [[ test export local declare readonly typeset unset log date mkdir cd".split())
 """Commands that neither take an argument away nor leave the loop."""
 ANY = ("*", "?*")
-MOST = 20
 
 
 @rule("warning", silent="the script goes round without a word")
 def arguments_endless(robot: Robot) -> Iterator[Finding]:
-    found: dict[tuple[str, int], list[Located]] = {}
-    missing = set()
     for source in robot.of_kind("shell-script"):
         if not source.judged or source.template or "shift" not in source.text or "esac" not in source.text:
             continue
         for loop in _loops(shell_blocks(source)):
             for pattern, is_missing in _stuck(loop):
-                key = (source.text, pattern.span.start)
-                found.setdefault(key, []).append(pattern)
-                missing |= {key} if is_missing else set()
-    for key, (pattern, *copies) in found.items():
-        yield finding(
-            pattern,
-            "No branch takes other arguments away: with any other argument this loop runs forever"
-            if key in missing
-            else f"The branch {pattern} does not shift: with this argument the loop runs forever",
-            advice='add *) echo "unknown argument: $1" >&2; exit 2 ;;' if key in missing else "add shift to it",
-            related=[note(copy, "the same script") for copy in copies[:MOST]],
-        )
+                yield finding(
+                    pattern,
+                    "No branch takes other arguments away: with any other argument this loop runs forever"
+                    if is_missing
+                    else f"The branch {pattern} does not shift: with this argument the loop runs forever",
+                    advice='add *) echo "unknown argument: $1" >&2; exit 2 ;;' if is_missing else "add shift to it",
+                )
 
 
 def _loops(blocks: tuple[Block, ...]) -> Iterator[Block]:

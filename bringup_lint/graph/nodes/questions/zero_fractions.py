@@ -15,7 +15,6 @@ if TYPE_CHECKING:
 _FRACTION = regex(
     r"\"(?:[^\"\\\n]|\\.){0,400}\""
     r"|(?:[(=,?:{]|\breturn\b|[\w)\]]\s{1,4}[-+])\s{0,4}(?P<all>(?P<part>[1-9]\d{0,8})\s{0,4}/\s{0,4}(?P<whole>[1-9]\d{0,8}))(?![\w.'])",
-    hints="/",
 )
 """A quotient of two literals at the start of a product, so that it is worked out first. Strings are passed over."""
 
