@@ -125,7 +125,7 @@ def _of_scripts(robot: Robot) -> Iterator[Finding]:
     calls: dict[Source, list[tuple[Sequence[Located], bool]]] = {}
     installed: dict[Source, set[str]] = {}
     for source, run in robot.scripts.run(*PROGRAMS):
-        if CONFIGURED.search(source.text) or BY_HAND.search(source.text):
+        if source.says(CONFIGURED) or source.says(BY_HAND):
             continue
         words = run.words
         known = installed.setdefault(source, set())

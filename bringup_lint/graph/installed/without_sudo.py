@@ -71,16 +71,16 @@ def _forgotten(scripts: Scripts, source: Source) -> ForUser | None:
             continue
         elif refused_elsewhere.isdisjoint(word.span for word in did.words):
             without.append(Unprivileged(did.words[0], path))
-    without = [each for each in without if not _is_given_away(source, each.path)]
+    given = _given_away(source) if without else ()
+    without = [each for each in without if not each.path.startswith(given)]
     if len(with_sudo) < _LEAST or not without:
         return None
     return ForUser(source, with_sudo[0], without)
 
 
-def _is_given_away(source: Source, path: str) -> bool:
-    """Whether the script gives the file or a folder above it to its user."""
-    given = (match["path"].strip("\"'").rstrip("/") for match in _GIVES.finditer(source.text))
-    return any(path.startswith(each) for each in given)
+def _given_away(source: Source) -> tuple[str, ...]:
+    """The files and folders that the script gives to its user."""
+    return tuple({match["path"].strip("\"'").rstrip("/") for match in _GIVES.finditer(source.text)})
 
 
 def _changed(run: Run) -> str | None:
