@@ -51,6 +51,11 @@ class Block:
     parameters: list[Parameter] = field(default_factory=list)
 
     @property
+    def node_name(self) -> str:
+        """Of the node that it is for, without the namespace."""
+        return str(self.key).rpartition("/")[2]
+
+    @property
     def span(self) -> Span:
         return self.key.span
 

@@ -220,9 +220,9 @@ class Words:
         elif char == '"':
             self.double_quoted(start)
         elif char == "`":
-            self.backticks(start)
+            self.escaped(start, "`", "`")
         elif self.text.startswith("$'", start) and not in_quotes:
-            self.ansi(start)
+            self.escaped(start, "$'", "'")
         elif self.text.startswith("$((", start):
             self.at += 1
             self.arithmetic(start + 1)
@@ -254,20 +254,13 @@ class Words:
                 self.at += 1
         raise unclosed(start, '"')
 
-    def backticks(self, start: int) -> None:
-        self.at += 1
-        while self.at < self.size and self.text[self.at] != "`":
+    def escaped(self, start: int, opened: str, end: str) -> None:
+        """What the first end without a backslash before it ends."""
+        self.at += len(opened)
+        while self.at < self.size and self.text[self.at] != end:
             self.at += 2 if self.text[self.at] == "\\" else 1
         if self.at >= self.size:
-            raise unclosed(start, "`")
-        self.at += 1
-
-    def ansi(self, start: int) -> None:
-        self.at += 2
-        while self.at < self.size and self.text[self.at] != "'":
-            self.at += 2 if self.text[self.at] == "\\" else 1
-        if self.at >= self.size:
-            raise unclosed(start, "$'")
+            raise unclosed(start, opened)
         self.at += 1
 
     def parameter(self, start: int, in_quotes: bool) -> None:

@@ -44,18 +44,17 @@ DURATION = regex(r"\bchrono::(?:nano|micro|milli)?seconds[({][^;]*\Z")
 
 @rule("warning", fix="unsafe", silent="0 is a number like others", tags=["CWE-682"])
 def fraction_zero(robot: Robot) -> Iterator[Finding]:
-    for first, *others in nodes.zero_fractions(robot.nodes):
+    for found in nodes.zero_fractions(robot.nodes):
+        first, *others = found
+        double = _as_double(first)
+        edits = [] if any(map(_is_duration, found)) else [(each, _as_double(each)) for each in found]
         yield finding(
             first,
             f"{first} is 0: C++ drops the fraction of a quotient of integers",
-            advice=f"write {_as_double(first)}"
-            if not _is_duration(first)
-            else f"write std::chrono::duration<double>({_as_double(first)})",
+            advice=f"write {f'std::chrono::duration<double>({double})' if _is_duration(first) else double}",
             related=[note(each, "the same here") for each in others],
             severity=robot.nodes.graded(first.span.source, "warning"),
-            fix=None
-            if any(_is_duration(each) for each in (first, *others))
-            else fix("divide as doubles", *((each, _as_double(each)) for each in (first, *others)), safe=False),
+            fix=fix("divide as doubles", *edits, safe=False) if edits else None,
         )
 
 

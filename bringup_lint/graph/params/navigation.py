@@ -11,7 +11,6 @@ from bringup_lint.facts import table
 from bringup_lint.facts.ros import distros
 from bringup_lint.graph.params.navigation_blocks import NavigationProblem
 from bringup_lint.graph.params.navigation_blocks import by_name
-from bringup_lint.graph.params.navigation_blocks import node_name
 from bringup_lint.graph.params.navigation_blocks import number_of
 from bringup_lint.graph.params.navigation_blocks import numbers_of
 from bringup_lint.graph.params.navigation_shapes import hidden_zones
@@ -84,7 +83,7 @@ def navigation_problems(params: Params) -> Iterator[NavigationProblem]:
     for file in params.judged:
         if file.accepted and not file.uncertain and params.is_used(file):
             for block in file.blocks:
-                check = _CHECKS.get(node_name(block))
+                check = _CHECKS.get(block.node_name)
                 if check is not None:
                     found = check(params, file, block)
                     yield from (each for each in found if not _is_replaced(params, file, block, each))
@@ -108,7 +107,7 @@ def _costmap(params: Params, file: ParameterFile, block: Block) -> Iterator[Navi
         yield from _footprint(shape)
     yield from _inflation(named)
     yield from _jumping(params, file, block, named)
-    if node_name(block) == "local_costmap":
+    if block.node_name == "local_costmap":
         yield from two_radii(file, block)
     for layer in _layers(named):
         yield from _observations(params, named, layer)
@@ -120,9 +119,9 @@ def _jumping(
 ) -> Iterator[NavigationProblem]:
     """A window that moves with the robot in a frame that jumps against it whenever amcl corrects the pose."""
     rolling, frame = named.get("rolling_window"), named.get("global_frame")
-    if frame is None or rolling is None or rolling.value.data is not True or node_name(block) != "local_costmap":
+    if frame is None or rolling is None or rolling.value.data is not True or block.node_name != "local_costmap":
         return
-    localized = [by_name(each) for each in file.blocks if node_name(each) == "amcl"]
+    localized = [by_name(each) for each in file.blocks if each.node_name == "amcl"]
     frames = [(_text(named, "global_frame_id", "map"), _text(named, "odom_frame_id", "odom")) for named in localized]
     if frames and frame.value.data == frames[0][0] != frames[0][1] and not params.is_static(*frames[0]):
         yield NavigationProblem("frame", frame.span, "global_frame", str(frame.value.data), rolling.span)
@@ -281,7 +280,7 @@ def _monitor(params: Params, file: ParameterFile, block: Block) -> Iterator[Navi
     }
     for item in items(listed):
         if item.text not in sections and not params.named_elsewhere(item.text, {file.source}):
-            yield NavigationProblem("polygon", item.span, item.text, node_name(block))
+            yield NavigationProblem("polygon", item.span, item.text, block.node_name)
     yield from hidden_zones(file, block)
 
 
@@ -322,12 +321,12 @@ def _amcl(params: Params, file: ParameterFile, block: Block) -> Iterator[Navigat
 
 def _recoveries(params: Params, file: ParameterFile, block: Block) -> Iterator[NavigationProblem]:
     """The section of the server that Humble calls behavior_server, where the file has none for that name."""
-    has_both = any(node_name(each) == _BEHAVIORS for each in file.blocks)
+    has_both = any(each.node_name == _BEHAVIORS for each in file.blocks)
     if has_both or not block.parameters or not _is_since_humble(params, file):
         return
     if _starts_recoveries(params, file):
         return
-    yield NavigationProblem("section", block.key.span, node_name(block), _BEHAVIORS)
+    yield NavigationProblem("section", block.key.span, block.node_name, _BEHAVIORS)
 
 
 def _starts_recoveries(params: Params, file: ParameterFile) -> bool:
@@ -355,7 +354,7 @@ def _is_since_humble(params: Params, file: ParameterFile) -> bool:
     distribution = distros.named_in(os.path.basename(os.path.dirname(file.source.absolute))) or params.distribution
     if distribution is not None:
         return distribution not in _BEFORE_PLUGINS
-    return any(str(block.key).rpartition("/")[2] in _SINCE_HUMBLE for block in file.blocks)
+    return any(block.node_name in _SINCE_HUMBLE for block in file.blocks)
 
 
 _CHECKS: dict[str, Callable[[Params, ParameterFile, Block], Iterator[NavigationProblem]]] = {

@@ -26,11 +26,6 @@ class NavigationProblem(NamedTuple):
     """What the value contradicts."""
 
 
-def node_name(block: Block) -> str:
-    """Without the namespace."""
-    return str(block.key).rpartition("/")[2]
-
-
 def by_name(block: Block) -> dict[str, Parameter]:
     return {str(each.name): each for each in block.parameters}
 

@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.graph.params.navigation_blocks import NavigationProblem
 from bringup_lint.graph.params.navigation_blocks import by_name
-from bringup_lint.graph.params.navigation_blocks import node_name
 from bringup_lint.graph.params.navigation_blocks import number_of
 from bringup_lint.graph.params.values import items
 from bringup_lint.pattern import regex
@@ -35,7 +34,7 @@ _REACTIONS = ("stop", "slowdown", "limit")
 
 def hidden_zones(file: ParameterFile, monitor: Block) -> Iterator[NavigationProblem]:
     """The listed zones that lie inside of the robot of the local costmap, the first with the names of all."""
-    costmaps = [by_name(each) for each in file.blocks if node_name(each) == "local_costmap"]
+    costmaps = [by_name(each) for each in file.blocks if each.node_name == "local_costmap"]
     shape = shape_of(costmaps[0]) if len(costmaps) == 1 else None
     radius = inscribed_radius(shape) if shape is not None else None
     if shape is None or radius is None:
@@ -53,7 +52,7 @@ def hidden_zones(file: ParameterFile, monitor: Block) -> Iterator[NavigationProb
 def two_radii(file: ParameterFile, costmap: Block) -> Iterator[NavigationProblem]:
     """A radius of the robot in the local costmap that is far from the one in the global costmap."""
     own = shape_of(by_name(costmap))
-    others = [shape_of(by_name(each)) for each in file.blocks if node_name(each) == "global_costmap"]
+    others = [shape_of(by_name(each)) for each in file.blocks if each.node_name == "global_costmap"]
     other = others[0] if len(others) == 1 else None
     if own is None or other is None or own.name != "robot_radius" or other.name != own.name:
         return

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.graph.params.navigation_blocks import NavigationProblem
 from bringup_lint.graph.params.navigation_blocks import by_name
-from bringup_lint.graph.params.navigation_blocks import node_name
 from bringup_lint.graph.params.navigation_blocks import number_of
 from bringup_lint.graph.params.navigation_blocks import numbers_of
 from bringup_lint.graph.params.values import items
@@ -39,7 +38,7 @@ def slower_smoother(file: ParameterFile, smoother: Block) -> Iterator[Navigation
     planned = [
         each
         for block in file.blocks
-        if node_name(block) == "controller_server" and _namespace(block) == _namespace(smoother)
+        if block.node_name == "controller_server" and _namespace(block) == _namespace(smoother)
         for each in _planned(by_name(block))
     ]
     cuts: dict[str, tuple[str, Parameter]] = {}

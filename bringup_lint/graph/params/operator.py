@@ -84,7 +84,7 @@ def _deadman(params: Params, file: ParameterFile, block: Block) -> Iterator[Oper
         return
     loads = params.loads(file)
     sure = _TELEOP in str(block.key) or any(literal_text(load.node.package) == _TELEOP for load in loads)
-    sure = sure or (not loads and params.is_named_with(str(block.key).rpartition("/")[2], _TELEOP))
+    sure = sure or (not loads and params.is_named_with(block.node_name, _TELEOP))
     if not sure and _JOYSTICK.search(str(block.key)) is None:
         return
     if not loads or params.effective(file, switch):

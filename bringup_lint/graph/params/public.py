@@ -55,7 +55,7 @@ def unknown_to_public(params: Params, launch: Launch) -> Iterator[Unknown]:
             and not params.is_named_in_code(each.name)
         ]
         if lacking:
-            yield Unknown(node, str(block.key).rpartition("/")[2], tuple(lacking))
+            yield Unknown(node, block.node_name, tuple(lacking))
 
 
 def _is_all_official(params: Params, libraries: Parameter) -> bool:
@@ -81,7 +81,7 @@ def _blocks(params: Params, launch: Launch) -> Iterator[PublicBlock]:
         if file.accepted and not file.uncertain and params.is_used(file):
             controllers = _controllers(file)
             for block in file.blocks:
-                node = controllers.get(str(block.key).rpartition("/")[2]) or _node_of(params.loads(file), block)
+                node = controllers.get(block.node_name) or _node_of(params.loads(file), block)
                 if node is not None and node.package not in launch.workspace.packages:
                     yield PublicBlock(file, block, node)
 
@@ -105,7 +105,7 @@ def _node_of(loads: list[Load], block: Block) -> PublicNode | None:
         or ("*" not in block.name and load.node.fqn is not None and matches(block.name, load.node.fqn))
     }
     if not started:
-        return node_called(str(block.key).rpartition("/")[2])
+        return node_called(block.node_name)
     nodes = {public_node(str(package), str(program)) for package, program in started}
     return nodes.pop() if len(nodes) == 1 else None
 

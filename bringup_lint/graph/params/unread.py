@@ -93,7 +93,7 @@ def unread(params: Params, launch: Launch) -> Iterator[Unread]:
         names = frozenset().union(*(reading[each] for each in readers))
         left = [each for each in lacking if not _is_made(str(each.name), names, pieces)]
         is_alone = not any(_is_helped(each, launch) for each in readers)
-        if readers and left and is_alone and _label(block) not in foreign and count >= max(_SURE, _MOST * len(own)):
+        if readers and left and is_alone and block.node_name not in foreign and count >= max(_SURE, _MOST * len(own)):
             first = next(_READ.finditer(readers[0].text))
             yield Unread(block, tuple(left), readers[0].span(*first.span("name")), count, names)
 
@@ -130,14 +130,10 @@ def _is_helped(source: Source, launch: Launch) -> bool:
 
 def _own(block: Block) -> list[Parameter]:
     """The parameters of a block for one node of the tree, besides those of the client library."""
-    label = _label(block)
+    label = block.node_name
     if "*" in label or node_called(label) is not None:
         return []
     return [each for each in block.parameters if not is_of_library(str(each.name))]
-
-
-def _label(block: Block) -> str:
-    return str(block.key).rpartition("/")[2]
 
 
 def _names(source: Source) -> frozenset[str]:

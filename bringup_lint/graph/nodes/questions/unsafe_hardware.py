@@ -68,8 +68,8 @@ def unsafe_in_cpp(nodes: Nodes) -> Iterator[UnsafeCpp]:
     """The same for C++ files with a ``main`` that only spins the node."""
     for node in nodes.cpp:
         command = next((each for each in node.endpoints if is_held(each)), None)
-        bus = bus_in_cpp(with_header(nodes, node.source)) if command is not None else None
-        spin = only_spin(nodes, node) if bus is not None else None
+        spin = only_spin(nodes, node) if command is not None else None
+        bus = bus_in_cpp(with_header(nodes, node.source)) if spin is not None else None
         if command is not None and bus is not None and spin is not None:
             yield UnsafeCpp(node.source, spin, bus, command)
 
