@@ -465,6 +465,10 @@ class Tree:
             self._like[pattern] = [path for path in self.paths if pattern.search(path)]
         return self._like[pattern]
 
+    def pages(self, pattern: re.Pattern[str], size: int) -> Iterator[str]:
+        """The first bytes of each file whose path matches, of whatever kind, as text."""
+        return (self.head(path, size) for path in self.like(pattern))
+
     @cached_property
     def _like(self) -> dict[re.Pattern[str], list[str]]:
         """What ``like`` answered."""

@@ -33,6 +33,7 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
+from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
@@ -41,7 +42,13 @@ from bringup_lint.api import rule
 
 @rule("warning", fix="unsafe", symptoms=["SECURITY ERROR: directory '*' does not exist., at"], tags=["CWE-1188"])
 def ros_security_permissive(robot: Robot) -> Iterator[Finding]:
-    seen = set()
+    seen: set[Span] = set()
+    yield from of_processes(robot, seen)
+    yield from of_scripts(robot, seen)
+
+
+def of_processes(robot: Robot, seen: set[Span]) -> Iterator[Finding]:
+    """The processes that are permissive; ``seen`` takes the values that made them so."""
     for process in robot.ros.processes:
         environment = process.environment
         enable, strategy = environment.get("ROS_SECURITY_ENABLE"), environment.get("ROS_SECURITY_STRATEGY")
@@ -64,6 +71,10 @@ def ros_security_permissive(robot: Robot) -> Iterator[Finding]:
                 advice="add ROS_SECURITY_STRATEGY=Enforce",
                 related=[note(process.where, f"{process.name} gets the variable")],
             )
+
+
+def of_scripts(robot: Robot, seen: set[Span]) -> Iterator[Finding]:
+    """The scripts that make permissive whoever sources them, where no script beside them is strict."""
     enabled = {each.value.span.source: each for each in robot.ros.of("ROS_SECURITY_ENABLE") if each.text == "true"}
     strategies = list(robot.ros.of("ROS_SECURITY_STRATEGY"))
     strict = {os.path.dirname(each.value.span.path) for each in strategies if each.text == "Enforce"}

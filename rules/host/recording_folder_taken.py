@@ -96,7 +96,7 @@ def _is_cleared(robot: Robot, folder: Located) -> bool:
     deletes = rf"{DELETES}[^\n]{{0,200}}(?:{name}|{above}/?[*\"']*(?:\s|$))"
     if robot.mentions(re.compile(rf"{deletes}|(?:{name}|{above}\b)[^\n]{{0,200}}{DELETES}")):
         return True
-    programs = (robot.tree.head(path, MOST) for path in robot.tree.paths if PROGRAM.search(path))
+    programs = robot.tree.pages(PROGRAM, MOST)
     texts = (text for text in programs if str(folder) in text or f"{posixpath.dirname(folder)}/*" in text)
     own = folder.span.source.text
     return any(text != own and re.search(DELETES, text) for text in texts)

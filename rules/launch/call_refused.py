@@ -88,7 +88,8 @@ MESSAGES = {
     "letters": "cmd is a text and not a list: launch looks for a program called as its first letter, and finds none",
     "dictionary": "{word} of {owner} is {given} and not a dictionary: launch ends with an AttributeError",
     "pair": "launch_arguments takes pairs of name and value, not this: launch ends with a ValueError at this include",
-    "visited": "{given} is not an action: launch ends with an AttributeError, because it has no attribute 'visit'",
+    "visited": "The list holds {given}, which is not an action: launch ends with an AttributeError, because it has no "
+    "attribute 'visit'",
     "reaction": "{word} of {owner} takes actions or a function, not {given}: launch ends with an exception there",
     "event": "EmitEvent takes an event and not an action: launch ends with a RuntimeError",
     "process": "{word} of {owner} is no process: launch ends with a TypeError",
@@ -155,12 +156,11 @@ def call_refused(robot: Robot) -> Iterator[Finding]:
 
 
 def message(call: RefusedCall) -> str:
-    said = MESSAGES[call.code].format(
+    return MESSAGES[call.code].format(
         owner=call.owner,
         word=call.word.replace(",", "= and "),
         given=call.given,
     )
-    return said[0].upper() + said[1:] if call.code == "visited" else said
 
 
 def advice(call: RefusedCall) -> str:

@@ -95,7 +95,7 @@ def _takes_answers(robot: Robot, file: Dockerfile) -> bool:
     copies = (str(each.value) for stage in file.stages for each in stage.all("COPY", "ADD"))
     if not any("apt.conf" in text for text in copies):
         return False
-    return any(CONFIGURED.search(robot.tree.head(path, MOST)) for path in robot.tree.paths if SETTINGS.search(path))
+    return any(map(CONFIGURED.search, robot.tree.pages(SETTINGS, MOST)))
 
 
 def _of_image(stage: Stage) -> Iterator[Finding]:

@@ -172,8 +172,7 @@ def _is_read_otherwise(robot: Robot, source: Source) -> bool:
     others = (each for each in robot.sources if each is not source)
     if any(caller.search(each.text) for each in others) or _is_in_busybox(robot, source):
         return True
-    pages = (robot.tree.head(path, MOST_OF_PAGE) for path in robot.tree.paths if PAGE.search(path))
-    return any(caller.search(page) for page in pages)
+    return any(map(caller.search, robot.tree.pages(PAGE, MOST_OF_PAGE)))
 
 
 def _is_in_busybox(robot: Robot, source: Source) -> bool:

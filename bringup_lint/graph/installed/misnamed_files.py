@@ -11,7 +11,6 @@ from collections.abc import Iterator
 from bringup_lint.graph.installed.script import Run
 from bringup_lint.graph.installed.script_files import GENERATED
 from bringup_lint.graph.installed.script_files import read_words
-from bringup_lint.graph.installed.script_files import without_comments
 from bringup_lint.graph.installed.scripts import Scripts
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
@@ -89,9 +88,8 @@ def _is_copied_to(scripts: Scripts, name: str, folder: str) -> bool:
     copied = re.compile(
         rf"(?<![\w.-]){re.escape(name)}\b[^\n]{{0,200}}{re.escape(folder)}/?(?:[\s\"']|{re.escape(name)}|$)", re.M
     )
-    tree = scripts.files.tree
-    pages = (tree.head(path, _MOST_OF_PAGE) for path in tree.like(_PAGE))
-    return scripts.files.mentions(copied) or any(copied.search(page) for page in pages)
+    pages = scripts.files.tree.pages(_PAGE, _MOST_OF_PAGE)
+    return scripts.files.mentions(copied) or any(map(copied.search, pages))
 
 
 def _may_exist(scripts: Scripts, source: Source, path: str, uses: int) -> bool:
@@ -101,6 +99,7 @@ def _may_exist(scripts: Scripts, source: Source, path: str, uses: int) -> bool:
     if GENERATED.search(path) or tree.is_ignored(name) or tree.is_ignored(path):
         return True
     said = re.compile(rf"(?<![\w.-]){re.escape(name)}(?![\w-])")
-    if len(said.findall(without_comments(source.text))) > uses:
+    if len(said.findall(source.uncommented)) > uses:
         return True
-    return any(said.search(without_comments(other.text)) for other in scripts.files.sources if other is not source)
+    others = (other for other in scripts.files.sources if other is not source and name in other.text)
+    return any(said.search(other.uncommented) for other in others)

@@ -207,7 +207,7 @@ def _is_missing(scripts: Scripts, source: Source, base: str, named: NamedFile) -
         return False
     if "*" in name:
         return not tree.matches(path) and (tree.exists(folder or ".") or _is_missing_folder(tree, source, folder))
-    if len(re.findall(rf"(?<![\w.-]){re.escape(name)}(?![\w-])", without_comments(source.text))) > 1:
+    if len(re.findall(rf"(?<![\w.-]){re.escape(name)}(?![\w-])", source.uncommented)) > 1:
         return False
     return tree.exists(folder or ".") or (named.folder is not None and _is_missing_folder(tree, source, folder))
 
@@ -227,8 +227,3 @@ def _is_missing_folder(tree: Tree, source: Source, folder: str) -> bool:
         rf"\b(?:mkdir|clone|unzip|tar|rsync|scp|wget|curl|colcon)\b[^\n]*(?<![\w.-]){re.escape(name)}\b", source.text
     )
     return tree.exists(outer or ".") and made is None
-
-
-def without_comments(text: str) -> str:
-    """A script without the lines that are comments."""
-    return re.sub(r"^[ \t]*#[^\n]*", "", text, flags=re.M)

@@ -97,6 +97,5 @@ def _is_run_by_root(scripts: Scripts, source: Source) -> bool:
     if scripts.is_for_image(source) or scripts.starts_by_itself(source):
         return True
     started = re.compile(rf"\bsudo\b[^\n|;&]{{0,80}}(?<![\w-]){re.escape(source.basename)}\b")
-    tree = scripts.files.tree
-    pages = (tree.head(path, _MOST_OF_PAGE) for path in tree.like(_PAGE))
+    pages = scripts.files.tree.pages(_PAGE, _MOST_OF_PAGE)
     return any(started.search(each.text) for each in scripts.files.sources) or any(map(started.search, pages))

@@ -352,15 +352,12 @@ class Params:
         if launch is None or owner is None:
             return False
         path = os.path.relpath(file.source.absolute, owner.folder)
-        if self._composed(launch, owner).has(path):
+        if self._composed(owner).has(path):
             return True
         owners = [launch.workspace.package_of(os.path.dirname(os.path.abspath(path))) for path in same]
         if sum(each is owner for each in owners) != 1:
             return False
-        if id(owner) not in self._words:
-            texts = (each.source.uncommented for each in launch.files_of(owner))
-            self._words[id(owner)] = frozenset(word for text in texts for word in _FILE_NAME.findall(text))
-        return file.source.basename in self._words[id(owner)]
+        return file.source.basename in self._named_by(owner)
 
     def is_named_with(self, node: str, package: str) -> bool:
         """Whether a launch file names a node and a package, as one does that starts nodes in a way that is not
@@ -369,20 +366,16 @@ class Params:
         texts = (each.source.uncommented for each in self._launch().judged) if self._tree_files.of_kind(*LAUNCH) else ()
         return any(package in text and named.search(text) is not None for text in texts)
 
-    def _composed(self, launch: Launch, owner: Package) -> ComposedNames:
-        if id(owner) not in self._ends:
-            self._ends[id(owner)] = ComposedNames(each.source.uncommented for each in launch.files_of(owner))
-        return self._ends[id(owner)]
+    @memo
+    def _composed(self, owner: Package) -> ComposedNames:
+        """The names that the launch files of a package put together."""
+        return ComposedNames(each.source.uncommented for each in self._launch().files_of(owner))
 
-    @cached_property
-    def _ends(self) -> dict[int, ComposedNames]:
-        """The names that the launch files of a package put together, by the ``id`` of the package."""
-        return {}
-
-    @cached_property
-    def _words(self) -> dict[int, frozenset[str]]:
-        """What the launch files of a package name, by the ``id`` of the package."""
-        return {}
+    @memo
+    def _named_by(self, owner: Package) -> frozenset[str]:
+        """The names of files that the launch files of a package hold."""
+        texts = (each.source.uncommented for each in self._launch().files_of(owner))
+        return frozenset(word for text in texts for word in _FILE_NAME.findall(text))
 
     @cached_property
     def _handed_on(self) -> frozenset[str]:

@@ -74,6 +74,6 @@ def _is_named(files: Files, unit: Unit) -> bool:
     stem = unit.name.rpartition(".")[0]
     name = re.compile(rf"(?<![\w-]){re.escape(stem)}(?![\w-])")
     own = {file.source for file in unit.files}
-    guides = (files.tree.head(path, _SIZE) for path in files.tree.like(_GUIDE))
+    guides = files.tree.pages(_GUIDE, _SIZE)
     texts = (source.text for source in files.sources if source not in own)
     return any(stem in text and name.search(text) for each in (texts, scripts_of(files.tree), guides) for text in each)

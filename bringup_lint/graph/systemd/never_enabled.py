@@ -74,7 +74,7 @@ def _is_installed(unit: Unit, copied: set[str]) -> bool:
 def _lines_of_starts(files: Files, units: list[Unit]) -> list[tuple[Source | None, str]]:
     """The lines of the tree that name one of the units and have to do with starts."""
     stems = [_stem(unit) for unit in units]
-    guides = ((None, files.tree.head(path, _SIZE)) for path in files.tree.like(_GUIDE))
+    guides = ((None, page) for page in files.tree.pages(_GUIDE, _SIZE))
     scripts = ((None, text) for text in scripts_of(files.tree))
     sources = ((source, source.text) for source in files.sources)
     return [

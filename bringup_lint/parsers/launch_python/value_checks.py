@@ -146,9 +146,8 @@ def _function(thing: Any) -> Found:
 
 
 def _condition(thing: Any) -> Found:
-    if isinstance(thing, (Sequence, Mapping)) or (isinstance(thing, Literal) and not _is_none(thing)):
-        yield "condition", None
-    elif is_substitution(thing):
+    is_value = isinstance(thing, Literal) and not _is_none(thing)
+    if is_value or isinstance(thing, (Sequence, Mapping)) or is_substitution(thing):
         yield "condition", None
 
 
