@@ -4,23 +4,14 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable
-from collections.abc import Collection
-from collections.abc import Container
 from collections.abc import Iterable
 from collections.abc import Iterator
 from collections.abc import Mapping
-from functools import cached_property
 
 from bringup_lint import budget
-from bringup_lint.apart import Steps
-from bringup_lint.apart import failing
-from bringup_lint.config import MOST_SAID
-from bringup_lint.config import OFF
 from bringup_lint.config import Config
-from bringup_lint.config import ConfigError
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import replace
-from bringup_lint.discover.tree import display_name
 from bringup_lint.finding import Applicability
 from bringup_lint.finding import Confidence
 from bringup_lint.finding import Finding
@@ -36,8 +27,13 @@ from bringup_lint.registry import Registry
 from bringup_lint.registry import Rule
 from bringup_lint.robot import OF_SYNTAX
 from bringup_lint.robot import Robot
+from bringup_lint.selection import Selection
+from bringup_lint.selection import means
+from bringup_lint.selection import should_have_silenced
+from bringup_lint.selection import source_of
 from bringup_lint.source import Source
-from bringup_lint.spelling import meant
+from bringup_lint.steps import Steps
+from bringup_lint.steps import failing
 from bringup_lint.suppress import UNUSED
 from bringup_lint.suppress import Ignores
 from bringup_lint.suppress import ignores_in
@@ -64,99 +60,7 @@ class Outcome:
     """How many findings are left out because the change that is judged has no part in them."""
 
 
-class Selection:
-    """Which rules run: ``select`` minus ``ignore`` and what is off, each a rule id, a family, or an older name of a
-    rule."""
-
-    def __init__(self, registry: Registry, config: Config):
-        self.registry = registry
-        self.config = config
-        self.families = {family.name for family in registry.families}
-        selected = [name for name in dict.fromkeys(config.select) if name != "all"]
-        listed = (name for names in config.per_file_ignores.values() for name in names)
-        self._refuse_unknown([*selected, *config.ignore, *config.severity, *listed])
-        self.select = frozenset(self.known(name) for name in selected)
-        self.ignore = frozenset(self.known(name) for name in config.ignore)
-        self.left_out = frozenset(self.known(name) for name in config.left_out)
-        self.levels = {self.known(name): level for name, level in config.severity.items()}
-
-    def _refuse_unknown(self, named: Iterable[str]) -> None:
-        """Raises ConfigError that says all names that mean nothing."""
-        unknown: list[str] = []
-        for name in dict.fromkeys(named):
-            try:
-                self.known(name)
-            except ConfigError as error:
-                unknown.append(str(error))
-        if unknown:
-            raise ConfigError("\n".join(unknown[:MOST_SAID]))
-
-    def known(self, name: str) -> str:
-        """The id that a name means. Raises ConfigError when it means none."""
-        if name in self.families or name in self.registry.family_of:
-            return name
-        if name in self.registry.aliases:
-            return self.registry.aliases[name]
-        near = meant(name, [*self.families, *self.registry.family_of])
-        raise ConfigError(
-            f"{self.config.place(name)}no rule or family is called '{name}'"
-            + (f"; did you mean '{near}'?" if near else "")
-        )
-
-    def level(self, rule_id: str) -> str:
-        """The severity that the configuration gives a rule, itself or its family; empty where it gives none."""
-        if not self.levels:
-            return ""
-        return self.levels.get(rule_id) or self.levels.get(rule_id.partition("/")[0], "")
-
-    def severity(self, rule_id: str) -> Severity | None:
-        level = self.level(rule_id)
-        return None if level in ("", OFF) else Severity[level.upper()]
-
-    def runs(self, rule_id: str) -> bool:
-        return rule_id in self.running
-
-    @cached_property
-    def running(self) -> frozenset[str]:
-        """The ids of the rules that run."""
-        ids = self._ids_of(self.select) if self.select else self.registry.family_of
-        return frozenset(each for each in ids if not named(each, self.ignore) and self.level(each) != OFF)
-
-    def _ids_of(self, meant: Collection[str]) -> Iterator[str]:
-        """The rules that names of rules and families mean."""
-        for family in self.registry.families:
-            yield from family.files if family.name in meant else [each for each in meant if each in family.files]
-
-    def _is_selected(self, rule_id: str) -> bool:
-        return not self.select or named(rule_id, self.select)
-
-    def mutes(self, rule_id: str) -> bool:
-        """Whether nothing but a configuration that was found in the tree keeps a rule from running."""
-        if self.config.found is None or self.runs(rule_id) or named(rule_id, self.left_out):
-            return False
-        return self._is_selected(rule_id)
-
-    def muted_by(self, rule_id: str) -> str:
-        """The name by which the configuration switches off a rule that it mutes."""
-        off = (name for name, level in self.config.severity.items() if level == OFF)
-        return next(name for name in (*self.config.ignore, *off) if names(self.known(name), rule_id))
-
-    def covers(self, name: str) -> bool:
-        """Whether all that a name of a rule or family means is selected."""
-        return self._is_selected(self.known(name))
-
-
 SUPPRESSING, COMMENTS = "suppressing", "reading the comments"
-
-
-def names(name: str, rule_id: str) -> bool:
-    """Whether a name of a rule or family means the rule."""
-    return name == rule_id or rule_id.startswith(name + "/")
-
-
-def named(rule_id: str, among: Container[str]) -> bool:
-    """Whether one of some names of rules and families means the rule."""
-    return rule_id in among or rule_id.partition("/")[0] in among
 
 
 def run(
@@ -188,22 +92,23 @@ def run(
     if muted:
         findings += _muted(check(muted.values(), robot, registry.purposes, between).findings, selection, config)
         rules.update(muted)
-    graded = list(
-        steps.each(findings, "grading", lambda found: _graded(found, rules.get(found.rule), selection)),
-    )
+    graded = steps.each(findings, "grading", lambda found: _graded(found, rules.get(found.rule), selection))
     unique = list(_unique(sorted(graded, key=_order)))
-    lowest = Severity[config.min_severity.upper()]
-    shown, hidden = [], Counter[Severity]()
-    quiet: set[tuple[str, str]] = set()
-    for found in (*steps.attempt("looking for copies", lambda: list(merged(unique)), unique), *steps.unplaced):
-        if found.severity >= lowest or found.rule in selection.select:
-            shown.append(found)
-        else:
-            hidden[found.severity] += 1
-            quiet.add((found.rule, found.source.name))
+    folded = steps.attempt("looking for copies", lambda: list(merged(unique)), unique)
+    shown, hidden = _parted([*folded, *steps.unplaced], Severity[config.min_severity.upper()], selection)
     unsaid = frozenset(registry.family_of.keys() - selection.running)
     said = dict.fromkeys(failure.message for failure in (*failures, *steps.failures))
-    return Outcome(tuple(shown), rules, tuple(said), hidden, unsaid, frozenset(quiet))
+    quiet = frozenset((found.rule, found.source.name) for found in hidden)
+    return Outcome(tuple(shown), rules, tuple(said), Counter(found.severity for found in hidden), unsaid, quiet)
+
+
+def _parted(findings: Iterable[Finding], lowest: Severity, selection: Selection) -> tuple[list[Finding], list[Finding]]:
+    """The findings that are shown, and those below the lowest severity, of rules that nobody asked for by name."""
+    shown: list[Finding] = []
+    hidden: list[Finding] = []
+    for found in findings:
+        (shown if found.severity >= lowest or found.rule in selection.select else hidden).append(found)
+    return shown, hidden
 
 
 def _in_order(rules: Iterable[Rule], robot: Robot) -> Iterator[Rule]:
@@ -220,7 +125,7 @@ def _in_order(rules: Iterable[Rule], robot: Robot) -> Iterator[Rule]:
 
 def _muted(findings: Iterable[Finding], selection: Selection, config: Config) -> Iterator[Finding]:
     """What rules found that a configuration switches off: it is counted, so that nobody silences it unseen."""
-    source = Source(display_name(str(config.path)), config.text)
+    source = source_of(config)
     for found in findings:
         if selection.mutes(found.rule):
             name = selection.muted_by(found.rule)
@@ -248,14 +153,14 @@ def _suppressed(
     """The findings with what comments and configuration say of them, and what there is to say of these."""
 
     def is_name_of(name: str, rule_id: str) -> bool:
-        return _means(name, rules.get(rule_id), rule_id)
+        return means(name, rules.get(rule_id), rule_id)
 
     def ran(name: str) -> bool:
-        return _counts(name, rules, selection)
+        return should_have_silenced(name, rules, selection)
 
     findings = list(findings)
     comments = _comments(_with_modules(robot.sources, findings), is_name_of, steps)
-    files = file_ignores(config.per_file_ignores, Source(display_name(str(config.path)), config.text), is_name_of)
+    files = file_ignores(config.per_file_ignores, source_of(config), is_name_of)
 
     def silenced(found: Finding) -> Finding:
         return files.apply(comments.apply(found))
@@ -283,7 +188,7 @@ def _comments(sources: list[Source], is_name_of: Callable[[str, str], bool], ste
         broken = {id(source): error for source, error in failing(sources, lambda part: ignores_in(part, is_name_of))}
         for source in sources:
             if id(source) in broken:
-                steps.lost(Source(source.name), f"{COMMENTS} in {source.name}", broken[id(source)])
+                steps.note_failure(Source(source.name), f"{COMMENTS} in {source.name}", broken[id(source)])
         return ignores_in([source for source in sources if id(source) not in broken], is_name_of)
 
 
@@ -305,21 +210,6 @@ def _as_safe_as(rule: Rule | None, fix: Fix | None) -> Fix | None:
     if fix is None or rule is None or (rule.meta.fix == "safe" and not changes_repeated_values(fix)):
         return fix
     return replace(fix, applicability=Applicability.UNSAFE)
-
-
-def _means(name: str, rule: Rule | None, rule_id: str) -> bool:
-    return names(name, rule_id) or (rule is not None and name in rule.meta.aliases)
-
-
-def _counts(name: str, rules: Mapping[str, Rule], selection: Selection) -> bool:
-    """Whether it is wrong that an ignored name silenced nothing: its rules ran, or their family has no such rule. Other
-    families may be a user's own, which this run does not load."""
-    family = name.partition("/")[0]
-    try:
-        selection.known(name)
-    except ConfigError:
-        return family in selection.families
-    return selection.covers(name) and any(_means(name, rule, rule_id) for rule_id, rule in rules.items())
 
 
 def _order(found: Finding) -> tuple[str, int, int, str, str]:

@@ -11,7 +11,6 @@ from collections.abc import Iterator
 from collections.abc import Mapping
 from collections.abc import Sequence
 
-from bringup_lint.apart import Steps
 from bringup_lint.baseline import Entry
 from bringup_lint.baseline import path_of
 from bringup_lint.baseline import sift
@@ -33,6 +32,7 @@ from bringup_lint.report.order import LONG
 from bringup_lint.report.order import at_boot
 from bringup_lint.robot import Robot
 from bringup_lint.source import Source
+from bringup_lint.steps import Steps
 from bringup_lint.type_names import TYPE_CHECKING
 from bringup_lint.type_names import Any
 
@@ -131,7 +131,7 @@ def _masked(findings: tuple[Finding, ...], root: str, cwd: str, steps: Steps) ->
     try:
         return presented(findings, root, cwd)
     except Exception:
-        sound = steps.sound(findings, "masking", lambda part: presented(part, root, cwd))
+        sound = steps.each_sound(findings, "masking", lambda part: presented(part, root, cwd))
         return steps.attempt("masking", lambda: presented(sound, root, cwd), Presented((), None))
 
 
@@ -152,11 +152,13 @@ def rendered(output_format: str, report: Report) -> tuple[str, int]:
     plain = replace(report, picture=None, known=())
     render(output_format, replace(plain, findings=()))
     steps = Steps()
-    sound = steps.sound(report.findings, what, lambda part: render(output_format, replace(plain, findings=tuple(part))))
+    sound = steps.each_sound(
+        report.findings, what, lambda part: render(output_format, replace(plain, findings=tuple(part)))
+    )
     if steps.failures:
         with contextlib.suppress(Exception):
             return render(output_format, _failed(report, sound, steps)), 3
-    steps.lost(Source("bringup-lint"), what, first)
+    steps.note_failure(Source("bringup-lint"), what, first)
     return render(output_format, _failed(plain, (*sound, *steps.unplaced), steps)), 3
 
 

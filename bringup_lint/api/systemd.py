@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.commands.ros_command import Ros
     from bringup_lint.graph.systemd.capabilities import file_capabilities
     from bringup_lint.graph.systemd.cycles import Cycle
+    from bringup_lint.graph.systemd.directories import line_to_create
     from bringup_lint.graph.systemd.directories import paths
     from bringup_lint.graph.systemd.docker_clients import DockerStart
     from bringup_lint.graph.systemd.docker_clients import docker_pulls
@@ -133,6 +134,7 @@ __all__ = [
     "left_out_units",
     "lift_comment",
     "limit_line",
+    "line_to_create",
     "log_directory",
     "memory",
     "missing_limits",

@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from bringup_lint.cli.checking import read_robot
+from bringup_lint.cli.reading import read_robot
 from bringup_lint.config import Config
 from bringup_lint.engine import run
 from bringup_lint.finding import Severity

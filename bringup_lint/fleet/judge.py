@@ -8,9 +8,6 @@ from collections.abc import Iterable
 from bringup_lint.config import Config
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import replace
-from bringup_lint.discover.tree import display_name
-from bringup_lint.engine import Selection
-from bringup_lint.engine import names
 from bringup_lint.finding import Severity
 from bringup_lint.fleet.fleet import Fleet
 from bringup_lint.fleet.fleet import FleetFinding
@@ -18,7 +15,9 @@ from bringup_lint.fleet.members import Accepted
 from bringup_lint.fleet.silence import Silence
 from bringup_lint.registry import Registry
 from bringup_lint.registry import Rule
-from bringup_lint.source import Source
+from bringup_lint.selection import Selection
+from bringup_lint.selection import is_name_of
+from bringup_lint.selection import source_of
 from bringup_lint.suppress import UNUSED
 from bringup_lint.suppress.files import file_ignores
 
@@ -56,7 +55,7 @@ def judge(
         rules[UNUSED] = registry[UNUSED]
         said = silence.complaints(
             [robot.name for robot in fleet.robots],
-            lambda name: selection.covers(name) and any(names(name, each) for each in set(ids) - set(failures)),
+            lambda name: selection.covers(name) and any(is_name_of(name, each) for each in set(ids) - set(failures)),
         )
         findings += (_graded(each, rules[UNUSED], selection) for each in said)
     lowest = Severity[config.min_severity.upper()]
@@ -67,11 +66,11 @@ def judge(
 def _silence(accepted: Iterable[Accepted], config: Config, selection: Selection) -> Silence:
     """Raises ConfigError for names that mean nothing."""
 
-    def is_name_of(name: str, rule_id: str) -> bool:
-        return names(selection.known(name), rule_id)
+    def means(name: str, rule_id: str) -> bool:
+        return is_name_of(selection.id_of(name), rule_id)
 
-    known = tuple(replace(each, rule=selection.known(each.rule)) for each in accepted)
-    files = file_ignores(config.per_file_ignores, Source(display_name(str(config.path)), config.text), is_name_of)
+    known = tuple(replace(each, rule=selection.id_of(each.rule)) for each in accepted)
+    files = file_ignores(config.per_file_ignores, source_of(config), means)
     return Silence(known, files)
 
 

@@ -9,7 +9,6 @@ from itertools import islice
 from typing import IO
 from typing import cast
 
-from bringup_lint.apart import failing
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import replace
 from bringup_lint.fleet.fleet import FleetFinding
@@ -19,6 +18,7 @@ from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.report.fleet import FleetReport
 from bringup_lint.report.fleet import render
 from bringup_lint.report.fleet.model import Robots
+from bringup_lint.steps import failing
 
 MOST_IN_MEMORY = 1024 * 1024
 """Bytes of a report that is longer on its way through a file without a name."""

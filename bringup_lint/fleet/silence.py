@@ -9,10 +9,10 @@ from collections.abc import Iterator
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
 from bringup_lint.dataclass import replace
-from bringup_lint.engine import names
 from bringup_lint.fleet.fleet import FleetFinding
 from bringup_lint.fleet.fleet import FleetPlace
 from bringup_lint.fleet.members import Accepted
+from bringup_lint.selection import is_name_of
 from bringup_lint.suppress import UNUSED
 from bringup_lint.suppress.files import FileIgnores
 
@@ -49,7 +49,7 @@ class Silence:
 def _is_about(accepted: Accepted, found: FleetFinding) -> bool:
     key = found.difference.key if found.difference else ""
     return (
-        names(accepted.rule, found.rule)
+        is_name_of(accepted.rule, found.rule)
         and key.startswith(accepted.key)
         and set(found.robots) <= set(accepted.robots or found.robots)
     )

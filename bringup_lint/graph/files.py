@@ -49,7 +49,6 @@ _ROS_KINDS = (
     "launch-yaml",
     "python-node",
     "cpp-node",
-    "ros-param",
     "params",
     "cyclonedds",
     "fastdds",

@@ -38,8 +38,8 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
-from bringup_lint.api.dds import can_be_renamed
-from bringup_lint.api.dds import interfaces_instead
+from bringup_lint.api.cyclonedds import can_be_renamed
+from bringup_lint.api.cyclonedds import interfaces_instead
 from bringup_lint.api.dds import renamed
 from bringup_lint.api.schema import Code
 

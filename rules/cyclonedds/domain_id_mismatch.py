@@ -35,7 +35,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api.dds import domain_number
+from bringup_lint.api.cyclonedds import domain_number
 
 
 @rule("error", fix="unsafe", silent="Cyclone DDS skips the settings of another domain without a message")

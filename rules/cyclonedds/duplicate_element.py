@@ -32,14 +32,14 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api.dds import first_of
+from bringup_lint.api.cyclonedds import first_named
 from bringup_lint.api.schema import Code
 
 
 @rule("error", symptoms=["only 1 instance allowed"])
 def duplicate_element(robot: Robot) -> Iterator[Finding]:
     for configuration, remark in robot.dds.remarks(Code.DUPLICATE):
-        first = first_of(configuration, remark)
+        first = first_named(configuration, remark)
         yield finding(
             remark.where,
             f"{remark.detail} appears twice (only 1 instance allowed): no participant can be created, no node starts",

@@ -40,14 +40,14 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
-from bringup_lint.api.dds import accepted_by
+from bringup_lint.api.cyclonedds import versions_with
 from bringup_lint.api.schema import Code
 
 
 @rule("error", symptoms=["unknown element", "unknown attribute", "out of range", "not a decimal integer"])
 def element_too_new(robot: Robot) -> Iterator[Finding]:
-    for configuration, remark in robot.dds.remarks(Code.UNKNOWN, Code.UNKNOWN_ATTRIBUTE, Code.VALUE, Code.RANGE):
-        versions = accepted_by(configuration, remark)
+    for _, remark in robot.dds.remarks(Code.UNKNOWN, Code.UNKNOWN_ATTRIBUTE, Code.VALUE, Code.RANGE):
+        versions = versions_with(remark)
         if not versions:
             continue
         library = robot.dds.cyclonedds

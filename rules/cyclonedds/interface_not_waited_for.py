@@ -44,8 +44,8 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
-from bringup_lint.api.dds import Configuration
-from bringup_lint.api.dds import Setting
+from bringup_lint.api.cyclonedds import Configuration
+from bringup_lint.api.cyclonedds import Setting
 from bringup_lint.api.dds import interface_of_device
 from bringup_lint.api.dds import named_interfaces
 from bringup_lint.api.systemd import RestartPolicy

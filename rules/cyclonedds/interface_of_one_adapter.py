@@ -36,7 +36,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
-from bringup_lint.api.dds import Setting
+from bringup_lint.api.cyclonedds import Setting
 from bringup_lint.api.dds import named_interfaces
 
 ADAPTER = regex(r"enx[0-9a-f]{12}$")

@@ -37,9 +37,9 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
-from bringup_lint.api.dds import accepted_by
-from bringup_lint.api.dds import taken_by
-from bringup_lint.api.dds import words_of
+from bringup_lint.api.cyclonedds import taken_by
+from bringup_lint.api.cyclonedds import versions_with
+from bringup_lint.api.cyclonedds import words_of
 from bringup_lint.api.schema import Code
 
 
@@ -50,9 +50,9 @@ from bringup_lint.api.schema import Code
 )
 def invalid_value(robot: Robot) -> Iterator[Finding]:
     booleans = {"no": "false", "off": "false", "0": "false", "yes": "true", "on": "true", "1": "true"}
-    for configuration, remark in robot.dds.remarks(Code.VALUE, Code.RANGE, Code.EXPANSION, Code.PRIORITY, Code.ADDRESS):
+    for _, remark in robot.dds.remarks(Code.VALUE, Code.RANGE, Code.EXPANSION, Code.PRIORITY, Code.ADDRESS):
         name = remark.known.name
-        if name == "Id" or accepted_by(configuration, remark):
+        if name == "Id" or versions_with(remark):
             continue
         taken = taken_by(remark.known)
         word = booleans.get(remark.word.lower()) if "true" in words_of(remark.known) else None

@@ -42,9 +42,9 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api.dds import Domain
+from bringup_lint.api.cyclonedds import Domain
+from bringup_lint.api.cyclonedds import Setting
 from bringup_lint.api.dds import Selection
-from bringup_lint.api.dds import Setting
 
 
 @rule(

@@ -33,8 +33,8 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
-from bringup_lint.api.dds import multicast_off
-from bringup_lint.api.dds import on_loopback_only
+from bringup_lint.api.cyclonedds import multicast_off
+from bringup_lint.api.cyclonedds import on_loopback_only
 
 
 @rule("info", silent="discovery works for everybody in the network", tags=["CWE-668"])

@@ -46,9 +46,9 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
-from bringup_lint.api.dds import finds_itself
-from bringup_lint.api.dds import has_peers
-from bringup_lint.api.dds import multicast_off
+from bringup_lint.api.cyclonedds import finds_itself
+from bringup_lint.api.cyclonedds import has_peers
+from bringup_lint.api.cyclonedds import multicast_off
 
 
 @rule("error", silent="a participant that finds nobody is not an error for Cyclone DDS")

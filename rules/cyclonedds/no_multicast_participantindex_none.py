@@ -43,7 +43,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api.dds import multicast_off
+from bringup_lint.api.cyclonedds import multicast_off
 
 
 @rule(

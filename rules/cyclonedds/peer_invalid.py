@@ -32,7 +32,7 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
-from bringup_lint.api.dds import bad_addresses
+from bringup_lint.api.cyclonedds import bad_addresses
 
 
 @rule("error", symptoms=["add_peer_address", "unknown address", "not a valid address"])

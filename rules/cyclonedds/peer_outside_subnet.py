@@ -34,8 +34,8 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.addresses import address_of
+from bringup_lint.api.cyclonedds import peers
 from bringup_lint.api.dds import networks
-from bringup_lint.api.dds import peers
 
 
 @rule("warning", symptoms=["ddsi_udp_conn_write to * failed with retcode"])

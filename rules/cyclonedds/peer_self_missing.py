@@ -42,9 +42,9 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api.dds import contacts_itself
-from bringup_lint.api.dds import multicast_off
-from bringup_lint.api.dds import peer_addresses
+from bringup_lint.api.cyclonedds import contacts_itself
+from bringup_lint.api.cyclonedds import multicast_off
+from bringup_lint.api.cyclonedds import peer_addresses
 
 
 @rule(

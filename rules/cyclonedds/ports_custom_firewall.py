@@ -34,25 +34,17 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api.dds import Setting
+from bringup_lint.api.cyclonedds import PORT_DEFAULTS
+from bringup_lint.api.cyclonedds import Setting
 
 MOST = 5
 """Firewalls that are compared with one configuration."""
-DEFAULTS = {
-    "Base": 7400,
-    "DomainGain": 250,
-    "ParticipantGain": 2,
-    "MulticastMetaOffset": 0,
-    "UnicastMetaOffset": 10,
-    "MulticastDataOffset": 1,
-    "UnicastDataOffset": 11,
-}
 
 
 @rule("warning", symptoms=["[UFW BLOCK] * PROTO=UDP"])
 def ports_custom_firewall(robot: Robot) -> Iterator[Finding]:
     for configuration, domain in robot.dds.domains:
-        settings = [(name, domain.get(f"Discovery/Ports/{name}")) for name in DEFAULTS]
+        settings = [(name, domain.get(f"Discovery/Ports/{name}")) for name in PORT_DEFAULTS]
         given = {name: setting for name, setting in settings if setting is not None}
         numbers = {reader.domain for reader in robot.dds.readers(configuration)}
         number = numbers.pop() if len(numbers) == 1 else None
@@ -78,7 +70,7 @@ def _ports(given: dict[str, Setting], number: int) -> list[int]:
     texts = {name: (setting.effective or "").strip() for name, setting in given.items()}
     if not all(text.isdecimal() for text in texts.values()):
         return []
-    values = DEFAULTS | {name: int(text) for name, text in texts.items()}
+    values = PORT_DEFAULTS | {name: int(text) for name, text in texts.items()}
     base = values["Base"] + values["DomainGain"] * number
-    offsets = {values[name] for name in DEFAULTS if name.endswith("Offset")}
-    return sorted(base + offset for offset in offsets) if values != DEFAULTS else []
+    offsets = {values[name] for name in PORT_DEFAULTS if name.endswith("Offset")}
+    return sorted(base + offset for offset in offsets) if values != PORT_DEFAULTS else []

@@ -43,9 +43,9 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api.dds import Configuration
-from bringup_lint.api.dds import least_buffers
-from bringup_lint.api.dds import size_of
+from bringup_lint.api.cyclonedds import Configuration
+from bringup_lint.api.cyclonedds import least_buffers
+from bringup_lint.api.cyclonedds import size_of
 from bringup_lint.api.host import KernelParameter
 
 WRITING = ("shell-script", "dockerfile", "compose", "ansible", "cloud-init", "systemd-unit")

@@ -31,18 +31,18 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
-from bringup_lint.api.dds import accepted_by
-from bringup_lint.api.dds import can_be_renamed
-from bringup_lint.api.dds import meant_item
+from bringup_lint.api.cyclonedds import can_be_renamed
+from bringup_lint.api.cyclonedds import meant_item
+from bringup_lint.api.cyclonedds import versions_with
 from bringup_lint.api.schema import Code
 
 
 @rule("error", fix="unsafe", symptoms=["unknown attribute"])
 def unknown_attribute(robot: Robot) -> Iterator[Finding]:
     for configuration, remark in robot.dds.remarks(Code.UNKNOWN_ATTRIBUTE):
-        if accepted_by(configuration, remark):
+        if versions_with(remark):
             continue
-        meant = meant_item(configuration, remark)
+        meant = meant_item(remark)
         library = robot.dds.cyclonedds
         is_clear = meant is not None and can_be_renamed(configuration, remark.word, meant)
         yield finding(

@@ -39,10 +39,10 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
-from bringup_lint.api.dds import accepted_by
-from bringup_lint.api.dds import can_be_renamed
-from bringup_lint.api.dds import meant_item
-from bringup_lint.api.dds import place_of
+from bringup_lint.api.cyclonedds import can_be_renamed
+from bringup_lint.api.cyclonedds import meant_item
+from bringup_lint.api.cyclonedds import place_of
+from bringup_lint.api.cyclonedds import versions_with
 from bringup_lint.api.dds import renamed
 from bringup_lint.api.schema import Code
 
@@ -50,7 +50,7 @@ from bringup_lint.api.schema import Code
 @rule("error", fix="unsafe", symptoms=["unknown element"])
 def unknown_element(robot: Robot) -> Iterator[Finding]:
     for configuration, remark in robot.dds.remarks(Code.UNKNOWN, Code.AMBIGUOUS, Code.BUILD):
-        if accepted_by(configuration, remark) and remark.code != Code.BUILD:
+        if versions_with(remark) and remark.code != Code.BUILD:
             continue
         library = robot.dds.cyclonedds
         message = f"{library} does not know the element '{remark.word}': no participant can be created, no node starts"
@@ -58,7 +58,7 @@ def unknown_element(robot: Robot) -> Iterator[Finding]:
             message = (
                 f"'{remark.word}' needs a build with {remark.detail}, which ROS packages do not have: no node starts"
             )
-        meant = meant_item(configuration, remark)
+        meant = meant_item(remark)
         place = place_of(configuration, remark)
         advice = "delete it, or look up the name in the configuration guide of this version"
         if meant is not None:

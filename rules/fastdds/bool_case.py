@@ -32,7 +32,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
-from bringup_lint.api.dds import with_blanks
+from bringup_lint.api.fastdds import with_blanks
 from bringup_lint.api.schema import Code
 
 

@@ -34,7 +34,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api.dds import first_named
+from bringup_lint.api.fastdds import first_named
 from bringup_lint.api.schema import Code
 
 

@@ -39,7 +39,7 @@ from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api.dds import transport_type
+from bringup_lint.api.fastdds import transport_type
 from bringup_lint.api.schema import Code
 
 

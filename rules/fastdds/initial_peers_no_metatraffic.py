@@ -34,7 +34,7 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
-from bringup_lint.api.dds import multicast_peers
+from bringup_lint.api.fastdds import multicast_peers
 
 
 @rule("info", silent="discovery works, by multicast too")

@@ -42,7 +42,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.dds import interface_with
-from bringup_lint.api.dds import whitelisted_addresses
+from bringup_lint.api.fastdds import whitelisted_addresses
 
 
 @rule("error", confidence="medium", symptoms=["All whitelist interfaces were filtered out"])

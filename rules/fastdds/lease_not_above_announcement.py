@@ -39,7 +39,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api.dds import seconds
+from bringup_lint.api.fastdds import seconds
 
 
 @rule("error", symptoms=["LeaseDuration should be >= leaseDuration announcement period"])

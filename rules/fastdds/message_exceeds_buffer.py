@@ -35,8 +35,8 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
-from bringup_lint.api.dds import number
-from bringup_lint.api.dds import used_transports
+from bringup_lint.api.fastdds import number
+from bringup_lint.api.fastdds import used_transports
 
 
 @rule(

@@ -41,8 +41,8 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.addresses import address_of
-from bringup_lint.api.dds import initial_peers
 from bringup_lint.api.dds import subnets
+from bringup_lint.api.fastdds import initial_peers
 
 
 @rule("warning", silent="a peer that does not answer is not an error for Fast DDS")

@@ -39,7 +39,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api.dds import overwritten_qos
+from bringup_lint.api.fastdds import overwritten_qos
 
 
 @rule("warning", silent="rmw_fastrtps overwrites the values without a message")

@@ -36,7 +36,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api.dds import transport_named
+from bringup_lint.api.fastdds import transport_named
 from bringup_lint.api.schema import Code
 
 

@@ -40,12 +40,12 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
-from bringup_lint.api.dds import can_become
-from bringup_lint.api.dds import is_beside
-from bringup_lint.api.dds import meant_name
-from bringup_lint.api.dds import places_of
 from bringup_lint.api.dds import renamed
-from bringup_lint.api.dds import versions_with
+from bringup_lint.api.fastdds import can_be_renamed
+from bringup_lint.api.fastdds import is_beside
+from bringup_lint.api.fastdds import meant_name
+from bringup_lint.api.fastdds import place_of
+from bringup_lint.api.fastdds import versions_with
 from bringup_lint.api.schema import Code
 
 
@@ -55,8 +55,8 @@ def unknown_element(robot: Robot) -> Iterator[Finding]:
         library = robot.dds.fastdds
         name = remark.word
         near = meant_name(profiles, remark)
-        others = versions_with(profiles, remark)
-        places = places_of(profiles, remark)
+        others = versions_with(remark)
+        place = place_of(profiles, remark)
         parent = remark.path.rpartition("/")[2]
         message = f"'{name}' is not allowed in {parent}: the whole file is ignored, the robot runs with defaults"
         advice = "delete it"
@@ -70,9 +70,9 @@ def unknown_element(robot: Robot) -> Iterator[Finding]:
             advice = f"use an element that {library.version} supports, or set target-ros"
         elif near:
             advice = f"move what it holds into {near}" if is_beside(profiles, name, near) else f"write {near}"
-        elif places:
-            advice = f"move it into {places[0]}"
+        elif place:
+            advice = f"move it into {place}"
         change = None
-        if near and not others and can_become(profiles, remark, near):
+        if near and not others and can_be_renamed(profiles, remark, near):
             change = fix(f"rename to {near}", *renamed(name, near))
         yield finding(name, message, advice=advice, severity=severity, fix=change)

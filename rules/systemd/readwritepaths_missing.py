@@ -44,6 +44,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import line_to_create
 from bringup_lint.api.systemd import paths
 
 KEYS = ("ReadWritePaths", "ReadOnlyPaths", "BindPaths", "BindReadOnlyPaths")
@@ -58,12 +59,6 @@ ALWAYS = (
     "/dev/dri",
     "/dev/snd",
 )
-BASES = {
-    "/var/log/": "LogsDirectory",
-    "/var/lib/": "StateDirectory",
-    "/var/cache/": "CacheDirectory",
-    "/run/": "RuntimeDirectory",
-}
 
 
 @rule(
@@ -97,9 +92,5 @@ def readwritepaths_missing(robot: Robot) -> Iterator[Finding]:
 
 
 def _advice(path: str, device: bool) -> str:
-    if not device:
-        for base, key in BASES.items():
-            name = path.removeprefix(base)
-            if name != path:
-                return f"let systemd create it with {key}={name}, or write -{path}"
-    return f"write -{path}"
+    made = None if device else line_to_create(path)
+    return f"let systemd create it with {made}, or write -{path}" if made else f"write -{path}"

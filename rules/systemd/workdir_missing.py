@@ -37,13 +37,7 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
-
-BASES = {
-    "/var/log/": "LogsDirectory",
-    "/var/lib/": "StateDirectory",
-    "/var/cache/": "CacheDirectory",
-    "/run/": "RuntimeDirectory",
-}
+from bringup_lint.api.systemd import line_to_create
 
 
 @rule(
@@ -70,7 +64,5 @@ def workdir_missing(robot: Robot) -> Iterator[Finding]:
 
 
 def _advice(folder: str) -> str:
-    for base, key in BASES.items():
-        if folder.startswith(base):
-            return f"let systemd create it with {key}={folder.removeprefix(base)}"
-    return "create it with tmpfiles.d"
+    made = line_to_create(folder)
+    return f"let systemd create it with {made}" if made else "create it with tmpfiles.d"

@@ -22,7 +22,7 @@ LAYERS = (
     {"finish"},
     {"log_lines"},
     {"engine"},
-    {"apart"},
+    {"steps", "selection"},
     {"isolation"},
     {"fix", "baseline", "suppress", "config", "registry"},
     {"rule_index"},

@@ -8,7 +8,7 @@ from collections.abc import Callable
 import pytest
 
 from bringup_lint.discover.walk import discover_text
-from bringup_lint.graph.dds.cyclonedds_names import first_of
+from bringup_lint.graph.dds.cyclonedds_names import first_named
 from bringup_lint.graph.params.values import taken_back
 from bringup_lint.model.params import matches
 from bringup_lint.model.schema import Code
@@ -42,7 +42,7 @@ def repeated(count: int) -> Callable[[], object]:
     configuration = parse_cyclonedds(Source("cyclonedds.xml", text, "dds-profile"), "0.10")
     remarks = [each for each in configuration.all_remarks if each.code == Code.DUPLICATE]
     assert len(remarks) >= count - 1
-    return lambda: [first_of(configuration, each) for each in remarks]
+    return lambda: [first_named(configuration, each) for each in remarks]
 
 
 def asking(count: int) -> Callable[[], object]:

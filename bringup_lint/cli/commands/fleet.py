@@ -15,7 +15,7 @@ from typing import Any
 
 import click
 
-from bringup_lint.cli.checking import configuration
+from bringup_lint.cli.configuring import configuration
 from bringup_lint.cli.options import colour_option
 from bringup_lint.cli.options import configuration_options
 from bringup_lint.cli.options import ignores_option

@@ -59,8 +59,8 @@ def command(ctx: click.Context, paths: tuple[str, ...], **options: Any) -> None:
 
 
 def _draw(paths: tuple[str, ...], options: dict[str, Any]) -> str:
-    from bringup_lint.cli.checking import configuration
-    from bringup_lint.cli.checking import read_robot
+    from bringup_lint.cli.configuring import configuration
+    from bringup_lint.cli.reading import read_robot
     from bringup_lint.cli.reporting import report_of
     from bringup_lint.engine import run
     from bringup_lint.registry import Registry

@@ -64,9 +64,9 @@ def command(ctx: click.Context, print_schema: bool, print_only: bool) -> None:
 
 
 def _surveyed() -> list[Setting]:
-    from bringup_lint.cli.checking import read_robot
     from bringup_lint.cli.losses import OPTIONS
     from bringup_lint.cli.losses import with_losses
+    from bringup_lint.cli.reading import read_robot
     from bringup_lint.cli.survey import settings
     from bringup_lint.config import Config
 

@@ -11,10 +11,8 @@ from typing import Any
 
 import click
 
-from bringup_lint.cli.checking import baseline_usage
-from bringup_lint.cli.checking import configuration
 from bringup_lint.cli.checking import deliver
-from bringup_lint.cli.checking import read_robot
+from bringup_lint.cli.configuring import configuration
 from bringup_lint.cli.options import baseline_options
 from bringup_lint.cli.options import colour_option
 from bringup_lint.cli.options import configuration_file_options
@@ -27,10 +25,12 @@ from bringup_lint.cli.options import verdict_options
 from bringup_lint.cli.outputs import PairedOptions
 from bringup_lint.cli.outputs import file_option
 from bringup_lint.cli.outputs import format_option
+from bringup_lint.cli.reading import read_robot
 from bringup_lint.cli.reports import Output
 from bringup_lint.cli.reports import write
 from bringup_lint.cli.streams import complain
 from bringup_lint.cli.streams import say
+from bringup_lint.cli.usage import baseline_usage
 from bringup_lint.config import ConfigError
 from bringup_lint.dataclass import replace
 from bringup_lint.plural import counted

@@ -6,12 +6,12 @@ import re
 
 from bringup_lint.discover.kinds import Head
 from bringup_lint.discover.kinds import Kind
+from bringup_lint.discover.kinds.variables import TASKS
 from bringup_lint.discover.kinds.variables import is_of_hosts
 from bringup_lint.pattern import regex
 
 _YAML = regex(r"\.ya?ml$")
 _FOLDER = regex(r"/(?:tasks|handlers|playbooks|ansible|roles)/")
-_TASKS = regex(r"^[ \t]*-[ \t]+(?:name|hosts|become|ansible\.builtin\.\w+)[ \t]*:", re.M)
 _PLAY = regex(r"^(?:-[ \t]+|[ \t]{2,6})hosts[ \t]*:[^\n]", re.M)
 _PLAYS = regex(r"^[ \t]{2,6}(?:roles|(?:pre_|post_)?tasks)[ \t]*:", re.M)
 _USER_DATA = regex(r"#cloud-config\b")
@@ -24,7 +24,7 @@ def _is_ansible(path: str, head: Head) -> bool:
     if not _YAML.search(path) or is_of_hosts(path):
         return False
     if _FOLDER.search(path):
-        return bool(_TASKS.search(head()))
+        return bool(TASKS.search(head()))
     return bool(_PLAY.search(head()) and _PLAYS.search(head()))
 
 

@@ -13,7 +13,7 @@ _INVENTORY = regex(
     r"/[^/]*(?:hosts|inventory)[^/.]*(?:\.ini|\.ya?ml)?$|/(?:hosts|inventor(?:y|ies))/[^/]+\.(?:ini|ya?ml)$"
 )
 _OF_INVENTORY = regex(r"\bansible_(?:host|user|connection|port|python_interpreter|\w*pass(?:word)?)[ \t]*[=:]")
-_TASKS = regex(r"^[ \t]*-[ \t]+(?:name|hosts|become|ansible\.builtin\.\w+)[ \t]*:", re.M)
+TASKS = regex(r"^[ \t]*-[ \t]+(?:name|hosts|become|ansible\.builtin\.\w+)[ \t]*:", re.M)
 _OF_OTHERS = regex(r"\bros__parameters\b|^services:", re.M)
 _CODE_SERVER = (regex(r"^bind-addr:", re.M), regex(r"^auth:", re.M))
 """Keys that only the configuration of code-server has both of."""
@@ -31,7 +31,7 @@ def _is_variables(path: str, head: Head) -> bool:
         return not _OF_OTHERS.search(head())
     if not _INVENTORY.search(f"/{path}") or not _OF_INVENTORY.search(head()):
         return False
-    return not _OF_OTHERS.search(head()) and not _TASKS.search(head())
+    return not _OF_OTHERS.search(head()) and not TASKS.search(head())
 
 
 def _has_both(text: str) -> bool:

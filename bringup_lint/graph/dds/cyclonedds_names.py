@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from functools import lru_cache
 
 from bringup_lint.finding import Edit
 from bringup_lint.finding import Fix
@@ -23,14 +22,11 @@ from bringup_lint.parsers.names_beside import MOST_NAMES
 from bringup_lint.parsers.names_beside import attributes_beside
 from bringup_lint.parsers.names_beside import elements_beside
 from bringup_lint.parsers.names_beside import is_free
-from bringup_lint.parsers.xml import parse
 from bringup_lint.source import Located
-from bringup_lint.source import Source
-from bringup_lint.source import Span
 from bringup_lint.spelling import nearest
 
 
-def accepted_by(configuration: Configuration, remark: Remark) -> list[str]:
+def versions_with(remark: Remark) -> list[str]:
     """The other versions that take what this version refuses."""
     if remark.item is None:
         return []
@@ -46,7 +42,7 @@ def _takes(version: str, item: Item, text: str) -> bool:
     return other is not None and not other.moved_to and fault_of(other, text, version) is None
 
 
-def meant_item(configuration: Configuration, remark: Remark) -> Item | None:
+def meant_item(remark: Remark) -> Item | None:
     """The one item of the same place that a misspelt name means."""
     if remark.item is None:
         return None
@@ -83,26 +79,7 @@ def place_of(configuration: Configuration, remark: Remark) -> str:
     return parent.removeprefix("CycloneDDS/Domain/").removeprefix("CycloneDDS/")
 
 
-def renamed(name: Located, new: str) -> list[tuple[Span, str]]:
-    """The edits that rename an element or attribute, the end tag included."""
-    edits = [(name.span, new)]
-    text = name.span.source.text
-    before = text[name.span.start - 1 : name.span.start]
-    if before == "<":
-        end = _ends(name.span.source).get(name.span.start, 0)
-        closing = end - len(name) - 1
-        if end and text[closing - 2 : end] == f"</{name}>":
-            edits.append((Span(name.span.source, closing, closing + len(name)), new))
-    return edits
-
-
-@lru_cache(maxsize=1)
-def _ends(source: Source) -> dict[int, int]:
-    """Where the name of an element starts -> where the element ends."""
-    return {each.name.span.start: each.span.end for each in parse(source).elements}
-
-
-def first_of(configuration: Configuration, remark: Remark) -> Located | None:
+def first_named(configuration: Configuration, remark: Remark) -> Located | None:
     """The first name of a setting that is given twice."""
     domain = configuration.domain_of(remark)
     first = domain.first(remark.path) if domain and remark.item else None

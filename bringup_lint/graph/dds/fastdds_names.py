@@ -54,7 +54,7 @@ def is_beside(profiles: Profiles, unknown: Located, name: str) -> bool:
     return name in _names_beside(profiles, unknown)
 
 
-def can_become(profiles: Profiles, remark: Remark, name: str) -> bool:
+def can_be_renamed(profiles: Profiles, remark: Remark, name: str) -> bool:
     """Whether an unknown element or attribute that gets a name is the only one of that name."""
     item = shape(remark.path, profiles.version)
     known = {*item.children, *item.attributes} if item else ()
@@ -65,7 +65,7 @@ def _names_beside(profiles: Profiles, unknown: Located) -> Counter[str]:
     return elements_beside(profiles.document, unknown) or attributes_beside(unknown)
 
 
-def versions_with(profiles: Profiles, remark: Remark) -> list[str]:
+def versions_with(remark: Remark) -> list[str]:
     """The other versions that take the name at this place."""
     found = []
     for version in VERSIONS:
@@ -76,11 +76,11 @@ def versions_with(profiles: Profiles, remark: Remark) -> list[str]:
     return found
 
 
-def places_of(profiles: Profiles, remark: Remark) -> list[str]:
-    """Where an element of this name may appear, as short paths; at most one parent is of use as advice."""
+def place_of(profiles: Profiles, remark: Remark) -> str:
+    """Where an element of this name may appear, such as ``rtps``; empty when nowhere or in several places."""
     found = {path.rpartition("/")[0] for path in elsewhere(remark.detail, profiles.version)}
     near = [path for path in found if path.startswith(remark.path) or remark.path.startswith(path)]
-    return [path.rpartition("/")[2] for path in near] if len(near) == 1 else []
+    return near[0].rpartition("/")[2] if len(near) == 1 else ""
 
 
 def words_taken(profiles: Profiles, remark: Remark) -> tuple[str, ...]:

@@ -12,7 +12,7 @@ from bringup_lint.facts.ros.needed import base
 from bringup_lint.facts.ros.needed import instead_of
 from bringup_lint.facts.ros.needed import not_rosdep
 from bringup_lint.facts.ros.needed import of_key
-from bringup_lint.graph.dependencies.apart import Apart
+from bringup_lint.graph.dependencies.built_alone import Apart
 from bringup_lint.graph.dependencies.installers import ROSDEP
 from bringup_lint.graph.dependencies.installers import Installers
 from bringup_lint.graph.dependencies.interfaces import MissingInterface

@@ -14,7 +14,6 @@ from typing import TypeVar
 from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.facts.ros import distros
 from bringup_lint.facts.ros import launch_api
-from bringup_lint.facts.ros.node_roles import HARDWARE
 from bringup_lint.facts.ros.node_roles import Role
 from bringup_lint.facts.ros.node_roles import packages
 from bringup_lint.facts.ros.node_roles import role_of
@@ -538,10 +537,6 @@ class Launch:
         for file in self.files:
             found.setdefault(file.source.basename, []).append(file)
         return found
-
-    def drives(self, file: LaunchFile) -> bool:
-        """Whether hardware is started by a file."""
-        return any(self.role(node).role in HARDWARE for node in self.expansion(file).nodes)
 
     def conditions(self, file: LaunchFile) -> Iterator[Condition]:
         """Every condition in a file, of actions and components."""

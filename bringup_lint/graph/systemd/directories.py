@@ -47,6 +47,12 @@ def directories(unit: Unit) -> Iterator[str]:
                     yield f"{base}/{name}".rstrip("/")
 
 
+def line_to_create(path: str) -> str | None:
+    """The setting with which systemd makes a directory for a unit; None where it makes none."""
+    found = ((key, path.removeprefix(f"{base}/")) for key, base in DIRECTORIES.items() if base != "/etc")
+    return next((f"{key}={name}" for key, name in found if name != path), None)
+
+
 def paths(unit: Unit, *keys: str) -> Iterator[Path]:
     """The paths of list settings such as ReadWritePaths=; for bind mounts the source."""
     for key in keys:

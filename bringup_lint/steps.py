@@ -34,7 +34,7 @@ class Steps:
             except Exception as error:
                 yield self.instead(found, what, error)
 
-    def sound(
+    def each_sound(
         self, findings: Sequence[Finding], what: str, step: Callable[[Sequence[Finding]], object]
     ) -> tuple[Finding, ...]:
         """The findings with which a step over all of them does not fail."""
@@ -54,10 +54,10 @@ class Steps:
         try:
             return step()
         except Exception as error:
-            self.lost(Source("bringup-lint"), what, error)
+            self.note_failure(Source("bringup-lint"), what, error)
             return otherwise
 
-    def lost(self, source: Source, what: str, error: Exception) -> None:
+    def note_failure(self, source: Source, what: str, error: Exception) -> None:
         """Keep what failed on a source, or on the run as a whole."""
         failure = internal(source, what, error)
         self.failures.append(failure)

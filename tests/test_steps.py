@@ -11,10 +11,10 @@ import pytest
 
 from bringup_lint import engine
 from bringup_lint import finish
-from bringup_lint.apart import failing
 from bringup_lint.finding import Finding
 from bringup_lint.finding.redact import Mask
 from bringup_lint.report import FORMATS
+from bringup_lint.steps import failing
 from bringup_lint.suppress import Ignores
 from tests.lint import Run
 from tests.lint import lint
