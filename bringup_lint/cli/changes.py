@@ -11,7 +11,6 @@ from bringup_lint.dataclass import replace
 from bringup_lint.discover import disk
 from bringup_lint.finding.reach import reached
 from bringup_lint.type_names import TYPE_CHECKING
-from bringup_lint.type_names import Any
 
 if TYPE_CHECKING:
     from bringup_lint.engine import Outcome
@@ -19,13 +18,14 @@ if TYPE_CHECKING:
 Limit = Callable[["Outcome"], "Outcome"]
 
 
-def changes_limit(options: dict[str, Any]) -> Limit:
-    """What leaves out the findings that no change has a part in. Raises ConfigError for an unknown revision."""
+def changes_limit(since: str | None, changed_files: tuple[str, ...] | None) -> Limit:
+    """What leaves out the findings that no change has a part in: none since a revision, none of these files. Raises
+    ConfigError for an unknown revision."""
     limits = []
-    if options.get("since"):
-        limits.append(_since(options["since"]))
-    if options.get("changed"):
-        limits.append(_files(options["changed_files"]))
+    if since:
+        limits.append(_since(since))
+    if changed_files is not None:
+        limits.append(_files(changed_files))
 
     def limit(outcome: Outcome) -> Outcome:
         for each in limits:

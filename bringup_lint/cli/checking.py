@@ -14,6 +14,7 @@ from bringup_lint.cli.reading import read_robot
 from bringup_lint.cli.reading import standard_input
 from bringup_lint.cli.reports import Output
 from bringup_lint.cli.reports import write
+from bringup_lint.cli.run_options import RunOptions
 from bringup_lint.cli.streams import complain
 from bringup_lint.cli.usage import OF_A_PART
 from bringup_lint.cli.usage import baseline_usage
@@ -32,32 +33,23 @@ if TYPE_CHECKING:
     from bringup_lint.report import Report
     from bringup_lint.robot import Robot
 
-DEFAULTS: dict[str, Any] = {
-    **dict.fromkeys(("output_format", "output_file", "select", "ignore", "rule_folders", "exclude"), ()),
-    **dict.fromkeys(("root", "min_severity", "fail_on", "target_ros", "target_systemd", "now", "config_path")),
-    **dict.fromkeys(("stdin_filename", "since", "baseline", "write_baseline", "add_ignores", "colour")),
-    **dict.fromkeys(("exit_zero", "no_ignores", "isolated", "tracked", "changed", "prune_baseline", "quiet"), False),
-    **dict.fromkeys(("statistics", "show_files", "show_settings", "fix", "unsafe_fixes", "diff", "no_cache"), False),
-    "cache_by": "times",
-}
-"""Option -> its value where it is not given."""
-
 
 def check(
-    paths: tuple[str, ...], options: dict[str, Any], outputs: list[Output], given: set[str], question: Question | None
+    paths: tuple[str, ...], options: RunOptions, outputs: list[Output], given: set[str], question: Question | None
 ) -> int:
     """Check files and folders; returns the exit code. The answer to the question may be kept, which depends on the
     options that are given. Raises UsageError for options that would have no effect."""
     from bringup_lint.registry import RuleError
 
     refuse_ineffective(paths, options)
-    if options["stdin_filename"]:
-        paths = (options["stdin_filename"],)
-    if options["changed"]:
-        options["changed_files"], paths = paths, (".",)
+    if options.stdin_filename:
+        paths = (options.stdin_filename,)
+    changed_files = None
+    if options.changed:
+        changed_files, paths = paths, (".",)
     try:
         with recorded() if question else contextlib.nullcontext() as record:
-            code = _check(outputs, paths or ("/" if options["root"] else ".",), options)
+            code = _check(outputs, paths or ("/" if options.root else ".",), options, changed_files)
         if question and record:
             keep(question, given, outputs, record, code)
     except (ConfigError, RuleError) as error:
@@ -68,10 +60,12 @@ def check(
 
 def plain(paths: tuple[str, ...], question: Question | None) -> int:
     """Check files and folders without options."""
-    return check(paths, dict(DEFAULTS), [Output("text", None)], {"paths"} if paths else set(), question)
+    return check(paths, RunOptions(), [Output("text", None)], {"paths"} if paths else set(), question)
 
 
-def _check(outputs: list[Output], paths: tuple[str, ...], options: dict[str, Any]) -> int:
+def _check(
+    outputs: list[Output], paths: tuple[str, ...], options: RunOptions, changed_files: tuple[str, ...] | None
+) -> int:
     from bringup_lint.cli.changes import changes_limit
     from bringup_lint.cli.progress import progress
     from bringup_lint.engine import run
@@ -81,12 +75,11 @@ def _check(outputs: list[Output], paths: tuple[str, ...], options: dict[str, Any
     config, rule_folders = configuration(paths, options)
     baseline_usage(config, options)
     registry = Registry.of(rule_folders)
-    if options["stdin_filename"]:
-        options["stdin_data"] = standard_input()
+    if options.stdin_filename:
+        options.stdin_data = standard_input()
+    limit = changes_limit(options.since, changed_files)
 
-    limit = changes_limit(options)
-
-    if asked := [name for name in ("show_settings", "show_files") if options[name]]:
+    if asked := [name for name in ("show_settings", "show_files") if getattr(options, name)]:
         from bringup_lint.cli.showing import show
 
         return _shown(show(asked, read_robot(paths, config, options), config, options))
@@ -94,28 +87,28 @@ def _check(outputs: list[Output], paths: tuple[str, ...], options: dict[str, Any
     held = _held_between_rounds(options)
 
     def checked() -> tuple[Robot, Outcome]:
-        with progress(wanted=not options["quiet"]) as state:
+        with progress(wanted=not options.quiet) as state:
             robot = read_robot(paths, config, options, held)
-            ignores = not options["no_ignores"]
+            ignores = not options.no_ignores
             return robot, limit(run(robot, registry, config, ignores=ignores, between=state.rule))
 
     robot, outcome = checked()
-    unsafe = options["unsafe_fixes"]
-    if options["diff"]:
+    unsafe = options.unsafe_fixes
+    if options.diff:
         from bringup_lint.cli.fixing import show_diff
 
         code = show_diff(robot, outcome, checked, unsafe=unsafe)
-        return 0 if options["exit_zero"] and code == 1 else code
-    if options["add_ignores"]:
+        return 0 if options.exit_zero and code == 1 else code
+    if options.add_ignores:
         from bringup_lint.cli.ignoring import add_ignores
 
-        return add_ignores(robot, outcome, checked, config, options["add_ignores"].strip())
-    if options["fix"] and options["stdin_filename"]:
+        return add_ignores(robot, outcome, checked, config, options.add_ignores.strip())
+    if options.fix and options.stdin_filename:
         from bringup_lint.cli.fixing import print_fixed
 
         return print_fixed(robot, outcome, checked, options, unsafe=unsafe)
     unwritten: list[str] = []
-    if options["fix"]:
+    if options.fix:
         from bringup_lint.cli.fixing import fix_files
 
         robot, outcome, unwritten = fix_files(robot, outcome, checked, unsafe=unsafe)
@@ -128,7 +121,7 @@ def deliver(
     config: Config,
     started: float,
     outputs: list[Output],
-    options: dict[str, Any],
+    options: RunOptions,
     unwritten: Iterable[str] = (),
 ) -> int:
     """Write the reports, and the baseline when one is asked for; returns the exit code. What cannot be written is said,
@@ -141,22 +134,22 @@ def deliver(
     from bringup_lint.report import Part
 
     drawn = any(output.format in DRAWN for output in outputs)
-    part = Part.STATISTICS if options.get("statistics") else Part.FINDINGS if options.get("quiet") else Part.WHOLE
+    part = Part.STATISTICS if options.statistics else Part.FINDINGS if options.quiet else Part.WHOLE
     people = {"html"} if part is Part.STATISTICS else {"html", "text"}
     told = any(output.format in people for output in outputs)
     report = replace(report_of(outcome, robot, config, started, drawn=drawn, told=told), part=part)
-    if options["exit_zero"] and report.exit_code == 1:
+    if options.exit_zero and report.exit_code == 1:
         report = replace(report, exit_code=0)
     for said in report.notifications:
-        if said.level == "note" and not options.get("quiet"):
+        if said.level == "note" and not options.quiet:
             complain(said.message)
-    if not options.get("quiet") and all(output.format in FINDINGS_ALONE for output in outputs):
+    if not options.quiet and all(output.format in FINDINGS_ALONE for output in outputs):
         for words in report.by_configuration:
             complain(f"{words}: --no-ignores" if "suppressed" in words else words)
     report, kept = _with_baseline(report, config, options)
     failures, code = [*unwritten, *kept], report.exit_code
     for output in outputs:
-        colour = output.file is None and wants_colour(options["colour"])
+        colour = output.file is None and wants_colour(options.colour)
         text, rendered_code = rendered(output.format, replace(report, colour=colour))
         failures += _failed(write, text, output.file)
         code = max(code, rendered_code)
@@ -174,18 +167,18 @@ def _shown(text: str) -> int:
     return 2 if failures else 0
 
 
-def _with_baseline(report: Report, config: Config, options: dict[str, Any]) -> tuple[Report, list[str]]:
+def _with_baseline(report: Report, config: Config, options: RunOptions) -> tuple[Report, list[str]]:
     """The report after its baseline was written or pruned, and why that could not be done."""
     from bringup_lint.cli.reporting import prune_baseline
     from bringup_lint.cli.reporting import save_baseline
     from bringup_lint.writing import NotWritten
 
-    if any(options.get(name) for name in OF_A_PART):
+    if any(getattr(options, name) for name in OF_A_PART):
         report = replace(report, stale=())
     try:
-        if options["write_baseline"]:
-            return save_baseline(report, options["write_baseline"]), []
-        if options["prune_baseline"]:
+        if options.write_baseline:
+            return save_baseline(report, options.write_baseline), []
+        if options.prune_baseline:
             return prune_baseline(report, config), []
     except NotWritten as error:
         return report, [str(error)]
@@ -202,8 +195,8 @@ def _failed(write: Callable[..., None], *arguments: Any) -> list[str]:
     return []
 
 
-def _held_between_rounds(options: dict[str, Any]) -> Held | None:
+def _held_between_rounds(options: RunOptions) -> Held | None:
     """What keeps the models of files that no fix changes from one round to the next."""
     from bringup_lint.discover.held import Held
 
-    return Held() if options["fix"] or options["diff"] else None
+    return Held() if options.fix or options.diff else None

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable
 
+from bringup_lint.cli.run_options import RunOptions
 from bringup_lint.cli.streams import complain
 from bringup_lint.config import Config
 from bringup_lint.config import ConfigError
@@ -15,29 +16,29 @@ from bringup_lint.discover import disk
 from bringup_lint.type_names import Any
 
 
-def configuration(paths: tuple[str, ...], options: dict[str, Any]) -> tuple[Config, list[str]]:
+def configuration(paths: tuple[str, ...], options: RunOptions) -> tuple[Config, list[str]]:
     """The settings from file and command line, and the folders of further rules. Raises ConfigError."""
-    named = str(options["config_path"] or "")
-    path = named or (None if options["isolated"] else find(_start(paths, options["root"])))
+    named = str(options.config_path or "")
+    path = named or (None if options.isolated else find(_start(paths, options.root)))
     try:
         config = read(path, named=bool(named)) if path else Config()
     except ConfigError as error:
-        raise _with_unknown_names(error, map(str, options["rule_folders"])) from error
+        raise _with_unknown_names(error, map(str, options.rule_folders)) from error
     found = config if path and not named else None
-    rule_folders = [str(folder) for folder in options["rule_folders"]]
+    rule_folders = [str(folder) for folder in options.rule_folders]
     if config.rules and named:
         rule_folders += map(config.beside, config.rules)
     elif config.rules:
         complain(f"{path}: 'rules' is only read from a file named by --config")
-    given = {
-        "select": options["select"],
-        "ignore": (*config.ignore, *options["ignore"]),
-        "exclude": (*config.exclude, *options["exclude"]),
-        "min_severity": options["min_severity"],
-        "fail_on": options["fail_on"],
-        "target_ros": options["target_ros"],
-        "target_systemd": options["target_systemd"],
-        "baseline": options["baseline"] and str(options["baseline"].absolute()),
+    given: dict[str, Any] = {
+        "select": options.select,
+        "ignore": (*config.ignore, *options.ignore),
+        "exclude": (*config.exclude, *options.exclude),
+        "min_severity": options.min_severity,
+        "fail_on": options.fail_on,
+        "target_ros": options.target_ros,
+        "target_systemd": options.target_systemd,
+        "baseline": options.baseline and str(options.baseline.absolute()),
         "found": found,
     }
     return replace(config, **{key: value for key, value in given.items() if value}), rule_folders

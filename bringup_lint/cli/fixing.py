@@ -10,7 +10,6 @@ from collections import Counter
 from collections.abc import Callable
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
-from typing import Any
 
 import click
 
@@ -32,6 +31,7 @@ from bringup_lint.pattern import regex
 from bringup_lint.plural import counted
 
 if TYPE_CHECKING:
+    from bringup_lint.cli.run_options import RunOptions
     from bringup_lint.engine import Outcome
     from bringup_lint.finding import Finding
     from bringup_lint.robot import Robot
@@ -232,7 +232,7 @@ def _lines(text: str) -> list[str]:
     return [part + "\n" for part in text.split("\n")[:-1]] + list(filter(None, [text.rpartition("\n")[2]]))
 
 
-def print_fixed(robot: Robot, outcome: Outcome, checked: Checked, options: dict[str, Any], *, unsafe: bool) -> int:
+def print_fixed(robot: Robot, outcome: Outcome, checked: Checked, options: RunOptions, *, unsafe: bool) -> int:
     """Fix standard input and print it; 1 when findings are left."""
     fixed: Counter[str] = Counter()
     seen: set[bytes] = set()
@@ -242,11 +242,11 @@ def print_fixed(robot: Robot, outcome: Outcome, checked: Checked, options: dict[
         change = state.plan.changes.get(state.robot.sources[0].name)
         if change is None:
             break
-        seen.add(options["stdin_data"])
-        options["stdin_data"] = change.new_text().encode()
+        seen.add(options.stdin_data)
+        options.stdin_data = change.new_text().encode()
         after = rounds.state_of(*checked())
         rules = {finding.rule for finding, _ in state.plan.taken}
-        if _not_less(rules, state, after, options["stdin_data"] in seen):
+        if _not_less(rules, state, after, options.stdin_data in seen):
             break
         fixed.update(finding.rule for finding, _ in state.plan.taken)
         state = after

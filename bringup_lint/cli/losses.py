@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.cli.reading import read_robot
+from bringup_lint.cli.run_options import RunOptions
 from bringup_lint.config import Config
 from bringup_lint.engine import run
 from bringup_lint.finding import Severity
@@ -19,8 +20,6 @@ if TYPE_CHECKING:
     from bringup_lint.finding import Finding
     from bringup_lint.robot import Robot
 
-OPTIONS = {"stdin_filename": None, "root": None}
-
 
 def with_losses(settings: list[Setting], robot: Robot) -> list[Setting]:
     """The settings, each with the number of errors and warnings that are found without it alone."""
@@ -28,7 +27,7 @@ def with_losses(settings: list[Setting], robot: Robot) -> list[Setting]:
         return settings
     exclude = tuple(each.value for each in settings if each.table == "exclude")
     purpose = {each.name: each.value for each in settings if each.table == "purpose"}
-    left = Counter(map(_key, _found(read_robot((".",), Config(exclude=exclude, purpose=purpose), OPTIONS))))
+    left = Counter(map(_key, _found(read_robot((".",), Config(exclude=exclude, purpose=purpose), RunOptions()))))
     lost = list(_lost(_found(robot), left))
     return [_counted(each, lost) for each in settings]
 

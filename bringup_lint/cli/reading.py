@@ -7,18 +7,18 @@ import sys
 from collections.abc import Callable
 from collections.abc import Iterable
 
+from bringup_lint.cli.run_options import RunOptions
 from bringup_lint.config import Config
 from bringup_lint.config import ConfigError
 from bringup_lint.discover import disk
 from bringup_lint.type_names import TYPE_CHECKING
-from bringup_lint.type_names import Any
 
 if TYPE_CHECKING:
     from bringup_lint.discover.held import Held
     from bringup_lint.robot import Robot
 
 
-def read_robot(paths: tuple[str, ...], config: Config, options: dict[str, Any], held: Held | None = None) -> Robot:
+def read_robot(paths: tuple[str, ...], config: Config, options: RunOptions, held: Held | None = None) -> Robot:
     """Read the paths, or standard input, into a robot."""
     from bringup_lint.discover.exclude import exclusion
     from bringup_lint.discover.exclude import noting
@@ -28,21 +28,21 @@ def read_robot(paths: tuple[str, ...], config: Config, options: dict[str, Any], 
     from bringup_lint.discover.walk import missing
     from bringup_lint.robot import Robot
 
-    if options["stdin_filename"]:
-        tree = discover_text(options["stdin_filename"], options["stdin_data"])
+    if options.stdin_filename:
+        tree = discover_text(options.stdin_filename, options.stdin_data)
     else:
-        if why := missing(paths, options["root"]):
+        if why := missing(paths, options.root):
             raise ConfigError(why)
         deploy = {config.beside(path): place for path, place in config.deploy.items()}
-        excluded = exclusion(config.folder, config.exclude, _folders(paths, options["root"]))
+        excluded = exclusion(config.folder, config.exclude, _folders(paths, options.root))
         met: set[str] = set()
         if config.found and config.found.exclude:
             excluded = noting(excluded, met)
-        if options.get("tracked"):
+        if options.tracked:
             excluded = _untracked_too(excluded)
-        tree = discover(paths, root=options["root"], deploy=deploy, excluded=excluded, held=held)
+        tree = discover(paths, root=options.root, deploy=deploy, excluded=excluded, held=held)
         tree.excluded = met
-    now = options.get("now")
+    now = options.now
     purposes = {display_name(config.beside(path)): name for path, name in config.purpose.items()}
     return Robot(tree, config.target_ros, config.target_systemd, now.date() if now else None, purposes)
 

@@ -6,7 +6,6 @@ import json
 from collections.abc import Iterable
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
-from typing import Any
 
 from bringup_lint.config import OPTIONS
 from bringup_lint.config import Config
@@ -14,6 +13,7 @@ from bringup_lint.report.columns import plain_start
 from bringup_lint.report.columns import printable
 
 if TYPE_CHECKING:
+    from bringup_lint.cli.run_options import RunOptions
     from bringup_lint.robot import Robot
     from bringup_lint.source import Source
 
@@ -36,16 +36,16 @@ def _shown(source: Source) -> str:
     return printable(plain_start(source.name))
 
 
-def settings(config: Config, options: dict[str, Any], robot: Robot) -> str:
+def settings(config: Config, options: RunOptions, robot: Robot) -> str:
     """Every setting as the configuration writes it, with what says so."""
     lines = [line for key in OPTIONS for line in _lines(key, config, options, robot)]
     width = min(max(len(line) for line, _ in lines), 60)
     return "".join(f"{line:<{width}}  # {printable(origin)}\n" for line, origin in lines)
 
 
-def _lines(key: str, config: Config, options: dict[str, Any], robot: Robot) -> Iterator[tuple[str, str]]:
+def _lines(key: str, config: Config, options: RunOptions, robot: Robot) -> Iterator[tuple[str, str]]:
     value = getattr(config, key.replace("-", "_"))
-    given = options.get(_GIVEN.get(key, key.replace("-", "_")))
+    given = getattr(options, _GIVEN.get(key, key.replace("-", "_")), None)
     if key == "rules":
         value = (*map(str, given or ()), *value)
     if key.startswith("target-") and not value:
@@ -89,7 +89,7 @@ def _quoted(value: object) -> str:
     return json.dumps(value, ensure_ascii=False)
 
 
-def show(asked: Iterable[str], robot: Robot, config: Config, options: dict[str, Any]) -> str:
+def show(asked: Iterable[str], robot: Robot, config: Config, options: RunOptions) -> str:
     """The text for the options that ask for one of these."""
     texts = {"show_settings": lambda: settings(config, options, robot), "show_files": lambda: files(robot)}
     return "\n".join(texts[name]() for name in asked)

@@ -22,6 +22,7 @@ from bringup_lint.cli.options import verdict_options
 from bringup_lint.cli.outputs import PairedOptions
 from bringup_lint.cli.outputs import file_option
 from bringup_lint.cli.outputs import format_option
+from bringup_lint.cli.run_options import RunOptions
 
 SECTIONS = {
     "What is checked": ("root", "exclude", "tracked", "stdin_filename", "target_ros", "target_systemd", "now"),
@@ -101,4 +102,4 @@ def command(ctx: click.Context, paths: tuple[str, ...], **options) -> None:
     Write ./NAME for a path that is also the name of a command.
     """
     given = {name for name in ctx.params if ctx.get_parameter_source(name) is not ParameterSource.DEFAULT}
-    ctx.exit(check(paths, options, ctx.meta["outputs"], given, ctx.obj))
+    ctx.exit(check(paths, RunOptions.of(options), ctx.meta["outputs"], given, ctx.obj))

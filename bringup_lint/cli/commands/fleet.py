@@ -26,6 +26,7 @@ from bringup_lint.cli.outputs import PairedOptions
 from bringup_lint.cli.outputs import file_option
 from bringup_lint.cli.reports import Output
 from bringup_lint.cli.reports import write_pieces
+from bringup_lint.cli.run_options import RunOptions
 from bringup_lint.cli.streams import complain
 from bringup_lint.cli.terminal import terminal_width
 from bringup_lint.cli.terminal import wants_colour
@@ -94,7 +95,7 @@ def _judge(outputs: list[Output], paths: tuple[str, ...], options: dict[str, Any
     from bringup_lint.fleet.inventory import read_inventory
     from bringup_lint.fleet.render import rendered
 
-    config, rule_folders = configuration(paths, {**options, "root": None, "baseline": None})
+    config, rule_folders = configuration(paths, RunOptions.of(options))
     inventory = read_inventory(paths)
     for said in filter(None, map(hint, inventory.members)):
         complain(said)

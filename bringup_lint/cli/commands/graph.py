@@ -18,10 +18,6 @@ from bringup_lint.config import ConfigError
 from bringup_lint.graph.layers import LAYERS
 
 FORMATS = ("dot", "mermaid", "json", "html")
-UNSET = dict.fromkeys(("select", "ignore"), ()) | dict.fromkeys(
-    ("min_severity", "fail_on", "baseline", "stdin_filename")
-)
-"""Settings of a check that the command line of this command does not offer."""
 
 
 @click.command(context_settings={"help_option_names": ["-h", "--help"]})
@@ -62,12 +58,13 @@ def _draw(paths: tuple[str, ...], options: dict[str, Any]) -> str:
     from bringup_lint.cli.configuring import configuration
     from bringup_lint.cli.reading import read_robot
     from bringup_lint.cli.reporting import report_of
+    from bringup_lint.cli.run_options import RunOptions
     from bringup_lint.engine import run
     from bringup_lint.registry import Registry
     from bringup_lint.report.picture.selection import focused
     from bringup_lint.report.picture.selection import in_layers
 
-    settings = UNSET | options
+    settings = RunOptions.of(options)
     config, rule_folders = configuration(paths, settings)
     robot = read_robot(paths, config, settings)
     outcome = run(robot, Registry.of(rule_folders), config)

@@ -64,13 +64,13 @@ def command(ctx: click.Context, print_schema: bool, print_only: bool) -> None:
 
 
 def _surveyed() -> list[Setting]:
-    from bringup_lint.cli.losses import OPTIONS
     from bringup_lint.cli.losses import with_losses
     from bringup_lint.cli.reading import read_robot
+    from bringup_lint.cli.run_options import RunOptions
     from bringup_lint.cli.survey import settings
     from bringup_lint.config import Config
 
-    robot = read_robot((".",), Config(), OPTIONS)
+    robot = read_robot((".",), Config(), RunOptions())
     return with_losses(settings(robot), robot)
 
 

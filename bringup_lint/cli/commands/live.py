@@ -28,6 +28,7 @@ from bringup_lint.cli.outputs import format_option
 from bringup_lint.cli.reading import read_robot
 from bringup_lint.cli.reports import Output
 from bringup_lint.cli.reports import write
+from bringup_lint.cli.run_options import RunOptions
 from bringup_lint.cli.streams import complain
 from bringup_lint.cli.streams import say
 from bringup_lint.cli.usage import baseline_usage
@@ -98,11 +99,11 @@ def _compare(outputs: list[Output], paths: tuple[str, ...], options: dict[str, A
     from bringup_lint.registry import Registry
 
     started = time.time()
-    unused = {"rule_folders": (), "target_systemd": None, "stdin_filename": None}
-    config, _ = configuration(paths, {**options, **unused})
-    baseline_usage(config, options)
-    config = replace(config, select=options["select"] or (FAMILY,))
-    robot = read_robot(paths, config, {**options, **unused})
+    of_run = RunOptions.of(options)
+    config, _ = configuration(paths, of_run)
+    baseline_usage(config, of_run)
+    config = replace(config, select=of_run.select or (FAMILY,))
+    robot = read_robot(paths, config, of_run)
     robot.launch_commands = options["launched"]
     _known(robot)
     robot.join(loaded(options["load"]) if options["load"] else seen(robot, options))
@@ -110,8 +111,8 @@ def _compare(outputs: list[Output], paths: tuple[str, ...], options: dict[str, A
     if observed.graph.problems:
         raise ConfigError(f"{options['load']}: not a graph that bringup-lint live --save wrote")
     _tell(robot, observed)
-    outcome = run(robot, Registry.of(), config, ignores=not options["no_ignores"])
-    return deliver(outcome, robot, config, started, outputs, options)
+    outcome = run(robot, Registry.of(), config, ignores=not of_run.no_ignores)
+    return deliver(outcome, robot, config, started, outputs, of_run)
 
 
 def _known(robot: Robot) -> None:
