@@ -51,6 +51,7 @@ if TYPE_CHECKING:
     from bringup_lint.parsers.dockerfile import commands_of_run
     from bringup_lint.parsers.dockerfile_variables import expanded
     from bringup_lint.parsers.dockerfile_variables import last_user
+    from bringup_lint.robot import Robot
 else:
     __getattr__ = on_demand(globals())
 
@@ -91,6 +92,7 @@ __all__ = [
     "missing_programs",
     "missing_settings",
     "other_distros",
+    "own_homes",
     "recordings",
     "ros_distro",
     "runs_as_root",
@@ -101,3 +103,14 @@ __all__ = [
     "user_name",
     "without_history",
 ]
+
+
+def own_homes(robot: Robot) -> frozenset[str]:
+    """The folders of homes that the robot has because its tree says so."""
+    from bringup_lint.graph.host.container_folders import own_folders
+
+    units = robot.units.judged if robot.of_kind("systemd-unit") else []
+    users = [
+        user for unit in units if (user := unit.get("User")) and user.span.source.name.endswith((".service", ".conf"))
+    ]
+    return own_folders(robot.files, users, robot.launch.workspace)

@@ -35,6 +35,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch.gone_packages import gone_packages
     from bringup_lint.graph.launch.joined_commands import joined_commands
     from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.launch.lifecycle import Managed
+    from bringup_lint.graph.launch.lifecycle import Manager
     from bringup_lint.graph.launch.lifecycle import full_name
     from bringup_lint.graph.launch.lifecycle import managers
     from bringup_lint.graph.launch.lifecycle import outside
@@ -58,6 +60,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch.started import Started
     from bringup_lint.graph.launch.started import exclusive
     from bringup_lint.graph.launch.started import literal_text
+    from bringup_lint.graph.launch.without_effect import is_real_clock
+    from bringup_lint.graph.launch.without_effect import passed_without_effect
     from bringup_lint.graph.params.simulated_literally import Literally
     from bringup_lint.graph.params.simulated_literally import simulated_literally
     from bringup_lint.graph.params.simulated_literally import simulates_nothing
@@ -149,6 +153,8 @@ __all__ = [
     "Literally",
     "LoadComponents",
     "Log",
+    "Managed",
+    "Manager",
     "MissingEntry",
     "Need",
     "Node",
@@ -187,6 +193,7 @@ __all__ = [
     "full_name",
     "gone_packages",
     "in_degrees",
+    "is_real_clock",
     "joined_commands",
     "literal",
     "literal_text",
@@ -200,6 +207,7 @@ __all__ = [
     "outside",
     "package_meant",
     "parameters_of",
+    "passed_without_effect",
     "public_package",
     "refused",
     "refused_choices",

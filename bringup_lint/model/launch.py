@@ -82,6 +82,8 @@ class UnboundName(NamedTuple):
     name: Located
     is_conditional: bool
     """The code that looks it up runs only under a condition."""
+    arguments: tuple[str, ...] = ()
+    """The launch arguments of which that condition is made."""
 
 
 class UnplacedAction(NamedTuple):
@@ -296,6 +298,8 @@ class Wait(NamedTuple):
     span: Span
     seconds: float | None = None
     """Of a pause, all rounds of its loop together; None for a program, whose failure is an exception."""
+    is_before: bool = False
+    """It is over before launch has anything to start: code of the module, or of generate_launch_description."""
 
 
 class ObjectAsValue(NamedTuple):

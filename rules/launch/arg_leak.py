@@ -2,7 +2,7 @@
 
 ## What it finds
 Two includes in the same scope whose files declare the same argument with different defaults. The second include
-does not pass a value.
+does not pass a value. Not reported: `use_sim_time` that is false for both in this way.
 
 ## Why it matters on a robot
 launch has one scope for all included files. The default of the first file stays bound, and the second file never
@@ -57,6 +57,8 @@ def arg_leak(robot: Robot) -> Iterator[Finding]:
             leaked = launch.text_of(before.value)
             if own is None or leaked is None or own.lower() == leaked.lower():
                 continue
+            if launch.is_real_clock(declared.name, leaked):
+                continue  # one clock is for all nodes, and this one is that of the robot
             leaking = _include_of(expansion, declared.name, other)
             title = f"put the include of {other.basename} into a scoped group"
             scoped = in_call(leaking, Import("launch.actions", "GroupAction")) if leaking is not None else None

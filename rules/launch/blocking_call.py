@@ -63,6 +63,11 @@ def blocking_call(robot: Robot) -> Iterator[Finding]:
 
 def _message(wait: Wait) -> str:
     meanwhile = "no node is started, watched or stopped meanwhile"
+    if wait.is_before and wait.seconds is None:
+        return (
+            f"Reading the launch file runs {wait.name}, also for ros2 launch --show-args: nothing starts before it has "
+            "ended, and nothing at all when it fails"
+        )
     if wait.seconds is None:
         return f"The whole launch waits for {wait.name}, and ends with an exception when it fails: {meanwhile}"
     return f"The whole launch waits {_time(wait)}: {meanwhile}"

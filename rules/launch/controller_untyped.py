@@ -39,6 +39,8 @@ from bringup_lint.api import rule
 from bringup_lint.api.launch import UntypedController
 from bringup_lint.api.launch import literal_text
 
+_SPAWNER = "spawner"
+
 
 @rule("error", confidence="medium", symptoms=["The 'type' param was not defined for"])
 def controller_untyped(robot: Robot) -> Iterator[Finding]:
@@ -82,7 +84,7 @@ def _without_spawners(robot: Robot) -> Iterator[Finding]:
                 node.span,
                 "ros2_control_node is given no parameter file: it knows no controller, and none can be loaded",
                 advice="pass the file with the controllers in parameters=",
-                severity="warning",
+                severity="info" if _SPAWNER in node.file.source.text else "warning",
                 chain=robot.provenance.chain_to_node(node),
             )
 
@@ -92,5 +94,5 @@ def _spawning(robot: Robot) -> set[int]:
     return {
         id(expansion)
         for expansion in robot.launch.expansions
-        if any("spawner" in str(literal_text(each.executable)) for each in expansion.nodes)
+        if any(_SPAWNER in str(literal_text(each.executable)) for each in expansion.nodes)
     }

@@ -39,6 +39,7 @@ from bringup_lint.api.docker import CONTAINER_KINDS
 from bringup_lint.api.docker import container_folders
 from bringup_lint.api.docker import is_deployed_to
 from bringup_lint.api.docker import is_in_container
+from bringup_lint.api.docker import own_homes
 
 PATH = regex(r"(?:^|(?<=[=: ,'\"]))/(?:home/[\w.-]+|root|opt/ros/(?!\$)\w+)/[\w./-]+")
 
@@ -49,6 +50,7 @@ PLACEHOLDERS = ("/home/livox/livox_test.lvx",)
 @rule("warning", symptoms=["No such file or directory: '/home/"])
 def hardcoded_path(robot: Robot) -> Iterator[Finding]:
     folders = container_folders(robot.of_kind(*CONTAINER_KINDS))
+    own = own_homes(robot)
     scripts = [source for source in robot.of_kind("shell-script", "dockerfile") if source.judged]
     for file in robot.launch.judged:
         for action, _ in robot.launch.visited(file):
@@ -59,7 +61,8 @@ def hardcoded_path(robot: Robot) -> Iterator[Finding]:
                     if text is None or match is None or match[0] in PLACEHOLDERS:
                         continue
                     if not is_in_container(match[0], folders):
-                        known = robot.launch.workspace.is_vendored(file.source) or is_deployed_to(match[0], scripts)
+                        known = robot.launch.workspace.is_vendored(file.source) or is_in_container(match[0], own)
+                        known = known or is_deployed_to(match[0], scripts)
                         yield finding(
                             text.part(*match.span()),
                             f"{match[0]} exists only on one machine or distribution",

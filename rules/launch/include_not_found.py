@@ -89,6 +89,8 @@ def _of_command(robot: Robot, command: Launching, effect: str, severity: str | N
     known = [os.path.basename(each.source.name) for each in robot.launch.files_of(package)]
     if command.target in known or not command.target.endswith((".py", ".xml", ".yaml", ".yml", ".launch")):
         return
+    if robot.launch.path_of(command.target, package) != command.target:
+        return
     near = nearest(command.target, known, 3)
     yield finding(
         command.target,

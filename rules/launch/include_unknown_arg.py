@@ -5,6 +5,8 @@ Keys in `launch_arguments` (`<arg>` inside `<include>`) that the launched file a
 declare nor read. Of files in packages that are not in the tree, those of Nav2, slam_toolbox, the drivers of Universal
 Robots, RPLIDAR and Velodyne, rosbridge, robot_localization, Gazebo, TurtleBot and others are known. `name:=value` in
 the `ros2 launch` commands of units, and of compose services that are built from this tree, is checked in the same way.
+Silent where nothing is lost: an empty value, `use_sim_time:=false` for a file that says nothing of it, and `use_X` that
+is off beside an empty `X`.
 
 ## Why it matters on a robot
 launch accepts any name. It ignores the value silently, and the included part runs with its default: with simulated
@@ -49,13 +51,18 @@ def include_unknown_arg(robot: Robot) -> Iterator[Finding]:
             if include.source is not file or include.target is None:
                 continue
             names = [launch.literal(key) for key, _ in include.action.arguments]
-            inner = robot.launch.expansion(include.target).files
-            own = [name for name in names if name and not robot.launch.read_elsewhere(name, file, inner)]
-            yield from unknown(robot, own, include.target)
+            inner = robot.launch.expansion(include.target)
+            idle = launch.passed_without_effect(include.action.arguments, inner)
+            own = [name for name in names if name and not robot.launch.read_elsewhere(name, file, inner.files)]
+            yield from unknown(robot, [name for name in own if name not in idle], include.target)
         yield from _of_public(robot, file)
     for command in (*robot.runners.launches, *robot.runners.typed_launches):
         if command.file is not None and command.runner.certain:
-            yield from unknown(robot, [name for name, _ in command.arguments], command.file)
+            given = [
+                (launch.Literal(name, name.span), launch.Literal(text, text.span)) for name, text in command.arguments
+            ]
+            idle = launch.passed_without_effect(given, robot.launch.expansion(command.file))
+            yield from unknown(robot, [name for name, _ in command.arguments if name not in idle], command.file)
 
 
 def _of_public(robot: Robot, file: launch.LaunchFile) -> Iterator[Finding]:

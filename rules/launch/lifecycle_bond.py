@@ -32,6 +32,7 @@ debugging.
 """
 
 from collections.abc import Iterator
+from collections.abc import Sequence
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
@@ -43,6 +44,8 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api import topics
 
+MOVING = ("controller_server", "behavior_server", "recoveries_server", "velocity_smoother", "docking_server")
+"""Servers that drive the robot, or limit how it is driven."""
 BONDED = ("nav2_", "opennav_", "slam_toolbox")
 
 
@@ -73,7 +76,7 @@ def lifecycle_bond(robot: Robot) -> Iterator[Finding]:
                 for managed, node in nodes
                 if robot.launch.role(node).managed and not str(launch.literal_text(node.package)).startswith(BONDED)
             ]
-            if name is not None and manager.watches is False and not foreign:
+            if name is not None and manager.watches is False and not foreign and _is_missed(manager, nodes):
                 yield finding(
                     name,
                     "bond_timeout is 0: the manager does not notice when a managed node dies",
@@ -90,6 +93,12 @@ def lifecycle_bond(robot: Robot) -> Iterator[Finding]:
                 )
         for managed, node, base in bonds.lacking(expansion):
             yield _of_tree(managed.name, node, base)
+
+
+def _is_missed(manager: launch.Manager, nodes: Sequence[tuple[launch.Managed, launch.Started]]) -> bool:
+    """Whether somebody should notice that a node dies: the robot moves by it, or launch starts it again."""
+    moving = manager.managed is None or any(each.name.rpartition("/")[2] in MOVING for each in manager.managed)
+    return moving or any(launch.respawns(node) for _, node in nodes)
 
 
 def _of_tree(name: Located, node: launch.Started, base: Located) -> Finding:

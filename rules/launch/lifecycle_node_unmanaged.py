@@ -39,6 +39,9 @@ from bringup_lint.api import launch
 from bringup_lint.api import note
 from bringup_lint.api import rule
 
+DRIVERS = ("driver", "hardware")
+"""Roles of programs that robots have from different packages, with or without a lifecycle."""
+
 
 @rule("error", symptoms=["Trying to publish message on the topic *, but the publisher is not activated"])
 def lifecycle_node_unmanaged(robot: Robot) -> Iterator[Finding]:
@@ -74,6 +77,16 @@ def lifecycle_node_unmanaged(robot: Robot) -> Iterator[Finding]:
                         for each in managers[:3]
                     ),
                 ],
-                severity="warning" if other or robot.launch.is_left_over(expansion.entry) else None,
+                severity="warning" if other else _severity(robot, expansion, node, bool(lifecycle)),
                 confidence="medium" if other else None,
             )
+
+
+def _severity(robot: Robot, expansion: launch.Expansion, node: launch.Started, is_lifecycle: bool) -> str | None:
+    """Lower for a driver whose package nothing of the tree needs: another one may be installed."""
+    package = str(launch.literal_text(node.package))
+    if not is_lifecycle and robot.launch.role(node).role in DRIVERS:
+        is_needed = any(package in each.text for each in robot.of_kind("ros-package"))
+        if not is_needed and not robot.dependencies.is_fetched(package):
+            return "info"
+    return "warning" if robot.launch.is_left_over(expansion.entry) else None

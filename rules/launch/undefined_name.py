@@ -36,6 +36,7 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.launch import module_of
 
@@ -43,11 +44,17 @@ from bringup_lint.api.launch import module_of
 @rule("error", symptoms=["trying to load file of format [py]: - NameError: name '*' is not defined"])
 def undefined_name(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
-        for name, is_conditional in file.unbound:
+        certain = [each.name for each in file.unbound if not each.is_conditional]
+        for name, is_conditional, arguments in file.unbound:
+            if name in certain[1:]:
+                continue  # Python has stopped at the first
             module = module_of(name)
+            others = certain[1:] if not is_conditional else []
             yield finding(
                 name,
-                f"NameError: {name} is never {'imported' if module else 'defined'}, and nothing starts",
+                f"NameError: {name} is never {'imported' if module else 'defined'}, and nothing starts"
+                + (f" when {' and '.join(arguments)} lead{'s' * (len(arguments) == 1)} here" if arguments else ""),
                 advice=f"add 'from {module} import {name}'" if module else f"define {name} before it is used",
+                related=[note(each, f"{each} would be the next") for each in others],
                 severity="warning" if is_conditional else None,
             )

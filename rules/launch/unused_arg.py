@@ -51,6 +51,7 @@ def unused_arg(robot: Robot) -> Iterator[Finding]:
         own = robot.launch.expansion(file)
         if own.open or any(each.reads_all for each in own.files):
             continue
+        is_idle = not own.nodes and not own.includes and not own.handlers
         files = {id(each): each for expansion in robot.launch.leading_to(file) for each in expansion.files}
         elsewhere = robot.launch.read_in(each for each in files.values() if each is not file)
         for declared in own.declared:
@@ -68,7 +69,7 @@ def unused_arg(robot: Robot) -> Iterator[Finding]:
                 f"'{name}' is declared but nothing reads it: setting it has no effect",
                 advice="use the argument, or remove the declaration",
                 fix=fix(f"remove the declaration of '{name}'", codemod=drop, safe=False) if drop else None,
-                severity="info" if robot.launch.workspace.is_vendored(file.source) else None,
+                severity="info" if is_idle or robot.launch.workspace.is_vendored(file.source) else None,
             )
 
 

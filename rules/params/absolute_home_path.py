@@ -41,6 +41,7 @@ from bringup_lint.api.docker import CONTAINER_KINDS
 from bringup_lint.api.docker import container_folders
 from bringup_lint.api.docker import is_deployed_to
 from bringup_lint.api.docker import is_in_container
+from bringup_lint.api.docker import own_homes
 from bringup_lint.api.templates import is_example
 
 _HOME = regex(r"(?:file://)?(/home/[^/\s<>${}]+/|/root/)\S*\Z")
@@ -56,6 +57,7 @@ def absolute_home_path(robot: Robot) -> Iterator[Finding]:
         else []
     )
     kept += container_folders(robot.of_kind(*CONTAINER_KINDS))
+    own = own_homes(robot)
     scripts = [source for source in robot.of_kind("shell-script", "dockerfile") if source.judged]
     for file, parameter in robot.params.parameters:
         if is_example(file.source.name) or "/test" in f"/{file.source.name}":
@@ -63,12 +65,14 @@ def absolute_home_path(robot: Robot) -> Iterator[Finding]:
         for item in robot.params.items(parameter):
             if item.type != "string":
                 continue
-            if _HOME.match(item.text) and not is_in_container(item.text.removeprefix("file://"), kept):
+            path = item.text.removeprefix("file://")
+            if _HOME.match(item.text) and not is_in_container(path, kept):
+                known = is_in_container(path, own) or is_deployed_to(path, scripts)
                 yield finding(
                     item.span,
                     f"The path of '{parameter.name}' is in a home folder: it exists only on that machine",
                     advice="use a folder of the robot, such as /var/lib, or a package's share folder with allow_substs",
-                    severity="info" if is_deployed_to(item.text.removeprefix("file://"), scripts) else None,
+                    severity="info" if known or robot.params.is_replaced(file, parameter) else None,
                 )
             elif _TILDE.match(item.text) or (
                 item.text.startswith("~/") and _PATH_KEY.search(str(parameter.key).lower())

@@ -69,6 +69,7 @@ def description_refused(robot: Robot) -> Iterator[Finding]:
             advice=_advice(first),
             related=[
                 *([note(first.other, "the other one")] if first.other is not None else []),
+                *([note(first.lost, "a second root, which no joint names")] if first.lost is not None else []),
                 *(note(each.where, _what(each)) for each in others[:10]),
             ],
             severity=_severity(first),
@@ -103,6 +104,10 @@ def _what(refused: Refused) -> str:
             return f"The {refused.name} is not three numbers ('{refused.detail}')"
         case "parents":
             return f"The link '{refused.name}' is the child of two joints ({refused.detail})"
+        case "orphan":
+            return (
+                f"The link '{refused.name}' is the child of two joints ({refused.detail}), and '{refused.lost}' of none"
+            )
         case "twice":
             return f"There are two {refused.detail}s called '{refused.name}'"
     return f"'{refused.name}' is a second link without a parent, beside '{refused.detail}'"
@@ -138,7 +143,7 @@ def _advice(refused: Refused) -> str:
             return "add the link, or correct the name"
         case "vector":
             return "write three numbers with blanks between them, such as 0 0 0"
-        case "parents":
+        case "parents" | "orphan":
             return "give one of the joints its own child"
         case "twice":
             return "rename one of them"

@@ -55,15 +55,17 @@ def file_key_mismatch(robot: Robot) -> Iterator[Finding]:
         tail = found.name.rpartition("/")[2]
         better = found.name if found.misspelt else f"/**/{tail}"
         single = len(found.block.keys) == 1
+        is_same = found.changes_nothing(robot.topics)
+        effect = "its values are those of the code today, and a change of them will do nothing"
         yield finding(
             found.block.key,
-            f"The block is for '{found.block.name}', but the node that loads the file is {found.name}: all its "
-            "parameters stay at the defaults, without any message",
+            f"The block is for '{found.block.name}', but the node that loads the file is {found.name}: "
+            + (effect if is_same else "all its parameters stay at the defaults, without any message"),
             advice=f"name the block {better}",
             chain=robot.provenance.chain_to_load(
                 found.load, note(found.block.key, f"the block is for {found.block.name}")
             ),
             related=[note(found.load.where, "loads the file here"), note(found.load.node.span, "the node")],
-            severity="warning" if found.changes_nothing(robot.topics) else None,
+            severity="warning" if is_same else None,
             fix=fix(f"name the block {better}", (found.block.key, better), safe=False) if single else None,
         )

@@ -105,6 +105,8 @@ def _message(each: NavigationProblem) -> str:
             return f"The footprint has a corner twice in a row ({each.detail}): a part of the robot is outside of it"
         case "inflation":
             return f"The inflation radius is below the inscribed radius of {each.detail} m: paths touch obstacles"
+        case "inflation-logged":
+            return f"The inflation radius is below the inscribed radius of {each.detail} m: Nav2 logs an error"
         case "ranges":
             return f"'{each.name}' clears less far than it marks ({each.detail}): obstacles beyond stay in the costmap"
         case "source":

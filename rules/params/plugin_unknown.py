@@ -38,6 +38,7 @@ When the file is kept for an older distribution, or the build writes the plugin 
 - the plugin descriptions of navigation2, ros2_controllers and ros2_control, branch by branch
 """
 
+import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -69,20 +70,35 @@ def plugin_unknown(robot: Robot) -> Iterator[Finding]:
         found.setdefault(("", each.name) if is_description else (each.name.span.path, ""), []).append(each)
     for first, *others in found.values():
         where = f" in {first.distribution.capitalize()}" if first.distribution else ""
-        more = f", nor are {len(others)} others" if others else ""
+        more = (
+            f", nor {'are' if len(others) > 1 else 'is'} {len(others)} other{'s' * (len(others) > 1)}" if others else ""
+        )
         yield finding(
             first.name,
             f"No plugin is called {first.name}{where}: it is not loaded{more}",
             advice=f"write {first.exported}" if first.exported else "write the name of the plugin description",
-            severity=_severity(first),
+            severity=_severity(robot, first),
             related=[*_exported(first), *(note(each.name, "here, too") for each in others[:10])],
         )
 
 
-def _severity(plugin: UnknownPlugin) -> str:
-    """Warning for hardware that only stands in for the real one, info for files that nothing loads."""
+def _severity(robot: Robot, plugin: UnknownPlugin) -> str:
+    """Warning for hardware that only stands in for the real one, info for files that nothing loads, and for packages
+    that the images of the tree leave out: these may be built with another distribution."""
+    owner = robot.launch.workspace.owner(plugin.name.span.source) if plugin.distribution else None
+    if owner is not None and _is_left_out(robot, owner.name):
+        return "info"
     stands_in = plugin.package in ("fake_components", "mock_components")
     return ("warning" if stands_in else "error") if plugin.loaded else "info"
+
+
+def _is_left_out(robot: Robot, package: str) -> bool:
+    """Whether an image of the tree is built without a package."""
+    name = re.escape(package)
+    ignored = re.compile(
+        rf"(?<![\w-]){name}/COLCON_IGNORE\b|--packages-(?:skip|ignore)[ \t][^\n]*(?<![\w-]){name}(?![\w-])"
+    )
+    return any(package in each.text and ignored.search(each.text) for each in robot.of_kind("dockerfile"))
 
 
 def _exported(plugin: UnknownPlugin) -> list[Related]:

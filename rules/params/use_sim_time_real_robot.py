@@ -48,32 +48,46 @@ from bringup_lint.api.params import waits_for_time
 TIMERS = regex(r"\bcreate_(?:timer|rate)\s*\(|\bget_clock\(\)\s*(?:\.|->)\s*sleep_")
 NOW = regex(r"(?<!::)\bnow\s*\(\)")
 """The ROS time, and not that of a clock of C++."""
+LOOKED_UP = "and the transforms that it asks for are the newest ones, however old they are"
+LOOKUP = regex(r"\b(?:lookup|can)_?[tT]ransform\w*\s*\(", hints="ransform")
 
 
 @rule("error", fix="unsafe", symptoms=["No clock received, using time argument instead!"])
 def use_sim_time_real_robot(robot: Robot) -> Iterator[Finding]:
     for found in simulated(robot.params):
+        texts = _texts(robot, found.load.node)
         yield finding(
             found.parameter.span,
-            f"Nothing publishes /clock on the robot: the ROS time of {found.load.node.label()} stays at zero, in its "
-            "stamps and in all that waits for that time",
+            f"Nothing publishes /clock on the robot: the ROS time of {found.load.node.label()} stays at zero, "
+            + (LOOKED_UP if _only_looks_up(texts) else "in its stamps and in all that waits for that time"),
             advice="write false",
             related=[note(found.load.node.span, "gets the value here")],
             chain=robot.provenance.chain_to_load(found.load, note(found.parameter.span, "the node waits for /clock")),
             fix=fix("write false", (found.parameter.span, "false"), safe=False),
-            severity=_severity(robot, found.load.node),
+            severity=_severity(robot, found.load.node, texts),
         )
 
 
-def _severity(robot: Robot, node: Started) -> str | None:
+def _severity(robot: Robot, node: Started, texts: list[str]) -> str | None:
     """By what is known of the node: whether it surely waits for the ROS time, and whether it asks for it at all."""
     name = launch.literal_text(node.package) or ""
-    package = robot.launch.workspace.packages.get(name)
-    if package is None:
+    if name not in robot.launch.workspace.packages:
         return None if waits_for_time(name) else "warning"
-    sources = robot.files.of_kind("python-node", "cpp-node")
-    own = (each for each in sources if robot.launch.workspace.owner(each) is package)
-    texts = [each.text for each in own if node.label() in each.text]
     if any(map(TIMERS.search, texts)):
         return None
     return "warning" if not texts or any(map(NOW.search, texts)) else "info"
+
+
+def _texts(robot: Robot, node: Started) -> list[str]:
+    """The sources of the node's package that name the node, or are called as its program."""
+    package = robot.launch.workspace.packages.get(launch.literal_text(node.package) or "")
+    program = launch.literal_text(node.executable)
+    sources = robot.files.of_kind("python-node", "cpp-node") if package is not None else []
+    own = (each for each in sources if robot.launch.workspace.owner(each) is package)
+    return [each.text for each in own if node.label() in each.text or each.basename.partition(".")[0] == program]
+
+
+def _only_looks_up(texts: list[str]) -> bool:
+    """Whether the node asks for the ROS time for transforms alone, where zero means the newest one."""
+    asking = [line for text in texts for line in text.splitlines() if NOW.search(line)]
+    return bool(asking) and all(map(LOOKUP.search, asking)) and not any(map(TIMERS.search, texts))

@@ -43,8 +43,17 @@ def _is_xml(path: str, head: Head) -> bool:
     path = f"/{path}"
     if path.endswith(".launch"):
         text = head()
-        return bool(_ROOT.match(text) and _ROS2.search(text)) and not _ROS1.search(text)
+        if not _ROOT.match(text):
+            return False
+        text = _uncommented(text)
+        return bool(_ROS2.search(text)) and not _ROS1.search(text)
     return bool(_XML.search(path)) and bool(_ROOT.match(head()) or path.endswith(".launch.xml"))
+
+
+def _uncommented(text: str) -> str:
+    """The text without comments, which keep what the file was in ROS 1."""
+    first, *others = text.split("<!--")
+    return first + "".join(each.partition("-->")[2] for each in others)
 
 
 def _is_ros1(path: str, head: Head) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterable
 from fnmatch import fnmatchcase
 from functools import cache
@@ -85,6 +86,15 @@ class PublicNode(NamedTuple):
         if self.is_controller and _of_controllers().has(parameter):
             return True
         return _names_of(self.parameters).has(parameter) or is_of_library(parameter)
+
+    @property
+    def defaults(self) -> dict[str, object]:
+        """The defaults of its parameters, as far as they are known."""
+        return {
+            row["parameter"]: json.loads(row["default"])
+            for row in table("ros/parameter_defaults")
+            if row["package"] == self.package
+        }
 
     def type_of(self, parameter: str) -> str | None:
         """The type that the node declares for a parameter; None when it is not known."""

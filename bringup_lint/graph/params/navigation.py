@@ -105,7 +105,7 @@ def _costmap(params: Params, file: ParameterFile, block: Block) -> Iterator[Navi
     shape = shape_of(named)
     if shape is not None and shape.name == "footprint":
         yield from _footprint(shape)
-    yield from _inflation(named)
+    yield from _inflation(file, named)
     yield from _jumping(params, file, block, named)
     if block.node_name == "local_costmap":
         yield from two_radii(file, block)
@@ -168,17 +168,29 @@ def _footprint(parameter: Parameter) -> Iterator[NavigationProblem]:
         yield NavigationProblem("corner", parameter.span, "footprint", f"{len(set(points))} of {len(points)} corners")
 
 
-def _inflation(named: dict[str, Parameter]) -> Iterator[NavigationProblem]:
-    """Inflation below the inscribed radius, about which the layer itself warns."""
+def _inflation(file: ParameterFile, named: dict[str, Parameter]) -> Iterator[NavigationProblem]:
+    """Inflation below the inscribed radius, about which the layer itself warns. The robot keeps clear of obstacles all
+    the same where another costmap of the file has a smaller radius for it."""
     shape = shape_of(named)
     inscribed = inscribed_radius(shape) if shape is not None else None
+    smallest = min(_inscribed(file), default=inscribed)
     for name, each in named.items():
         radius = number_of(each)
         if not name.endswith(".inflation_radius") or radius is None or inscribed is None or shape is None:
             continue
         layer = name.rpartition(".")[0]
         if layer in _active(named) and 0 < radius < inscribed:
-            yield NavigationProblem("inflation", each.span, name, f"{inscribed:.2f}", shape.span)
+            kind = "inflation" if smallest is None or radius < smallest else "inflation-logged"
+            yield NavigationProblem(kind, each.span, name, f"{inscribed:.2f}", shape.span)
+
+
+def _inscribed(file: ParameterFile) -> Iterator[float]:
+    """The inscribed radii of the robot in the costmaps of a file."""
+    for block in file.blocks:
+        shape = shape_of(by_name(block)) if block.node_name.endswith("_costmap") else None
+        radius = inscribed_radius(shape) if shape is not None else None
+        if radius is not None:
+            yield radius
 
 
 def _layers(named: dict[str, Parameter]) -> Iterator[str]:

@@ -38,6 +38,9 @@ if TYPE_CHECKING:
     from bringup_lint.graph.params.mentions import Mentions
     from bringup_lint.graph.workspace import Package
 
+_MOST = 200_000
+"""Characters of a page that are looked at."""
+_IMPORTED = regex(r"(?m)^[ \t]*(?:from|import)[ \t]+(\w+)")
 _FILE_NAME = regex(r"[\w.-]+")
 BUILD = ("params", "cmake", "setup-py", "setup-cfg", "ros-package")
 """Kinds that may name a parameter file without loading it."""
@@ -509,10 +512,21 @@ class Params:
         name, workspace = file.source.basename, self._launch().workspace
         owner = workspace.owner(file.source)
         sources = (each for each in self._tree_files.sources if each is not file.source and each.kind not in BUILD)
-        named = [each for each in sources if name in each.text]
+        named = [each for each in sources if name in each.text and _opens(each, name)]
         if owner is not None:
             named = [each for each in named if owner.name in each.text or workspace.owner(each) is owner]
-        return not named
+        return all(self._hands_to_helper(each) for each in named) and not self._is_in_guide(name)
+
+    def _is_in_guide(self, name: str) -> bool:
+        """Whether a page of the tree has people give a file to a node."""
+        tree = self._tree_files.tree
+        told = regex(rf"--params-file[ \t=]+[^\s`\"']*{re.escape(name)}\b")
+        return any(told.search(tree.head(path, _MOST)) for path in tree.paths if path.endswith(".md"))
+
+    def _hands_to_helper(self, source: Source) -> bool:
+        """Whether a launch file works with code of a package of the tree, which may read a file and write another."""
+        packages = self._launch().workspace.packages
+        return source.kind == "launch-python" and any(each in packages for each in _IMPORTED.findall(source.text))
 
     def _is_for_tests(self, file: ParameterFile) -> bool:
         return self._tree_files.purpose(file.source) in (Purpose.TEST, Purpose.CI, Purpose.ARCHIVE)
@@ -524,6 +538,13 @@ class Params:
         if ways & {"rcl", "substituted"}:
             return "rcl"
         return "pyyaml" if ways else ""
+
+
+def _opens(source: Source, name: str) -> bool:
+    """Whether a source that holds the name of a file may open it: code has it as a text, not in what it says."""
+    if source.kind not in ("python-node", "cpp-node"):
+        return True
+    return re.search(rf"{re.escape(name)}[\"'](?!\w)", source.uncommented) is not None
 
 
 def _last(parameter: Parameter) -> str:

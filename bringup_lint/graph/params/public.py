@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 
 _OFFICIAL = ("nav2_", "dwb_", "opennav_")
 """Packages of Navigation2 whose plugins declare the types of the table."""
+_BEFORE = ("foxy", "galactic")
+"""Distributions whose plugins of Navigation2 lack parameters of newer ones, and drop a value whatever its type is."""
 _LIBRARIES = "plugin_lib_names"
 
 
@@ -71,7 +73,7 @@ def of_wrong_public_type(
     pairs = ((given, declared), (f"{given}_array", f"{declared}_array"))
     for file, block, node in _blocks(params, launch):
         for each in block.parameters:
-            type_ = node.type_of(str(each.name)) if _is_official(each, node) else None
+            type_ = node.type_of(str(each.name)) if _is_official(each, node, params.distribution) else None
             if (each.value.type, type_) in pairs and _arrives(params, file, each):
                 yield each, node, params.items(each)
 
@@ -122,11 +124,13 @@ def _is_known(parameter: Parameter) -> bool:
     return words[-1] in nav2_words() or is_of_library(parameter.name)
 
 
-def _is_official(parameter: Parameter, node: PublicNode) -> bool:
+def _is_official(parameter: Parameter, node: PublicNode, distribution: str | None) -> bool:
     """Whether the type of a parameter is known: in a section of Navigation2, by the package of the plugin."""
     section = str(parameter.name).partition(".")
     if not node.has_plugins or not section[1]:
         return True
+    if distribution in _BEFORE:
+        return False
     plugins = [each.value.data for each in parameter.block.parameters if each.name == f"{section[0]}.plugin"]
     return bool(plugins) and all(str(each).startswith(_OFFICIAL) for each in plugins)
 

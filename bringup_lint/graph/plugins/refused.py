@@ -13,6 +13,8 @@ from bringup_lint.graph.plugins.xacro_includes import included
 from bringup_lint.graph.plugins.xacro_includes import is_unconditional
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.xml import parse
+from bringup_lint.pattern import regex
+from bringup_lint.source import Located
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:
@@ -21,6 +23,7 @@ if TYPE_CHECKING:
     from bringup_lint.model.xml import Element
     from bringup_lint.source import Source
 
+_END = regex(r"\blink[ \t]*=[ \t]*[\"'](?P<name>[^\"'<>]*)[\"']", hints="link")
 _LIMITED = ("revolute", "prismatic")
 _DEGREES = (30, 360)
 _NEEDED = ("effort", "velocity")
@@ -34,10 +37,12 @@ class Refused(NamedTuple):
     where: Span
     what: str
     """``no-limit``, ``no-attribute``, ``limits``, ``degrees``, ``turned``, ``no-link``, ``twice``, ``roots``,
-    ``vector``, ``parents`` or ``no-file``."""
+    ``vector``, ``parents``, ``orphan`` or ``no-file``."""
     name: str
     detail: str = ""
     other: Span | None = None
+    lost: Located | None = None
+    """The link that no joint names, of an ``orphan``."""
     used: bool = True
     """A launch file or another description names the file."""
 
@@ -55,7 +60,7 @@ def refused_descriptions(files: Files, workspace: Workspace) -> Iterator[list[Re
             *_includes(root, workspace),
             *_joints(root),
             *_origins(root),
-            *_repeated(root),
+            *_repeated(root, files),
             *_vectors(root),
             *(_tree(root) if _is_plain(source) and not is_part else ()),
         ]
@@ -197,7 +202,7 @@ def _vectors(root: Element) -> Iterator[Refused]:
                 yield Refused(value.span, "vector", f"{element.name} {attribute}", str(value))
 
 
-def _repeated(root: Element) -> Iterator[Refused]:
+def _repeated(root: Element, files: Files) -> Iterator[Refused]:
     """What the description itself, or one macro, has twice under one literal name."""
     for scope in (root, *(each for each in root.walk() if each.name == "xacro:macro")):
         for kind in ("link", "joint"):
@@ -211,7 +216,29 @@ def _repeated(root: Element) -> Iterator[Refused]:
             first = placed.setdefault(str(link), joint)
             if first.get("name") != joint.get("name"):
                 names = f"{first.get('name')}, {joint.get('name')}"
-                yield Refused(link.span, "parents", str(link), names, first.tag)
+                lost = _orphan(scope, [each.text for each in files.of_kind("urdf")])
+                yield Refused(link.span, "orphan" if lost else "parents", str(link), names, first.tag, lost)
+
+
+def _orphan(scope: Element, texts: list[str]) -> Located | None:
+    """A link that no joint of the tree names: for urdfdom it is a second root."""
+    ends = [match["name"] for text in texts for match in _END.finditer(text)]
+    for link in scope.find_all("link"):
+        name = link.get("name")
+        if name is not None and _is_literal(name) and not any(_may_be(end, name, texts) for end in ends):
+            return name
+    return None
+
+
+def _may_be(end: str, name: str, texts: list[str]) -> bool:
+    """Whether the end of a joint is a link, as soon as xacro has put in a value that the descriptions have."""
+    start, dollar, rest = end.partition("$")
+    rest = rest.rpartition("}")[2]
+    if not dollar or not name.startswith(start) or not name[len(start) :].endswith(rest):
+        return end == name
+    value = re.escape(name[len(start) : len(name) - len(rest)])
+    given = re.compile(rf"(?<!<link name=)[\"']{value}[\"']")
+    return any(given.search(text) for text in texts)
 
 
 def _is_literal(name: str | None) -> bool:

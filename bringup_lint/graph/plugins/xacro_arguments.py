@@ -5,11 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.started import literal_text
+from bringup_lint.graph.launch.without_effect import is_empty
 from bringup_lint.graph.plugins.xacro_includes import USED
 from bringup_lint.graph.plugins.xacro_includes import description
 from bringup_lint.model.launch_values import Command
 from bringup_lint.model.launch_values import Concat
+from bringup_lint.model.launch_values import Value
 from bringup_lint.model.launch_values import walk
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
@@ -56,10 +59,17 @@ def _of_command(launch: Launch, tree: Tree, command: Concat) -> Iterator[Unknown
     known = _declared(launch, tree, source) if source is not None else None
     if source is None or known is None:
         return
-    for part in command.parts[2:]:
+    for part, following in zip(command.parts[2:], (*command.parts[3:], None), strict=False):
         text = literal_text(part)
-        names = [text.part(*match.span(1)) for match in _GIVEN.finditer(text)] if text is not None else []
-        yield from (UnknownArgument(name, source, tuple(sorted(known))) for name in names if str(name) not in known)
+        given = [match for match in _GIVEN.finditer(text) if match.group(1) not in known] if text is not None else []
+        for match in given:
+            if text is not None and not is_empty(_value(text[match.end() :], following)):
+                yield UnknownArgument(text.part(*match.span(1)), source, tuple(sorted(known)))
+
+
+def _value(rest: str, following: Value | None) -> str | None:
+    """What a launch file that is started without arguments gives after ``name:=``; None when that is not known."""
+    return rest if rest or following is None else text_of(following)
 
 
 def described_by(launch: Launch, tree: Tree, command: Concat) -> Source | None:

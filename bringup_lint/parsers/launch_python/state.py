@@ -47,8 +47,8 @@ class State:
     """Actions that deferred code performs directly on the launch context."""
     refused: set[int] = field(default_factory=set)
     """Where calls are that launch refuses."""
-    lacking: dict[str, tuple[ast.Name, bool]] = field(default_factory=dict)
-    """The first place of each name that no frame has, and whether that runs only under a condition."""
+    lacking: dict[str, tuple[ast.Name, Guards]] = field(default_factory=dict)
+    """The first place of each name that no frame has, and the conditions under which that runs."""
     calls: int = 0
     steps: int = STEPS
 

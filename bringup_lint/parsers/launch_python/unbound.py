@@ -4,9 +4,13 @@ from __future__ import annotations
 
 import ast
 import builtins
+from collections.abc import Iterable
 from collections.abc import Iterator
 
 from bringup_lint.model.launch import UnboundName
+from bringup_lint.model.launch_values import Argument
+from bringup_lint.model.launch_values import Condition
+from bringup_lint.model.launch_values import walk
 from bringup_lint.model.python import bound_names
 from bringup_lint.parsers.launch_python.state import State
 from bringup_lint.source import Located
@@ -20,7 +24,7 @@ _CATCHING = frozenset({"NameError", "Exception", "BaseException"})
 def note_unbound(state: State, node: ast.Name) -> None:
     """Keep the first place where the code looks a name up that no frame has."""
     if node.id not in state.lacking:
-        state.lacking[node.id] = (node, bool(state.guards))
+        state.lacking[node.id] = (node, state.guards)
 
 
 def unbound(state: State, tree: ast.Module) -> Iterator[UnboundName]:
@@ -34,9 +38,14 @@ def unbound(state: State, tree: ast.Module) -> Iterator[UnboundName]:
         return
     caught = {id(inner) for node in nodes if _catches(node) for inner in _body(node)}
     chosen = _chosen(nodes)
-    for name, (node, is_conditional) in lacking.items():
+    for name, (node, guards) in lacking.items():
         if name not in bound | _OF_MODULES and id(node) not in caught:
-            yield UnboundName(Located(name, state.positions.span(node)), is_conditional or id(node) in chosen)
+            place = Located(name, state.positions.span(node))
+            yield UnboundName(place, bool(guards) or id(node) in chosen, tuple(dict.fromkeys(_arguments(guards))))
+
+
+def _arguments(guards: Iterable[Condition]) -> Iterator[str]:
+    return (each.name for guard in guards for each in walk(guard.predicate) if isinstance(each, Argument))
 
 
 def _chosen(nodes: list[ast.AST]) -> set[int]:

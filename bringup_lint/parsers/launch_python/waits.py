@@ -39,8 +39,9 @@ def waits(tree: ast.Module, positions: Positions) -> Iterator[Wait]:
             names += [name for call in _calls(function) if (name := _name(call.func)) in functions]
     names = [name for call in _calls(tree) if (name := _name(call.func)) in functions]
     bodies += [functions[name] for name in names if functions[name] not in bodies]
+    loaded = (tree, *(functions.get(name) for name in _ENTRIES))
     for body in sorted(bodies, key=lambda each: getattr(each, "lineno", 0)):
-        yield from _of_body(body, positions)
+        yield from (each._replace(is_before=body in loaded) for each in _of_body(body, positions))
 
 
 def _opaque(tree: ast.Module) -> Iterator[str]:

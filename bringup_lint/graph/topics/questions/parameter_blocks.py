@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.facts.ros.parameters import OF_EVERY_NODE
+from bringup_lint.facts.ros.parameters import public_node
 from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.params.loads import PYYAML
@@ -46,8 +47,12 @@ class Mismatch(NamedTuple):
 
     def changes_nothing(self, topics: Topics) -> bool:
         """Whether the block holds what the program of the node takes by itself."""
-        defaults = topics.defaults(self.load.node)
+        node = self.load.node
+        public = public_node(str(literal_text(node.package)), str(literal_text(node.plugin or node.executable)))
+        defaults = public.defaults if public is not None else topics.defaults(node)
         given = [(each.name, each.value.data) for each in self.block.parameters if each.name not in OF_EVERY_NODE]
+        if public is not None:
+            given = [(name, value) for name, value in given if public.declares(name)]
         return bool(given) and all(name in defaults and defaults[name] == value for name, value in given)
 
 
