@@ -55,11 +55,13 @@ LOOKUP = regex(r"\b(?:lookup|can)_?[tT]ransform\w*\s*\(", hints="ransform")
 @rule("error", fix="unsafe", symptoms=["No clock received, using time argument instead!"])
 def use_sim_time_real_robot(robot: Robot) -> Iterator[Finding]:
     for found in simulated(robot.params):
-        texts = _texts(robot, found.load.node)
+        node = found.load.node
+        texts = _texts(robot, node, node.label())
+        program = texts or _texts(robot, node, launch.literal_text(node.executable) or node.label())
         yield finding(
             found.parameter.span,
             f"Nothing publishes /clock on the robot: the ROS time of {found.load.node.label()} stays at zero, "
-            + (LOOKED_UP if _only_looks_up(texts) else "in its stamps and in all that waits for that time"),
+            + (LOOKED_UP if _only_looks_up(program) else "in its stamps and in all that waits for that time"),
             advice="write false",
             related=[note(found.load.node.span, "gets the value here")],
             chain=robot.provenance.chain_to_load(found.load, note(found.parameter.span, "the node waits for /clock")),
@@ -78,13 +80,12 @@ def _severity(robot: Robot, node: Started, texts: list[str]) -> str | None:
     return "warning" if not texts or any(map(NOW.search, texts)) else "info"
 
 
-def _texts(robot: Robot, node: Started) -> list[str]:
-    """The sources of the node's package that name the node, or are called as its program."""
+def _texts(robot: Robot, node: Started, name: str) -> list[str]:
+    """The sources of the node's package that hold a name, or are called so."""
     package = robot.launch.workspace.packages.get(launch.literal_text(node.package) or "")
-    program = launch.literal_text(node.executable)
     sources = robot.files.of_kind("python-node", "cpp-node") if package is not None else []
     own = (each for each in sources if robot.launch.workspace.owner(each) is package)
-    return [each.text for each in own if node.label() in each.text or each.basename.partition(".")[0] == program]
+    return [each.text for each in own if name in each.text or each.basename.partition(".")[0] == name]
 
 
 def _only_looks_up(texts: list[str]) -> bool:
