@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.deaf_handlers import deaf_handlers
     from bringup_lint.graph.nodes.questions.dict_ranges import dict_ranges
     from bringup_lint.graph.nodes.questions.dict_ranges import range_text
+    from bringup_lint.graph.nodes.questions.early_reads import early_reads
     from bringup_lint.graph.nodes.questions.early_results import early_results
     from bringup_lint.graph.nodes.questions.endless_answers import endless_answers
     from bringup_lint.graph.nodes.questions.endless_threads import endless_threads
@@ -155,6 +156,7 @@ __all__ = [
     "dict_ranges",
     "double_shutdown",
     "early_lookups",
+    "early_reads",
     "early_results",
     "empty_defaults",
     "end_of",

@@ -300,6 +300,8 @@ class CppNode:
     swallowed: list[Swallowed] = field(default_factory=list)
     dropped: list[Dropped] = field(default_factory=list)
     early_pointers: list[EarlyPointer] = field(default_factory=list)
+    second_owners: list[Located] = field(default_factory=list)
+    """Where a shared pointer is made of ``this``, which is a node."""
     few_handles: list[FewHandles] = field(default_factory=list)
     making_loops: list[MakingLoop] = field(default_factory=list)
     time_members: list[TimeMember] = field(default_factory=list)

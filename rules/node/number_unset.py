@@ -2,7 +2,7 @@
 
 ## What it finds
 A number that a function of a C++ node declares without a value, and whose first use is `+=`, `-=`, `*=`, `/=`, `++` or
-`--`, when nothing in its block gives it a value.
+`--`, when nothing in its block gives it a value. The same for an array of numbers and its elements.
 
 ## Why it matters on a robot
 Such a variable starts with whatever is on the stack. A debug build often finds zero there, the optimised build on the
@@ -44,11 +44,13 @@ def number_unset(robot: Robot) -> Iterator[Finding]:
         if robot.launch.workspace.is_vendored(node.source):
             continue
         for unset in node.unset:
+            is_array = unset.declared.text != unset.name
+            begun = f"{unset.declared.text} = {{}}" if is_array else f"{unset.name} = 0"
             yield finding(
                 unset.used,
                 f"{unset.name} has no value before this: the result is whatever was in memory, another at each call",
-                advice=f"write {unset.name} = 0 where it is declared",
+                advice=f"write {begun} where it is declared",
                 related=[note(unset.declared, "declared without a value")],
-                fix=fix(f"begin {unset.name} with 0", (unset.declared, f"{unset.name} = 0")),
+                fix=fix(f"begin {unset.name} with 0", (unset.declared, begun)) if not is_array else None,
                 severity=nodes.lowered(robot.nodes.purpose(node.source), "warning"),
             )

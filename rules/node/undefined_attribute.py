@@ -1,14 +1,15 @@
 """A node uses an attribute that nothing sets, or sets one that rclpy keeps.
 
 ## What it finds
-`self.x` in a Python node when no code sets `x` and neither its base classes nor rclpy define it; and assignments to
-`self.subscriptions`, `self.publishers`, `self.clients`, `self.services`, `self.timers` and the other properties of
-`rclpy.node.Node` that cannot be set; and `get_parameter('x').double_value` or `.as_double()`, which are those of
-ParameterValue and of C++; and attributes that only a subscription sets and that a timer or another subscription uses
-without asking whether the message came; and those that a `try` of the constructor sets, whose `except` goes on, and
-that the constructor or a callback uses afterwards. Classes with bases that are not in the tree are left out. It is an
-info in a method that nothing calls, and after the `join()` of a thread, where the node has done its work. It is an info
-in packages that others wrote and the tree only carries.
+`self.x`, and `self.x += 1`, in a Python node when no code sets `x` and neither its base classes nor rclpy define it;
+and assignments to `self.subscriptions`, `self.publishers`, `self.clients`, `self.services`, `self.timers` and the other
+properties of `rclpy.node.Node` that cannot be set; and `get_parameter('x').double_value` or `.as_double()`, which are
+those of ParameterValue and of C++; and attributes that only a subscription sets and that a timer or another
+subscription uses without asking whether the message came; and attributes whose every assignment comes behind
+a use of them; and those that a `try` of the constructor sets, whose `except` goes on, and that the constructor
+or a callback uses afterwards. Classes with bases that are not in the tree are left out. It is an info in a method that
+nothing calls, and after the `join()` of a thread, where the node has done its work. It is an info in packages that
+others wrote and the tree only carries.
 
 ## Why it matters on a robot
 Python looks an attribute up when the line runs: in the callback for a fault or an emergency stop, perhaps weeks later,
@@ -82,6 +83,18 @@ def undefined_attribute(robot: Robot) -> Iterator[Finding]:
                 *(note(each.file.span_of(each.place), f"self.{each.place.attr} likewise") for each in more),
             ],
             severity=robot.nodes.graded(late.file.source, "warning"),
+        )
+    for early, *more_early in nodes.early_reads(robot.nodes):
+        name, end = early.place.attr, nodes.end_of(robot.nodes.syntax(early.file), early.place)
+        yield finding(
+            early.file.span_of(early.place),
+            f"AttributeError when {early.method}() runs: self.{name} is set only after it was used, and {end}",
+            advice=f"give self.{name} its first value in __init__()",
+            related=[
+                note(early.file.span_of(early.set_at), "set only behind a use of it"),
+                *(note(each.file.span_of(each.place), f"self.{each.place.attr} likewise") for each in more_early),
+            ],
+            severity="info" if early.idle else robot.nodes.graded(early.file.source, "error"),
         )
     for file, handler, place, set_at, function in nodes.half_made(robot.nodes):
         end = nodes.end_of(robot.nodes.syntax(file), place)

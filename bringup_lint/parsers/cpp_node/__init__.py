@@ -15,6 +15,7 @@ from bringup_lint.parsers.cpp_node.deaf_loops import making_loops
 from bringup_lint.parsers.cpp_node.divisors import divisors
 from bringup_lint.parsers.cpp_node.dropped import dropped
 from bringup_lint.parsers.cpp_node.early_pointers import early_pointers
+from bringup_lint.parsers.cpp_node.early_pointers import second_owners
 from bringup_lint.parsers.cpp_node.endless_answers import ASKS
 from bringup_lint.parsers.cpp_node.endless_answers import endless_answers
 from bringup_lint.parsers.cpp_node.endpoints import endpoint
@@ -119,6 +120,7 @@ def parse(source: Source) -> CppNode:
     node.swallowed = list(dict.fromkeys(swallowed(code)))
     node.dropped = list(dropped(code))
     node.early_pointers = list(dict.fromkeys(early_pointers(code)))
+    node.second_owners = list(second_owners(code, node.classes))
     node.time_members = list(time_members(code))
     node.time_uses = list(time_uses(code, node.callbacks[:CALLBACKS]))
     node.few_handles = list(few_handles(code))

@@ -6,10 +6,12 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.model.cpp_source import EarlyPointer
+from bringup_lint.model.cpp_text import blanked
 from bringup_lint.parsers.cpp_node.syntax import Call
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.parsers.cpp_node.waits import Bodies
 from bringup_lint.pattern import regex
+from bringup_lint.source import Located
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:
@@ -17,6 +19,11 @@ if TYPE_CHECKING:
 
 _CALL = "shared_from_this"
 _OWN = regex(r"(?:this->)?(?:(?:rclcpp(?:_lifecycle)?::)?(?:Lifecycle)?Node::)?shared_from_this\Z")
+_OWNS = regex(
+    r"(?:(?:std::)?shared_ptr\s{0,4}<\s{0,4}(?P<type>[\w:]{1,80})\s{0,4}>|(?:(?P<of>[\w:]{1,80})::)?SharedPtr)"
+    r"(?:>\s{0,4}\(|\s{1,4}\w{1,60}\s{0,4}[({]|\s{0,4}[({])\s{0,4}this\s{0,4}[)}]"
+)
+"""A shared pointer made of ``this`` alone, without a deleter."""
 _MAY_NOT_RUN = frozenset({"try_statement", "preproc_if", "preproc_ifdef"})
 
 
@@ -29,6 +36,18 @@ def early_pointers(code: Code) -> Iterator[EarlyPointer]:
         for call in _certain(code, bodies, function):
             if _OWN.match(call.qualified):
                 yield EarlyPointer(code.span(call.node), owner, through)
+
+
+def second_owners(code: Code, classes: list[str]) -> Iterator[Located]:
+    """``std::shared_ptr<rclcpp::Node>(this)`` and the like: a pointer to a node, which belongs to another already."""
+    text = code.source.text
+    if "this" not in text or not _OWNS.search(text):
+        return
+    plain = blanked(text)
+    for found in _OWNS.finditer(plain):
+        kind = (found["type"] or found["of"] or "").rpartition("::")[2]
+        if kind in ("Node", "LifecycleNode", *classes) or (not kind and classes):
+            yield code.source.located(found.start(), found.end())
 
 
 def while_made(code: Code, bodies: Bodies) -> Iterator[tuple[str, Node, Span | None]]:

@@ -27,6 +27,15 @@ _CHANGED = r"(?P<changed>(?<![\w.>&]){0}\s{{0,4}}(?:[-+*/|]=|\+\+|--)|(?:\+\+|--
 """The name as what is added to, and the like."""
 _SET = r"(?<![\w.>])(?:{0}\s{{0,4}}=(?!=)|>>\s{{0,4}}{0}\b|&\s{{0,4}}{0}\b)"
 """The name as what gets a value, or may by its address."""
+_ELEMENT_CHANGED = (
+    r"(?P<changed>(?<![\w.>&]){0}\s{{0,4}}\[[^\[\]]{{1,80}}\]\s{{0,4}}(?:[-+*/|]=|\+\+|--)"
+    r"|(?:\+\+|--){0}\s{{0,4}}\[)"
+)
+_ELEMENT_SET = (
+    r"(?<![\w.]){0}\b(?!\s{{0,4}}\[[^\[\]]{{1,80}}\]\s{{0,4}}(?:[^\s\[=>]|==))"
+    r"|>>\s{{0,4}}{0}\b|&\s{{0,4}}{0}\b"
+)
+"""The name of an array as what may get values: one of its elements, or all where it is handed over."""
 _UNFOLLOWED = regex(r"^[ \t]*#|\bgoto\b|\[&|\b__?asm", re.M)
 
 
@@ -38,15 +47,16 @@ def unset(code: Code) -> Iterator[Unset]:
         rest = _rest(code, declaration)
         followed = _UNFOLLOWED.search(rest) is None
         for name in names:
-            found = _changed(rest, code.text(name)) if followed else None
+            patterns = (_CHANGED, _SET) if _declarator(name) is name else (_ELEMENT_CHANGED, _ELEMENT_SET)
+            found = _changed(rest, code.text(name), *patterns) if followed else None
             if found is not None:
                 start = code.offset(declaration.end_byte)
                 used = code.source.span(start + found[0], start + found[1])
-                yield Unset(code.span(name), used, code.text(name))
+                yield Unset(code.span(_declarator(name)), used, code.text(name))
 
 
 def _names(code: Code, declaration: Node) -> list[Node]:
-    """The names of plain numbers that a statement of a function declares without a value."""
+    """The names of plain numbers, and of arrays of them, that a statement of a function declares without a value."""
     parent, written = declaration.parent, declaration.child_by_field_name("type")
     if parent is None or parent.type != "compound_statement" or written is None:
         return []
@@ -54,7 +64,18 @@ def _names(code: Code, declaration: Node) -> list[Node]:
         return []
     if any(each.type in ("storage_class_specifier", "type_qualifier") for each in declaration.children):
         return []
-    return [each for each in declaration.children_by_field_name("declarator") if each.type == "identifier"]
+    found = []
+    for each in declaration.children_by_field_name("declarator"):
+        plain = each.child_by_field_name("declarator") if each.type == "array_declarator" else each
+        if plain is not None and plain.type == "identifier":
+            found.append(plain)
+    return found
+
+
+def _declarator(name: Node) -> Node:
+    """``x[3]`` of an array, where it is declared."""
+    outer = name.parent
+    return outer if outer is not None and outer.type == "array_declarator" else name
 
 
 def _rest(code: Code, declaration: Node) -> str:
@@ -65,11 +86,11 @@ def _rest(code: Code, declaration: Node) -> str:
     return blanked(code.source.text[first : min(last, first + WINDOW)])
 
 
-def _changed(rest: str, name: str) -> tuple[int, int] | None:
+def _changed(rest: str, name: str, changes: str, sets: str) -> tuple[int, int] | None:
     """Where the first use of a name adds to it, when nothing else of the text gives it a value."""
     name = re.escape(name)
-    first, changed = (re.search(words.format(name), rest) for words in (_NAMED, _CHANGED))
-    if first is None or changed is None or re.search(_SET.format(name), rest):
+    first, changed = (re.search(words.format(name), rest) for words in (_NAMED, changes))
+    if first is None or changed is None or re.search(sets.format(name), rest):
         return None
     start, end = changed.span("changed")
     return (first.start(), first.end()) if start <= first.start() <= end else None

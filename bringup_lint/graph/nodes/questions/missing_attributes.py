@@ -26,6 +26,7 @@ _DYNAMIC = regex(
     r"__(?:getattr|dict__|slots__|setattr__)|setattr(?<=\bsetattr)\b|(?:vars|exec)\((?<=\b.{5})|patch(?<=\bpatch)\.object",
     hints="__getattr __dict__ __slots__ __setattr__ setattr vars( exec( patch.object",
 )
+_ASKS = regex(r"\b(?:hasattr|getattr|delattr|attrgetter)\b", hints="hasattr getattr delattr attrgetter")
 _PLAIN_BASES = frozenset({"abc.ABC", "ABC", "object"})
 CAUGHT = frozenset({"AttributeError", "Exception", "BaseException"})
 _POOLS = ("concurrent.futures.ThreadPoolExecutor", "concurrent.futures.ProcessPoolExecutor")
@@ -63,9 +64,7 @@ def missing_attributes(nodes: Nodes) -> Iterator[list[MissingAttribute]]:
         if node.node is None or family is None:
             continue
         known = of_ros | foreign | {name for each in family for name in _names(each)}
-        texts = {
-            str(each.value) for each in file.nodes if isinstance(each, ast.Constant) and isinstance(each.value, str)
-        }
+        texts = asked_for(file)
         groups: dict[str, list[MissingAttribute]] = {}
         for found in _unknown(nodes, file, node, known, texts):
             groups.setdefault(found.function, []).append(found)
@@ -77,7 +76,8 @@ def _unknown(
 ) -> Iterator[MissingAttribute]:
     syntax = nodes.syntax(file)
     seen: set[str] = set()
-    for place in sorted(own_uses(syntax, node), key=lambda each: (each.lineno, each.col_offset)):
+    uses = (*own_uses(syntax, node), *own_additions(syntax, node))
+    for place in sorted(uses, key=lambda each: (each.lineno, each.col_offset)):
         name = place.attr
         if name in known or name in texts or name in seen or name.startswith("__"):
             continue
@@ -90,6 +90,13 @@ def _unknown(
         like = near[0] if len(near) == 1 else None
         is_unlikely = is_idle(syntax, place) or is_late(syntax, place)
         yield MissingAttribute(file, place, node, label, like, is_unlikely)
+
+
+def asked_for(file: NodeSource) -> set[str]:
+    """The texts of a file that asks an object by a text whether it has an attribute."""
+    if not file.source.matches(_ASKS):
+        return set()
+    return {str(each.value) for each in file.nodes if isinstance(each, ast.Constant) and isinstance(each.value, str)}
 
 
 def taken_attributes(nodes: Nodes) -> Iterator[TakenAttribute]:
@@ -136,8 +143,9 @@ def _names(node: NodeClass) -> Iterator[str]:
     if node.node is None:
         return
     yield from set_in_body(node.node)
+    added_to = {each.target for each in node.inner if isinstance(each, ast.AugAssign)}
     for each in node.inner:
-        if isinstance(each, ast.Attribute) and not isinstance(each.ctx, ast.Load):
+        if isinstance(each, ast.Attribute) and not isinstance(each.ctx, ast.Load) and each not in added_to:
             yield each.attr
 
 
@@ -161,6 +169,14 @@ def own_uses(syntax: Syntax, node: NodeClass) -> Iterator[ast.Attribute]:
     for each in node.inner:
         if isinstance(each, ast.Attribute) and isinstance(each.ctx, ast.Load) and _is_self(syntax, node, each):
             yield each
+
+
+def own_additions(syntax: Syntax, node: NodeClass) -> Iterator[ast.Attribute]:
+    """``self.x`` of ``self.x += 1`` in the methods of a class, which needs a value as much as a use does."""
+    for each in node.inner:
+        target = each.target if isinstance(each, ast.AugAssign) else None
+        if isinstance(target, ast.Attribute) and _is_self(syntax, node, target):
+            yield target
 
 
 def _is_self(syntax: Syntax, node: NodeClass, place: ast.Attribute) -> bool:
