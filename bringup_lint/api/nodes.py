@@ -37,6 +37,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.loop_variables import late_bound
     from bringup_lint.graph.nodes.questions.lost_cameras import lost_cameras
     from bringup_lint.graph.nodes.questions.lost_requests import lost_requests
+    from bringup_lint.graph.nodes.questions.lost_transfers import lost_transfers
     from bringup_lint.graph.nodes.questions.making_loops import making_loops
     from bringup_lint.graph.nodes.questions.message_fields import NoField
     from bringup_lint.graph.nodes.questions.message_fields import consequence
@@ -182,6 +183,7 @@ __all__ = [
     "late_spins",
     "lost_cameras",
     "lost_requests",
+    "lost_transfers",
     "lowered",
     "making_loops",
     "misfits",

@@ -29,7 +29,7 @@ _ASKS = frozenset({"in_waiting", "inWaiting", "out_waiting"})
 _IMPORTED = regex(r"^[ \t]*(?:import|from)[ \t]+serial\b", re.M)
 _ON_BOARD = regex(r"/dev/(?:ttyTHS|ttyAMA|ttyS\d|serial[01]\b)", hints="/dev/ttyTHS /dev/ttyAMA /dev/ttyS /dev/serial")
 _ADAPTER = regex(r"/dev/(?:ttyUSB|ttyACM|serial/)", hints="/dev/ttyUSB /dev/ttyACM /dev/serial/")
-_OF_SYSTEM = frozenset({"OSError", "IOError", "EnvironmentError", "error"})
+OF_SYSTEM = frozenset({"OSError", "IOError", "EnvironmentError", "error"})
 _OF_LIBRARY = frozenset({"SerialException", "SerialTimeoutException"})
 
 
@@ -51,7 +51,7 @@ def unplugged_ports(nodes: Nodes) -> Iterator[Unplugged]:
             continue
         syntax = nodes.syntax(file)
         bodies = [(*code_of(nodes.ending(file), cls, each), False) for each in cls.callbacks]
-        bodies += [(name, body_of(cls.methods[name].node), True) for name in _threads(syntax, cls)]
+        bodies += [(name, body_of(cls.methods[name].node), True) for name in threads(syntax, cls)]
         looks = _looks(syntax, cls)
         found = (
             Unplugged(file, node, opened, name, raises, is_thread)
@@ -60,7 +60,7 @@ def unplugged_ports(nodes: Nodes) -> Iterator[Unplugged]:
             for node, opened in look.of(body)
         )
         first = next(found, None)
-        if first is not None and (first.is_thread or not _is_restarted(nodes, file)):
+        if first is not None and (first.is_thread or not is_restarted(nodes, file)):
             yield first
 
 
@@ -74,8 +74,8 @@ def _looks(syntax: Syntax, cls: NodeClass) -> list[tuple[str, Uncaught[tuple[ast
     return [
         (raises, Uncaught(syntax, cls, caught, partial(use, syntax, cls)))
         for use, caught, raises in (
-            (_asked, _OF_SYSTEM, "OSError"),
-            (_read, _OF_SYSTEM | _OF_LIBRARY, "SerialException"),
+            (_asked, OF_SYSTEM, "OSError"),
+            (_read, OF_SYSTEM | _OF_LIBRARY, "SerialException"),
         )
     ]
 
@@ -105,14 +105,14 @@ def _of_port(syntax: Syntax, cls: NodeClass, node: ast.expr, port: ast.expr) -> 
     return (node, opened[0]) if opened and len(opened) == len(values) else None
 
 
-def _threads(syntax: Syntax, cls: NodeClass) -> list[str]:
+def threads(syntax: Syntax, cls: NodeClass) -> list[str]:
     """The methods that the class starts in threads."""
     calls = (each for each in cls.inner if isinstance(each, ast.Call) and syntax.qualified(each) == "threading.Thread")
     targets = (word.value for each in calls for word in each.keywords if word.arg == "target")
     return [each.attr for each in targets if isinstance(each, ast.Attribute) and each.attr in cls.methods]
 
 
-def _is_restarted(nodes: Nodes, file: NodeSource) -> bool:
+def is_restarted(nodes: Nodes, file: NodeSource) -> bool:
     """Whether something may start the program again: ``respawn``, or a unit or container that runs it by itself."""
     programs = [file, *nodes.importers(file.source)]
     launched = [started for each in programs for started in nodes.launched(each)]
