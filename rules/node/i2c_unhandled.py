@@ -7,9 +7,9 @@ bus, `mpu6050` and `ina219`; also through a method of a class of the workspace. 
 start the node again: `respawn` or `on_exit` in a launch file, a unit or container that runs it by itself.
 
 ## Why it matters on a robot
-Wires of motors beside those of the bus, a loose plug or a dip of the supply: a chip misses its address now and then. The
-kernel then answers "Remote I/O error". A sensor is read some hundred thousand times an hour, so that this happens on any
-robot that drives. In a callback the exception ends the node, with all else that it does, and nothing starts it again.
+Wires of motors beside those of the bus, a loose plug or a dip of the supply: a chip misses its address now and then.
+The kernel then answers "Remote I/O error". In a callback the exception ends the node, with all else that it does, and
+nothing starts it again; in a thread it ends the thread alone, and the values stop without a word.
 
 ## Bad
 ```python

@@ -18,6 +18,7 @@ from bringup_lint.graph.nodes.questions.unplugged_ports import is_restarted
 from bringup_lint.graph.nodes.questions.unplugged_ports import threads
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import body_of
+from bringup_lint.graph.nodes.sources.syntax import own
 from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
@@ -32,8 +33,8 @@ if TYPE_CHECKING:
 _IMPORTED = regex(r"^[ \t]*(?:import|from)[ \t]+(?:smbus2?|busio|board|mpu6050|ina219|adafruit_\w+)\b", re.M)
 _BUSES = ("busio.I2C", "board.I2C", "board.STEMMA_I2C", "smbus.SMBus", "smbus2.SMBus")
 _TRANSFERS = frozenset(
-    "read_byte_data read_word_data read_block_data read_i2c_block_data write_byte_data write_word_data write_block_data "
-    "write_i2c_block_data write_quick i2c_rdwr writeto readfrom_into writeto_then_readfrom".split()
+    "read_byte_data read_word_data read_block_data read_i2c_block_data write_byte_data write_word_data write_quick "
+    "write_block_data write_i2c_block_data i2c_rdwr writeto readfrom_into writeto_then_readfrom".split()
 )
 """Methods of smbus and busio that no other library has."""
 _CHIPS = {
@@ -73,7 +74,9 @@ def lost_transfers(nodes: Nodes) -> Iterator[Lost]:
         bodies += [(name, body_of(cls.methods[name].node), True) for name in threads(syntax, cls)]
         look = Uncaught(syntax, cls, OF_SYSTEM, partial(_transfer, nodes, file, cls))
         found = (
-            Lost(file, node, name, where, is_thread) for name, body, is_thread in bodies for node, where in look.of(body)
+            Lost(file, node, name, where, is_thread)
+            for name, body, is_thread in bodies
+            for node, where in look.of(body)
         )
         first = next(found, None)
         if first is not None and (first.is_thread or not is_restarted(nodes, file)):
@@ -127,13 +130,10 @@ def _is_bus(syntax: Syntax, cls: NodeClass, value: ast.expr) -> bool:
 
 def _local(syntax: Syntax, value: ast.expr) -> ast.Call | None:
     """The call that a function gives to the variable that it hands over."""
-    function = syntax.function(value)
-    for each in body_of(function) if isinstance(value, ast.Name) else ():
-        for node in ast.walk(each):
-            if isinstance(node, ast.Assign) and isinstance(node.value, ast.Call):
-                if any(isinstance(target, ast.Name) and target.id == value.id for target in node.targets):
-                    return node.value
-    return None
+    made = (each for each in own(body_of(syntax.function(value))) if isinstance(each, ast.Assign))
+    written = ast.unparse(value)
+    found = next((each.value for each in made if written in map(ast.unparse, each.targets)), None)
+    return found if isinstance(found, ast.Call) else None
 
 
 def _in_driver(nodes: Nodes, file: NodeSource, made: ast.Call, method: str) -> Span | None:
