@@ -79,6 +79,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.safe_state import fed_without_condition
     from bringup_lint.graph.nodes.questions.safe_state import publish_after_deactivate
     from bringup_lint.graph.nodes.questions.safe_state import relays
+    from bringup_lint.graph.nodes.questions.sent_in_vain import sent_in_vain
     from bringup_lint.graph.nodes.questions.service_waits import waits
     from bringup_lint.graph.nodes.questions.shell_commands import shell_commands
     from bringup_lint.graph.nodes.questions.shut_constructors import shut_constructors
@@ -210,6 +211,7 @@ __all__ = [
     "relocks",
     "repeated",
     "restamped",
+    "sent_in_vain",
     "shell_commands",
     "shut_constructors",
     "stale_readings",

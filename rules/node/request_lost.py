@@ -2,7 +2,8 @@
 
 ## What it finds
 `rclpy.spin_until_future_complete()` without a time-out for the answer to a `call_async()` that follows the making of
-its client at once, in a Python file where nothing waits for a service or asks whether it is there.
+its client at once, in a Python file where nothing waits for a service or asks whether it is there. And requests and
+goals that are sent behind an `if not client.wait_for_service(timeout_sec=...)` that only logs and goes on.
 
 ## Why it matters on a robot
 A new client needs a moment until it has found its service, even if that runs already. DDS keeps a request for nobody
@@ -56,5 +57,15 @@ def request_lost(robot: Robot) -> Iterator[Finding]:
                     note(found.client.span, "makes the client"),
                     note(file.span_of(found.sent), "sends the request"),
                 ],
+                severity=robot.nodes.graded(file.source, "warning"),
+            )
+        for vain in nodes.sent_in_vain(robot.nodes.syntax(file)):
+            server = "service" if vain.kind == "request" else "server"
+            end = "this waits forever" if vain.waits else "its answer never comes"
+            yield finding(
+                file.span_of(vain.sent),
+                f"The {vain.kind} is sent even when the {server} is not there: it is lost then, and {end}",
+                advice=f"return where the {server} is not there",
+                related=[note(file.span_of(vain.asked), "only logs that it is not there, and goes on")],
                 severity=robot.nodes.graded(file.source, "warning"),
             )
