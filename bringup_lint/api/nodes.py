@@ -116,6 +116,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.unstamped import unstamped
     from bringup_lint.graph.nodes.questions.what_ends import end_of
     from bringup_lint.graph.nodes.questions.what_ends import end_of_callbacks
+    from bringup_lint.graph.nodes.questions.what_ends import end_where_called
     from bringup_lint.graph.nodes.questions.window_spins import window_spins
     from bringup_lint.graph.nodes.questions.wrong_unit import WrongUnit
     from bringup_lint.graph.nodes.questions.zero_divisors import zero_divisors
@@ -163,6 +164,7 @@ __all__ = [
     "empty_defaults",
     "end_of",
     "end_of_callbacks",
+    "end_where_called",
     "endless_answers",
     "endless_rates",
     "endless_threads",

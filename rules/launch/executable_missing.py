@@ -240,6 +240,8 @@ def without_mode(robot: Robot, start: Start, package: launch.Package) -> Finding
 def missing(start: Start, package: launch.Package) -> Finding:
     executable = start.executable
     near = nearest(executable, sorted(package.executables), 3)
+    longer = [each for each in package.executables if each.startswith(f"{executable}_")]
+    near = near or (longer if len(longer) == 1 else [])
     builds = [build.source for build in package.builds[:1]]
     related = [note(package.executables[near[0]], "the executable of the package")] if near else []
     return finding(

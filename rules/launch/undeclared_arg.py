@@ -91,14 +91,16 @@ def undeclared(robot: Robot, expansion: Expansion, uses: list[Used], missing: se
     related += [note(declared[other].action.span, f"'{other}' is declared here") for other in near]
     if late is not None:
         related.append(note(late.action.span, "declared here, after the read"))
-    if late is None and not near:
-        related += unlisted(uses[first].file, name)
+    left_out = unlisted(uses[first].file, name) if late is None and not near else []
+    related += left_out
     related += passed(robot, expansion.entry, name)
     related += [note(used.argument.name, "read here, too") for used in uses if used is not uses[first]]
     return finding(
         uses[first].argument.name,
         f"launch configuration '{name}' is not declared: launch aborts unless {name}:= is passed",
-        advice=f"declare '{name}'" + (f", or read '{near[0]}'" if near else ""),
+        advice=f"add the declaration of '{name}' to the launch description"
+        if left_out
+        else f"declare '{name}'" + (f", or read '{near[0]}'" if near else " before it is read" if late else ""),
         severity=grades[first],
         related=related,
     )

@@ -73,14 +73,17 @@ def log_refused(robot: Robot) -> Iterator[Finding]:
         for each in nodes.refused_logs(robot.nodes.syntax(file)):
             groups.setdefault(each.kind, []).append(each)
         for kind, (first, *others) in groups.items():
-            end = "what follows in its try block never runs" if first.caught else "in a callback this ends the node"
+            end = "what follows in its try block never runs"
+            if not first.caught:
+                end = nodes.end_where_called(robot.nodes.syntax(file), first.call)
+            ends = end == "the node exits"
             yield finding(
                 file.span_of(first.what),
                 f"TypeError in place of a log line: {WHAT[kind]}; {end}",
                 advice=ADVICE[kind],
                 related=[note(file.span_of(each.what), "likewise here") for each in others],
                 fix=_written_well(file, [first, *others]),
-                severity=nodes.lowered(robot.nodes.purpose(file.source), "warning" if first.caught else "error"),
+                severity=nodes.lowered(robot.nodes.purpose(file.source), "error" if ends else "warning"),
             )
 
 

@@ -57,17 +57,22 @@ from bringup_lint.api import topics
     ],
 )
 def qos_incompatible(robot: Robot) -> Iterator[Finding]:
-    for publisher, subscription in robot.topics.pairs:
-        conflict = next(topics.conflicts_of(publisher, subscription), None)
+    pairs = [(*each, next(topics.conflicts_of(*each), None)) for each in robot.topics.pairs]
+    served: dict[object, list[topics.Use]] = {}
+    for publisher, subscription, conflict in pairs:
+        if conflict is None and not topics.types_differ(publisher, subscription):
+            served.setdefault(subscription.where, []).append(publisher)
+    for publisher, subscription, conflict in pairs:
         if conflict is None or topics.types_differ(publisher, subscription):
             continue
+        others = {each.node.label() for each in served.get(subscription.where, ())} - {publisher.node.label()}
         own, other = (publisher, subscription) if subscription.of_table else (subscription, publisher)
         words = {publisher: "offers", subscription: "requests"}
         yield finding(
             own.qos_place,
             f"{publisher.node.label()} publishes {publisher.topic} with {conflict.policy} '{conflict.offered}', "
-            f"but {subscription.node.label()} requests '{conflict.asked}': no message ever arrives",
-            severity="warning" if subscription.shown else None,
+            f"but {subscription.node.label()} requests '{conflict.asked}': {_lost(others)}",
+            severity="warning" if subscription.shown or others else None,
             advice=f"give both sides the same {conflict.policy}, or let the subscription request less",
             chain=robot.provenance.chain_to_node(
                 own.node.started, note(own.qos_place, f"{own.node.label()} {words[own]} it")
@@ -81,6 +86,13 @@ def qos_incompatible(robot: Robot) -> Iterator[Finding]:
             ],
         )
     yield from of_autopilot(robot)
+
+
+def _lost(others: set[str]) -> str:
+    """What arrives all the same, from other publishers of the topic."""
+    if not others:
+        return "no message ever arrives"
+    return f"none of these messages ever arrives, only those of {' and '.join(sorted(others))}"
 
 
 def of_autopilot(robot: Robot) -> Iterator[Finding]:

@@ -42,7 +42,7 @@ from bringup_lint.api import rule
 @rule("warning", symptoms=["AttributeError: 'NoneType' object has no attribute 'success'"])
 def result_before_response(robot: Robot) -> Iterator[Finding]:
     for file in robot.nodes.programs:
-        found = list(nodes.early_results(robot.nodes.syntax(file)))
+        found = sorted(nodes.early_results(robot.nodes.syntax(file)), key=lambda each: not each.is_used)
         if not found:
             continue
         first, *others = found
@@ -54,5 +54,5 @@ def result_before_response(robot: Robot) -> Iterator[Finding]:
                 note(file.span_of(first.asked), "the request is sent here"),
                 *(note(file.span_of(each.read), "here, too") for each in others[:10]),
             ],
-            severity=nodes.lowered(robot.nodes.purpose(file.source), "warning"),
+            severity=nodes.lowered(robot.nodes.purpose(file.source), "warning") if first.is_used else "info",
         )

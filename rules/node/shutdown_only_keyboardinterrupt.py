@@ -47,7 +47,13 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import nodes
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
+
+WORKS = regex(
+    r"\b(?:create_(?:timer|subscription|service|client|rate)|Action(?:Server|Client)|Subscriber|Thread|serial|GPIO)\b"
+)
+"""What keeps a node at work."""
 
 
 @rule(
@@ -106,8 +112,13 @@ def _finding(robot: Robot, alike: list[Unhandled]) -> Finding:
             *(note(other.caught, "the same in this program of the package") for other in others),
         ],
         fix=fix("catch both", *(edit for each in alike for edit in _edits(robot, each))),
-        severity=None if first.stopped else "info",
+        severity=None if first.stopped and not all(_is_done(each.file) for each in alike) else "info",
     )
+
+
+def _is_done(file: nodes.NodeSource) -> bool:
+    """Whether a node does nothing any more after its start: it has nothing to stop or to save."""
+    return WORKS.search(file.source.text) is None
 
 
 def _edits(robot: Robot, each: Unhandled) -> Iterator[tuple[Span, str]]:

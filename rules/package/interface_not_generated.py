@@ -29,6 +29,7 @@ When another package generates the files.
 - https://docs.ros.org/en/jazzy/Tutorials/Beginner-Client-Libraries/Custom-ROS2-Interfaces.html
 """
 
+import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -54,8 +55,18 @@ def interface_not_generated(robot: Robot) -> Iterator[Finding]:
             _message(each),
             advice=_advice(each),
             related=[note(each.package.place, f"the package {each.package.name}")] if each.kind != "group" else [],
-            severity="warning" if each.kind == "none" else None,
+            severity=_severity(robot, each),
         )
+
+
+def _severity(robot: Robot, each: Ungenerated) -> str | None:
+    """Info where nothing of the tree speaks of the interfaces that are not generated: they are left over."""
+    if each.kind != "none":
+        return None
+    package = re.escape(each.package.name)
+    used = re.compile(rf"\b{package}(?:\.(?:msg|srv|action)\b|/(?:msg|srv|action)/|::(?:msg|srv|action)::)")
+    sources = robot.of_kind("python-node", "cpp-node", "launch-python")
+    return "warning" if any(package in source.text and used.search(source.text) for source in sources) else "info"
 
 
 def _message(each: Ungenerated) -> str:

@@ -249,6 +249,8 @@ def _end(need: Need) -> str:
         return f"{file} ends with \"No module named '{need.name}'\""
     if need.use == "program":
         return f"{file} ends, because there is no program '{need.name}'"
+    if need.is_component:
+        return f"the container of {file} does not load the component of {need.name}, and launch goes on without it"
     if need.use == "library":
         return f"the build stops at find_package({need.name})"
     return f"{file} ends with \"package '{need.name}' not found\""

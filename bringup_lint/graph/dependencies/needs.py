@@ -13,6 +13,7 @@ from bringup_lint.graph.dependencies.imports import imported
 from bringup_lint.graph.dependencies.required_packages import required_packages
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.purpose import Purpose
+from bringup_lint.model.launch import ComposableNode
 from bringup_lint.model.launch import LaunchFile
 from bringup_lint.model.launch import Node
 from bringup_lint.model.launch_values import Choice
@@ -40,6 +41,8 @@ class Need(NamedTuple):
     """The package whose file asks for it."""
     always: bool = True
     """On the robot, without an argument, and with no way round it."""
+    is_component: bool = False
+    """A container loads it, and launch goes on without it."""
 
     @property
     def fact(self) -> Needed | None:
@@ -54,7 +57,8 @@ def of_launch(files: Files, launch: Launch) -> Iterator[Need]:
         name, owner = literal_text(node.package), launch.workspace.owner(node.file.source)
         if name is not None and owner is not None:
             always = node.by_default is True and _is_of_robot(files, launch, node.file)
-            yield Need("node", name, owner, always and _is_installed(owner, node.file.source))
+            is_loaded = isinstance(node.action, ComposableNode)
+            yield Need("node", name, owner, always and _is_installed(owner, node.file.source), is_loaded)
     for file in launch.judged:
         owner = launch.workspace.owner(file.source)
         if owner is None:

@@ -18,6 +18,8 @@ _WAITS = regex(r"sleep|wait|spin|join|acquire|done|execute|recv|get\b")
 class EarlyResult(NamedTuple):
     asked: ast.Call
     read: ast.Call
+    is_used: bool
+    """Something is done with the result."""
 
 
 def early_results(syntax: Syntax) -> Iterator[EarlyResult]:
@@ -30,7 +32,21 @@ def early_results(syntax: Syntax) -> Iterator[EarlyResult]:
             continue
         read = _directly(syntax, outer[0]) or _later(syntax, outer[0])
         if read is not None:
-            yield EarlyResult(call, read)
+            yield EarlyResult(call, read, _is_used(syntax, read))
+
+
+def _is_used(syntax: Syntax, read: ast.Call) -> bool:
+    """Whether the value of a call is not dropped: at once, or by all that call the function which returns it."""
+    outer = next(syntax.above(read))[0]
+    if not isinstance(outer, ast.Return):
+        return not isinstance(outer, ast.Expr)
+    function = syntax.function(outer)
+    named = [each for each in syntax.calls if function is not None and _called(each) == function.name]
+    return not named or any(not isinstance(next(syntax.above(each))[0], ast.Expr) for each in named)
+
+
+def _called(call: ast.Call) -> str:
+    return call.func.attr if isinstance(call.func, ast.Attribute) else getattr(call.func, "id", "")
 
 
 def _directly(syntax: Syntax, outer: ast.AST) -> ast.Call | None:

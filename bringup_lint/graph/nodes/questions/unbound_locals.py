@@ -25,6 +25,8 @@ _EXPECTED = frozenset({"NameError", "UnboundLocalError"})
 _CAUGHT = frozenset({*_EXPECTED, "Exception", "BaseException"})
 _AT_END = frozenset({"KeyboardInterrupt", "SystemExit", "ExternalShutdownException", "ImportError"})
 """Exceptions that come at the end of the program, or before it can do anything."""
+_MISTAKES = frozenset({"TypeError", "AttributeError", "NameError", "AssertionError", "NotImplementedError"})
+"""Exceptions that only a mistake in the code raises: a handler of them hardly ever runs."""
 _NEVER_RAISES = ("FileStorage", "VideoCapture")
 """OpenCV says of what it cannot open only that it is not open."""
 _ENDS = regex(r"(?i)\w{0,40}(?:exit|quit|abort|shutdown|fail|die|terminate|raise|skip|kill)")
@@ -227,7 +229,7 @@ class _Locals:
             without,
             is_global=_is_of_file(self._syntax, use.id),
             caught=self._syntax.catches(use, _CAUGHT),
-            idle=is_idle(self._syntax, use) or is_late(self._syntax, use),
+            idle=is_idle(self._syntax, use) or is_late(self._syntax, use) or _hardly_runs(without),
         )
 
 
@@ -261,3 +263,10 @@ def _head(statement: ast.stmt) -> ast.expr | None:
 def _is_of_file(syntax: Syntax, name: str) -> bool:
     tree = syntax.file.tree
     return tree is not None and any(name in bound_names(each) for each in own(tree.body))
+
+
+def _hardly_runs(without: ast.ExceptHandler | ast.If | None) -> bool:
+    """Whether a handler takes nothing but what mistakes in the code raise."""
+    kind = without.type if isinstance(without, ast.ExceptHandler) else None
+    types = kind.elts if isinstance(kind, ast.Tuple) else [kind]
+    return all(isinstance(each, ast.Name) and each.id in _MISTAKES for each in types)

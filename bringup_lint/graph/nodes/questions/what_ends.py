@@ -10,9 +10,12 @@ from typing import Union
 
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.python import walk
+from bringup_lint.pattern import regex
 
 Function = Union[ast.FunctionDef, ast.AsyncFunctionDef]
 
+_TAKES = regex(r"create_|add_|register|set_\w+_callback|\w*(?:Subscriber|Action(?:Server|Client)|Synchronizer|Updater)")
+"""Functions and classes of ROS that take callbacks."""
 EXITS = "the node exits"
 THREAD = "its thread ends, while the node goes on"
 SPINNING = "the thread that spins ends: no callback runs any more"
@@ -33,6 +36,13 @@ def end_of(syntax: Syntax, node: ast.AST, *, caught: bool = False) -> str:
     if function in threads.own:
         return THREAD
     return threads.end_of_callbacks if function in threads.of_callbacks else threads.end_of_others
+
+
+def end_where_called(syntax: Syntax, node: ast.AST) -> str:
+    """As ``end_of``, but of what is handed to code that is none of ROS only that this code gets the exception."""
+    threads, function = syntax.once(_Threads), syntax.function(node)
+    handed = function in threads.of_callbacks and function not in threads.of_main | threads.own
+    return CALLER if handed and function not in threads.of_ros else end_of(syntax, node)
 
 
 def end_of_callbacks(syntax: Syntax) -> str:
@@ -56,6 +66,18 @@ class _Threads:
     def of_callbacks(self) -> set[Function]:
         """What the file hands over, and what it calls."""
         return self._reached(each for name in self._handed_over for each in self._named[name])
+
+    @cached_property
+    def of_ros(self) -> set[Function]:
+        """What the file hands to ROS, and what it calls."""
+        takers = (each for each in self._syntax.calls if _TAKES.match(_name(each.func)))
+        given = (
+            each
+            for call in takers
+            for value in (call.args + [word.value for word in call.keywords])
+            for each in walk(value)
+        )
+        return self._reached(each for name in map(_name, given) for each in self._named[name])
 
     def _reached(self, begin: Iterable[Function]) -> set[Function]:
         found: set[Function] = set()
