@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from bringup_lint.facts.ros.needed import COMMON
     from bringup_lint.facts.ros.needed import instead_of
     from bringup_lint.facts.ros.needed import is_debian_package
+    from bringup_lint.facts.ros.pip_names import pip_names
     from bringup_lint.facts.ros.simulation import is_simulation
     from bringup_lint.facts.ros.variables import variables
     from bringup_lint.graph.dependencies.interfaces import Ungenerated
@@ -50,6 +51,7 @@ __all__ = [
     "is_debian_package",
     "is_simulation",
     "json5",
+    "pip_names",
     "ros_arguments",
     "variables",
 ]

@@ -65,3 +65,47 @@ def test_an_fstab_is_a_table(path: str, kind: str) -> None:
 )
 def test_script_by_its_final_name(path: str, text: str, kind: str) -> None:
     assert kind_of(path, lambda: text) == kind
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "kind"),
+    [
+        ("setup/.bashrc", "alias up='ros2 launch rover up.launch.py'\n", "shell-script"),
+        ("docker/ros.bashrc", "source /opt/ros/jazzy/setup.bash\n", "shell-script"),
+        ("home/.bash_aliases", "alias s='source install/setup.bash'\n", "shell-script"),
+        ("robot/start-rover", "#!/bin/bash\nros2 launch rover up.launch.py\n", "shell-script"),
+        ("robot/start-rover", "#!/usr/bin/env python3\n", ""),
+        ("android/gradlew", "#!/bin/sh\n", ""),
+        (".githooks/pre-push", "#!/bin/sh\n", ""),
+        ("notes/bashrc.md", "#!/bin/bash\n", ""),
+    ],
+)
+def test_a_script_needs_no_ending(path: str, text: str, kind: str) -> None:
+    assert kind_of(path, lambda: text) == kind
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "kind"),
+    [
+        ("docker/rover-amd64", "# the laptop\nARG DISTRO=jazzy\n\nFROM ros:${DISTRO}\n", "dockerfile"),
+        ("GenericDockerfile", "FROM busybox\n", "dockerfile"),
+        ("docker/notes", "From the robot's makers\n", ""),
+        ("scripts/rover-amd64", "FROM ros:jazzy\n", ""),
+    ],
+)
+def test_an_image_needs_no_usual_name(path: str, text: str, kind: str) -> None:
+    assert kind_of(path, lambda: text) == kind
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "kind"),
+    [
+        ("requirements.txt", "numpy\n", "pip-requirements"),
+        ("setup/robot-pip-requirements.txt", "numpy==1.26\n", "pip-requirements"),
+        ("requirements/robot.in", "numpy\n", "pip-requirements"),
+        ("docs/requirements.txt", "The robot needs power.\n", ""),
+        ("requirements.md", "numpy\n", ""),
+    ],
+)
+def test_requirements_are_a_list(path: str, text: str, kind: str) -> None:
+    assert kind_of(path, lambda: text) == kind

@@ -15,15 +15,23 @@ _FOLDER = regex(
     r"|(?:^|/)(?:rc\.local|[\w.-]*entrypoint|(?:[\w.-]*[.-])?(?:pre|post)(?:inst|rm))$"
 )
 """Places and names of scripts that have no ending of their own."""
+_BARE = regex(r"(?:^|/)[^/.]+$")
+"""Names without an ending, which any program may have."""
+_OF_BUILDS = regex(r"(?:^|/)(?:gradlew|mvnw|configure|\.git/[^\n]*|\.?(?:git)?hooks/[^/\n]*)$")
+"""Scripts that tools write, and that no robot runs."""
+_LOGIN = regex(r"(?:^|/)(?:[\w.-]*bashrc|\.?bash_(?:aliases|profile|login)|\.profile)$")
+"""Files that a shell reads at the login of a user."""
 _SHEBANG = regex(r"(?:#jinja2:[^\n]*\n)?#!\s*(?:/usr)?(?:/bin/env\s+)?(?:\S*/)?(?:ba|da|k|z)?sh\b")
 
 
 def _is_shell(path: str, head: Head) -> bool:
     """A template is one by the name that it will have, or by its first line."""
     final = path if is_sample(path) else final_name(path)
-    if _NAME.search(final):
+    if _NAME.search(final) or _LOGIN.search(final):
         return True
-    return bool(final != path or _FOLDER.search(path)) and bool(_SHEBANG.match(head()))
+    if final == path and not _FOLDER.search(path) and (not _BARE.search(path) or _OF_BUILDS.search(path)):
+        return False
+    return bool(_SHEBANG.match(head()))
 
 
 KINDS = (Kind("shell-script", _is_shell),)

@@ -1,0 +1,74 @@
+"""The shell takes the version in a command of pip for a redirection.
+
+## What it finds
+`pip install name>=1.2` and `pip install name<2` without quotes, in scripts and in steps of images that a shell runs:
+`>` writes the output of pip to a file with the name `=1.2`, and `<` reads from a file `2`. The same for apt, conda and
+mamba.
+
+## Why it matters on a robot
+With `>` pip installs the newest version, whatever the bound is for, and its messages go to a file `=1.2`.
+With `<` there is no file `2`: the shell does not even start pip, and the library is missing.
+
+## Bad
+```sh
+pip3 install numpy<2 pyserial>=3.5
+```
+
+## Good
+```sh
+pip3 install 'numpy<2' 'pyserial>=3.5'
+```
+
+## When to ignore it
+Never.
+
+## References
+- bash(1), "REDIRECTION"
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import regex
+from bringup_lint.api import rule
+from bringup_lint.api.docker import commands_of
+from bringup_lint.api.shell import Command
+
+PROGRAMS = ("pip", "pip3", "python", "python3", "uv", "apt", "apt-get", "conda", "mamba", "sudo")
+VERSION = regex(r"=?\d+(?:\.(?:\d+|\*))*(?:[,<>=!][^\s]*)?")
+
+
+@rule("error", symptoms=["line *: *: No such file or directory", "cannot open *: No such file"])
+def version_redirected(robot: Robot) -> Iterator[Finding]:
+    for _, run in robot.scripts.run(*PROGRAMS):
+        yield from _of_command(run.command)
+    for file in robot.dockerfiles:
+        for stage in file.stages:
+            for command in commands_of(stage):
+                if command.name in PROGRAMS:
+                    yield from _of_command(command)
+
+
+def _of_command(command: Command) -> Iterator[Finding]:
+    """One finding for each version that is glued to the name of a package."""
+    if "install" not in command.words:
+        return
+    names = {word.span.end: word for word in command.words[1:] if not word.startswith("-")}
+    for each in command.redirects:
+        target = each.target
+        if target is None or each.operator not in ("<", ">") or not VERSION.fullmatch(target):
+            continue
+        name = names.get(target.span.start - len(each.operator))
+        if name is None:
+            continue
+        if each.operator == "<":
+            what = f"the shell reads from a file '{target}', and the command does not start without it"
+        else:
+            what = f"the shell writes to a file '{target}', and the newest {name} is installed"
+        yield finding(
+            target,
+            f"{name}{each.operator}{target} is a redirection: {what}",
+            advice=f"write '{name}{each.operator}{target}' in quotes",
+        )
