@@ -4,7 +4,8 @@
 A path that a unit, a `.device` dependency, or an environment, compose, launch or parameter file uses, in a folder
 where the tree's udev rules create links (such as /dev/robot/), when no rule creates it. In a tree without any
 rules, paths in such folders are info. Directly in /dev: what a compose service hands to its container, where the rules
-create another link that it hands over and the name is none of the kernel.
+create another link that it hands over and the name is none of the kernel; and, as a warning, what a unit or a parameter
+file names, where the rules create another such link that such a file names.
 
 ## Why it matters on a robot
 The driver waits for a device that never appears, or exits with 'no such file'. A unit that depends on the device
@@ -73,6 +74,18 @@ def link_undefined(robot: Robot) -> Iterator[Finding]:
             advice="add a rule that creates the link, or correct the name",
             confidence="medium",
             related=[note(made.name, f"creates {made.path}, which {use.user} gets, too")],
+        )
+    for (first, *others), made in robot.devices.unmade:
+        yield finding(
+            first.path,
+            f"No udev rule creates {first.path}: what opens it finds no device",
+            advice="add a rule that creates the link, or correct the name",
+            severity="warning",
+            confidence="medium",
+            related=[
+                note(made.name, f"the rules of the tree create {made.path}"),
+                *(note(each.path, "also used here" if each.path == first.path else "nor this") for each in others),
+            ],
         )
     for use in robot.devices.without_rules:
         yield finding(

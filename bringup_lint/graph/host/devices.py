@@ -86,9 +86,9 @@ _SHARED = frozenset({"input", "serial", "usb"})
 
 
 _NODES = regex(
-    r"(?:apex|autofs|btrfs|console|cpu_dma|cuse|dma|drm|dxg|full|fuse|galcore|gpio|hailo|hpet|hw|i2c|iio|ion|kfd|kmsg|kvm"
-    r"|loop|mali|mei|mem|mpp|msr|mwave|ng|null|nv|ppp|port|ptmx|ram|random|rfkill|rga|rknpu|rtc|sg|spi|std|tegra|tpm|tty"
-    r"|tun|uhid|uinput|uio|urandom|vc|vcio|vhost|vhci|vsock|watchdog|xdma|zero|zram).*"
+    r"(?:apex|autofs|btrfs|console|cpu_dma|cuse|dma|drm|dxg|fuse|galcore|gpio|hailo|hpet|i2c|iio|ion|kfd|kmsg|kvm"
+    r"|loop|mali|mei|mpp|msr|mwave|nv|ppp|ptmx|rfkill|rga|rknpu|rtc|spi|tegra|tpm|tty|tun|uhid|uinput|uio|vc|vcio|vhost"
+    r"|vhci|vsock|watchdog|xdma|zram).*|full|hwrng|mem|ng\d.*|null|port|ram\d*|u?random|sg\d+|std(?:in|out|err)|zero"
 )
 """Begins the names that drivers and the kernel give to their nodes."""
 
@@ -243,6 +243,25 @@ class Devices:
             made = next((link for link in links if link.is_fixed), None)
             if made is not None:
                 yield from ((use, made) for use in uses if self._is_made_by_nobody(use))
+
+    @property
+    def unmade(self) -> Iterator[tuple[list[DeviceUse], Link]]:
+        """Links in /dev itself that a file of the robot names and no rule makes, where its rules make another one there
+        that such a file names, which is given too."""
+        if not self.uses or not self.files.of_kind("udev-rules"):
+            return
+        known = {use.path.span for use, _ in (*self.undefined, *self.not_handed)}
+        own = [use for use in self.uses if use.path.count("/") == 2 and use.certainty not in (*_PERHAPS, "host")]
+        own = [use for use in own if use.path.span.source.kind in _OF_THE_ROBOT]
+        links = [link for use in own for link in self.udev().links_to(use.path) if link.is_fixed]
+        found: dict[Source, list[DeviceUse]] = {}
+        for use in own:
+            if use.path.span not in known and self._is_made_by_nobody(use):
+                found.setdefault(use.path.span.source, []).append(use)
+        for uses in found.values():
+            made = next((link for link in links if self._is_near(link, uses[0])), None)
+            if made is not None:
+                yield uses, made
 
     def _is_made_by_nobody(self, use: DeviceUse) -> bool:
         """Whether a name in /dev is a link, by its form, and no rule may make it."""
