@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from bringup_lint.on_demand import on_demand
 
 if TYPE_CHECKING:
+    from bringup_lint.facts.host.removed_packages import removed_package
     from bringup_lint.graph.host.device_addresses import own_addresses
     from bringup_lint.graph.host.device_uses import DeviceUse
     from bringup_lint.graph.host.dhcp import LostRange
@@ -25,4 +26,5 @@ __all__ = [
     "lost_ranges",
     "option_of",
     "own_addresses",
+    "removed_package",
 ]
