@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.installed.without_sudo import without_sudo
     from bringup_lint.model.shell import Block
     from bringup_lint.model.shell import Command
+    from bringup_lint.model.shell import Redirect
     from bringup_lint.model.shell import Word
     from bringup_lint.parsers.ansible_tasks import Module
     from bringup_lint.parsers.ansible_tasks import Task
@@ -53,6 +54,7 @@ __all__ = [
     "Mistake",
     "Module",
     "Option",
+    "Redirect",
     "Run",
     "Task",
     "Word",

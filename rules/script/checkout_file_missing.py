@@ -86,14 +86,14 @@ def checkout_file_missing(robot: Robot) -> Iterator[Finding]:
         checkout = next((each for each in checkouts if below.startswith(f"{each}/")), None)
         if checkout is None or not is_read or not word.span.source.judged:
             continue
-        lacking = _lacking(robot, below.removeprefix(f"{checkout}/"))
+        lacking = _lacking(robot, checkouts[checkout], below.removeprefix(f"{checkout}/"))
         if lacking and not _is_tested(word) and robot.filesystem.shipped_sibling(str(word)) is None:
             missing.setdefault((word.span.source, checkout, lacking), []).append(word)
     for (_, checkout, lacking), (word, *others) in missing.items():
         if not _is_made(robot, lacking):
             yield finding(
                 word,
-                f"The repository in ~{checkout} has no {lacking}: {_effect(word)}",
+                f"There is no {lacking} in ~{checkout}, which comes from this repository: {_effect(word)}",
                 advice="name what the repository has, or add it",
                 related=[note(other, "here too") for other in others],
             )
@@ -110,47 +110,54 @@ def _paths(source: Source) -> Iterator[tuple[Located, str, bool]]:
             yield source.located(*found.span()), os.path.normpath(found["below"]), READS.search(before) is not None
 
 
-def _checkouts(robot: Robot, belows: Iterable[str]) -> list[str]:
-    """The folders in which this repository surely lies on the robot: paths below them lead to what it has. The
-    longest first."""
+def _checkouts(robot: Robot, belows: Iterable[str]) -> dict[str, tuple[str, ...]]:
+    """The folders in which this repository or a package of it surely lies on the robot, each with the folders here
+    that are meant; the longest first."""
+    tops = tuple(dict.fromkeys((*robot.tree.tops, *robot.tree.asked)))
+    packages = _packages(robot)
     shown: dict[str, set[str]] = {}
+    found: dict[str, tuple[str, ...]] = {}
     for below in belows:
         parts = below.split("/")
         for at in range(2, len(parts)):
-            inner = "/".join(parts[at:])
-            if _has(robot, inner):
-                shown.setdefault("/".join(parts[:at]), set()).add(inner)
-    found = [each for each, inner in shown.items() if _is_sure(robot, each, inner)]
-    return sorted(found, key=len, reverse=True)
+            inner, outer = "/".join(parts[at:]), "/".join(parts[:at])
+            if _has(robot, tops, inner):
+                shown.setdefault(outer, set()).add(inner)
+            if FOLDER in parts[2 : at - 1] and parts[at - 1] in packages:
+                found[outer] = (packages[parts[at - 1]],)
+    found.update({each: tops for each, inner in shown.items() if _is_sure(robot, tops, each, inner)})
+    return dict(sorted(found.items(), key=lambda item: len(item[0]), reverse=True))
 
 
-def _is_sure(robot: Robot, checkout: str, inner: set[str]) -> bool:
+def _packages(robot: Robot) -> dict[str, str]:
+    """The folders of packages whose name no other folder of a package has."""
+    found: dict[str, set[str]] = {}
+    for path in robot.tree.named("package.xml"):
+        folder = os.path.dirname(os.path.abspath(path))
+        found.setdefault(os.path.basename(folder), set()).add(folder)
+    return {name: next(iter(folders)) for name, folders in found.items() if len(folders) == 1}
+
+
+def _is_sure(robot: Robot, tops: tuple[str, ...], checkout: str, inner: set[str]) -> bool:
     name = os.path.basename(checkout)
-    if _has(robot, name):
+    if _has(robot, tops, name):
         return False
-    named = any(os.path.basename(top).endswith(name) for top in _tops(robot))
-    return named or sum("/" in each for each in inner) > 1
+    return any(os.path.basename(top).endswith(name) for top in tops) or sum("/" in each for each in inner) > 1
 
 
-def _lacking(robot: Robot, inner: str) -> str:
+def _has(robot: Robot, tops: tuple[str, ...], inner: str) -> bool:
+    return any(robot.tree.exists(f"{top}/{inner}") for top in tops)
+
+
+def _lacking(robot: Robot, tops: tuple[str, ...], inner: str) -> str:
     """The first folder or file on the way to a path that the repository does not have; empty where it may."""
     parts = inner.split("/")
     for at in range(1, len(parts) + 1):
         path = "/".join(parts[:at])
-        if not _has(robot, path):
+        if not _has(robot, tops, path):
             is_of_others = at > 1 and parts[at - 2] == FOLDER
-            may_appear = any(_may_appear(robot, f"{top}/{path}") for top in _tops(robot))
-            return "" if is_of_others or may_appear else path
+            return "" if is_of_others or any(_may_appear(robot, f"{top}/{path}") for top in tops) else path
     return ""
-
-
-def _tops(robot: Robot) -> tuple[str, ...]:
-    """The folders that may be the top of the repository."""
-    return tuple(dict.fromkeys((*robot.tree.tops, *robot.tree.asked)))
-
-
-def _has(robot: Robot, inner: str) -> bool:
-    return any(robot.tree.exists(f"{top}/{inner}") for top in _tops(robot))
 
 
 def _may_appear(robot: Robot, path: str) -> bool:

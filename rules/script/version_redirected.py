@@ -29,12 +29,17 @@ Never.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
+from bringup_lint.api import Related
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
+from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.docker import commands_of
 from bringup_lint.api.shell import Command
+from bringup_lint.api.shell import Redirect
 
 PROGRAMS = ("pip", "pip3", "python", "python3", "uv", "apt", "apt-get", "conda", "mamba", "sudo")
 VERSION = regex(r"=?\d+(?:\.(?:\d+|\*))*(?:[,<>=!][^\s]*)?")
@@ -42,33 +47,38 @@ VERSION = regex(r"=?\d+(?:\.(?:\d+|\*))*(?:[,<>=!][^\s]*)?")
 
 @rule("error", symptoms=["line *: *: No such file or directory", "cannot open *: No such file"])
 def version_redirected(robot: Robot) -> Iterator[Finding]:
-    for _, run in robot.scripts.run(*PROGRAMS):
-        yield from _of_command(run.command)
+    commands = [run.command for _, run in robot.scripts.run(*PROGRAMS)]
     for file in robot.dockerfiles:
-        for stage in file.stages:
-            for command in commands_of(stage):
-                if command.name in PROGRAMS:
-                    yield from _of_command(command)
+        commands += [command for stage in file.stages for command in commands_of(stage) if command.name in PROGRAMS]
+    found: dict[Source, list[tuple[Located, Redirect]]] = {}
+    for command in commands:
+        for name, redirect in _versions(command):
+            found.setdefault(name.span.source, []).append((name, redirect))
+    for first, *others in found.values():
+        yield _finding(*first, [note(redirect.target, f"{name}, too") for name, redirect in others if redirect.target])
 
 
-def _of_command(command: Command) -> Iterator[Finding]:
-    """One finding for each version that is glued to the name of a package."""
+def _versions(command: Command) -> Iterator[tuple[Located, Redirect]]:
+    """The redirections that are glued to the name of a package."""
     if "install" not in command.words:
         return
     names = {word.span.end: word for word in command.words[1:] if not word.startswith("-")}
     for each in command.redirects:
-        target = each.target
-        if target is None or each.operator not in ("<", ">") or not VERSION.fullmatch(target):
-            continue
-        name = names.get(target.span.start - len(each.operator))
-        if name is None:
-            continue
-        if each.operator == "<":
-            what = f"the shell reads from a file '{target}', and the command does not start without it"
-        else:
-            what = f"the shell writes to a file '{target}', and the newest {name} is installed"
-        yield finding(
-            target,
-            f"{name}{each.operator}{target} is a redirection: {what}",
-            advice=f"write '{name}{each.operator}{target}' in quotes",
-        )
+        if each.target is not None and each.operator in ("<", ">") and VERSION.fullmatch(each.target):
+            name = names.get(each.target.span.start - len(each.operator))
+            if name is not None:
+                yield name, each
+
+
+def _finding(name: Located, redirect: Redirect, related: list[Related]) -> Finding:
+    text = f"{name}{redirect.operator}{redirect.target}"
+    if redirect.operator == "<":
+        what = f"the shell reads from a file '{redirect.target}', and the command does not start without it"
+    else:
+        what = f"the shell writes to a file '{redirect.target}', and any version of {name} is installed"
+    return finding(
+        redirect.target or name,
+        f"{text} is a redirection: {what}",
+        advice=f"write '{text}' in quotes",
+        related=related,
+    )
