@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.installed.ansible.shells import sh_commands
     from bringup_lint.graph.installed.misnamed_files import Misnamed
     from bringup_lint.graph.installed.misnamed_files import misnamed_files
+    from bringup_lint.graph.installed.paths import in_tree
     from bringup_lint.graph.installed.script import Run
     from bringup_lint.graph.installed.script import Written
     from bringup_lint.graph.installed.script_arguments import short_calls
@@ -61,6 +62,7 @@ __all__ = [
     "Written",
     "background_jobs",
     "commands",
+    "in_tree",
     "may_fail",
     "misnamed_files",
     "missing_files",

@@ -4,7 +4,8 @@
 A variable that nobody reads, whose name is that of a known one but for an underscore or a letter, and whose value is
 what the known one takes: the file of a DDS configuration, a number for a domain, the name of a middleware. Silent if
 something else in the tree reads the variable by this name. Also a variable that is made up from the name of a
-middleware and of what it is to do, such as `RMW_FASTRTPS_USE_SHM`; an info beside a profile of Fast DDS.
+middleware and of what it is to do, such as `RMW_FASTRTPS_USE_SHM`; an info beside a profile of Fast DDS. And names that
+sound right, such as `ROS_SECURITY_ENCLAVE` for `ROS_SECURITY_ENCLAVE_OVERRIDE`.
 
 ## Why it matters on a robot
 The setting has no effect, and nothing says so: the middleware runs with its defaults, on every interface and with
@@ -61,6 +62,22 @@ INSTEAD = (
 )
 
 
+NEVER = {
+    "ROS_SECURITY_ENCLAVE": "ROS_SECURITY_ENCLAVE_OVERRIDE",
+    "ROS_SECURITY_KEYSTORE_PATH": "ROS_SECURITY_KEYSTORE",
+    "ROS_SECURITY_ENABLED": "ROS_SECURITY_ENABLE",
+    "ROS_DOMAIN": "ROS_DOMAIN_ID",
+    "ROS2_DOMAIN_ID": "ROS_DOMAIN_ID",
+    "ROS_RMW_IMPLEMENTATION": "RMW_IMPLEMENTATION",
+    "ROS_DISCOVERY_RANGE": "ROS_AUTOMATIC_DISCOVERY_RANGE",
+    "ROS_DISCOVERY_SERVERS": "ROS_DISCOVERY_SERVER",
+    "FASTDDS_DISCOVERY_SERVER": "ROS_DISCOVERY_SERVER",
+    "FASTRTPS_URI": "FASTRTPS_DEFAULT_PROFILES_FILE",
+    "CYCLONEDDS_CONFIG": "CYCLONEDDS_URI",
+}
+"""Names that sound right, have never been read by a release, and what they are taken for."""
+
+
 @rule("error", silent="no program looks at the misspelt name")
 def misspelt_variable(robot: Robot) -> Iterator[Finding]:
     strange: dict[tuple[str, str], list[Setting]] = {}
@@ -72,6 +89,8 @@ def misspelt_variable(robot: Robot) -> Iterator[Finding]:
         fitting = [each for each in settings if meant and VALUES[variables()[meant]].fullmatch(each.value.strip("\"'"))]
         if fitting and not _is_read(robot, name):
             yield _unread(fitting, f"write {meant}")
+        elif name in NEVER and not _is_read(robot, name):
+            yield _unread(settings, f"write {NEVER[name]}")
         elif _is_made_up(name) and not _is_read(robot, name):
             advice = next(advice for word, advice in INSTEAD if word.search(name))
             yield _unread(settings, advice, "info" if PROFILES in settings[0].value.span.source.text else "error")

@@ -86,10 +86,10 @@ def package_removed(robot: Robot) -> Iterator[Finding]:
 
 
 def _findings(words: Iterable[Located], codename: str, related: list[Related]) -> Iterator[Finding]:
-    """One finding for all packages that a stage or script names."""
+    """One finding for all packages that a stage or script names, at the one that is gone for longest."""
     gone = [(word, found) for word in words if (found := removed_package(str(word), codename)) is not None]
     if gone:
-        (word, (since, instead)), *others = gone
+        (word, (since, instead)), *others = sorted(gone, key=lambda each: each[1][0])
         yield finding(
             word,
             f"Ubuntu has no {word} since {since}: apt installs none of the packages that are named with it",
