@@ -40,7 +40,7 @@ if TYPE_CHECKING:
 Model = TypeVar("Model")
 
 _CONFIGURES_MIDDLEWARE = regex(
-    r"""CYCLONEDDS_URI["']?\s*[:=][^\n]*<|RMW_IMPLEMENTATION["']?\s*[:=]\s*["']?rmw_fastrtps_""",
+    r"""CYCLONEDDS_URI["']?\s*[:=](?:[^\n]*|["']\s*)<|RMW_IMPLEMENTATION["']?\s*[:=]\s*["']?rmw_fastrtps_""",
     hints="CYCLONEDDS_URI rmw_fastrtps_",
 )
 _ROS_KINDS = (

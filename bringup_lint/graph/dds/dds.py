@@ -38,6 +38,7 @@ from bringup_lint.model.schema import Code
 from bringup_lint.model.schema import Remark
 from bringup_lint.parsers import cyclonedds
 from bringup_lint.parsers import fastdds
+from bringup_lint.parsers.cyclonedds_uri import split_uri
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.source import Span
@@ -99,8 +100,10 @@ class Dds:
         return found
 
     def _inline(self) -> list[Span]:
-        """Where environments hold a configuration, each place once."""
-        texts = (text for selection in self.selections for text in selection.inline)
+        """Where environments and the scripts and login files that set them hold a configuration, each place once."""
+        texts = [text for selection in self.selections for text in selection.inline]
+        for setting in self.ros.of(URI):
+            texts += [part.text for part in split_uri(setting.value) if part.inline]
         return list(dict.fromkeys(text.span for text in texts if text.span.text == text))
 
     @cached_property
