@@ -1,9 +1,10 @@
-"""A script starts ROS although the build before it failed.
+"""A script goes on although the build before it failed.
 
 ## What it finds
 `colcon build` whose result nobody looks at, before a `ros2 launch` or `ros2 run` of the same script, in a script
-without `set -e`. Silent if `&&` or `||` follows, if the build is the condition of an `if`, and if the script looks at
-`$?`.
+without `set -e`; and one before another build of other packages, in a script that does not end with the build, so that
+its status says nothing of it. Silent if `&&` or `||` follows, if the build is the condition of an `if`, and if the
+script looks at `$?`.
 
 ## Why it matters on a robot
 When a package does not compile, its last build is still in `install/`. The script sources it and starts it: the robot
@@ -57,12 +58,20 @@ def build_unchecked(robot: Robot) -> Iterator[Finding]:
             continue
         runs = [did for did in robot.scripts.done(source) if isinstance(did, Run)]
         builds = [at for at, run in enumerate(runs) if _is_ignored(run)]
-        ros = next((run for run in runs[builds[0] + 1 :] if _starts_ros(run)), None) if builds else None
-        if ros is None:
+        if not builds:
+            continue
+        first, later = runs[builds[0]], runs[builds[0] + 1 :]
+        ros = next((run for run in later if _starts_ros(run)), None)
+        again = next((run for run in later if _builds_more(first, run)), None)
+        if ros is not None:
+            what, follows = "ROS starts with what the last build left in install/", note(ros.words[0], "ROS is started")
+        elif again is not None and not _is_ignored(runs[-1]):
+            what, follows = "the script goes on, and ends as if it were built", note(again.words[0], "the next build")
+        else:
             continue
         yield finding(
-            runs[builds[0]].words[0],
-            "A build that fails is ignored: ROS starts with what the last build left in install/",
+            first.words[0],
+            f"A build that fails is ignored: {what}",
             advice="begin the script with set -e, or write '|| exit 1' after the build",
             related=[
                 *(
@@ -70,9 +79,14 @@ def build_unchecked(robot: Robot) -> Iterator[Finding]:
                     for run in runs[: builds[0]]
                     if _moves(run)
                 ),
-                note(ros.words[0], "ROS is started here"),
+                follows,
             ],
         )
+
+
+def _builds_more(first: Run, run: Run) -> bool:
+    """Whether a run builds something else than the first."""
+    return run.certain and _is_ignored(run) and run.arguments != first.arguments
 
 
 def _is_ignored(run: Run) -> bool:
