@@ -2,8 +2,8 @@
 
 ## What it finds
 Scripts for bash and sh with a quote, backtick or bracket that is not closed, an `if`, `for`, `while`, `case` or `{`
-without its end, and a `then`, `else`, `fi`, `do`, `done`, `esac`, `;;` or bracket that does not fit its place. Not
-reported: templates, scripts with carriage returns, and places that an option of the shell may decide, as `extglob`.
+without its end, and a `then`, `else`, `fi`, `do`, `done`, `esac`, `;;` or bracket that does not fit its place. Also
+aliases with a quote or bracket that is not closed. Not reported: templates, scripts with carriage returns, and places that an option of the shell may decide, as `extglob`.
 
 ## Why it matters on a robot
 The shell reads a command, runs it, and reads the next. What comes before the mistake is done, and the mistake and all
@@ -26,10 +26,12 @@ Never; `bash -n SCRIPT` says the same.
 - bash(1), "SHELL GRAMMAR"
 """
 
+import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import regex
 from bringup_lint.api import rule
@@ -38,6 +40,7 @@ from bringup_lint.api.shell import syntax_mistake
 
 SHELL = regex(r"#!\s*\S*/(?:env\s+(?:-S\s+)?)?(?:ba|da)?sh\b|(?!#!)")
 OTHER = regex(r"\.(?:zsh|fish|csh|ksh)$|\bextglob\b")
+ALIAS = regex(r"^[ \t]*alias[ \t]+(?P<name>[\w-]{1,60})='(?P<body>[^'\n]{0,2000})'[ \t]*$", re.M)
 CLOSING = {"`": "`", "'": "'", '"': '"', "$'": "'", "(": ")", "$(": ")", "<(": ")", ">(": ")", "${": "}", "[[": "]]"}
 
 
@@ -60,6 +63,22 @@ def syntax(robot: Robot) -> Iterator[Finding]:
             yield finding(
                 source.located(mistake.at, mistake.end),
                 f"{what}: the shell stops here with a syntax error, and nothing that follows is run",
+                advice=advice,
+            )
+        else:
+            yield from _of_aliases(source)
+
+
+def _of_aliases(source: Source) -> Iterator[Finding]:
+    """The aliases that the shell cannot read when somebody uses them."""
+    for alias in ALIAS.finditer(source.text) if "alias" in source.text else ():
+        mistake = syntax_mistake(alias["body"])
+        if mistake is not None and mistake.kind == "unclosed":
+            what, advice = _explained(mistake)
+            at = alias.start("body")
+            yield finding(
+                source.located(at + mistake.at, at + mistake.end),
+                f"{what}: the alias {alias['name']} ends with a syntax error",
                 advice=advice,
             )
 
