@@ -1,4 +1,4 @@
-"""A script or unit names a file of its own repository by the place on the robot, and the repository does not have it.
+"""A script or unit names a file of its own repository that the repository does not have.
 
 ## What it finds
 Paths below a home folder that lead into the checkout of this very repository, and to a file or folder that it does not
@@ -10,7 +10,7 @@ before it is used.
 
 ## Why it matters on a robot
 Files are moved, and the paths that units and aliases spell out stay behind: the service ends with 200/CHDIR or
-"No such file or directory", and is restarted for ever.
+"No such file or directory", and is restarted again and again.
 
 ## Bad
 ```ini
@@ -56,7 +56,7 @@ READS = regex(
     r"|^(?:ExecStart\w*|ExecStop|ExecReload|WorkingDirectory|EnvironmentFile)=[@+!:]{0,3}"
     r"|(?:^|&&|;)[ \t]{0,8}|alias [\w-]{1,40}=)[\"']?$"
 )
-"""What stands before a path that is read, at the end of what is before it."""
+"""What comes right before a path that is read."""
 BEFORE = 60
 GENERATED = regex(
     r"(?:^|/)(?:install|devel|build|log|logs?|bags?|maps?|data|\.?v?env|node_modules|target|dist|out|output|tmp|certs?|keys?"
@@ -74,7 +74,7 @@ FOLDER = "src"
 @rule(
     "warning",
     confidence="medium",
-    symptoms=["status=200/CHDIR", "bash: *: No such file or directory", "*: No such file or directory"],
+    symptoms=["status=200/CHDIR"],
 )
 def checkout_file_missing(robot: Robot) -> Iterator[Finding]:
     if robot.tree.root is not None:

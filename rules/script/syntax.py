@@ -3,7 +3,8 @@
 ## What it finds
 Scripts for bash and sh with a quote, backtick or bracket that is not closed, an `if`, `for`, `while`, `case` or `{`
 without its end, and a `then`, `else`, `fi`, `do`, `done`, `esac`, `;;` or bracket that does not fit its place. Also
-aliases with a quote or bracket that is not closed. Not reported: templates, scripts with carriage returns, and places that an option of the shell may decide, as `extglob`.
+aliases with a quote or bracket that is not closed. Not reported: templates, scripts with carriage returns, and places
+that an option of the shell may decide, as `extglob`.
 
 ## Why it matters on a robot
 The shell reads a command, runs it, and reads the next. What comes before the mistake is done, and the mistake and all

@@ -45,7 +45,7 @@ PROGRAMS = ("pip", "pip3", "python", "python3", "uv", "apt", "apt-get", "conda",
 VERSION = regex(r"=?\d+(?:\.(?:\d+|\*))*(?:[,<>=!][^\s]*)?")
 
 
-@rule("error", symptoms=["line *: *: No such file or directory", "cannot open *: No such file"])
+@rule("error", symptoms=["cannot open 2: No such file"])
 def version_redirected(robot: Robot) -> Iterator[Finding]:
     commands = [run.command for _, run in robot.scripts.run(*PROGRAMS)]
     for file in robot.dockerfiles:
