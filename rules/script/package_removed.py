@@ -92,9 +92,9 @@ def _findings(words: Iterable[Located], codename: str, related: list[Related]) -
         (word, (since, instead)), *others = sorted(gone, key=lambda each: each[1][0])
         yield finding(
             word,
-            f"Ubuntu has no {word} since {since}: apt installs none of the packages that are named with it",
+            f"From Ubuntu {since} on there is no {word}: apt installs none of the packages that are named with it",
             advice=f"install {instead}" if instead else "leave it out",
-            related=[*related, *(note(other, f"nor {other}, since {when}") for other, (when, _) in others)],
+            related=[*related, *(note(other, f"nor {other}, from {when} on") for other, (when, _) in others)],
         )
 
 
