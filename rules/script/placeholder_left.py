@@ -89,7 +89,8 @@ def _copied(robot: Robot) -> Iterator[Finding]:
 def _expanded(source: Source, text: str, depth: int = 4) -> str:
     """A word with the values of variables of which only a part is known, such as the end of a path."""
     for name in dict.fromkeys(UNKNOWN.findall(text)):
-        assigned = re.compile(rf"^[ \t]*(?:for[ \t]+{name}[ \t]+in[ \t]+|(?:readonly[ \t]+)?{name}=)([^;\n]+)", re.M)
+        own = re.escape(name)
+        assigned = re.compile(rf"^[ \t]*(?:for[ \t]+{own}[ \t]+in[ \t]+|(?:readonly[ \t]+)?{own}=)([^;\n]+)", re.M)
         values = assigned.findall(source.text)
         if len(values) == 1 and depth:
             value = RESULT.sub("{{ of_command }}", values[0].strip()).replace('"', "").replace("'", "")

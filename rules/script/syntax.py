@@ -41,7 +41,7 @@ from bringup_lint.api.shell import syntax_mistake
 
 SHELL = regex(r"#!\s*\S*/(?:env\s+(?:-S\s+)?)?(?:ba|da)?sh\b|(?!#!)")
 OTHER = regex(r"\.(?:zsh|fish|csh|ksh)$|\bextglob\b")
-ALIAS = regex(r"^[ \t]*alias[ \t]+(?P<name>[\w-]{1,60})='(?P<body>[^'\n]{0,2000})'[ \t]*$", re.M)
+ALIAS = regex(r"^[ \t]*alias[ \t]+(?P<name>[\w-]{1,60})='(?P<body>[^'\n]{0,2000})'[ \t]*$", re.M, "alias")
 CLOSING = {"`": "`", "'": "'", '"': '"', "$'": "'", "(": ")", "$(": ")", "<(": ")", ">(": ")", "${": "}", "[[": "]]"}
 
 
@@ -72,7 +72,7 @@ def syntax(robot: Robot) -> Iterator[Finding]:
 
 def _of_aliases(source: Source) -> Iterator[Finding]:
     """The aliases that the shell cannot read when somebody uses them."""
-    for alias in ALIAS.finditer(source.text) if "alias" in source.text else ():
+    for alias in ALIAS.finditer(source.text):
         mistake = syntax_mistake(alias["body"])
         if mistake is not None and mistake.kind == "unclosed":
             what, advice = _explained(mistake)
