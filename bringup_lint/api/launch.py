@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.dependencies.effects import brought_up
     from bringup_lint.graph.dependencies.effects import effect_of
     from bringup_lint.graph.dependencies.effects import of_robots
+    from bringup_lint.graph.dependencies.effects import rest_of
     from bringup_lint.graph.dependencies.needs import Need
     from bringup_lint.graph.launch.allowed_words import allowed_words
     from bringup_lint.graph.launch.delays import delayed
@@ -214,6 +215,7 @@ __all__ = [
     "refused_transforms",
     "relative_paths",
     "respawns",
+    "rest_of",
     "same",
     "setting",
     "shared_devices",

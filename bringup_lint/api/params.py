@@ -9,7 +9,13 @@ from bringup_lint.graph.params.qos_overrides import WORDS as QOS_WORDS
 from bringup_lint.on_demand import on_demand
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.params.camera_urls import RefusedUrl
+    from bringup_lint.graph.params.camera_urls import refused_urls
+    from bringup_lint.graph.params.covariances import Lopsided
+    from bringup_lint.graph.params.covariances import lopsided
     from bringup_lint.graph.params.declared import Declared
+    from bringup_lint.graph.params.fusion import SkippedSensor
+    from bringup_lint.graph.params.fusion import skipped_sensors
     from bringup_lint.graph.params.navigation import NavigationProblem
     from bringup_lint.graph.params.navigation import navigation_problems
     from bringup_lint.graph.params.operator import OperatorProblem
@@ -52,6 +58,7 @@ __all__ = [
     "HardwareParameter",
     "IncompleteController",
     "Item",
+    "Lopsided",
     "MoveItProblem",
     "NavigationProblem",
     "OperatorProblem",
@@ -60,6 +67,8 @@ __all__ = [
     "ParameterFile",
     "QosOverride",
     "Refused",
+    "RefusedUrl",
+    "SkippedSensor",
     "Undeclared",
     "Unknown",
     "UnknownJoint",
@@ -67,10 +76,13 @@ __all__ = [
     "Unread",
     "UntypedPlugin",
     "WrongType",
+    "lopsided",
     "navigation_problems",
     "operator_problems",
     "qos_overrides",
+    "refused_urls",
     "simulated",
+    "skipped_sensors",
     "undeclared",
     "unknown_frames",
     "unknown_to_public",

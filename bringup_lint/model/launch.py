@@ -87,14 +87,16 @@ class UnboundName(NamedTuple):
 
 
 class UnplacedAction(NamedTuple):
-    """An action that Python code keeps in a variable which nothing reads."""
+    """An action that Python code keeps in a variable which nothing reads, or makes and keeps nowhere."""
 
     variable: Located
+    """Or the class of what is not kept."""
     owner: str
     """The class of the action."""
     name: str
     """The first argument, or ``name=``, where it is a text."""
     executable: str = ""
+    is_kept: bool = True
 
 
 class RefusedCall(NamedTuple):

@@ -96,6 +96,10 @@ class Build:
     """Programs of ``install(FILES)``, which takes the executable bit away, by the place of the file."""
     python_packages: Packages | None = None
     """What ``packages`` of ``setup()`` names; None when it is not known."""
+    listed_packages: Packages | None = None
+    """The same, also where ``package_dir`` says that they come from other folders."""
+    package_folders: dict[str, Located] = field(default_factory=dict)
+    """``package_dir``: Python package, or the empty text for all, -> folder."""
     names_computed: bool = False
     """Names of targets are put together from variables that are not known."""
     installs_python: bool = False

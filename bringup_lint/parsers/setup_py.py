@@ -76,8 +76,12 @@ def parse(source: Source) -> Build:
         return _unknown(build)
     _data_files(build, found[0].get("data_files"))
     _scripts(build, found[0].get("entry_points"))
+    listed = _packages(found[0].get("packages"))
     if not _ELSEWHERE & set(found[0]):
-        build.python_packages = _packages(found[0].get("packages"))
+        build.python_packages = listed
+    folders = _folders(found[0].get("package_dir"))
+    if folders is not None:
+        build.listed_packages, build.package_folders = listed, folders
     build.scripts_folder_known = not {"options", "cmdclass"} & set(found[0])
     if "scripts" in found[0]:
         _plain_scripts(build, found[0]["scripts"])
@@ -92,6 +96,18 @@ def _packages(thing: Any) -> Packages | None:
     names = [path_text(item) for item in items or ()]
     known = tuple(name.replace("/", ".") for name in names if name is not None)
     return Packages(items[0].span, known) if items and len(known) == len(names) else None
+
+
+def _folders(thing: Any) -> dict[str, Located] | None:
+    """``package_dir``; None when a part of it is not known."""
+    if thing is None:
+        return {}
+    if not isinstance(thing, Mapping) or thing.open or thing.others:
+        return None
+    found = {str(name): path_text(folder) for name, (_, folder) in thing.entries.items()}
+    places = {str(name): folder.span for name, (_, folder) in thing.entries.items() if isinstance(folder, Literal)}
+    known = {name: Located(path, places[name]) for name, path in found.items() if path is not None and name in places}
+    return known if len(known) == len(found) else None
 
 
 def _plain_scripts(build: Build, thing: Any) -> None:

@@ -2,9 +2,9 @@
 
 ## What it finds
 Nodes, includes and other actions of launch that a function of a Python launch file gives to a variable which nothing
-reads. Left alone is what a comment mentions, because it was taken out on purpose, and the declaration of an argument
-that the file reads, which `launch/undeclared-arg` judges. It is an info where the file starts the same executable by
-another action.
+reads, or makes in a statement of their own. Left alone is what a comment mentions, because it was taken out on purpose,
+and the declaration of an argument that the file reads, which `launch/undeclared-arg` judges. It is an info where the
+file starts the same executable by another action.
 
 ## Why it matters on a robot
 launch starts only what the description holds: the node does not run, and no message says so. A transform, a filter or
@@ -63,9 +63,10 @@ def action_unplaced(robot: Robot) -> Iterator[Finding]:
                 continue
             effect = "it never starts" if each.owner in _STARTING else _EFFECTS.get(each.owner, "it has no effect")
             is_idle = robot.launch.workspace.is_vendored(file.source) or is_replaced(robot, file, each)
+            name = f"'{each.variable}' is" if each.is_kept else "is"
             yield finding(
                 each.variable,
-                f"{each.owner} '{each.variable}' is made and not added to the launch description: {effect}",
+                f"{each.owner} {name} made and not added to the launch description: {effect}",
                 advice="add it to the launch description, or remove it",
                 severity="info" if is_idle else None,
             )

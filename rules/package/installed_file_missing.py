@@ -2,7 +2,8 @@
 
 ## What it finds
 `install(FILES)`, `install(PROGRAMS)` and `install(DIRECTORY)` of a CMakeLists.txt, and data_files of a setup.py, whose
-file or folder is not in the tree. Not reported is what has a condition or `OPTIONAL`, what git ignores, what lies in a
+file or folder is not in the tree, and modules in `packages` of a setup.py without their folder, also where
+`package_dir` names another one. Not reported is what has a condition or `OPTIONAL`, what git ignores, what lies in a
 submodule, what the build description names a second time, because it may make it, and models, meshes, images and the
 like, which many robots fetch.
 

@@ -1,9 +1,10 @@
 """A package needs another one that its package.xml does not declare.
 
 ## What it finds
-Packages that launch files start or include, that nodes and launch files import at their top or that CMake finds with
-REQUIRED, and xacro where a launch file runs it, if neither the package.xml nor that of a package of the workspace on
-which it depends declares them. It is a warning
+Packages that launch files start or include or whose share folder they look up, that xacro looks up, that nodes and
+launch files import at their top or that CMake finds with REQUIRED, and xacro where a launch file runs it, if neither
+the package.xml nor that of a package of the workspace on which it depends declares them. A dependency that is commented
+out is not declared. It is a warning
 
 - when CMake finds a package of the same workspace;
 - when ros-base lacks the package, module or library, and no package.xml, script, image, list of repositories or
@@ -20,7 +21,8 @@ which it depends declares them. It is a warning
 - when nodes import or CMake requires five packages of ROS or more that are not declared, and fewer are declared. Those
   of launch files and of builds do not count;
 - once a robot, for all its other packages: when sources need packages of ROS, or launch files always start packages of
-  the workspace or released ones, and neither the package.xml declares them nor what it declares brings them. One is
+  the workspace or released ones or look packages up, and neither the package.xml declares them nor what it declares
+  brings them, and no comment in it says why. One is
   enough if CMake requires it or it is a package of the same workspace, else two. The finding names with them what is
   brought by others, and modules and libraries that rosdep has a key for.
 
@@ -77,6 +79,7 @@ from bringup_lint.api.launch import Undeclared
 from bringup_lint.api.launch import brought_up
 from bringup_lint.api.launch import effect_of
 from bringup_lint.api.launch import of_robots
+from bringup_lint.api.launch import rest_of
 from bringup_lint.api.ros import COMMON
 
 REST = regex(r"[ \t]*(?:<!--[^\n<>]*-->[ \t]*)?(?=\r?\n)")
@@ -89,6 +92,8 @@ MOST = 30
 ASKED = {
     "node": "{} is started here",
     "include": "a launch file of {} is included here",
+    "share": "the folder of {} is looked up here",
+    "description": "xacro looks up {} here",
     "program": "{} is run here",
     "module": "{} is imported here",
     "library": "CMake looks for {} here",
@@ -123,6 +128,8 @@ def undeclared_dependency(robot: Robot) -> Iterator[Finding]:
             some.append((package, found))
         elif found is not None:
             yield _finding(robot, package, found)
+            rest = rest_of(robot.dependencies, robot.launch, package, found)
+            some += [(package, rest)] if rest is not None else []
     sure = [need for _, found in some for need in found.needs]
     if len(sure) > 1 or any(need.use == "library" or robot.dependencies.is_of_workspace(need) for need in sure):
         yield _of_some(some)

@@ -9,11 +9,11 @@ sign, not one for each axis, or of zero for turning both ways; `polygons` of the
 `min_particles` of amcl above `max_particles`; an `initial_pose` without `set_initial_pose`; from Humble on the names
 that amcl's motion models had before, and a section `recoveries_server` without one for `behavior_server` or
 `default_bt_xml_filename`; a local costmap that rolls in the frame that amcl corrects; critics that DWB or MPPI do not
-have; limits of `velocity_smoother` below those that a controller of the same file plans with; a tree for
-`NavigateToPose` as that for `NavigateThroughPoses`, or the reverse; zones of the collision monitor inside of the robot;
-a `robot_radius` of the local costmap far from that of the global one; a `model_dt` of MPPI below the period of its
-server; a `data_type` that obstacle layers do not take; and from Jazzy on libraries in `plugin_lib_names` that
-bt_navigator loads by itself. Layers with `enabled: false` are left alone.
+have, and critics of which none looks at obstacles; limits of `velocity_smoother` below those that a controller of the
+same file plans with; a tree for `NavigateToPose` as that for `NavigateThroughPoses`, or the reverse; zones of the
+collision monitor inside of the robot; a `robot_radius` of the local costmap far from that of the global one; a
+`model_dt` of MPPI below the period of its server; a `data_type` that obstacle layers do not take; and from Jazzy on
+libraries in `plugin_lib_names` that bt_navigator loads by itself. Layers with `enabled: false` are left alone.
 
 ## Why it matters on a robot
 A footprint that is refused leaves the robot with its radius, and the costmap lets it drive into what the corners touch.
@@ -129,6 +129,8 @@ def _message(each: NavigationProblem) -> str:
             return f"The costmaps are for robots of two sizes ({each.detail}): what one lets through, the other blocks"
         case "step":
             return f"The step of {each.name} is below the period of its server ({each.detail}): MPPI does not configure"
+        case "blind":
+            return f"No critic of {each.name} looks at the costmap: the controller drives into obstacles"
         case "polygon":
             return f"The polygon '{each.name}' has no section with a type: {each.detail} does not configure"
         case "pose":
@@ -186,6 +188,8 @@ def _advice(each: NavigationProblem) -> str:
             return "give both costmaps the same robot_radius"
         case "step":
             return "set model_dt to 1 / controller_frequency"
+        case "blind":
+            return f"add {each.detail.replace(', ', ' or ')}"
         case "polygon":
             return f"add a section {each.name}, or write the name of the one that is there"
         case "pose":

@@ -7,7 +7,9 @@
 - the package of Navigation2, ros2_controllers or ros2_control exports the class under another name in the distribution
   of the robot, or under nearly the same: `nav2_recoveries/Spin` became `nav2_behaviors/Spin` (Humble) and
   `nav2_behaviors::Spin` (Jazzy), `fake_components` became `mock_components`. Where the distribution is not known, the
-  name must be missing in all of them.
+  name must be missing in all of them, or
+- no file of the tree but parameter files names the package, so that nothing builds, fetches or installs it: a warning.
+  The namespace is taken for the name of the package, and simulators do not count.
 
 ## Why it matters on a robot
 pluginlib compares names letter by letter. A server of Navigation2 ends when it configures, and the lifecycle manager
@@ -66,9 +68,11 @@ from bringup_lint.api.params import UnknownPlugin
 def plugin_unknown(robot: Robot) -> Iterator[Finding]:
     found: dict[tuple[str, str], list[UnknownPlugin]] = {}
     for each in robot.plugins.unknown:
-        is_description = each.name.span.source.kind == "urdf" or each.distribution is None
-        found.setdefault(("", each.name) if is_description else (each.name.span.path, ""), []).append(each)
+        found.setdefault(_cause(each), []).append(each)
     for first, *others in found.values():
+        if first.unbrought:
+            yield _unbrought(first, others)
+            continue
         where = f" in {first.distribution.capitalize()}" if first.distribution else ""
         more = (
             f", nor {'are' if len(others) > 1 else 'is'} {len(others)} other{'s' * (len(others) > 1)}" if others else ""
@@ -80,6 +84,24 @@ def plugin_unknown(robot: Robot) -> Iterator[Finding]:
             severity=_severity(robot, first),
             related=[*_exported(first), *(note(each.name, "here, too") for each in others[:10])],
         )
+
+
+def _cause(plugin: UnknownPlugin) -> tuple[str, str]:
+    """What several findings have in common: a missing package, a name, or the distribution of a file."""
+    if plugin.unbrought:
+        return "", plugin.package
+    is_description = plugin.name.span.source.kind == "urdf" or plugin.distribution is None
+    return ("", str(plugin.name)) if is_description else (plugin.name.span.path, "")
+
+
+def _unbrought(plugin: UnknownPlugin, others: list[UnknownPlugin]) -> Finding:
+    return finding(
+        plugin.name,
+        f"Nothing of this tree declares, builds or fetches a package {plugin.package}: {plugin.name} is not loaded",
+        advice=f"add <exec_depend>{plugin.package}</exec_depend> to the package.xml, or the repository that has it",
+        severity="warning",
+        related=[note(each.name, "here, too") for each in others[:10]],
+    )
 
 
 def _severity(robot: Robot, plugin: UnknownPlugin) -> str:

@@ -23,6 +23,7 @@ from bringup_lint.graph.dependencies.interfaces import ungenerated
 from bringup_lint.graph.dependencies.missing_files import missing_files
 from bringup_lint.graph.dependencies.needs import Need
 from bringup_lint.graph.dependencies.needs import of_builds
+from bringup_lint.graph.dependencies.needs import of_descriptions
 from bringup_lint.graph.dependencies.needs import of_launch
 from bringup_lint.graph.dependencies.needs import of_launch_files
 from bringup_lint.graph.dependencies.needs import of_nodes
@@ -33,6 +34,8 @@ from bringup_lint.graph.dependencies.subpackages import LeftOut
 from bringup_lint.graph.dependencies.subpackages import left_out
 from bringup_lint.graph.dependencies.unexported import Unexported
 from bringup_lint.graph.dependencies.unexported import unexported
+from bringup_lint.graph.dependencies.unregistered import Unregistered
+from bringup_lint.graph.dependencies.unregistered import unregistered
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.memo import memo
 from bringup_lint.graph.purpose import Purpose
@@ -47,6 +50,10 @@ if TYPE_CHECKING:
     from bringup_lint.source import Located
     from bringup_lint.source import Span
 
+COMMENTED_OUT = regex(
+    r"<!--\s{0,20}<(?:exec_|run_)?depend\b[^<>]{0,80}>\s{0,20}([\w-]{1,80})\s{0,20}</\w{1,20}>\s{0,20}-->", hints="<!--"
+)
+"""A dependency that is commented out, without a word on why."""
 _GOES_ON = regex(r"\s-[a-qs-z]*r[a-z]*(?:\s|$)|\s-s\s|--simulate|--dependency-types|\s-t\s|\|\|")
 """rosdep installs the rest, only says what it would do, or its failure is ignored."""
 _FOREIGN = regex(r"(?:^|_)(?:vendor|stubs?|template)(?:_|$)|[{}$<]")
@@ -81,7 +88,7 @@ class Dependencies:
         return {name: list(needs.values()) for name, needs in found.items()}
 
     def _needs(self) -> Iterator[Need]:
-        for needs in (of_builds, of_launch, of_launch_files, of_nodes):
+        for needs in (of_builds, of_launch, of_launch_files, of_descriptions, of_nodes):
             for need in needs(self._files, self._launch):
                 if need.name != need.owner.name and need.name not in self._required(need.owner):
                     yield need
@@ -157,6 +164,10 @@ class Dependencies:
         """The descriptions of plugins that a package builds and does not export."""
         return unexported(self._files, package)
 
+    def unregistered(self, package: Package) -> Iterator[Unregistered]:
+        """The components that the build of a package names as no source of it registers them."""
+        return unregistered(self._files, package)
+
     @property
     def missing_interfaces(self) -> Iterator[MissingInterface]:
         """The imports of messages, services and actions that the packages of the workspace do not have."""
@@ -193,7 +204,7 @@ class Dependencies:
         known = need.fact
         if known is None or not need.always or need.name in base() or self.is_of_workspace(need):
             return False
-        if any(known.comes_with(name) for name in self._declared) or need.name in need.owner.manifest.source.text:
+        if any(known.comes_with(name) for name in self._declared) or _is_mentioned(need):
             return False
         if need.use == "module" and self._asks_for_others(need.owner):
             return False
@@ -327,6 +338,13 @@ class Dependencies:
         if "condition=" in name.span.source.line_text(name.span.line):
             return False
         return name in not_rosdep() or not self._provided.has_repository(name)
+
+
+def _is_mentioned(need: Need) -> bool:
+    """Whether the package.xml names what is needed: a comment may say why it is left out. A dependency that is only
+    commented out says nothing of what a launch file starts all the same."""
+    text = need.owner.manifest.source.text
+    return str(need.name) in (text if need.use == "module" else COMMENTED_OUT.sub("", text))
 
 
 def _source_space(folder: str) -> str:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.facts.ros.needed import base
 from bringup_lint.facts.ros.simulation import is_simulation
+from bringup_lint.graph.dependencies.dependencies import COMMENTED_OUT
 from bringup_lint.graph.dependencies.needs import Need
 from bringup_lint.graph.dependencies.omitted import TOOLS
 from bringup_lint.graph.dependencies.omitted import of_launch_files
@@ -24,8 +25,12 @@ AT_RUN_TIME = ("exec_depend", "run_depend", "depend")
 _PLACEHOLDER = regex(r"^(?:your|my)_(?:package|pkg|robot|node)|package_name$")
 _VIEWER = regex(r"^(?:rviz|rqt|plotjuggler)|_gui$")
 """Viewers and simulators, which no robot needs."""
-_COMMENTED_OUT = regex(r"<!--\s{0,20}<(?:exec_|run_)?depend\b", hints="<!--")
+_EXPLAINED = regex(r"<!--\s{0,20}\w[^<>]{0,300}<(?:exec_|run_)?depend\b", hints="<!--")
+"""A dependency in a comment after words, which say why it and others are left out."""
 _OF_LAUNCH_FILES = frozenset(("launch", "launch_ros", "ament_index_python"))
+_STARTED = ("node", "include")
+_NAMED = (*_STARTED, "share", "description")
+"""What must be found, or a launch file or a description is not loaded."""
 _SEVERAL = 3
 _MANY = 5
 """Packages, whatever the share of those that are declared."""
@@ -55,8 +60,7 @@ class Undeclared(NamedTuple):
 
 def effect_of(dependencies: Dependencies, launch: Launch, package: Package) -> Undeclared | None:
     """None when nothing is to be said of the package."""
-    undeclared = dependencies.undeclared(package)
-    needs = [each for each in undeclared if not _PLACEHOLDER.search(each.name) and not launch.meant(each.name)]
+    needs = _judged(dependencies, launch, package)
     stopping = [need for need in needs if dependencies.stops_build(need)]
     lacking = [need for need in needs if dependencies.is_lacking(need)]
     apart = [need for need in needs if dependencies.left_out(need)]
@@ -81,12 +85,39 @@ def effect_of(dependencies: Dependencies, launch: Launch, package: Package) -> U
     unknown = of_sources(dependencies, launch, package, needs)
     if len(unknown) >= max(_MANY, len(_declared(package)) + 1) and not _gives_a_reason(package):
         return Undeclared(Effect.SOURCES, unknown, [], started)
+    some = _some(dependencies, launch, package, needs)
+    return some or (Undeclared(Effect.HARMLESS, started, [], started) if started else None)
+
+
+def rest_of(dependencies: Dependencies, launch: Launch, package: Package, said: Undeclared) -> Undeclared | None:
+    """What else is not declared, where a worse effect of some needs is said already; None where there is nothing."""
+    if said.effect not in (Effect.ROBOT, Effect.APART, Effect.RELEASE):
+        return None
+    names = {str(need.name) for need in (*said.needs, *said.others, *said.started)}
+    needs = [need for need in _judged(dependencies, launch, package) if str(need.name) not in names]
+    found = _some(dependencies, launch, package, needs)
+    return found if found is not None and found.needs else None
+
+
+def _judged(dependencies: Dependencies, launch: Launch, package: Package) -> list[Need]:
+    undeclared = dependencies.undeclared(package)
+    return [each for each in undeclared if not _PLACEHOLDER.search(each.name) and not launch.meant(each.name)]
+
+
+def _some(dependencies: Dependencies, launch: Launch, package: Package, needs: list[Need]) -> Undeclared | None:
+    """Some packages that are needed, and not declared; not those whose dependency is commented out."""
+    if _EXPLAINED.search(package.manifest.source.text) is not None:
+        return None
+    reasons = set(COMMENTED_OUT.findall(package.manifest.source.text))
+    asked = [need for need in needs if str(need.name) not in reasons]
+    named = [need for need in of_robots(needs) if need.always and need.use in _NAMED]
     programs = [need for need in needs if need.use == "program" and need.fact is not None and need.always]
     ran = [need for need in programs if _is_missed(launch, package, need)]
+    unbuilt = [need for need in named if _is_missed(launch, package, need) and not _is_brought(launch, package, need)]
+    unknown = of_sources(dependencies, launch, package, asked)
     left = omitted(dependencies, launch, package, [*unknown, *of_launch_files([*unbuilt, *ran])])
-    if (left.sure or left.others) and not _gives_a_reason(package):
-        return Undeclared(Effect.SOME, left.sure, left.others, started)
-    return Undeclared(Effect.HARMLESS, started, [], started) if started else None
+    started = [need for need in needs if _is_started(launch, package, need)]
+    return Undeclared(Effect.SOME, left.sure, left.others, started) if left.sure or left.others else None
 
 
 def _declared(package: Package) -> list[str]:
@@ -102,7 +133,7 @@ def _is_empty(package: Package) -> bool:
 
 def _gives_a_reason(package: Package) -> bool:
     """Whether a dependency is in a comment, which says why."""
-    return _COMMENTED_OUT.search(package.manifest.source.text) is not None
+    return COMMENTED_OUT.search(package.manifest.source.text) is not None
 
 
 def _is_known(dependencies: Dependencies, need: Need) -> bool:
@@ -137,6 +168,11 @@ def _is_missed(launch: Launch, package: Package, need: Need) -> bool:
     return need.name not in base() and not is_circular and not comes
 
 
+def _is_brought(launch: Launch, package: Package, need: Need) -> bool:
+    """Whether something that is declared has a name like what is started."""
+    return need.use in _STARTED and not _is_started(launch, package, need)
+
+
 def _is_started(launch: Launch, package: Package, need: Need) -> bool:
     """Whether a launch file needs a package, and nothing that is declared has a name like it."""
-    return need.use in ("node", "include") and not launch.comes_with(package, str(need.name))
+    return need.use in _STARTED and not launch.comes_with(package, str(need.name))

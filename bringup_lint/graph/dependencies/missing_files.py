@@ -9,9 +9,11 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.discover.tree import is_below
 from bringup_lint.graph.workspace import makes_files
+from bringup_lint.model.package import Build
 from bringup_lint.model.package import Install
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
+from bringup_lint.source import Span
 
 if TYPE_CHECKING:
     from bringup_lint.discover.tree import Tree
@@ -30,7 +32,7 @@ _LARGE = regex(
 
 def missing_files(files: Files, package: Package) -> list[Install]:
     """The files and folders that a build installs in any case, and that neither the tree nor a build makes."""
-    found = list(_absent(files, package))
+    found = [*_absent(files, package), *_absent_modules(files.tree, package)]
     return found if found and _holds_sources(files.tree, package.folder) else []
 
 
@@ -45,6 +47,40 @@ def _absent(files: Files, package: Package) -> Iterator[Install]:
                 yield install
 
 
+def _absent_modules(tree: Tree, package: Package) -> Iterator[Install]:
+    """The first folder of modules of each setup.py that setuptools does not find."""
+    if package.manifest.build_type != "ament_python":
+        return
+    for build in package.builds:
+        listed = build.listed_packages
+        if listed is None:
+            continue
+        for name in _found_packages(tree, package) if listed.names is None else listed.names:
+            written, where = _folder_of(build, name)
+            path = os.path.normpath(os.path.join(package.folder, written))
+            if not _NOT_PLAIN.search(written) and _is_untracked(tree, path):
+                yield Install("", written, True, where or listed.where, sure=True)
+                break
+
+
+def _found_packages(tree: Tree, package: Package) -> Iterator[str]:
+    """What ``find_packages()`` finds beside the setup.py."""
+    for path in tree.walked_below(package.folder):
+        folder, _, name = os.path.relpath(path, package.folder).rpartition("/")
+        if name == "__init__.py" and folder and "/" not in folder and "test" not in folder:
+            yield folder
+
+
+def _folder_of(build: Build, name: str) -> tuple[str, Span | None]:
+    """Where setuptools looks for a Python package, and what says so."""
+    parts = name.split(".")
+    for end in range(len(parts), -1, -1):
+        folder = build.package_folders.get(".".join(parts[:end]))
+        if folder is not None:
+            return "/".join([folder.rstrip("/"), *parts[end:]]), folder.span
+    return "/".join(parts), None
+
+
 def _may_be_made(build: Source, install: Install) -> bool:
     """Whether a name is computed, in a build whose commands may compute the same name to make the file."""
     return "$" in os.path.basename(install.where.text) and makes_files(build)
@@ -57,11 +93,16 @@ def _holds_sources(tree: Tree, folder: str) -> bool:
 
 def _is_absent(tree: Tree, build: Source, written: str, path: str) -> bool:
     name = os.path.basename(path)
-    if _NOT_PLAIN.search(written) or _LARGE.search(written) or tree.exists(path) or tree.is_ignored(path):
+    if _NOT_PLAIN.search(written) or _LARGE.search(written) or not _is_untracked(tree, path):
         return False
     if not _is_marker(written) and len(re.findall(rf"(?<![\w.-]){re.escape(name)}(?![\w-])", build.text)) > 1:
         return False
-    if any(tree.named(f"{name}.in")):
+    return not any(tree.named(f"{name}.in"))
+
+
+def _is_untracked(tree: Tree, path: str) -> bool:
+    """Whether a fresh checkout lacks a file or folder."""
+    if tree.exists(path) or tree.is_ignored(path):
         return False
     return not tree.is_link(os.path.dirname(path)) and not is_below(path, tree.submodules)
 

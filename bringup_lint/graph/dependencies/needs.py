@@ -9,8 +9,11 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.facts.ros.needed import Needed
 from bringup_lint.facts.ros.needed import needed
+from bringup_lint.facts.ros.simulation import is_simulation
 from bringup_lint.graph.dependencies.imports import imported
 from bringup_lint.graph.dependencies.required_packages import required_packages
+from bringup_lint.graph.dependencies.shares import shares_of_description
+from bringup_lint.graph.dependencies.shares import shares_of_python
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.model.launch import ComposableNode
@@ -34,8 +37,8 @@ if TYPE_CHECKING:
 
 class Need(NamedTuple):
     use: str
-    """``node``, ``include`` and ``program`` in a launch file, ``module`` that Python imports, ``library`` that CMake
-    finds."""
+    """``node``, ``include``, ``share`` and ``program`` in a launch file, ``description`` for what xacro looks up,
+    ``module`` that Python imports, ``library`` that CMake finds."""
     name: Located
     owner: Package
     """The package whose file asks for it."""
@@ -79,7 +82,8 @@ def of_launch_files(files: Files, launch: Launch) -> Iterator[Need]:
             continue
         always = _is_of_robot(files, launch, file) and _is_installed(owner, file.source)
         if file.source.kind == "launch-python":
-            yield from (Need("module", module, owner, always) for module in _foreign(files, folders, file.source))
+            yield from (Need("share", name, owner, always) for name in shares_of_python(file.source))
+            yield from (Need("module", module, owner, always) for module in _foreign(launch, folders, file.source))
     for node in launch.nodes:
         owner = launch.workspace.owner(node.file.source)
         if owner is not None and isinstance(node.action, Node):
@@ -123,19 +127,49 @@ def of_nodes(files: Files, launch: Launch) -> Iterator[Need]:
             continue
         if owner.manifest.build_type != "ament_python" and not _is_installed(owner, source):
             continue
-        yield from (Need("module", module, owner) for module in _foreign(files, folders, source))
+        yield from (Need("module", module, owner) for module in _foreign(launch, folders, source))
 
 
-def _foreign(files: Files, folders: frozenset[str], source: Source) -> Iterator[Located]:
-    """The modules that a file imports and that are not in the tree, which has Python packages in these folders."""
+def _foreign(launch: Launch, folders: dict[str, list[str]], source: Source) -> Iterator[Located]:
+    """The modules that a file imports and that are not in the tree, which has Python packages in these folders, and
+    those of other packages of the workspace."""
     for module in imported(source):
         name = module.partition(".")[0]
-        if name not in folders and not any(files.tree.named(f"{name}.py")):
+        if name in folders:
+            is_foreign = _is_of_another(launch, folders[name], source, name)
+        else:
+            is_foreign = not any(launch.workspace.tree.named(f"{name}.py"))
+        if is_foreign:
             yield Located(name, module.span)
 
 
-def _python_packages(files: Files) -> frozenset[str]:
-    return frozenset(os.path.basename(os.path.dirname(path)) for path in files.tree.named("__init__.py"))
+def _is_of_another(launch: Launch, folders: list[str], source: Source, name: str) -> bool:
+    """Whether each folder of a name lies in the package of this name, and the file in another one."""
+    package, owner = launch.workspace.packages.get(name), launch.workspace.owner(source)
+    return package is not None and package is not owner and all(_lies_in(each, package.folder) for each in folders)
+
+
+def _lies_in(path: str, folder: str) -> bool:
+    return path.startswith(f"{folder}/")
+
+
+def _python_packages(files: Files) -> dict[str, list[str]]:
+    """The absolute paths of folders with modules, by their names."""
+    found: dict[str, list[str]] = {}
+    for path in files.tree.named("__init__.py"):
+        folder = os.path.dirname(os.path.abspath(path))
+        found.setdefault(os.path.basename(folder), []).append(folder)
+    return found
+
+
+def of_descriptions(files: Files, launch: Launch) -> Iterator[Need]:
+    """The packages in which xacro looks for what descriptions of the robot include or name."""
+    for source in files.of_kind("urdf"):
+        owner = launch.workspace.owner(source)
+        is_of_robot = files.purpose(source) is Purpose.ROBOT and not is_simulation(source.basename)
+        if owner is not None and source.judged and is_of_robot:
+            always = _is_installed(owner, source)
+            yield from (Need("description", name, owner, always) for name in shares_of_description(source))
 
 
 def of_builds(files: Files, launch: Launch) -> Iterator[Need]:

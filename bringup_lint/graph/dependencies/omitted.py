@@ -26,6 +26,8 @@ _COMMON = frozenset(
     "stereo_msgs trajectory_msgs visualization_msgs".split()
 )
 """What the metapackages of messages bring (common_interfaces/package.xml; REP 2001)."""
+_NAMED = ("share", "description")
+"""What launch files and descriptions look up, whatever the node that they start."""
 _UNLIKELY = 2
 """Packages that a dependency which no table knows would have to bring all."""
 _TRIAL = regex(r"test|demo|example|debug|display|view|standalone|template|sim|gazebo")
@@ -55,8 +57,12 @@ def omitted(dependencies: Dependencies, launch: Launch, package: Package, needs:
             found = others
         elif need.use in ("module", "library"):
             found = sure if known else likely
+        elif need.fact is not None:
+            found = sure
+        elif need.use in _NAMED:
+            found = sure if known else likely
         else:
-            found = sure if need.fact is not None else others
+            found = others
         found.append(need)
     (sure if len(likely) >= _UNLIKELY else others).extend(likely)
     return Omitted(sure, [*others, *_with_keys(dependencies, package, declared)])

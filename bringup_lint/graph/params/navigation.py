@@ -13,6 +13,9 @@ from bringup_lint.graph.params.navigation_blocks import NavigationProblem
 from bringup_lint.graph.params.navigation_blocks import by_name
 from bringup_lint.graph.params.navigation_blocks import number_of
 from bringup_lint.graph.params.navigation_blocks import numbers_of
+from bringup_lint.graph.params.navigation_critics import blind_controllers
+from bringup_lint.graph.params.navigation_critics import critics_of
+from bringup_lint.graph.params.navigation_critics import plain
 from bringup_lint.graph.params.navigation_shapes import hidden_zones
 from bringup_lint.graph.params.navigation_shapes import inscribed_radius
 from bringup_lint.graph.params.navigation_shapes import points_of
@@ -51,20 +54,6 @@ _SINCE_HUMBLE = frozenset(("velocity_smoother", "behavior_server", "collision_mo
 """Nodes that no distribution before Humble has."""
 
 
-_OF_DWB = frozenset(
-    "BaseObstacle GoalAlign GoalDist ObstacleFootprint Oscillation PathAlign PathDist PreferForward RotateToGoal "
-    "Twirling".split()
-)
-_OF_MPPI = frozenset(
-    "Constraint Cost GoalAngle Goal Obstacles PathAlign PathAlignLegacy PathAngle PathFollow PreferForward Twirling "
-    "VelocityDeadband".split()
-)
-"""Critics without the word at their end, in any distribution (dwb_critics, default_critics.xml; nav2_mppi_controller,
-critics.xml)."""
-_CRITICS = {
-    "dwb_core::DWBLocalPlanner": _OF_DWB,
-    "nav2_mppi_controller::MPPIController": frozenset(f"{each}Critic" for each in _OF_MPPI),
-}
 _SEEN = ("LaserScan", "PointCloud2", "")
 """What an obstacle layer takes as the type of a source (obstacle_layer.cpp)."""
 _OLD_TREE = "default_bt_xml_filename"
@@ -300,15 +289,11 @@ def _controllers(params: Params, file: ParameterFile, block: Block) -> Iterator[
     """Critics that a controller does not have, and that nothing else of the tree names, as a package with critics of
     its own does."""
     yield from short_steps(block)
+    yield from blind_controllers(block)
     named = by_name(block)
-    for name, each in named.items():
-        section = name.removesuffix(".critics")
-        plugin = named.get(f"{section}.primary_controller") or named.get(f"{section}.plugin")
-        known = _CRITICS.get(str(plugin.value.data)) if plugin is not None and section != name else None
-        if known is None or f"{section}.default_critic_namespaces" in named:
-            continue
+    for section, each, known in critics_of(named):
         for item in items(each):
-            critic = item.text.removesuffix("Critic") if known is _OF_DWB else item.text
+            critic = plain(item.text, known)
             is_plain = item.text.isidentifier() and f"{section}.{item.text}.class" not in named
             if is_plain and critic not in known and not params.named_elsewhere(item.text, {file.source}):
                 yield NavigationProblem(

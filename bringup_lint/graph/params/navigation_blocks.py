@@ -16,8 +16,8 @@ class NavigationProblem(NamedTuple):
     kind: str
     """``footprint``, ``corner``, ``inflation``, ``ranges``, ``source``, ``sign``, ``length``, ``particles``, ``pose``,
     ``model``, ``frame``, ``polygon``, ``library``, ``section``, ``critic``, ``type``, ``clearing``, ``turn``,
-    ``slower``, ``tree``, ``old-tree``, ``zone``, ``radii`` or
-    ``step``."""
+    ``slower``, ``tree``, ``old-tree``, ``zone``, ``radii``,
+    ``blind`` or ``step``."""
     where: Span
     name: str
     """The parameter or observation source."""

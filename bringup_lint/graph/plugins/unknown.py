@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.facts import table
 from bringup_lint.graph.plugins.exports import exports
+from bringup_lint.graph.plugins.unbrought import Unbrought
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.urdf import Description
 from bringup_lint.parsers.urdf import parse
@@ -46,6 +47,8 @@ class UnknownPlugin(NamedTuple):
     """The distribution that has no such name; None when a package of the tree should have it, or none has it."""
     loaded: bool
     """A description of the robot, or a parameter file that a launch file loads or another file names."""
+    unbrought: bool = False
+    """Nothing of the tree declares, builds, fetches or installs the package."""
 
 
 class Named:
@@ -93,7 +96,16 @@ class Named:
         if str(name) in known:
             return None
         meant = _meant(known, package, match["class"])
-        return UnknownPlugin(name, package, meant, distribution, loaded) if meant is not None else None
+        if meant is not None:
+            return UnknownPlugin(name, package, meant, distribution, loaded)
+        is_public = any(each.startswith((f"{package}::", f"{package}/")) for each in _distributions())
+        if is_public or not loaded or name.span.source.kind == "urdf" or not self._unbrought.is_unbrought(package):
+            return None
+        return UnknownPlugin(name, package, None, None, loaded, unbrought=True)
+
+    @cached_property
+    def _unbrought(self) -> Unbrought:
+        return Unbrought(self._files.tree, self._workspace)
 
     @cached_property
     def _implied(self) -> dict[str, str]:

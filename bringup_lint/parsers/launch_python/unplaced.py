@@ -1,4 +1,4 @@
-"""Actions that the code of a launch file makes, keeps in a variable and hands to nothing."""
+"""Actions that the code of a launch file makes and hands to nothing."""
 
 from __future__ import annotations
 
@@ -29,14 +29,17 @@ class _Seen:
 
 
 def unplaced(tree: ast.Module, positions: Positions, text: str) -> Iterator[UnplacedAction]:
-    """Those whose variable nothing reads, and that no comment or text that stands alone mentions."""
+    """Those whose variable nothing reads, and that no comment or text that stands alone mentions, and those that are
+    made in a statement of their own."""
     seen = _Seen()
     made: list[tuple[ast.Name, ast.Call]] = []
+    alone: list[ast.Call] = []
     todo: list[tuple[ast.AST, bool]] = [(tree, False)]
     while todo:
         node, is_local = todo.pop()
         _note(seen, node)
         made += _kept_call(node) if is_local else ()
+        alone += _lone_call(node) if is_local else ()
         is_inner = isinstance(node, _SCOPES) or (is_local and not isinstance(node, ast.ClassDef))
         todo.extend((child, is_inner) for child in children(node))
     if seen.read & DYNAMIC:
@@ -46,6 +49,11 @@ def unplaced(tree: ast.Module, positions: Positions, text: str) -> Iterator[Unpl
         owner = _class_of(call.func, seen.classes)
         if owner and name.id not in used:
             yield UnplacedAction(Located(name.id, positions.span(name)), owner, _first_text(call), _executable(call))
+    for call in alone:
+        owner = _class_of(call.func, seen.classes)
+        if owner:
+            place = Located(owner, positions.span(call.func))
+            yield UnplacedAction(place, owner, _first_text(call), _executable(call), is_kept=False)
 
 
 def _note(seen: _Seen, node: ast.AST) -> None:
@@ -65,6 +73,12 @@ def _kept_call(node: ast.AST) -> Iterator[tuple[ast.Name, ast.Call]]:
         target = node.targets[0]
         if isinstance(target, ast.Name):
             yield target, node.value
+
+
+def _lone_call(node: ast.AST) -> Iterator[ast.Call]:
+    """The call that is a statement of its own."""
+    if isinstance(node, ast.Expr) and isinstance(node.value, ast.Call):
+        yield node.value
 
 
 def _class_of(function: ast.expr, classes: dict[str, str]) -> str:

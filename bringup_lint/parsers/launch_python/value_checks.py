@@ -14,6 +14,7 @@ from bringup_lint.model.launch import Other
 from bringup_lint.model.launch import Process
 from bringup_lint.model.launch_values import Literal
 from bringup_lint.parsers.launch_python.objects import Description
+from bringup_lint.parsers.launch_python.objects import Function
 from bringup_lint.parsers.launch_python.objects import Handler
 from bringup_lint.parsers.launch_python.objects import Mapping
 from bringup_lint.parsers.launch_python.objects import Sequence
@@ -147,7 +148,7 @@ def _function(thing: Any) -> Found:
 
 def _condition(thing: Any) -> Found:
     is_value = isinstance(thing, Literal) and not _is_none(thing)
-    if is_value or isinstance(thing, (Sequence, Mapping)) or is_substitution(thing):
+    if is_value or isinstance(thing, (Sequence, Mapping, Function)) or is_substitution(thing):
         yield "condition", None
 
 

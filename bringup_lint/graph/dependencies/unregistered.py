@@ -1,0 +1,64 @@
+"""Components that a CMakeLists.txt registers under a name which no source of their package registers."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.pattern import regex
+from bringup_lint.source import Located
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.files import Files
+    from bringup_lint.graph.workspace import Package
+
+_REGISTERED = regex(
+    r"^[ \t]*(?:RCLCPP_COMPONENTS_REGISTER_NODE|CLASS_LOADER_REGISTER_CLASS)\w{0,20}[ \t]{0,8}"
+    r"\(\s{0,80}(?P<class>[\w:]+)\s{0,80}[,)]",
+    re.M,
+    "REGISTER_",
+)
+_OTHERS = regex(r"^[^/\n]{0,200}REGISTER_(?:NODE|CLASS)\w{0,20}[ \t]{0,8}\(", re.M, "REGISTER_")
+"""These, and macros that make or use the macro."""
+_CODE = (".cpp", ".cc", ".cxx", ".c++", ".hpp", ".hh", ".h")
+
+
+class Unregistered(NamedTuple):
+    name: Located
+    """The class, as the build calls it."""
+    registered: Located
+    """The class that a source registers."""
+    is_same: bool
+    """Whether that one has another namespace only."""
+
+
+def unregistered(files: Files, package: Package) -> Iterator[Unregistered]:
+    """The components of a package none of whose sources registers them, where it registers others in plain words."""
+    if not package.complete or not package.plugins:
+        return
+    found = _registered(files, package)
+    for plugin in package.plugins:
+        if not found or "$" in plugin or str(plugin) in found:
+            continue
+        same = [each for name, each in found.items() if _class(name) == _class(plugin)]
+        yield Unregistered(plugin, (same or [*found.values()])[0], len(same) == 1)
+
+
+def _registered(files: Files, package: Package) -> dict[str, Located]:
+    """What the sources of a package register; nothing where one of them does so in a way that is not understood."""
+    found: dict[str, Located] = {}
+    for path in files.tree.walked_below(package.folder):
+        source = files.tree.read(path, judged=False) if path.endswith(_CODE) else None
+        if source is None or "REGISTER_" not in source.text:
+            continue
+        plain = list(_REGISTERED.finditer(source.text))
+        if len(plain) < len(_OTHERS.findall(source.text)):
+            return {}
+        found.update((each["class"], source.located(*each.span("class"))) for each in plain)
+    return found
+
+
+def _class(name: str) -> str:
+    return name.rpartition(":")[2]
