@@ -56,7 +56,7 @@ def i2c_unhandled(robot: Robot) -> Iterator[Finding]:
         stays = "" if each.is_thread else ", and nothing starts it again"
         yield finding(
             each.file.span_of(each.node),
-            f"One disturbed I2C transfer raises OSError in {each.name}(), and nothing catches it: {end}{stays}",
+            f"One disturbed I2C transfer raises OSError, which {each.name}() does not catch: {end}{stays}",
             advice="catch OSError, leave this reading out, and go on",
             related=[note(each.where, "the transfer")] if each.where is not None else [],
             severity=robot.nodes.graded(each.file.source, "warning"),
