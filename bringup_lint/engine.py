@@ -82,9 +82,7 @@ def run(
     checked = check(_in_order(rules.values(), robot), robot, registry.purposes, between)
     failures = [*checked.failures, *unread(robot)]
     steps = Steps()
-    judged = steps.each(
-        checked.findings, "asking what reads its file", lambda found: _in_test_data(found, robot, registry)
-    )
+    judged = steps.each(checked.findings, "asking what reads its file", lambda found: _by_use(found, robot, registry))
     findings = [*judged, *failures]
     findings += [too_slow(source, "Not judged: to parse it", budget.FILE) for source in robot.unfinished]
     if ignores:
@@ -134,12 +132,20 @@ def _muted(findings: Iterable[Finding], selection: Selection, config: Config) ->
             yield changed(found, suppression=Suppression(where, reason, external=True))
 
 
-def _in_test_data(found: Finding, robot: Robot, registry: Registry) -> Finding:
-    """The finding, lowered where its place is what tests read: that is often wrong on purpose, and on no robot."""
+def _by_use(found: Finding, robot: Robot, registry: Registry) -> Finding:
+    """The finding, lowered where its place is what tests read, which is often wrong on purpose and on no robot, and
+    where nothing of the robot's own leads to its file."""
     lowered = registry.in_test_data(found.rule)
-    if lowered is None or not robot.files.is_test_data(found.span):
+    if lowered is not None and robot.files.is_test_data(found.span):
+        found = changed(found, own_severity=min(found.own_severity or lowered, lowered))
+    lowered = registry.unreached(found.rule)
+    if lowered is None or _severity(found, registry) <= lowered or robot.leads_to(found.span):
         return found
-    return changed(found, own_severity=min(found.own_severity or lowered, lowered))
+    return changed(found, own_severity=lowered)
+
+
+def _severity(found: Finding, registry: Registry) -> Severity:
+    return found.own_severity or registry[found.rule].severity
 
 
 def _suppressed(

@@ -113,6 +113,8 @@ class Family:
     """The rule files that judge how a robot is deployed; the others hold for every file, whatever it is for."""
     test_data: Severity | None = None
     """The severity to which all findings in files that tests read are lowered."""
+    unreached: Severity | None = None
+    """The same in files to which nothing of the robot's own leads."""
     joins: dict[str, frozenset[str]] = field(default_factory=dict)
     """Rule file -> kinds of other families that give this rule something to say."""
     indexed: tuple[str, ...] | None = None
@@ -191,6 +193,7 @@ def _described_family(folder: str, data: Mapping[str, Any], indexed: tuple[str, 
         _purposes(data.get("purpose", {})),
         frozenset(data.get("purpose", {}).get("rules", ())),
         Severity.INFO if data.get("purpose", {}).get("test_data") == "info" else None,
+        None if data.get("purpose", {}).get("unreached") == "same" else Severity.INFO,
         {stem: _kinds(kinds) for stem, kinds in data.get("joins", {}).items()},
         indexed,
     )
@@ -351,6 +354,12 @@ class Registry:
         """To which severity findings of a rule are lowered in files that tests read (``family.toml``: test_data)."""
         found = self.family_of.get(rule_id)
         return found.test_data if found is not None else None
+
+    def unreached(self, rule_id: str) -> Severity | None:
+        """To which severity findings of a rule are lowered in files to which nothing of the robot's own leads
+        (``family.toml``: unreached)."""
+        found = self.family_of.get(rule_id)
+        return found.unreached if found is not None else None
 
     def get(self, rule_id: str) -> Rule | None:
         return self[rule_id] if rule_id in self.family_of else None

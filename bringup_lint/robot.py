@@ -77,6 +77,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.target import Target
     from bringup_lint.graph.topics.topics import Topics
     from bringup_lint.graph.udev.udev import Udev
+    from bringup_lint.graph.unreached import Unreached
     from bringup_lint.model.dockerfile import Dockerfile
     from bringup_lint.model.env_file import EnvFile
     from bringup_lint.model.firewall import Firewall
@@ -225,6 +226,16 @@ class Robot:
     def environment_file(self, robot_path: str) -> EnvFile | None:
         """The environment file at a path on the robot, when the tree holds it."""
         return self.files.environment_file(robot_path)
+
+    def leads_to(self, place: Source | Located | Span) -> bool:
+        """Whether a file is more than a part of a copy or of an archive that nothing of the robot's own uses."""
+        return not self._unreached.has(span_of(place).source)
+
+    @cached_property
+    def _unreached(self) -> Unreached:
+        from bringup_lint.graph.unreached import Unreached
+
+        return Unreached(self.files)
 
     def purpose(self, place: Source | Located | Span) -> Purpose:
         """What a place of a file is for: by its path, by the service around it, by who builds or starts it."""

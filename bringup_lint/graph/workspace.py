@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
 from bringup_lint.graph.absence import Absence
+from bringup_lint.graph.copies import Copies
 from bringup_lint.graph.memo import memo
 from bringup_lint.model.launch_values import Concat
 from bringup_lint.model.launch_values import FileDir
@@ -38,14 +39,8 @@ if TYPE_CHECKING:
 SUBFOLDERS = 40
 """CMake folders of one package that are followed."""
 
-_VENDOR = regex(
-    r"(?:^|/)(?:libs?|third[_-]?party|3rd[_-]?party|externals?|vendor(?:ed)?|upstream|submodules|deps|dependencies)/",
-    re.IGNORECASE,
-)
-"""Folders that keep the packages of others."""
 _CARRIED = regex(r"(?:^|/)(?:third[_-]?party|3rd[_-]?party|vendor(?:ed)?|submodules)/", re.IGNORECASE)
 """Folders of a package that keep sources of others."""
-_CHANGE_LOGS = ("CHANGELOG.rst", "CHANGELOG.md")
 _MAKES = regex(
     r"^[ \t]*(?:configure_file|add_custom_(?:command|target)|execute_process|xacro_add_\w{1,20}"
     r"|file[ \t]*\(\s*"
@@ -256,8 +251,9 @@ def _origin(install: Install, destination: str, source: str, path: str) -> str |
 
 
 class Workspace:
-    def __init__(self, tree: Tree, packages: dict[str, Package], ambiguous: set[str]) -> None:
+    def __init__(self, tree: Tree, packages: dict[str, Package], ambiguous: set[str], copies: Copies) -> None:
         self.tree = tree
+        self._copies = copies
         self.packages = packages
         self.ambiguous = ambiguous
         """Names that several packages of the tree have."""
@@ -272,25 +268,9 @@ class Workspace:
         owner = self.owner(source)
         if owner is None:
             return _CARRIED.search(source.name) is not None
-        if owner.folder in self._released or _VENDOR.search(self._below_top(owner.folder) + "/"):
+        if self._copies.is_kept_apart(owner.folder):
             return True
         return _CARRIED.search(os.path.relpath(source.absolute, owner.folder)) is not None
-
-    @cached_property
-    def _released(self) -> frozenset[str]:
-        """The folders of packages with a change log; empty when most packages have one, as their own repository has."""
-        found = {folder for folder in self._folders if self._has_change_log(folder)}
-        return frozenset(found) if 2 * len(found) < len(self._folders) else frozenset()
-
-    def _has_change_log(self, folder: str) -> bool:
-        return any(self.tree.is_file(os.path.join(folder, name)) for name in _CHANGE_LOGS)
-
-    def _below_top(self, folder: str) -> str:
-        return os.path.relpath(folder, self._top)
-
-    @cached_property
-    def _top(self) -> str:
-        return os.path.commonpath(self._folders) if self._folders else "/"
 
     def required(self, package: Package) -> Iterator[str]:
         """What a package depends on, directly or through other packages of the workspace."""
@@ -450,7 +430,7 @@ def load_workspace(files: Files) -> Workspace:
         package = Package(manifest, os.path.dirname(manifest.source.absolute))
         _read_builds(files, package, builds)
         packages[name] = package
-    return Workspace(files.tree, packages, ambiguous)
+    return Workspace(files.tree, packages, ambiguous, Copies(files))
 
 
 def _read_builds(files: Files, package: Package, sources: dict[str, Source]) -> None:

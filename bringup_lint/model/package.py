@@ -33,6 +33,10 @@ class Manifest:
     """The start tag of ``<export>``."""
     for_both: bool = False
     """Conditions on ROS_VERSION make it a package of ROS 1 as well."""
+    people: list[str] = field(default_factory=list)
+    """The names and addresses of maintainers and authors."""
+    repositories: list[str] = field(default_factory=list)
+    """The addresses that it gives of itself: website, repository, tracker."""
     problems: list[Problem] = field(default_factory=list)
 
     @property

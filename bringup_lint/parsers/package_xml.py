@@ -38,6 +38,10 @@ def parse(source: Source) -> Manifest:
                 manifest.first = element.span
             if tag == "buildtool_depend":
                 tools.add(str(element.text))
+        elif tag in ("maintainer", "author"):
+            manifest.people += (element.text, element.get("email") or "")
+        elif tag == "url":
+            manifest.repositories.append(element.text)
         elif tag == "export":
             manifest.export = element.tag
             for exported in element.find_all("build_type"):

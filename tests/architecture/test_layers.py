@@ -50,7 +50,9 @@ LAYERS = (
         "graph.networkmanager",
         "graph.udev",
         "graph.commands",
+        "graph.unreached",
     },
+    {"graph.copies"},
     {"graph.files", "graph.file_nodes", "graph.interface_files", "graph.places", "graph.layers"},
     {
         "graph.absence",
