@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.udev.order import TooEarly
     from bringup_lint.graph.udev.rule import Link
     from bringup_lint.graph.udev.rule import UdevRule
+    from bringup_lint.model.udev import Rule
     from bringup_lint.model.udev import RulesFile
     from bringup_lint.model.udev import Token
 else:
@@ -19,6 +20,7 @@ else:
 __all__ = [
     "Condition",
     "Link",
+    "Rule",
     "RulesFile",
     "Token",
     "TooEarly",

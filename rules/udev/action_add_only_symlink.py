@@ -2,7 +2,7 @@
 
 ## What it finds
 A rule that fires for `ACTION=="add"` but not for `change`, and does one of these:
-- It makes a link.
+- It makes a link. This is info where no other file of the tree names the link.
 - It gives the tag `systemd` to a device that 99-systemd.rules does not tag.
 - It sets a property that a daemon reads at every event (`ID_MM_DEVICE_IGNORE`, `ID_MM_PORT_IGNORE`,
   `NM_UNMANAGED`).
@@ -75,6 +75,7 @@ class Lost(NamedTuple):
     where: Located | Span
     what: str
     name: str
+    severity: str | None = None
 
     @property
     def action(self) -> Condition:
@@ -87,7 +88,8 @@ def _all_lost(robot: Robot) -> Iterator[Lost]:
             continue
         for link in line.links:
             if not robot.udev.survives_change(link):
-                yield Lost(line, link.name, f"removes {link.path}", "the link")
+                used = robot.devices.names(link.path)
+                yield Lost(line, link.name, f"removes {link.path}", "the link", None if used else "info")
         for token in line.line.assignments("TAG"):
             if token.value == "systemd" and _is_for_device_unit(line, robot.target.systemd):
                 yield Lost(line, token.span, "makes systemd stop what is bound to the device", "the tag")
@@ -109,12 +111,13 @@ def _finding(lost: Lost) -> Finding:
         f"The next change event (udevadm trigger) {lost.what}",
         advice='write ACTION!="remove"',
         related=[note(lost.where, lost.name)],
+        severity=lost.severity,
         fix=change if len(lost.line.on("ACTION")) == 1 else None,
     )
 
 
 def _skipped(first: Lost, others: list[Lost]) -> Finding:
-    more = f", and {len(others)} more lines that this jump skips lose theirs" if others else ""
+    more = f", and {_count(len(others))} theirs" if others else ""
     return finding(
         first.where,
         f"The next change event (udevadm trigger) {first.what}{more}",
@@ -123,4 +126,9 @@ def _skipped(first: Lost, others: list[Lost]) -> Finding:
             note(first.action.token.span, "this jump skips the rule"),
             *(note(lost.where, f"{lost.name} that is lost too") for lost in others[:_MOST_SHOWN]),
         ],
+        severity="info" if all(lost.severity for lost in (first, *others)) else None,
     )
+
+
+def _count(lines: int) -> str:
+    return "one more line that this jump skips loses" if lines == 1 else f"{lines} more lines that this jump skips lose"

@@ -1,7 +1,8 @@
 """A rule contains the same match twice.
 
 ## What it finds
-The same key, operator and value twice on one line, also with its alternatives in another order.
+The same key, operator and value twice on one line, also with its alternatives in another order. Twice the kernel name,
+the subsystem or the action is info: no other attribute can have been meant.
 
 ## Why it matters on a robot
 One of the two was probably meant to be another attribute, so the rule matches more devices than it should.
@@ -46,6 +47,7 @@ def duplicate_match(robot: Robot) -> Iterator[Finding]:
                     f'{token.name}{token.operator}"{token.value}" appears twice on this line',
                     advice="delete it, or write the attribute that you meant",
                     related=[note(seen[said].span, "the first one")],
+                    severity=None if token.attribute else "info",
                     fix=fix("delete the second one", *rule_line.without(token)),
                 )
             seen.setdefault(said, token)

@@ -3,7 +3,8 @@
 ## What it finds
 `MODE` with write permission for others, such as `0666` or `0777`. Device nodes that are open by design (null,
 fuse, kvm, graphics) are not reported, nor is a mode that a packaged file sets anew afterwards. All lines of one
-file are one finding.
+file are one finding, which is info where they name debug probes, programmers and logic analyzers only: these drive
+nothing on the robot.
 
 ## Why it matters on a robot
 Any process of any user, including a compromised web service, can drive the motor controller. `GROUP=` on the
@@ -49,10 +50,11 @@ def mode_world_writable(robot: Robot) -> Iterator[Finding]:
     for line, token in robot.udev.open_to_all:
         files.setdefault(token.span.path, []).append((line, token))
     for found in files.values():
-        yield _finding(found)
+        of_robot = [each for each in found if not each[0].is_for_tools]
+        yield _finding(of_robot, None) if of_robot else _finding(found, "info")
 
 
-def _finding(found: list[tuple[UdevRule, Token]]) -> Finding:
+def _finding(found: list[tuple[UdevRule, Token]], severity: str | None) -> Finding:
     (first, token), *others = found
     grouped = first.line.first("GROUP") is not None
     lacking = [line for line, _ in found if not has_users(line)]
@@ -64,6 +66,7 @@ def _finding(found: list[tuple[UdevRule, Token]]) -> Finding:
         + (f" ({len(found)} lines of this file)" if others else ""),
         advice=f"write 0660 and {_group_for(lacking)}" if lacking else "write 0660",
         related=[note(other.value, "this mode too") for _, other in others[:_MOST_SHOWN]],
+        severity=severity,
         fix=None if lacking else fix("let only the owner and the group write", *edits),
     )
 

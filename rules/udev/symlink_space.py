@@ -2,7 +2,8 @@
 
 ## What it finds
 A space in a `SYMLINK` value that does not look like a separator. After a name comes a bare number, a single
-character, or a word without a folder although the first name has one.
+character, or a word without a folder although the first name has one. It is info where no file of the tree names one
+of the two links, nor the one that was meant.
 
 ## Why it matters on a robot
 `robot/front camera` makes the links /dev/robot/front and /dev/camera. A driver that opens the whole name
@@ -54,14 +55,22 @@ def symlink_space(robot: Robot) -> Iterator[Finding]:
         for first, second in pairwise(names):
             if first.span.end < second.span.start <= first.span.end + 2 and _is_torn(first, second):
                 files.setdefault(line.source, []).append(Torn(first, second))
-    for source, ((first, second), *others) in files.items():
+    for source, found in files.items():
+        (first, second), *others = found
         more = f" ({len(others) + 1} such names in this file)" if others else ""
         yield finding(
             source.span(first.span.start, second.span.end),
             f"The space makes two links, /dev/{first.removeprefix('/dev/')} and /dev/{second}{more}",
             advice=f"write {first}_{second} for one link",
             related=[note(other.first, "two links here, too") for other in others[:20]],
+            severity=None if any(_is_opened(robot, each) for each in found) else "info",
         )
+
+
+def _is_opened(robot: Robot, torn: Torn) -> bool:
+    first = torn.first.removeprefix("/dev/")
+    names = (first, torn.second, f"{first}_{torn.second}")
+    return any(robot.devices.names(f"/dev/{name}") for name in names)
 
 
 def _is_torn(first: str, second: str) -> bool:

@@ -3,9 +3,8 @@ r"""A link depends only on the vendor and product id.
 ## What it finds
 A rule for a serial port or camera that makes a link and identifies the device by `idVendor` and `idProduct`
 alone:
-- **warning**: a bridge chip that is used in many products (FTDI, CP210x, CH340, PL2303, STM32, Arduino), on a robot
-  with several serial devices: its rules make links to others, too, or its files name ports by their numbers; and any
-  device whose link ends in the number of the kernel (`gps_%n`).
+- **warning**: a robot with a second device of these ids, for which another rule makes another link; and any device
+  whose link ends in the number of the kernel (`gps_%n`).
 - **info**: any other device.
 
 ## Why it matters on a robot
@@ -36,8 +35,10 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.udev import Link
 
 _WEAK = {
     ("SUBSYSTEM", ""),
@@ -54,22 +55,21 @@ _WEAK = {
     ("ENV", "ID_BUS"),
 }
 NUMBERED = regex(r"(?:%n|\$number)$")
-SERIAL = regex(r"/dev/tty(?:USB|ACM)\d+")
+_MOST_RIVALS = 50
 _DECIDING = ("PROGRAM", "IMPORT", "RESULT", "TEST")
 
 
 @rule("warning", symptoms=["appeared twice with different sysfs paths"])
 def symlink_vidpid_only(robot: Robot) -> Iterator[Finding]:
-    has_several = _has_several(robot)
+    of_id: dict[str, list[Link]] = {}
+    for link in robot.udev.links:
+        for usb_id in link.rule.usb_ids:
+            of_id.setdefault(usb_id, []).append(link)
     for line in robot.udev.matching:
         if not line.usb_ids or not (line.is_serial or line.is_for("video4linux")):
             continue
         if not line.subjects <= _WEAK or any(line.line.first(key) for key in _DECIDING):
             continue
-        products = line.generic_products
-        what = (
-            f"Every {products[0]} matches" if products else f"A second device {' or '.join(line.usb_ids)} matches too"
-        )
         for link in line.links:
             if NUMBERED.search(link.name):
                 yield finding(
@@ -78,16 +78,34 @@ def symlink_vidpid_only(robot: Robot) -> Iterator[Finding]:
                     advice="match ATTRS{serial}, or the USB port, and give the link a fixed name",
                 )
             elif link.is_fixed:
-                yield finding(
-                    link.name,
-                    f"{what}: {link.path} points to the one found last",
-                    advice="add ATTRS{serial}, or match the USB port with KERNELS or ENV{ID_PATH}",
-                    severity=None if products and has_several else "info",
-                )
+                yield _finding(link, _twin(robot, link, of_id))
 
 
-def _has_several(robot: Robot) -> bool:
-    """Whether the robot has more than one serial device or camera: links to others, or ports with numbers."""
-    lines = (line for line in robot.udev.matching if line.is_serial or line.is_for("video4linux"))
-    links = {link.path for line in lines for link in line.links}
-    return len(links) > 1 or any(SERIAL.fullmatch(use.path) for use in robot.devices.uses)
+def _finding(link: Link, twin: Link | None) -> Finding:
+    products = link.rule.generic_products
+    what = (
+        f"Every {products[0]} matches" if products else f"A second device {' or '.join(link.rule.usb_ids)} matches too"
+    )
+    return finding(
+        link.name,
+        f"{what}: {link.path} points to the one found last",
+        advice="add ATTRS{serial}, or match the USB port with KERNELS or ENV{ID_PATH}",
+        related=[note(twin.name, "a device with these ids, too")] if twin else [],
+        severity=None if twin else "info",
+    )
+
+
+def _twin(robot: Robot, link: Link, of_id: dict[str, list[Link]]) -> Link | None:
+    """The link that another rule makes for a second device of the same ids on this robot."""
+    for other in of_id[link.rule.usb_ids[0]][:_MOST_RIVALS]:
+        if other.path == link.path or not other.rule.judged or other.rule.is_serial != link.rule.is_serial:
+            continue
+        opened = _is_beside(other, link) or robot.devices.names(link.path)
+        if opened and robot.same_robot(other.name, link.name):
+            return other
+    return None
+
+
+def _is_beside(one: Link, other: Link) -> bool:
+    folder, _, _ = one.name.span.path.rpartition("/")
+    return folder == other.name.span.path.rpartition("/")[0]

@@ -40,6 +40,7 @@ if TYPE_CHECKING:
     from bringup_lint.model.node_source import NodeSource
 
 _BY_DISCOVERY = regex(r"/dev/(?:ttyUSB\d+|ttyACM\d+|video\d)")
+_PATH = regex(r"/dev/[\w./+-]+", hints="/dev/")
 _LOOP = regex(r"^\s*for\s+\w+\s+in\s")
 _CAMERA = "/dev/video"
 _SEPARATORS = regex(r"[/_.-]")
@@ -272,6 +273,16 @@ class Devices:
     def _is_near(self, link: Link, use: DeviceUse) -> bool:
         """Whether the rule that makes a link is for the robot on which it is used."""
         return self.files.same_robot(link.name, use.path)
+
+    def names(self, path: str) -> bool:
+        """Whether anything but a udev rule names a path below /dev, or one of those that ``*`` stands for."""
+        stem, star, _ = path.partition("*")
+        return path in self._named or (bool(star) and any(each.startswith(stem) for each in self._named))
+
+    @cached_property
+    def _named(self) -> frozenset[str]:
+        texts = (source.text for source in self.files.sources if source.kind != "udev-rules" and source.judged)
+        return frozenset(path.rstrip("./") for text in texts for path in _PATH.findall(text))
 
     def untagged(self, unit: str) -> list[Link]:
         """The links behind a ``.device`` name when none of their devices becomes a device unit."""

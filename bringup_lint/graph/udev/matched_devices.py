@@ -99,6 +99,20 @@ def is_open_by_design(name: str) -> bool:
     return any(matches(row["name"], name) for row in facts.table("udev/open_nodes"))
 
 
+def is_tool(usb_id: str) -> bool:
+    """Whether a USB device by ``vendor:product`` is a debug probe, a programmer or the like, which drives no robot."""
+    vendor, product = usb_id.split(":")
+    return any(matches(pattern, product) for pattern in _tools().get(vendor, ()))
+
+
+@cache
+def _tools() -> dict[str, tuple[str, ...]]:
+    found: dict[str, tuple[str, ...]] = {}
+    for row in facts.table("udev/tools"):
+        found[row["vendor"]] = (*found.get(row["vendor"], ()), row["product"])
+    return found
+
+
 @cache
 def usb_ids() -> dict[str, dict[str, str]]:
     """Known USB devices by ``vendor:product`` in lower case."""

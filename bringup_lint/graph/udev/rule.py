@@ -12,6 +12,7 @@ from bringup_lint.graph.udev.conditions import contradict
 from bringup_lint.graph.udev.matched_devices import can_be_one
 from bringup_lint.graph.udev.matched_devices import is_open_by_design
 from bringup_lint.graph.udev.matched_devices import is_tagged_by_systemd
+from bringup_lint.graph.udev.matched_devices import is_tool
 from bringup_lint.graph.udev.matched_devices import levels
 from bringup_lint.graph.udev.matched_devices import subsystem_of_name
 from bringup_lint.graph.udev.matched_devices import usb_ids
@@ -233,6 +234,11 @@ class UdevRule:
         ]
         names = [*self.kernels, *(name.rpartition("/")[2] for name in static)]
         return bool(names) and all(is_open_by_design(name) for name in names)
+
+    @property
+    def is_for_tools(self) -> bool:
+        """Whether the rule names nothing but debug probes, programmers and the like, and not their serial ports."""
+        return bool(self.usb_ids) and all(map(is_tool, self.usb_ids)) and not self.is_serial
 
     def is_tagged_by_systemd(self, systemd: int) -> bool | None:
         """Whether 99-systemd.rules makes device units of them; None when the subsystem is unknown."""
