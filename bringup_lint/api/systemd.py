@@ -44,7 +44,9 @@ if TYPE_CHECKING:
     from bringup_lint.graph.systemd.network_online import ONLINE
     from bringup_lint.graph.systemd.network_online import TooEarly
     from bringup_lint.graph.systemd.network_online import edits_to_wait
+    from bringup_lint.graph.systemd.network_online import needs_no_network
     from bringup_lint.graph.systemd.network_online import too_early
+    from bringup_lint.graph.systemd.network_online import waits_itself
     from bringup_lint.graph.systemd.never_enabled import never_enabled_units
     from bringup_lint.graph.systemd.process import Process
     from bringup_lint.graph.systemd.restart import RestartPolicy
@@ -141,6 +143,7 @@ __all__ = [
     "misspelt_trigger",
     "move_lines",
     "needless_root",
+    "needs_no_network",
     "never_enabled_units",
     "only_connects",
     "open_access",
@@ -152,4 +155,5 @@ __all__ = [
     "too_early",
     "unsourced",
     "unstartable",
+    "waits_itself",
 ]

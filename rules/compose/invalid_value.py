@@ -9,7 +9,8 @@ A value that compose or the Docker engine refuses:
 - a missing key
 - `networks` beside `network_mode` in one service
 
-A mount option that compose does not know is a warning: it is passed over silently, so that `:r` mounts writable.
+A mount option that compose does not know is a warning: it is passed over silently, so that `:r` mounts writable. A
+value of nothing but crosses, for somebody to fill in, is a warning, too.
 
 ## Why it matters on a robot
 docker compose refuses the whole file and starts none of the services, or the container is not created.
@@ -49,6 +50,7 @@ from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.compose import Service
 from bringup_lint.api.schema import Code
@@ -59,6 +61,8 @@ from bringup_lint.api.yaml import Sequence
 REFUSED = "docker compose refuses the file"
 BY_ENGINE = ("container-name", "device", "restart", "mac", "stop-signal")
 """Grammars that the Docker engine checks, not compose."""
+UNFILLED = regex(r"[Xx<>:-]{4,40}")
+"""A value for somebody to fill in, such as XX:XX:XX:XX:XX:XX."""
 MODES = ("rw", "ro", "z", "Z")
 REDUNDANT = ("bind", "rbind")
 """Mount options of mount(8) that say what compose does with a path by itself."""
@@ -139,7 +143,10 @@ def _refused(remark: Remark) -> Finding:
     if remark.code not in (Code.SHAPE, Code.UNQUOTED):
         by_engine = remark.item is not None and remark.item.row["grammar"] in BY_ENGINE
         consequence = "the container is not created" if by_engine else REFUSED
-        return finding(where, f"'{where}' {remark.detail}: {consequence}", advice="correct the value")
+        to_fill = isinstance(where, Located) and UNFILLED.fullmatch(where)
+        severity = "warning" if to_fill else None
+        text = f"'{where}' {remark.detail}: {consequence}"
+        return finding(where, text, advice="correct the value", severity=severity)
     written = isinstance(where, Located) and str(where) != name
     message = f"{name} takes {remark.detail}, not '{where}'" if written else f"{name} takes {remark.detail}"
     quoted = written and remark.code == Code.UNQUOTED

@@ -3,8 +3,9 @@
 ## What it finds
 A ROS service without a restart policy. Services in a profile, and services with `restart: "no"`, are not reported.
 It is a warning for services that are the bring-up by their names or launch files, if one of them launches ROS with
-devices of the robot, and nothing of the tree stays with the containers as `docker compose up` does without `-d`.
-The only service of a tree needs no such name. Services of one file are one finding.
+devices of the robot, and nothing of the tree stays with the containers as `docker compose up` does without `-d`, nor
+does its README tell people to run that. The only service of a tree needs no such name. Services of one file are one
+finding.
 
 ## Why it matters on a robot
 After a crash, or after a reboot of the robot, the container stays down.
@@ -48,6 +49,8 @@ CALLS = regex(
     hints="compose",
 )
 """Commands that start containers and stay with them."""
+PAGE = regex(r"(?:^|/)README[^/]*$")
+MOST = 200_000
 BRINGUP = regex(r"bring_?up|robot\.launch", re.I)
 BESIDE = regex(r"rviz|\bgcs|desktop|sleep infinity", re.I)
 """What simulates, shows or waits for somebody."""
@@ -59,7 +62,7 @@ def restart_missing(robot: Robot) -> Iterator[Finding]:
     for service in robot.compose.whole_services:
         if service.is_ros:
             files.setdefault(service.name.span.source, []).append(service)
-    called = robot.mentions(CALLS)
+    called = bool(files) and (robot.mentions(CALLS) or any(map(CALLS.search, robot.tree.pages(PAGE, MOST))))
     for services in files.values():
         lacking = [each for each in services if _is_lacking(each)]
         alone = len(files) == len(services) == 1

@@ -3,7 +3,8 @@
 ## What it finds
 `user: root` or `user: "0"`. Also a service without `user:` whose image certainly runs as root, such as an official ROS
 image; services of one file with the same image are one finding. If a Dockerfile of the tree builds the image,
-`docker/root-user` reports it there. Services without `user:` whose image is not known are info.
+`docker/root-user` reports it there. Services without `user:` whose image is not known are info, as is `user: root` in a
+file without ROS and devices: that is a server.
 
 ## Why it matters on a robot
 Files on bind mounts belong to root. Shared memory of another user is not readable: topics are listed, but no data
@@ -52,7 +53,9 @@ def root_user(robot: Robot) -> Iterator[Finding]:
         by_file.setdefault(service.source, []).append(service)
     for services in by_file.values():
         own = [service for service in services if service.user is not None]
-        yield from _chosen([service for service in own if _is_root(robot, service)])
+        yield from _chosen(
+            [service for service in own if _is_root(robot, service)], None if _is_robot(services) else "info"
+        )
         yield from _left_to_image(robot, [service for service in services if service.user is None])
 
 
@@ -61,10 +64,16 @@ def _is_root(robot: Robot, service: Service) -> bool:
     return runner is not None and runner.user == "root"
 
 
-def _chosen(services: list[Service]) -> Iterator[Finding]:
+def _is_robot(services: list[Service]) -> bool:
+    """Whether a file has something of a robot: ROS, or devices; else it is a server beside it."""
+    return any(service.is_ros or service.devices or service.is_privileged for service in services)
+
+
+def _chosen(services: list[Service], severity: str | None) -> Iterator[Finding]:
     by_place = {service.user.span: service for service in reversed(services) if service.user is not None}
     for place, service in by_place.items():
-        yield finding(place, f"Service '{service.name}' runs as root{reach(service)}", advice=ADVICE)
+        message = f"Service '{service.name}' runs as root{reach(service)}"
+        yield finding(place, message, advice=ADVICE, severity=severity)
 
 
 def _left_to_image(robot: Robot, services: list[Service]) -> Iterator[Finding]:

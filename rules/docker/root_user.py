@@ -10,7 +10,8 @@ runuser or fixuid, which drop privileges, or if the entry script is that of a ba
 Images of a tree that run as root for the same purpose are one finding.
 
 It is info for images that a robot hardly runs by themselves: without USER, CMD and ENTRYPOINT; a shell in which
-somebody works or logs in with ssh, also as ENTRYPOINT of an image that no service runs; a builder, a simulator or a
+somebody works or logs in with ssh, also as ENTRYPOINT of an image that no service runs; an image whose command
+is a shell, and whose services in compose files say nothing but how it is built; a builder, a simulator or a
 demonstration; a Dockerfile that nothing builds while another one in its place is built; and an image that copies
 nothing, builds nothing and has nothing of ROS: it runs a program of the distribution.
 
@@ -80,6 +81,8 @@ LEAVES = regex(
 )
 """A command that another user runs."""
 MOST = 20
+OF_BUILD = frozenset({"build", "image", "profiles", "platform", "container_name", "extends"})
+"""Keys of a service that is there to build an image."""
 SHELLS = ("bash", "sh", "dash", "zsh")
 SYSTEMD = regex(r"/(?:s?bin/init|lib/systemd/systemd)\b")
 
@@ -100,7 +103,10 @@ class AsRoot(NamedTuple):
 
     @property
     def is_info(self) -> bool:
-        return self.lowered or (last_user(self.stage) is None and not (self.services or _runs(self.stage)))
+        only_built = bool(self.services) and all(map(_only_builds, self.services)) and _ends_in_shell(self.stage)
+        return (
+            self.lowered or only_built or (last_user(self.stage) is None and not (self.services or _runs(self.stage)))
+        )
 
 
 @rule("warning", silent="root may do everything, so nothing fails", tags=["CWE-250"])
@@ -148,6 +154,15 @@ def _finding(image: AsRoot, *others: AsRoot) -> Finding:
         related=related,
         severity=severity,
     )
+
+
+def _only_builds(service: Service) -> bool:
+    return all(key.value in OF_BUILD for key, _ in service.body.merged)
+
+
+def _ends_in_shell(stage: Stage) -> bool:
+    command = stage.last("CMD")
+    return command is None or program_name(str(command.exec_form[-1] if command.exec_form else command.value)) in SHELLS
 
 
 def _runs(stage: Stage) -> bool:

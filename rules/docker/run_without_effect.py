@@ -43,6 +43,8 @@ from bringup_lint.api.shell import Command
 OF_THE_SHELL = ("source", ".", "export", "cd", "alias", "unset")
 OF_ROS = regex(r"\b(?:colcon|ros2|ament_\w+|cmake|rosdep[ \t]+install|ROS_DISTRO)\b")
 """What a step needs the environment of a workspace for."""
+BUILDS = regex(r"\b(?:colcon|ros2|ament_\w+|cmake)\b")
+"""The same where the image knows ROS_DISTRO by itself."""
 ADVICE = {
     "source": "join it with the step that needs it: RUN . FILE && ...",
     ".": "join it with the step that needs it: RUN . FILE && ...",
@@ -82,9 +84,10 @@ def _is_idle(stage: Stage, lost: Command) -> bool:
     """Whether a file is sourced, and no step after it would find anything of ROS in its environment."""
     if lost.name not in ("source", "."):
         return False
+    needs = BUILDS if "ROS_DISTRO" in " ".join(lost.words) else OF_ROS
     later = (run for run in stage.all("RUN") if run.keyword.span.start > lost.words[0].span.start)
     steps = ("\n".join([run.value, *run.heredocs]) for run in later)
-    return not any(OF_ROS.search(step) and "setup." not in step for step in steps)
+    return not any(needs.search(step) and "setup." not in step for step in steps)
 
 
 def _only_of_shell(command: Command) -> bool:

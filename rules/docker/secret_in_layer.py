@@ -4,8 +4,9 @@
 COPY or ADD of a private SSH key (`id_rsa`, `id_ed25519`, ...) or of a whole `.ssh` folder into the final image or into
 a stage that a build of the tree names as its target, and a RUN that copies a file from `/run/secrets`, from the target
 of `--mount=type=secret`, or a key from that of `--mount=type=bind`, to another place and does not remove it in the same
-step. A copy that only a condition of the step makes is a warning. A key that `ssh-keygen` makes in a RUN is a warning,
-too: the host keys of `ssh-keygen -A` and a key that signs in elsewhere are then the same on every robot.
+step. A copy that only a condition of the step makes is a warning, and an info where nothing of the tree pushes images
+to a registry. A key that `ssh-keygen` makes in a RUN is a warning, too: the host keys of `ssh-keygen -A` and a key that
+signs in elsewhere are then the same on every robot.
 
 ## Why it matters on a robot
 Everybody who can pull the image, or has a robot with it, can read the key: `docker save` shows every layer, also when a
@@ -53,6 +54,9 @@ TARGET = regex(r"(?:^|,)(?:target|dst|destination)=(?P<path>/[^,]+)")
 PUBLIC = regex(r"pub(?:lic)?(?:_key|_keys|\.key)?$|allowed_signers$|known_hosts$")
 GONE = regex(r"/(?:tmp|run|dev/shm|var/tmp)/")
 CACHE = regex(r"/var/(?:lib/apt|cache)/|/tmp/")
+PUSH = regex(r"\bdocker(?:[ \t]+(?:image|compose|buildx))?[ \t]+push\b|--push\b|\bpush:[ \t]*(?:true|\$)", hints="push")
+CALLING = regex(r"(?:\.github/workflows/[^/]+|\.gitlab-ci\.yml|Jenkinsfile|Makefile|[jJ]ustfile|\.(?:sh|bash|hcl))$")
+MOST = 100_000
 OTHER_WORK = regex(r"-[a-zA-Z]{0,8}[FRHlyeispcBDkQrYLMUO]")
 """Options with which ssh-keygen makes no key."""
 
@@ -71,7 +75,12 @@ def secret_in_layer(robot: Robot) -> Iterator[Finding]:
         for stage in stages.values():
             if stage.start.keyword.span.source is file.source:
                 yield from (_stays(word) for word in _copied(stage))
-                yield from _kept(stage)
+                yield from _kept(robot, stage)
+
+
+def _is_pushed(robot: Robot) -> bool:
+    """Whether something of the tree puts images into a registry."""
+    return any(PUSH.search(text) for text in robot.tree.pages(CALLING, MOST))
 
 
 def _copied(stage: Stage) -> Iterator[Located]:
@@ -81,7 +90,7 @@ def _copied(stage: Stage) -> Iterator[Located]:
             yield from (word for word in list(instruction.value.words())[:-1] if KEY.search(word))
 
 
-def _kept(stage: Stage) -> Iterator[Finding]:
+def _kept(robot: Robot, stage: Stage) -> Iterator[Finding]:
     """What each step writes to a place that stays: build secrets, and keys that it makes."""
     for instruction in stage.all("RUN"):
         commands = list(commands_of_run(instruction))
@@ -91,7 +100,9 @@ def _kept(stage: Stage) -> Iterator[Finding]:
         written = [(word, command) for command in commands for word in _written(command, mounts)]
         if written:
             certain = any(command.depth == 0 for _, command in written)
-            yield _stays(*(word for word, _ in written), severity=None if certain else "warning")
+            yield _stays(
+                *(word for word, _ in written), severity=None if certain else "warning" if _is_pushed(robot) else "info"
+            )
         yield from (_made(command) for command in commands if _makes(command))
 
 

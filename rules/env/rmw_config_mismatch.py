@@ -3,7 +3,8 @@
 ## What it finds
 A process whose environment selects one middleware but configures only the other. CYCLONEDDS_URI with Fast DDS,
 which also runs on Humble to Kilted when RMW_IMPLEMENTATION is not set. A Fast DDS profile with Cyclone DDS. Not
-reported: an image without RMW_IMPLEMENTATION that nothing of the tree runs; whoever runs it may set the variable.
+reported: an image without RMW_IMPLEMENTATION that nothing of the tree runs; whoever runs it may set the variable. What
+an image sets for the middleware that a compose file replaces is an info.
 
 ## Why it matters on a robot
 The file is never read. The robot runs with the defaults: multicast discovery on every interface, no peers, no
@@ -32,6 +33,7 @@ themselves.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -70,7 +72,13 @@ def rmw_config_mismatch(robot: Robot) -> Iterator[Finding]:
                 related=[note(rmw.value, "the middleware is selected here")]
                 if rmw
                 else [note(process.where, "sets no RMW_IMPLEMENTATION")],
+                severity="info" if rmw and _is_left_over(rmw.value, unread.value) else None,
             )
+
+
+def _is_left_over(chosen: Located, unread: Located) -> bool:
+    """Whether an image configures the middleware that it has by default, and a compose file chooses another one."""
+    return chosen.span.source.kind == "compose" and unread.span.source.kind == "dockerfile"
 
 
 def _default(robot: Robot) -> str | None:

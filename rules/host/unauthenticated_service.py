@@ -7,7 +7,7 @@ Services of the robot itself that listen on all addresses and ask for no passwor
   compose service whose image serves a desktop or an editor without a password (`linuxserver/baseimage-kasmvnc`,
   `linuxserver/webtop`, `linuxserver/code-server`, `theasp/novnc`), and Flask with `debug=True` on `0.0.0.0`: its
   debugger runs Python for whoever knows or guesses the PIN, and its reloader runs the program, and so a node in it,
-  twice.
+  twice. With an option by which the program makes people acknowledge that (`--I-KNOW-THIS-IS-INSECURE`), a warning.
 - **warning**: `rosbridge_server` and `foxglove_bridge`, which publish for their clients, in a tree that mentions
   `cmd_vel`; information in others. A mosquitto broker with `allow_anonymous true`, and a ser2net `accepter: tcp,PORT`
   without an address. A compose service with the image of a database (`mongo`, `redis`, `influxdb:1`; `postgres`,
@@ -109,7 +109,7 @@ def unauthenticated_service(robot: Robot) -> Iterator[Finding]:
                 *(note(defaults[each], "the default of its address") for each in (first, *others) if each in defaults),
                 *(note(each, "and here") for each in others),
             ],
-            severity=_severity(kind, motion),
+            severity=_severity(kind, motion) or ("warning" if _is_known_open(first) else None),
             confidence="medium" if kind in WARNED or kind == "bridge" else None,
         )
 
@@ -118,3 +118,8 @@ def _severity(kind: str, motion: bool) -> str | None:
     if kind == "bridge":
         return "warning" if motion else "info"
     return "warning" if kind in WARNED else None
+
+
+def _is_known_open(where: Span) -> bool:
+    """Whether an option of the command says that somebody knows what it does."""
+    return "INSECURE" in where.source.line_text(where.line)

@@ -35,6 +35,7 @@ private.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
@@ -51,6 +52,12 @@ def wifi_password_plaintext(robot: Robot) -> Iterator[Finding]:
             source = password.span.source
             if not password or is_stand_in(password) or source.template or source.mode is not None:
                 continue
+            own = any(
+                str(point.mode or "") == "ap" and password in point.passwords for point in interface.access_points
+            )
+            if own and not is_example(source.name):
+                yield _of_access_point(password, interface.name)
+                continue
             key = len(password) == 64 and all(char in "0123456789abcdefABCDEF" for char in password)
             yield finding(
                 password,
@@ -59,3 +66,12 @@ def wifi_password_plaintext(robot: Robot) -> Iterator[Finding]:
                 severity="info" if is_example(source.name) else None,
                 secrets=[password],
             )
+
+
+def _of_access_point(password: Located, interface: str) -> Finding:
+    return finding(
+        password,
+        f"Every robot with this file opens a network on {interface} with a password that anybody can look up",
+        advice="make a password for each robot at its first boot",
+        secrets=[password],
+    )

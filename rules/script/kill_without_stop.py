@@ -2,7 +2,8 @@
 
 ## What it finds
 `pkill -9`, `killall -9` or `kill -9 $(...)` whose pattern means ROS: `ros2`, `/opt/ros`, `launch.py`, or a package or
-program of the tree. Silent if the script sends another signal to anything first, for simulators, RViz and the daemon of
+program of the tree. It is an info where the script launches ROS afterwards: it clears away what an earlier run left
+behind. Silent if the script sends another signal to anything first, for simulators, RViz and the daemon of
 the command line, and for scripts of simulations and tests.
 
 ## Why it matters on a robot
@@ -48,6 +49,7 @@ KILLERS = ("pkill", "killall", "kill")
 KILL = regex(r"-(?:9|KILL|SIGKILL)|--signal=(?:9|KILL|SIGKILL)")
 VALUES = ("9", "KILL", "SIGKILL")
 ROS = regex(r"\bros2?\b(?![-_]daemon)|/opt/ros|\blaunch\.py\b|\blaunch\b|\bros/[a-z]+\b")
+STARTS = regex(r"\bros2[ \t]+launch\b", hints="launch")
 NOT_ROBOT = regex(r"gz|gazebo|ign|rviz|rqt|sim|daemon|webots|foxglove|plotjuggler|test", re.I)
 
 
@@ -68,6 +70,7 @@ def kill_without_stop(robot: Robot) -> Iterator[Finding]:
             "SIGKILL ends the nodes before they can stop anything: what moves at that moment keeps its last command",
             advice="send SIGINT first, wait for the end, and kill only what is left",
             related=[note(other, "and these") for other in others],
+            severity="info" if STARTS.search(first.span.source.text, first.span.end) else None,
             confidence="medium",
         )
 

@@ -5,7 +5,8 @@ A password as a literal that goes to `chpasswd` or `passwd`, or after `useradd -
 variable that the script does not set, and a command that asks for it, are fine.
 
 In the entry point of a container without sshd, xrdp or VNC, nobody can log in with it: it is an info.
-`passwd -d root` in an image that gives up root afterwards is a warning: `su` asks for nothing.
+`passwd -d root` in an image that gives up root afterwards is a warning: `su` asks for nothing. It is an info where its
+user has sudo anyway.
 
 In user data: `plain_text_passwd:` of a user, and `password:` or `chpasswd:` with `expire: false`. A hash is a warning,
 because it can be tried out on a computer; a password that expires at the first login and a random one are fine.
@@ -59,6 +60,8 @@ PAIR = regex(r"^(?P<user>[a-z_][\w-]*):(?P<password>[^\s:{}$]+)$", re.M)
 TWICE = regex(r"(?P<password>[^\s{}$]+)\n(?P=password)\n?")
 HASH = regex(r"\$\w+\$")
 SERVER = regex(r"\b(?:sshd|openssh-server|xrdp|\w{0,20}vnc\w{0,20})\b")
+SUDO = regex(r"NOPASSWD|(?:^|&&|;|\bthen\b)[ \t\\\n]{0,40}sudo[ \t]|(?:-a?G|--groups)[= ][\w,]{0,60}\bsudo\b", re.M)
+"""What shows that the user of an image becomes root with sudo as well."""
 EXPIRES = regex(r"\bchage\s+(?:-d\s*0|--lastday[= ]0)|passwd\s+(?:-e|--expire)\b")
 
 
@@ -98,7 +101,9 @@ def _opened(stage: Stage) -> Iterator[Finding]:
                 f"root has no password in this image: every program of {user} becomes root with su",
                 advice="remove this step, or lock the account with passwd --lock",
                 related=[note(user, "the user of the container")],
-                severity="warning",
+                severity="info"
+                if SUDO.search("\n".join(str(each.value) for each in stage.instructions))
+                else "warning",
             )
 
 

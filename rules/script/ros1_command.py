@@ -4,7 +4,7 @@
 `roslaunch`, `rosrun`, `roscore`, `rostopic`, `rosparam`, `rosservice`, `rosnode` and `catkin_make` in scripts of a
 tree all of whose packages are built with ament, in which no file names a distribution of ROS 1 or its libraries. Silent
 where the message is thrown away or the failure is handled, and where the script has an alias or a function of this
-name.
+name. A warning where nothing else of the tree names any of the scripts.
 
 ## Why it matters on a robot
 No distribution of ROS 2 has these commands: "command not found". What the script was to start does not run.
@@ -56,6 +56,12 @@ OF_ROS1 = regex(
 )
 
 
+CALLING = regex(
+    r"(?:\.(?:md|rst|txt|sh|bash|py|ya?ml|xml|service|desktop|rules)|CMakeLists\.txt|(?:Make|Docker|[jJ]ust)file[^/]*)$"
+)
+MOST = 200_000
+
+
 @rule("error", symptoms=["roslaunch: command not found", "rosrun: command not found", "catkin_make: command not found"])
 def ros1_command(robot: Robot) -> Iterator[Finding]:
     found: dict[tuple[Source, str], Run] = {}
@@ -71,7 +77,14 @@ def ros1_command(robot: Robot) -> Iterator[Finding]:
         f"ROS 2 has no {first.name}: the command is not found, and this script does not do what it is for",
         advice=f"write {instead}" if instead else "remove it: ROS 2 has no master",
         related=[note(other.words[0], f"{other.name} is not found either") for other in others[:20]],
+        severity=None if any(_is_called(robot, source) for source, _ in found) else "warning",
     )
+
+
+def _is_called(robot: Robot, script: Source) -> bool:
+    """Whether a page or another file of the tree names the script."""
+    others = (path for path in robot.tree.like(CALLING) if not path.endswith(f"/{script.name}"))
+    return any(script.basename in robot.tree.head(path, MOST) for path in others)
 
 
 def _defines(source: Source, name: str) -> bool:

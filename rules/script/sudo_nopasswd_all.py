@@ -9,6 +9,8 @@ In a sudoers file, or in what a script writes to one:
 - A line `USER ALL=(root) NOPASSWD: COMMAND` without arguments, or with `*` alone, where the command runs any program or
   writes any file for whoever calls it: a shell, an interpreter, `mount`, `tee`, `cp`, `systemctl`, `docker`, `apt`.
 
+Not reported: what an Ansible role writes that plays run only where a variable asks for it that is false by default.
+
 ## Why it matters on a robot
 Whatever runs as this user is root: a node with a hole, a web interface, a USB stick that types. File permissions,
 `User=` of the units and the sandbox of systemd then protect nothing.
@@ -37,6 +39,7 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import regex
 from bringup_lint.api import rule
@@ -60,13 +63,16 @@ BECOME_ROOT = frozenset(
     "modprobe ip tcpdump wget curl sed ansible-playbook ros2".split()
 )
 """Programs that run any program or write any file, if their arguments are free (gtfobins.github.io)."""
+ROLE = regex(r"(?:^|/)roles/(?P<name>[\w.-]+)/tasks/")
+WHEN = regex(r"\bwhen:[ \t]*(?P<variable>\w+)[ \t]*$")
+FALSE = regex(r"^(?P<variable>\w+):[ \t]*(?:false|no)\b", re.M | re.I)
 TAGGED = regex(r"\s*(?P<tags>(?:[A-Z_]+:\s*)*)(?P<command>.*)")
 
 
 @rule("warning", silent="sudo logs the commands as allowed", tags=["CWE-250", "CWE-269"])
 def sudo_nopasswd_all(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("sudoers"):
-        if not source.judged:
+        if not source.judged or _is_left_out(robot, source):
             continue
         for match in AS_ROOT.finditer(source.text):
             what = source.located(*match.span("what")).strip_located()
@@ -75,6 +81,20 @@ def sudo_nopasswd_all(robot: Robot) -> Iterator[Finding]:
         kept = KEPT.search(source.text) if "/etc/sudoers" in did.path or "SUDOERS" in did.path else None
         if kept is not None and kept["name"] in (str(did.text) if did.text is not None else ""):
             yield from _judged(kept["who"], source.located(*kept.span("what")), source.located(*kept.span("all")))
+
+
+def _is_left_out(robot: Robot, source: Source) -> bool:
+    """Whether an Ansible role writes the file, and each play runs the role only where a variable says so that is false
+    by default: in images for developers."""
+    role = ROLE.search(source.origin.whole.path) if source.origin is not None else None
+    if role is None:
+        return False
+    texts = [each.text for each in robot.of_kind("ansible", "ansible-vars")]
+    called = re.compile(rf"\brole:[ \t]*{re.escape(role['name'])}\b(?P<rest>[^\n}}]{{0,200}})")
+    conditions = [WHEN.search(match["rest"]) for text in texts for match in called.finditer(text)]
+    names = {match["variable"] for match in conditions if match is not None}
+    false = [match["variable"] for text in texts for match in FALSE.finditer(text)]
+    return None not in conditions and bool(names) and names <= set(false)
 
 
 def _judged(who: str, what: Located, text: Located) -> Iterator[Finding]:

@@ -9,10 +9,9 @@ NetworkManager, those that a script gives to `sshpass`, `x11vnc` or `nmcli`, and
 where the image lets somebody log in.
 
 Not reported: variables, paths of credential files, placeholders such as `<your-password>`, and environment files
-that only root and a group can read. A weak or well-known value, and one in a comment, is a warning; a sample value,
-the name of the user as the password of another machine, and a password of an Ansible inventory that names no host but
-`localhost`, is info. Places of a file with the same value are one
-finding.
+that only root and a group can read. A weak or well-known value, a wireless password that is the robot's name, and one
+in a comment, is a warning; a sample value, the name of the user as the password of another machine, and a password of
+an Ansible inventory that names no host but `localhost`, is info. Places of a file with the same value are one finding.
 
 ## Why it matters on a robot
 Every local user can read the settings of a unit with `systemctl show`, and can read arguments in the process list.
@@ -38,6 +37,7 @@ When the value protects nothing, such as a test account or a public API key. Say
 - systemd.exec(5), "LoadCredential=" and the warning at "Environment="
 """
 
+import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -46,9 +46,12 @@ from bringup_lint.api import Robot
 from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.secrets import Secret
 
+WIRELESS = regex(r"wi-?fi|wpa|hotspot|psk", re.I)
+WORD = regex(r"[a-z]{4,}")
 WHO = {
     "unit": "every local user can read it with systemctl show",
     "command": "every local user can read it in the process list and with systemctl show",
@@ -87,16 +90,19 @@ def plain_secret(robot: Robot) -> Iterator[Finding]:
         found.setdefault((secret.value.span.source, key), []).append(secret)
     for secrets in found.values():
         first, *others = sorted(secrets, key=lambda each: _is_commented(each.value))
+        weak = first.weak or _is_of_product(first)
         source = first.value.span.source
         who = WHO[first.holder]
         if first.holder == "env-file" and source.mode is not None:
             who = f"every local user can read this file (mode {source.mode:04o})"
         yield finding(
             first.value,
-            f"{first.name} is a secret in clear text: {who}",
-            advice=INSTEAD[first.holder],
+            f"{first.name} is a default that everybody knows or guesses, the same on every robot"
+            if weak
+            else f"{first.name} is a secret in clear text: {who}",
+            advice="make a password for each robot, at its first boot" if weak else INSTEAD[first.holder],
             related=[note(each.value, "the same secret") for each in others],
-            severity="info" if first.sample else "warning" if first.weak or _is_commented(first.value) else None,
+            severity="info" if first.sample else "warning" if weak or _is_commented(first.value) else None,
             secrets=[each.value for each in (first, *others)],
         )
 
@@ -104,3 +110,12 @@ def plain_secret(robot: Robot) -> Iterator[Finding]:
 def _is_commented(value: Located) -> bool:
     """Whether the line is a comment: the secret is given away, but not in use."""
     return value.span.source.line_text(value.span.line).lstrip().startswith(("#", "//", "<!--"))
+
+
+def _is_of_product(secret: Secret) -> bool:
+    """Whether the password of a wireless network is nothing but the name of the robot, which is its user's as well."""
+    words = set(WORD.findall(secret.value.lower()))
+    if len(words) != 1 or not WIRELESS.search(secret.name):
+        return False
+    (name,) = words
+    return f"/home/{name}/" in secret.value.span.source.text

@@ -3,7 +3,8 @@
 ## What it finds
 `enclaves/.../key.pem`, or a key below `private` of a keystore, that is part of the repository. If the
 repository has a git index, only files that git tracks are reported. Folders of tests and examples are
-skipped. All keys of a keystore are one finding, at the key of its authority if that is there.
+skipped. All keys of a keystore are one finding, at the key of its authority if that is there. It is a warning where the
+tree has no unit and no compose file: nothing tells then that a robot uses the keystore.
 
 ## Why it matters on a robot
 Everyone who can read the repository, or its history, can join the robot's network as the motor controller,
@@ -50,11 +51,13 @@ def keystore_committed(robot: Robot) -> Iterator[Finding]:
             keystores.setdefault(_keystore(source), []).append(source)
     for keys in keystores.values():
         first, *others = sorted(keys, key=lambda key: not _is_of_authority(key))
+        deployed = bool(robot.units.services or robot.of_kind("compose"))
         yield finding(
             first,
-            f"A private key is in the repository: whoever reads it can {_power(first)}",
+            f"A private key is in the repository: whoever reads it can {_power(first, deployed)}",
             advice="remove it from the history, ignore it, and create new keys",
-            related=[note(other, f"with this one, too: {_power(other)}") for other in others[:MOST_NAMED]],
+            related=[note(other, f"with this one, too: {_power(other, deployed)}") for other in others[:MOST_NAMED]],
+            severity=None if deployed else "warning",
         )
 
 
@@ -66,7 +69,7 @@ def _is_of_authority(key: Source) -> bool:
     return "/private/" in f"/{key.name}"
 
 
-def _power(key: Source) -> str:
+def _power(key: Source, deployed: bool) -> str:
     if _is_of_authority(key):
-        return "create identities for the whole fleet"
+        return f"create identities for {'the whole fleet' if deployed else 'whatever trusts this keystore'}"
     return "use this identity on the robot's network"

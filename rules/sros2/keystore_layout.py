@@ -2,7 +2,8 @@
 
 ## What it finds
 An enclave without one of the files that the RMW opens, or with broken links. In a repository, which should
-not contain keys, only enclaves with a certificate are checked, and a missing key is not reported.
+not contain keys, only enclaves with a certificate are checked, and a missing key is not reported. It is an error where
+`ROS_SECURITY_STRATEGY` is `Enforce`.
 
 ## Why it matters on a robot
 The participant cannot be created (code 117): no node of the enclave starts.
@@ -68,15 +69,22 @@ def keystore_layout(robot: Robot) -> Iterator[Finding]:
                 message = f"Enclave {enclave.path} has no {', '.join(missing)}"
                 advice = "copy the whole keystore, or create the enclave again"
                 alike.setdefault(advice, []).append(Incomplete(where, message, advice))
-        yield from map(_report, alike.values())
+        enforced = any(each.text == "Enforce" for each in robot.ros.of("ROS_SECURITY_STRATEGY"))
+        yield from (_report(found, enforced) for found in alike.values())
 
 
-def _report(found: list[Incomplete]) -> Finding:
+def _report(found: list[Incomplete], enforced: bool) -> Finding:
     """One finding for all enclaves of a keystore that lack the same sort of file."""
     first, *others = found
     return finding(
         first.where,
-        f"{first.message}: code 117, its nodes do not start",
+        f"{first.message}: "
+        + (
+            "code 117, its nodes do not start"
+            if enforced
+            else "its nodes start without security, or not at all with Enforce"
+        ),
         advice=first.advice,
         related=[note(other.where, other.message) for other in others[:MOST]],
+        severity=None if enforced else "warning",
     )

@@ -3,7 +3,8 @@
 ## What it finds
 `*`, `rt/*` or a similar pattern among the topics that an enclave may publish, in permissions or in a policy.
 `create_enclave` writes such permissions. Likewise `/*` among the services of a policy, or `rq/*` and `rr/*` among
-the topics that an enclave may publish: it may call, or answer for, every service of the robot.
+the topics that an enclave may publish: it may call, or answer for, every service of the robot. A file that is called
+permissive is an info.
 
 ## Why it matters on a robot
 Whoever takes over one process of the robot, for example the camera driver, can publish on /cmd_vel. Whoever
@@ -116,4 +117,5 @@ def _by_right(rights: Iterable[Wide], advice: str) -> Iterator[Finding]:
             f"{who} may {first.text.format(first.pattern.strip())}",
             advice=advice,
             related=[note(each.pattern, f"the same for {each.enclave}") for each in others],
+            severity="info" if "permissive" in first.pattern.span.source.basename else None,
         )

@@ -2,7 +2,8 @@
 
 ## What it finds
 Type=oneshot with an ExecStart= that runs `ros2 launch`, a node, or a script of the tree with an endless loop
-in the foreground.
+in the foreground. It is an error where a target wants it, another unit is ordered after it, or a script starts it and
+waits.
 
 ## Why it matters on a robot
 A oneshot service counts as started only when its program has ended, and by default no timeout applies. The unit
@@ -62,7 +63,7 @@ def oneshot_endless(robot: Robot) -> Iterator[Finding]:
                 yield finding(
                     kind,
                     f"{endless} never ends, so {unit.name} stays activating forever, and {_waiting(robot, unit)}",
-                    severity=None if sure else "warning",
+                    severity=None if sure and _holds_up(robot, unit) else "warning",
                     confidence="high" if sure else "medium",
                     advice="use Type=exec",
                     related=[note(endless, "runs until it is stopped")],
@@ -75,6 +76,14 @@ def _waiting(robot: Robot, unit: Unit) -> str:
     """What does not go on: a target is ordered after all that it wants, and that is not ordered after the target."""
     target = next((name for name in unit.words("WantedBy", "Install") if name in REACHED_LATE), None)
     return f"{target} is never reached" if target else "all that waits for it too"
+
+
+def _holds_up(robot: Robot, unit: Unit) -> bool:
+    """Whether something waits for the end of a unit: a target, another unit of the tree, or a script that starts it."""
+    if any(name in REACHED_LATE for name in unit.words("WantedBy", "Install")):
+        return True
+    ordered = unit.words("Before") or any(unit.name in other.words("After") for other in robot.units.judged)
+    return bool(ordered) or robot.units.is_started_by_script(unit)
 
 
 def _is_known(robot: Robot, target: Located) -> bool:

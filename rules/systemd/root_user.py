@@ -9,6 +9,9 @@ A service of the system manager that runs as root (`User=` is not set or is root
 - a program in somebody's home folder;
 - in a long-running service: a plain network relay such as socat.
 
+`User=root` is an info where a comment of the unit, or a page of the tree that names it, says that it runs as root or
+needs root, and no other user runs ROS.
+
 Commands that change the user themselves, containers, and programs whose XAUTHORITY= is a file of root are exempt.
 
 ## Why it matters on a robot
@@ -49,6 +52,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.systemd import NeedlessRoot
 from bringup_lint.api.systemd import Unit
@@ -68,6 +72,9 @@ TEXTS = {
 }
 CERTAIN = (Work.ROS, Work.IN_HOME, Work.SET_UP_IN_HOME)
 OWN_USER = "add a User= of its own, and SupplementaryGroups= for the devices that it opens"
+PAGE = regex(r".*\.(?:md|rst|txt)")
+PAGE_SIZE = 200_000
+AS_ROOT = regex(r"(?i:\b(?:as|needs?|requires?)\W{1,4}root\b)")
 MOVE = "move it to /usr/local/sbin, where only root may write"
 
 
@@ -90,7 +97,9 @@ def root_user(robot: Robot) -> Iterator[Finding]:
             if needless is None:
                 continue
             if is_root:
-                yield _without_user(unit, needless, others)
+                yield _without_user(
+                    unit, needless, others, "info" if not others and _is_explained(robot, unit) else None
+                )
             else:
                 set_user = unit.identity.user or unit.identity.dynamic.at
                 says = f"User={unit.identity.user}" if unit.identity.user else "DynamicUser="
@@ -103,7 +112,18 @@ def root_user(robot: Robot) -> Iterator[Finding]:
             break
 
 
-def _without_user(unit: Unit, needless: NeedlessRoot, others: set[str | None]) -> Finding:
+def _is_explained(robot: Robot, unit: Unit) -> bool:
+    """Whether User=root is written, and a comment of the unit or a page that names it says that it is to be root."""
+    user = unit.identity.user
+    if user is None:
+        return False
+    comments = (line for line in user.span.source.text.splitlines() if line.startswith(("#", ";")))
+    pages = robot.tree.pages(PAGE, PAGE_SIZE)
+    naming = (line for page in pages for line in page.splitlines() if unit.name in line)
+    return any(AS_ROOT.search(line) for lines in (comments, naming) for line in lines)
+
+
+def _without_user(unit: Unit, needless: NeedlessRoot, others: set[str | None], severity: str | None) -> Finding:
     user = unit.identity.user
     sets_up = needless.work is Work.SET_UP_IN_HOME
     return finding(
@@ -112,6 +132,7 @@ def _without_user(unit: Unit, needless: NeedlessRoot, others: set[str | None]) -
         advice=MOVE if sets_up else OWN_USER,
         related=[note(needless.where, "the unit starts it here")],
         fix=None if sets_up else _fix(unit, others),
+        severity=severity,
         confidence="high" if needless.work in CERTAIN else "medium",
     )
 

@@ -4,8 +4,9 @@
 A mix of ROS distributions in one service:
 
 - a process sources `/opt/ros/<distro>/setup.*`, or starts a program below it, while `ROS_DISTRO` in its
-  environment (unit, environment files, earlier exports) names another distribution;
-- one process sources two distributions.
+  environment (unit, environment files, earlier exports) names another distribution: a warning, because the setup file
+  sets the variable anew;
+- one process sources two distributions: an error.
 
 ## Why it matters on a robot
 After an upgrade, half of the files still name the old release. Libraries of two releases do not mix: nodes
@@ -89,12 +90,14 @@ def _finding(
             f"ROS_DISTRO says {chosen[1]}, but {step.script.basename}, which {unit.name} starts, uses {distro}",
             advice="name one distribution, preferably through ${ROS_DISTRO}",
             related=[note(word, f"uses {distro}"), *start],
+            severity="warning",
         )
     return finding(
         word,
         f"{unit.name} uses {distro} here" + (f" while ROS_DISTRO says {chosen[1]}" if named else f" after {chosen[1]}"),
         advice="name one distribution, preferably through ${ROS_DISTRO}",
         related=[there, *start],
+        severity="warning" if named else None,
     )
 
 

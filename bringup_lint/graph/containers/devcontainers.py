@@ -11,6 +11,7 @@ from bringup_lint.dataclass import dataclass
 from bringup_lint.model.yaml_node import Mapping
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.jsonc import strings
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
@@ -29,6 +30,9 @@ class Broken(NamedTuple):
     name: Located
     files: tuple[Source, ...] = ()
     """For a service, the compose files that do not define it."""
+
+
+_IN_WORKSPACE = regex(r"(?:\.\./)?src/[\w.-]+/(?P<rest>[^/].*)", hints="src/")
 
 
 @dataclass(frozen=True)
@@ -66,8 +70,19 @@ def _missing(files: Files, container: _Container) -> Iterator[Broken]:
         if value is None or not value or re.search(r"[$\\]|^[/~]", value):
             continue
         path = container.beside(value)
-        if not files.tree.exists(path) and not files.tree.is_ignored(path):
+        if (
+            not files.tree.exists(path)
+            and not files.tree.is_ignored(path)
+            and not _fits_workspace(files, container, value)
+        ):
             yield Broken(what, value)
+
+
+def _fits_workspace(files: Files, container: _Container, value: str) -> bool:
+    """Whether a path leads to a file of this repository once `.devcontainer` is copied to the root of a workspace,
+    where the repository lies in ``src``."""
+    inside = _IN_WORKSPACE.match(value)
+    return inside is not None and files.tree.exists(container.beside(f"../{inside['rest']}"))
 
 
 def _undefined(compose: Compose, container: _Container) -> Iterator[Broken]:

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.addresses import is_address
+from bringup_lint.facts.systemd.directives import directive
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.systemd_values import unescape_path
 from bringup_lint.pattern import regex
@@ -68,11 +69,14 @@ def uses_in(text: Located, user: str, certainty: Certainty = "literal") -> Itera
 
 
 def of_units(units: Units) -> Iterator[DeviceUse]:
+    """Uses in lines that systemd knows, in the environment of units and in their scripts."""
     for unit in units.judged:
         for file in unit.files:
-            for assignment in file.assignments:
-                yield from uses_in(assignment.value, unit.name)
-                yield from _of_device_units(assignment.value, unit.name)
+            for section in file.sections:
+                for assignment in section.assignments:
+                    if directive(section.name, assignment.key) is not None:
+                        yield from uses_in(assignment.value, unit.name)
+                        yield from _of_device_units(assignment.value, unit.name)
         for variable in units.environment(unit):
             yield from uses_in(variable.value, unit.name)
         for process in units.processes(unit):
