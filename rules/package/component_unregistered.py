@@ -37,7 +37,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 
 
-@rule("error", symptoms=["Failed to find class with the requested plugin name", "Could not find requested resource"])
+@rule("error", symptoms=["Could not find requested resource"])
 def component_unregistered(robot: Robot) -> Iterator[Finding]:
     for package in robot.launch.workspace.packages.values():
         if not robot.dependencies.judged(package):
