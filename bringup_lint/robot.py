@@ -514,7 +514,7 @@ class Robot:
 
         found = list(open_services(self.files, self.runners, lambda: self.launch))
         if self.of_kind("python-node"):
-            from bringup_lint.graph.nodes.questions.web_servers import web_servers
+            from bringup_lint.graph.nodes.questions.files.web_servers import web_servers
 
             found += [OpenService(*each) for each in web_servers(self.nodes)]
         return found
@@ -524,7 +524,7 @@ class Robot:
         """Where crontabs, and lines that scripts add to them, start ROS without a setup file."""
         if not self.of_kind("cron", "shell-script"):
             return iter(())
-        from bringup_lint.graph.runners.crontabs import in_crontabs
+        from bringup_lint.graph.runners.questions.crontabs import in_crontabs
 
         return in_crontabs(self.files, self.scripts)
 

@@ -6,16 +6,16 @@ from bringup_lint.on_demand import on_demand
 from bringup_lint.type_names import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from bringup_lint.graph.containers.compose_names import MissingFile
-    from bringup_lint.graph.containers.compose_names import missing_files
-    from bringup_lint.graph.containers.compose_names import undefined_names
-    from bringup_lint.graph.containers.device_groups import closed_devices
-    from bringup_lint.graph.containers.health import unchecked_health
-    from bringup_lint.graph.containers.image_use import is_workplace
-    from bringup_lint.graph.containers.ports import taken_ports
-    from bringup_lint.graph.runners.hidden_workspaces import HiddenWorkspace
-    from bringup_lint.graph.runners.hidden_workspaces import hidden_workspaces
-    from bringup_lint.graph.runners.listening import unserved_ports
+    from bringup_lint.graph.containers.questions.compose_names import MissingFile
+    from bringup_lint.graph.containers.questions.compose_names import missing_files
+    from bringup_lint.graph.containers.questions.compose_names import undefined_names
+    from bringup_lint.graph.containers.questions.device_groups import closed_devices
+    from bringup_lint.graph.containers.questions.health import unchecked_health
+    from bringup_lint.graph.containers.questions.image_use import is_workplace
+    from bringup_lint.graph.containers.questions.ports import taken_ports
+    from bringup_lint.graph.runners.questions.hidden_workspaces import HiddenWorkspace
+    from bringup_lint.graph.runners.questions.hidden_workspaces import hidden_workspaces
+    from bringup_lint.graph.runners.questions.listening import unserved_ports
     from bringup_lint.model.compose import Beside
     from bringup_lint.model.compose import Device
     from bringup_lint.model.compose import Service

@@ -12,17 +12,17 @@ if TYPE_CHECKING:
     from bringup_lint.graph.containers.base_images import ros_distro
     from bringup_lint.graph.containers.base_images import runs_as_root
     from bringup_lint.graph.containers.base_images import ubuntu_codename
-    from bringup_lint.graph.containers.build_context import lacking_sources
-    from bringup_lint.graph.containers.devcontainers import Broken
-    from bringup_lint.graph.containers.devcontainers import broken_references
-    from bringup_lint.graph.containers.folder_owners import builds_of_others
-    from bringup_lint.graph.containers.git_history import without_history
-    from bringup_lint.graph.containers.image_use import is_deployed
     from bringup_lint.graph.containers.images import can_be_pulled
+    from bringup_lint.graph.containers.questions.build_context import lacking_sources
+    from bringup_lint.graph.containers.questions.devcontainers import Broken
+    from bringup_lint.graph.containers.questions.devcontainers import broken_references
+    from bringup_lint.graph.containers.questions.folder_owners import builds_of_others
+    from bringup_lint.graph.containers.questions.git_history import without_history
+    from bringup_lint.graph.containers.questions.image_use import is_deployed
+    from bringup_lint.graph.containers.questions.shell_texts import Reads
+    from bringup_lint.graph.containers.questions.shell_texts import checks_of
+    from bringup_lint.graph.containers.questions.shell_texts import shell_texts
     from bringup_lint.graph.containers.ros_in_image import distro_of
-    from bringup_lint.graph.containers.shell_texts import Reads
-    from bringup_lint.graph.containers.shell_texts import checks_of
-    from bringup_lint.graph.containers.shell_texts import shell_texts
     from bringup_lint.graph.host.container_folders import CONTAINER_KINDS
     from bringup_lint.graph.host.container_folders import container_folders
     from bringup_lint.graph.host.container_folders import is_deployed_to
@@ -30,14 +30,14 @@ if TYPE_CHECKING:
     from bringup_lint.graph.installed.package_lists import first_unlisted
     from bringup_lint.graph.runners.containers import image_user
     from bringup_lint.graph.runners.containers import user_name
-    from bringup_lint.graph.runners.image_distros import OtherDistro
-    from bringup_lint.graph.runners.image_distros import foreign_workspaces
-    from bringup_lint.graph.runners.image_distros import other_distros
-    from bringup_lint.graph.runners.missing_programs import MissingProgram
-    from bringup_lint.graph.runners.missing_programs import missing_programs
-    from bringup_lint.graph.runners.missing_settings import missing_settings
-    from bringup_lint.graph.runners.processors import foreign_programs
-    from bringup_lint.graph.runners.recordings import recordings
+    from bringup_lint.graph.runners.questions.image_distros import OtherDistro
+    from bringup_lint.graph.runners.questions.image_distros import foreign_workspaces
+    from bringup_lint.graph.runners.questions.image_distros import other_distros
+    from bringup_lint.graph.runners.questions.missing_programs import MissingProgram
+    from bringup_lint.graph.runners.questions.missing_programs import missing_programs
+    from bringup_lint.graph.runners.questions.missing_settings import missing_settings
+    from bringup_lint.graph.runners.questions.processors import foreign_programs
+    from bringup_lint.graph.runners.questions.recordings import recordings
     from bringup_lint.graph.runners.runner import Runner
     from bringup_lint.model.dockerfile import Dockerfile
     from bringup_lint.model.dockerfile import Instruction

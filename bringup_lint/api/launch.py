@@ -23,18 +23,10 @@ if TYPE_CHECKING:
     from bringup_lint.graph.dependencies.effects import of_robots
     from bringup_lint.graph.dependencies.effects import rest_of
     from bringup_lint.graph.dependencies.needs import Need
-    from bringup_lint.graph.launch.allowed_words import allowed_words
-    from bringup_lint.graph.launch.delays import delayed
-    from bringup_lint.graph.launch.delays import undelayed
-    from bringup_lint.graph.launch.delays import waiting_comment
-    from bringup_lint.graph.launch.entry_points import MissingEntry
-    from bringup_lint.graph.launch.entry_points import missing_entries
     from bringup_lint.graph.launch.expansion import Declared
     from bringup_lint.graph.launch.expansion import Expansion
     from bringup_lint.graph.launch.expansion import Failed
     from bringup_lint.graph.launch.expansion import Used
-    from bringup_lint.graph.launch.gone_packages import gone_packages
-    from bringup_lint.graph.launch.joined_commands import joined_commands
     from bringup_lint.graph.launch.launch import Launch
     from bringup_lint.graph.launch.lifecycle import Managed
     from bringup_lint.graph.launch.lifecycle import Manager
@@ -43,35 +35,43 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch.lifecycle import outside
     from bringup_lint.graph.launch.lifecycle import setting
     from bringup_lint.graph.launch.lifecycle import transitions_elsewhere
-    from bringup_lint.graph.launch.public_includes import Unpassed
-    from bringup_lint.graph.launch.public_includes import unpassed
-    from bringup_lint.graph.launch.public_includes import untaken
+    from bringup_lint.graph.launch.questions.allowed_words import allowed_words
+    from bringup_lint.graph.launch.questions.delays import delayed
+    from bringup_lint.graph.launch.questions.delays import undelayed
+    from bringup_lint.graph.launch.questions.delays import waiting_comment
+    from bringup_lint.graph.launch.questions.entry_points import MissingEntry
+    from bringup_lint.graph.launch.questions.entry_points import missing_entries
+    from bringup_lint.graph.launch.questions.gone_packages import gone_packages
+    from bringup_lint.graph.launch.questions.joined_commands import joined_commands
+    from bringup_lint.graph.launch.questions.public_includes import Unpassed
+    from bringup_lint.graph.launch.questions.public_includes import unpassed
+    from bringup_lint.graph.launch.questions.public_includes import untaken
+    from bringup_lint.graph.launch.questions.refused_words import in_degrees
+    from bringup_lint.graph.launch.questions.refused_words import options_with_next
+    from bringup_lint.graph.launch.questions.refused_words import refused_transforms
+    from bringup_lint.graph.launch.questions.refused_words import unknown_flags
+    from bringup_lint.graph.launch.questions.refused_words import unsplit_commands
+    from bringup_lint.graph.launch.questions.refused_words import unsplit_ros_arguments
+    from bringup_lint.graph.launch.questions.relative_paths import relative_paths
+    from bringup_lint.graph.launch.questions.shared_devices import shared_devices
+    from bringup_lint.graph.launch.questions.shutdowns import shut_down_by_helpers
     from bringup_lint.graph.launch.references import Reference
-    from bringup_lint.graph.launch.refused_words import in_degrees
-    from bringup_lint.graph.launch.refused_words import options_with_next
-    from bringup_lint.graph.launch.refused_words import refused_transforms
-    from bringup_lint.graph.launch.refused_words import unknown_flags
-    from bringup_lint.graph.launch.refused_words import unsplit_commands
-    from bringup_lint.graph.launch.refused_words import unsplit_ros_arguments
-    from bringup_lint.graph.launch.relative_paths import relative_paths
     from bringup_lint.graph.launch.resolve import text_of
     from bringup_lint.graph.launch.resolve import truth
-    from bringup_lint.graph.launch.shared_devices import shared_devices
-    from bringup_lint.graph.launch.shutdowns import shut_down_by_helpers
     from bringup_lint.graph.launch.started import Started
     from bringup_lint.graph.launch.started import exclusive
     from bringup_lint.graph.launch.started import literal_text
     from bringup_lint.graph.launch.without_effect import is_real_clock
     from bringup_lint.graph.launch.without_effect import passed_without_effect
-    from bringup_lint.graph.params.simulated_literally import Literally
-    from bringup_lint.graph.params.simulated_literally import simulated_literally
-    from bringup_lint.graph.params.simulated_literally import simulates_nothing
-    from bringup_lint.graph.params.simulation_arguments import simulated_by_default
+    from bringup_lint.graph.params.questions.simulated_literally import Literally
+    from bringup_lint.graph.params.questions.simulated_literally import simulated_literally
+    from bringup_lint.graph.params.questions.simulated_literally import simulates_nothing
+    from bringup_lint.graph.params.questions.simulation_arguments import simulated_by_default
     from bringup_lint.graph.plugins.controllers import UntypedController
     from bringup_lint.graph.runners.launching import Launching
-    from bringup_lint.graph.runners.refused_choices import choices_of
-    from bringup_lint.graph.runners.refused_choices import refused_choices
-    from bringup_lint.graph.runners.required_arguments import not_passed
+    from bringup_lint.graph.runners.questions.refused_choices import choices_of
+    from bringup_lint.graph.runners.questions.refused_choices import refused_choices
+    from bringup_lint.graph.runners.questions.required_arguments import not_passed
     from bringup_lint.graph.supervision.launched_processes import check_of
     from bringup_lint.graph.supervision.launched_processes import respawns
     from bringup_lint.graph.supervision.launched_processes import watched

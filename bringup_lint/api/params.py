@@ -4,34 +4,34 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from bringup_lint.graph.params.qos_overrides import POLICIES as QOS_POLICIES
-from bringup_lint.graph.params.qos_overrides import WORDS as QOS_WORDS
+from bringup_lint.graph.params.questions.qos_overrides import POLICIES as QOS_POLICIES
+from bringup_lint.graph.params.questions.qos_overrides import WORDS as QOS_WORDS
 from bringup_lint.on_demand import on_demand
 
 if TYPE_CHECKING:
-    from bringup_lint.graph.params.camera_urls import RefusedUrl
-    from bringup_lint.graph.params.camera_urls import refused_urls
-    from bringup_lint.graph.params.covariances import Lopsided
-    from bringup_lint.graph.params.covariances import lopsided
     from bringup_lint.graph.params.declared import Declared
-    from bringup_lint.graph.params.fusion import SkippedSensor
-    from bringup_lint.graph.params.fusion import skipped_sensors
-    from bringup_lint.graph.params.navigation import NavigationProblem
-    from bringup_lint.graph.params.navigation import navigation_problems
-    from bringup_lint.graph.params.operator import OperatorProblem
-    from bringup_lint.graph.params.operator import operator_problems
-    from bringup_lint.graph.params.public import Unknown
-    from bringup_lint.graph.params.public import unknown_to_public
-    from bringup_lint.graph.params.qos_overrides import OverrideProblem
-    from bringup_lint.graph.params.qos_overrides import QosOverride
-    from bringup_lint.graph.params.qos_overrides import qos_overrides
-    from bringup_lint.graph.params.time import simulated
-    from bringup_lint.graph.params.time import waits_for_time
-    from bringup_lint.graph.params.unread import Unread
-    from bringup_lint.graph.params.unread import unread
+    from bringup_lint.graph.params.questions.camera_urls import RefusedUrl
+    from bringup_lint.graph.params.questions.camera_urls import refused_urls
+    from bringup_lint.graph.params.questions.covariances import Lopsided
+    from bringup_lint.graph.params.questions.covariances import lopsided
+    from bringup_lint.graph.params.questions.fusion import SkippedSensor
+    from bringup_lint.graph.params.questions.fusion import skipped_sensors
+    from bringup_lint.graph.params.questions.navigation import NavigationProblem
+    from bringup_lint.graph.params.questions.navigation import navigation_problems
+    from bringup_lint.graph.params.questions.operator import OperatorProblem
+    from bringup_lint.graph.params.questions.operator import operator_problems
+    from bringup_lint.graph.params.questions.public import Unknown
+    from bringup_lint.graph.params.questions.public import unknown_to_public
+    from bringup_lint.graph.params.questions.qos_overrides import OverrideProblem
+    from bringup_lint.graph.params.questions.qos_overrides import QosOverride
+    from bringup_lint.graph.params.questions.qos_overrides import qos_overrides
+    from bringup_lint.graph.params.questions.time import simulated
+    from bringup_lint.graph.params.questions.time import waits_for_time
+    from bringup_lint.graph.params.questions.unread import Unread
+    from bringup_lint.graph.params.questions.unread import unread
+    from bringup_lint.graph.params.questions.wrong_types import WrongType
+    from bringup_lint.graph.params.questions.wrong_types import wrong_types
     from bringup_lint.graph.params.values import Item
-    from bringup_lint.graph.params.wrong_types import WrongType
-    from bringup_lint.graph.params.wrong_types import wrong_types
     from bringup_lint.graph.plugins.hardware_parameters import HardwareParameter
     from bringup_lint.graph.plugins.incomplete import IncompleteController
     from bringup_lint.graph.plugins.joints import UnknownJoint

@@ -16,14 +16,14 @@ from bringup_lint.finding import Related
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.memo import memo
-from bringup_lint.graph.nodes.questions.threads import ends_thread
-from bringup_lint.graph.nodes.questions.threads import is_joined_elsewhere
 from bringup_lint.graph.nodes.resolved.programs import Program
 from bringup_lint.graph.nodes.resolved.programs import made
 from bringup_lint.graph.nodes.resolved.programs import program_of
 from bringup_lint.graph.nodes.sources.ending import Ending
 from bringup_lint.graph.nodes.sources.modules import Modules
 from bringup_lint.graph.nodes.sources.syntax import Syntax
+from bringup_lint.graph.nodes.sources.threads import ends_thread
+from bringup_lint.graph.nodes.sources.threads import is_joined_elsewhere
 from bringup_lint.graph.nodes.unused import Unused
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.graph.purpose import of_source
@@ -39,7 +39,7 @@ from bringup_lint.source import Source
 if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
     from bringup_lint.graph.launch.launch import Launch
-    from bringup_lint.graph.nodes.questions.message_types import MessageTypes
+    from bringup_lint.graph.nodes.sources.message_types import MessageTypes
     from bringup_lint.graph.provenance import Provenance
     from bringup_lint.graph.runners.runner import Runner
     from bringup_lint.graph.runners.runners import Runners
@@ -461,8 +461,8 @@ class Nodes:
     @cached_property
     def message_types(self) -> list[MessageTypes]:
         """The types of the expressions of each program that imports messages."""
-        from bringup_lint.graph.nodes.questions.message_fields import types_of
         from bringup_lint.graph.nodes.resolved.interface_fields import InterfaceFields
+        from bringup_lint.graph.nodes.sources.message_types import types_of
 
         interfaces = InterfaceFields(self.files.tree, self.launch.workspace)
         found = (types_of(file, self.syntax(file), interfaces) for file in self.programs)

@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from bringup_lint.discover.walk import discover
-from bringup_lint.graph.systemd.log_directory import LogDirectory
-from bringup_lint.graph.systemd.log_directory import log_directory
+from bringup_lint.graph.systemd.questions.log_directory import LogDirectory
+from bringup_lint.graph.systemd.questions.log_directory import log_directory
 from bringup_lint.graph.systemd.sandbox import Sandbox
 from bringup_lint.graph.systemd.units import Units
 from bringup_lint.robot import Robot

@@ -16,6 +16,7 @@ from bringup_lint.graph.nodes.sources.sending import called
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.graph.nodes.sources.syntax import own_calls
+from bringup_lint.model.node_source import NodeClass
 from bringup_lint.named_tuple import NamedTuple
 
 _SINGLE = "rclpy.executors.SingleThreadedExecutor"
@@ -215,3 +216,16 @@ class Ending:
             if isinstance(outer, ast.Try) and name == "body" and outer.handlers:
                 return True
         return False
+
+
+def statements_of(ending: Ending, node: ast.expr, cls: NodeClass | None) -> list[ast.AST]:
+    """The statements of a function that is handed over by name, as a method or as a lambda."""
+    if isinstance(node, ast.Lambda):
+        return [node.body]
+    if isinstance(node, ast.Name) and node.id in ending.file.functions:
+        return body_of(ending.file.functions[node.id].node)
+    if isinstance(node, ast.Attribute):
+        owners = [cls] if cls is not None else [each for each in ending.file.classes if each.is_node]
+        found = next((method for each in owners if (method := each.method(node.attr))), None)
+        return body_of(found.node) if found is not None else []
+    return []

@@ -1,0 +1,1 @@
+"""What one or two rules ask of launch files. No layer imports a question."""

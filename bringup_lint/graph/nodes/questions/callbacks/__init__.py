@@ -1,0 +1,1 @@
+"""What callbacks, timers, services and waits do to each other."""

@@ -1,0 +1,156 @@
+"""Callbacks that do not take what their caller hands over, or do not give back what it needs."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+from typing import Union
+
+from bringup_lint.graph.nodes.sources.callback_code import reached
+from bringup_lint.graph.nodes.sources.syntax import Syntax
+from bringup_lint.graph.nodes.sources.syntax import body_of
+from bringup_lint.graph.nodes.sources.syntax import own
+from bringup_lint.model.node_source import Callback
+from bringup_lint.model.node_source import Function
+from bringup_lint.model.node_source import NodeClass
+from bringup_lint.model.python import walk
+from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.pattern import regex
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.nodes.nodes import Nodes
+    from bringup_lint.model.node_source import NodeSource
+    from bringup_lint.source import Span
+
+Method = Union[ast.FunctionDef, ast.AsyncFunctionDef]
+
+_CALLED = regex(r"self\.(?P<name>\w+)\(.*\)\Z")
+_TAKEN = {"subscription": ((1, 2), "the message"), "service": ((2, 2), "the request and the response")}
+"""Role -> how few and how many arguments rclpy hands over (subscription.py: a second one is the MessageInfo)."""
+_WITHOUT_TIMER_INFO = ("foxy", "galactic", "humble", "iron", "jazzy")
+"""Releases whose timers hand nothing over. Source: rclpy, executors.py, ``_take_timer``."""
+_ANSWERS = {"service": "the response", "parameters": "a SetParametersResult"}
+_ENDS = frozenset({"succeed", "abort", "canceled"})
+
+
+class Unfit(NamedTuple):
+    file: NodeSource
+    node: NodeClass
+    callback: Callback
+    place: Span
+    """What is wrong there."""
+    what: str
+    """``called``, ``arguments``, ``answer`` or ``goal``."""
+    name: str
+    detail: str
+    """What the caller hands over, or needs."""
+
+
+def unfit_callbacks(nodes: Nodes) -> Iterator[Unfit]:
+    """Each callback once, whatever else it is registered for."""
+    overridden = _overridden(nodes)
+    for file, node in nodes.with_callbacks:
+        seen: set[tuple[str, str]] = set()
+        for callback in node.callbacks:
+            for found in _unfit(nodes, file, node, callback):
+                key = (found.what, found.name)
+                if key not in seen and (node, found.name) not in overridden:
+                    seen.add(key)
+                    yield found
+
+
+def _overridden(nodes: Nodes) -> set[tuple[NodeClass, str]]:
+    """The methods that a class which builds on another one defines anew."""
+    return {
+        (base, name)
+        for file in nodes.sources
+        for heir in file.classes
+        for base in heir.lineage
+        if base is not heir
+        for name in heir.methods
+    }
+
+
+def _unfit(nodes: Nodes, file: NodeSource, node: NodeClass, callback: Callback) -> Iterator[Unfit]:
+    text = callback.span.text
+    match = _CALLED.match(text)
+    if match is not None and callback.role in ("timer", "subscription", "service"):
+        method = node.method(match["name"])
+        if method is not None and _gives_nothing(method):
+            yield Unfit(file, node, callback, callback.span, "called", match["name"], "")
+        return
+    method = node.methods.get(callback.name) if callback.name is not None and text == f"self.{callback.name}" else None
+    if method is None or method.decorators or _is_stub(method.node):
+        return
+    taken = _taken(nodes, node, callback)
+    if taken is not None and not _takes(method.node, *taken[0]):
+        yield Unfit(file, node, callback, method.name.span, "arguments", method.name, taken[1])
+    answer = _ANSWERS.get(callback.role)
+    if answer is not None and _gives_nothing(method):
+        yield Unfit(file, node, callback, method.name.span, "answer", method.name, answer)
+    if callback.role == "action" and _leaves_goal_open(nodes.syntax(file), node, method.node):
+        yield Unfit(file, node, callback, method.name.span, "goal", method.name, "")
+
+
+def _taken(nodes: Nodes, node: NodeClass, callback: Callback) -> tuple[tuple[int, int], str] | None:
+    """How few and how many arguments the caller hands over, and what they are."""
+    if callback.role == "timer":
+        return ((0, 0), "nothing") if nodes.files.target.ros in _WITHOUT_TIMER_INFO else None
+    if callback.role == "subscription" and not any(_is_within(callback, each.span) for each in node.endpoints):
+        return None
+    return _TAKEN.get(callback.role)
+
+
+def _is_within(callback: Callback, span: Span) -> bool:
+    return span.start <= callback.span.start and callback.span.end <= span.end
+
+
+def _takes(method: Method, fewest: int, most: int) -> bool:
+    """Whether a method takes some number of arguments after ``self`` that the caller may hand over."""
+    arguments = method.args
+    positional = len(arguments.posonlyargs) + len(arguments.args) - 1
+    needed = positional - len(arguments.defaults)
+    if positional < 0 or any(default is None for default in arguments.kw_defaults):
+        return True
+    return needed <= most and (arguments.vararg is not None or positional >= fewest)
+
+
+def _gives_nothing(function: Function) -> bool:
+    """Whether no path through a function gives a value back."""
+    inner = list(own(body_of(function.node)))
+    if function.decorators or _is_stub(function.node):
+        return False
+    if any(isinstance(each, (ast.Yield, ast.YieldFrom)) for each in inner):
+        return False
+    returned = (each.value for each in inner if isinstance(each, ast.Return))
+    return all(value is None or _is_none(value) for value in returned)
+
+
+def _is_none(value: ast.expr) -> bool:
+    return isinstance(value, ast.Constant) and value.value is None
+
+
+def _is_stub(method: Method) -> bool:
+    """Whether a method only says what another class is to do, or always raises."""
+    body = [each for each in method.body if not (isinstance(each, ast.Expr) and isinstance(each.value, ast.Constant))]
+    return all(isinstance(each, ast.Pass) for each in body) or isinstance(body[-1], ast.Raise)
+
+
+def _leaves_goal_open(syntax: Syntax, node: NodeClass, method: Method) -> bool:
+    """Whether a goal is executed and never ended, by a method that hands its handle to nobody else."""
+    names = [each.arg for each in method.args.args]
+    if len(names) != 2:
+        return False
+    handle = names[1]
+    for each in walk(method):
+        if isinstance(each, ast.Name) and each.id == handle and not _is_asked(syntax, each):
+            return False
+    inner = (*walk(method), *reached(syntax, body_of(method), node))
+    return not any(isinstance(each, ast.Attribute) and each.attr in _ENDS for each in inner)
+
+
+def _is_asked(syntax: Syntax, name: ast.Name) -> bool:
+    """Whether a name is only the object of ``name.attribute``."""
+    outer = next((outer for outer, _ in syntax.above(name)), None)
+    return isinstance(outer, ast.Attribute)

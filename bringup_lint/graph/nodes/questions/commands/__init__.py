@@ -1,0 +1,1 @@
+"""Commands that are repeated, kept, or sent without a fresh reading."""

@@ -1,0 +1,1 @@
+"""What C++ compiles and does not do as meant."""

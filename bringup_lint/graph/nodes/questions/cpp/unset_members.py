@@ -1,0 +1,50 @@
+"""Members of C++ nodes that callbacks read before they have a value, in one file or with a header."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.graph.nodes.sources.threads import package_sources
+from bringup_lint.model.cpp_source import UnsetMember
+from bringup_lint.source import Source
+from bringup_lint.source import Span
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.nodes.nodes import Nodes
+    from bringup_lint.model.cpp_source import CppNode
+
+
+def unset_members(nodes: Nodes) -> Iterator[list[UnsetMember]]:
+    """Those of one class together, each with the place that declares it."""
+    for node in nodes.cpp:
+        by_owner: dict[str, list[UnsetMember]] = {}
+        for member in node.unset_members:
+            declared = member.declared or _in_header(nodes, node, member)
+            if declared is not None and not _is_named_elsewhere(nodes, node, member, declared.source):
+                by_owner.setdefault(member.owner, []).append(member._replace(declared=declared))
+        yield from by_owner.values()
+
+
+def _in_header(nodes: Nodes, node: CppNode, member: UnsetMember) -> Span | None:
+    """The declaration in the one header of a source, which gives the member no value and names it nowhere else."""
+    headers = nodes.headers(node.source)
+    if len(headers) != 1:
+        return None
+    bare = (each for each in headers[0].bare_members if each.owner == member.owner)
+    return next((each.declared.span for each in bare if each.declared == member.name), None)
+
+
+def _is_named_elsewhere(nodes: Nodes, node: CppNode, member: UnsetMember, declaring: Source) -> bool:
+    """Whether another source of the package, as that of a derived class, may set the member: it names the class and the
+    member, and has no class of that name itself."""
+    owner, name = re.escape(member.owner), re.escape(member.name)
+    known = {node.source.absolute, declaring.absolute}
+    for each in package_sources(nodes.files, nodes.launch.workspace.owner(node.source), node.source):
+        if each is None or each.absolute in known:
+            continue
+        if re.search(rf"\b{name}\b", each.text) and re.search(rf"\b{owner}\b", each.text):
+            if not re.search(rf"\b(?:class|struct)\s+{owner}\b\s*(?:final\s*)?[:{{]", each.text):
+                return True
+    return False

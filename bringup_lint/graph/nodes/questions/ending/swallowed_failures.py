@@ -1,0 +1,58 @@
+"""Programs that take what a spin raises, and end as if all had gone well."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.graph.nodes.sources.age import COMMENTS
+from bringup_lint.graph.nodes.sources.ending import Ending
+from bringup_lint.model.cpp_source import Swallowed
+from bringup_lint.model.python import walk
+from bringup_lint.pattern import regex
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.nodes.nodes import Nodes
+
+_FAILS = regex(r"exit\s{0,4}\((?!\s{0,4}main\()|\b(?:abort|quit|kill|exec[lv]\w{0,3})\s{0,4}\(|\bSystemExit\b")
+"""What may end a program with another status, anywhere in its source."""
+_GOES_ON = (ast.Raise, ast.Return, ast.Assign, ast.AugAssign, ast.AnnAssign, ast.Continue, ast.Break)
+_ALL = frozenset({"Exception", "BaseException"})
+
+
+def swallowed_failures(nodes: Nodes) -> Iterator[list[Swallowed]]:
+    """Those of one source together, where only ``main`` spins and returns nothing but 0."""
+    for file in nodes.programs:
+        if not nodes.is_tool(file) and not _FAILS.search(COMMENTS.sub("", file.source.text)):
+            found = list(_in_file(nodes.ending(file)))
+            if found:
+                yield found
+    for source in nodes.cpp:
+        if source.swallowed:
+            yield source.swallowed
+
+
+def _in_file(ending: Ending) -> Iterator[Swallowed]:
+    for node, spins in ending.tries:
+        function = ending.syntax.function(node)
+        if function is None or function.name != "main" or _is_tried_again(ending, node) or _returns(function):
+            continue
+        for handler in node.handlers:
+            if ending.caught(handler) & _ALL and not any(isinstance(each, _GOES_ON) for each in _inside(handler)):
+                place = ending.file.span_of(handler.type or handler)
+                yield Swallowed(place, ending.file.span_of(spins[0].call))
+
+
+def _inside(handler: ast.ExceptHandler) -> Iterator[ast.AST]:
+    return (each for statement in handler.body for each in walk(statement))
+
+
+def _is_tried_again(ending: Ending, node: ast.AST) -> bool:
+    """Whether a loop tries again."""
+    return any(isinstance(outer, (ast.While, ast.For)) for outer, _ in ending.syntax.within(node))
+
+
+def _returns(function: ast.AST) -> bool:
+    """Whether a function gives a value back, which may be the status."""
+    return any(isinstance(each, ast.Return) and each.value is not None for each in walk(function))

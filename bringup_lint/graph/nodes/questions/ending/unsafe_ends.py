@@ -1,0 +1,104 @@
+"""Programs that command a motion and end without a stop command."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.graph.nodes.questions.ending.safe_state import commands
+from bringup_lint.graph.nodes.questions.ending.safe_state import has_safe_state
+from bringup_lint.graph.nodes.questions.ending.safe_state import is_watched_relay
+from bringup_lint.graph.nodes.questions.ending.safe_state import relays
+from bringup_lint.graph.nodes.questions.ending.safe_state import stops_itself
+from bringup_lint.graph.nodes.questions.ending.safe_state import uncovered_sigterm
+from bringup_lint.graph.nodes.sources.ending import Ending
+from bringup_lint.graph.nodes.sources.motion import is_velocity
+from bringup_lint.graph.nodes.sources.motion import moves
+from bringup_lint.graph.nodes.sources.syntax import Syntax
+from bringup_lint.graph.nodes.sources.syntax import body_of
+from bringup_lint.graph.nodes.sources.syntax import own_calls
+from bringup_lint.model.node_source import Endpoint
+from bringup_lint.model.node_source import NodeClass
+from bringup_lint.model.node_source import NodeSource
+from bringup_lint.named_tuple import NamedTuple
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.nodes.nodes import Nodes
+
+
+class UnsafeEnd(NamedTuple):
+    file: NodeSource
+    command: Endpoint
+    """The publisher whose last message stays in force."""
+    spin: ast.Call
+    init: ast.Call | None
+    """The ``rclpy.init`` that leaves SIGTERM to the system; None where the end itself sends no stop command."""
+    is_caught: bool
+    """Something else may stop the robot: a filter in front of the motors, a timeout, the source of what is relayed."""
+
+
+def unsafe_ends(nodes: Nodes) -> Iterator[UnsafeEnd]:
+    """The programs whose spin ends without a stop command, as far as their end is known."""
+    for file in nodes.programs:
+        ending = nodes.ending(file)
+        made = [node for node in nodes.made(file) if _sent(nodes, node)]
+        if not made or not ending.spins or ending.signals is None:
+            continue
+        init = uncovered_sigterm(ending, made)
+        if init is None and has_safe_state(ending, made):
+            continue
+        if init is not None and nodes.stopped_by(file) == {"SIGINT"}:
+            continue
+        command = _sent(nodes, made[0])[0]
+        yield UnsafeEnd(file, command, ending.spins[0].call, init, _is_caught(nodes, ending, made, command))
+
+
+def _sent(nodes: Nodes, node: NodeClass) -> list[Endpoint]:
+    """The commands of a node but those whose publisher nothing uses."""
+    found = commands(node)
+    if not found:
+        return []
+    used = {name for each in node.lineage for name in _loaded(nodes.file_of(each))}
+    return [each for each in found if each.attribute is None or each.attribute.rpartition(".")[2] in used]
+
+
+def _loaded(file: NodeSource) -> Iterator[str]:
+    for each in file.nodes:
+        if isinstance(each, ast.Attribute) and isinstance(each.ctx, ast.Load):
+            yield each.attr
+        elif isinstance(each, ast.Name) and isinstance(each.ctx, ast.Load):
+            yield each.id
+
+
+def _is_caught(nodes: Nodes, ending: Ending, made: list[NodeClass], command: Endpoint) -> bool:
+    if (
+        nodes.gate is not None
+        or nodes.firmware_looks_at_time
+        or made[0].is_lifecycle
+        or _name(str(command.name)) in nodes.timed_topics
+    ):
+        return True
+    if all(relays(node) or stops_itself(ending.syntax, node) for node in made):
+        return True
+    others = [node for node in nodes.classes if node not in made]
+    return any(is_watched_relay(node, command) or _times_commands(nodes, node) for node in others)
+
+
+def _times_commands(nodes: Nodes, node: NodeClass) -> bool:
+    """Whether a node receives velocities, keeps the time of the last one and has a timer that can compare it."""
+    syntax = nodes.syntax(nodes.file_of(node))
+    heard = [each for each in node.all_endpoints if each.role == "subscription" and (moves(each) or is_velocity(each))]
+    methods = [method for each in heard if (method := node.method(each.callback or "")) is not None]
+    calls = [call for method in methods for call in own_calls(body_of(method.node))]
+    return bool(node.all_timers) and any(_is_clock(syntax, call) for call in calls)
+
+
+def _is_clock(syntax: Syntax, call: ast.Call) -> bool:
+    if syntax.qualified(call) in ("time.time", "time.monotonic"):
+        return True
+    return isinstance(call.func, ast.Attribute) and call.func.attr == "now"
+
+
+def _name(topic: str) -> str:
+    return topic.rpartition("/")[2]

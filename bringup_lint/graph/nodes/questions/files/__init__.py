@@ -1,0 +1,1 @@
+"""Files that a node opens, and servers that it is."""

@@ -1,0 +1,1 @@
+"""Drivers: devices that are not there, fail or are set up wrongly."""

@@ -1,0 +1,1 @@
+"""Lifecycle nodes and their states."""

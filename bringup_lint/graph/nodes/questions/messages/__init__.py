@@ -1,0 +1,1 @@
+"""What is in the messages that a node makes and reads."""

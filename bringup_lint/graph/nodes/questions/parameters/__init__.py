@@ -1,0 +1,1 @@
+"""Parameters that a node declares, reads and hears of."""

@@ -1,0 +1,1 @@
+"""What Python finds wrong when a line runs."""
