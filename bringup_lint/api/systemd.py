@@ -22,9 +22,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.systemd.network_online import ONLINE
     from bringup_lint.graph.systemd.network_online import TooEarly
     from bringup_lint.graph.systemd.network_online import edits_to_wait
-    from bringup_lint.graph.systemd.network_online import needs_no_network
     from bringup_lint.graph.systemd.network_online import too_early
-    from bringup_lint.graph.systemd.network_online import waits_itself
     from bringup_lint.graph.systemd.process import Process
     from bringup_lint.graph.systemd.questions.capabilities import file_capabilities
     from bringup_lint.graph.systemd.questions.docker_clients import DockerStart
@@ -143,7 +141,6 @@ __all__ = [
     "misspelt_trigger",
     "move_lines",
     "needless_root",
-    "needs_no_network",
     "never_enabled_units",
     "only_connects",
     "open_access",
@@ -155,5 +152,4 @@ __all__ = [
     "too_early",
     "unsourced",
     "unstartable",
-    "waits_itself",
 ]

@@ -190,7 +190,7 @@ class Purposes:
         parts = self._path(source).split("/")
         for at in range(len(parts) - 1):
             above = "/".join(parts[: at + 1]) + "/x"
-            if self._is_superseded(above) or by_path(above) is Purpose.ARCHIVE:
+            if by_path(above) is Purpose.ARCHIVE:
                 return parts[at], parts[at + 1]
         return None
 

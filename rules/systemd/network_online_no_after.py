@@ -38,7 +38,6 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api.systemd import waits_itself
 
 ONLINE = "network-online.target"
 
@@ -50,7 +49,7 @@ def network_online_no_after(robot: Robot) -> Iterator[Finding]:
         lines = [pair for key in ("Wants", "Requires", "BindsTo") for pair in unit.naming(key, ONLINE)]
         if not lines or unit.type in ("target", "timer") or unit.unsure_of("After") or unit.manager == "user":
             continue
-        if units.waits_for(unit, ONLINE) or waits_itself(unit, units):
+        if units.waits_for(unit, ONLINE):
             continue
         line, word = lines[0]
         earlier = [other for _, other in unit.naming("After", "network.target")]

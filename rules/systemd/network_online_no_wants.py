@@ -2,8 +2,7 @@
 
 ## What it finds
 A unit ordered after `network-online.target` that nothing pulls in: neither the unit, a unit that it depends
-on, nor another unit of the tree has `Wants=` or `Requires=` of it. It is an info for a web server or the like, which
-takes no part in ROS and listens on all addresses, and for what brings the network up itself.
+on, nor another unit of the tree has `Wants=` or `Requires=` of it.
 
 ## Why it matters on a robot
 `network-online.target` is not part of a normal boot: nothing starts it unless a unit pulls it in. An order
@@ -38,8 +37,6 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
-from bringup_lint.api.systemd import needs_no_network
-from bringup_lint.api.systemd import waits_itself
 
 ONLINE = "network-online.target"
 
@@ -51,14 +48,13 @@ def network_online_no_wants(robot: Robot) -> Iterator[Finding]:
         for line, word in unit.naming("After", ONLINE):
             if unit.manager == "user" or unit.unsure_of("Wants", "Requires"):
                 continue
-            if units.brings_in(unit, ONLINE) or units.brought_in(unit, ONLINE) or waits_itself(unit, units):
+            if units.brings_in(unit, ONLINE) or units.brought_in(unit, ONLINE):
                 continue
             yield finding(
                 word,
                 f"Nothing pulls in {ONLINE}, so this After= has no effect: {unit.name} starts without waiting for the "
                 "network",
                 advice=f"add Wants={ONLINE}",
-                severity="info" if needs_no_network(unit, units) else None,
                 fix=fix(f"add Wants={ONLINE}", (line.end, f"\nWants={ONLINE}")),
             )
             break

@@ -7,10 +7,9 @@ A service with Restart= and a start limit that acts too late or too early:
   has no effect, and a failing service restarts forever. With a delay of 60 s or more it is an info.
 - The limit is disabled, and the service restarts more than once a second, forever.
 - The unit sets no limit, and the default of 5 starts in 10 s never trips (RestartSec=3 alone is enough). With
-  Restart=always it is a warning for services that start ROS and for those with OnFailure=, one for all services of the
-  robot. With Restart=on-failure, a delay of 60 s or more, a daemon beside ROS, or a program that only connects to a
-  board, a clock or another computer (a micro-ROS agent, rosbridge, ptp4l), endless retries are often wanted: it is an
-  info.
+  Restart=always it is a warning, one for all services of the robot. With Restart=on-failure, a delay of 60 s or more,
+  or a program that only connects to a board, a clock or another computer (a micro-ROS agent, rosbridge, ptp4l), endless
+  retries are often wanted: it is an info.
 - The limit is disabled on purpose. It is an info.
 - The limit trips only if every start fails almost at once. It is an info.
 - The opposite: Restart=always with less than a second between restarts and no limit of its own. The default

@@ -1,8 +1,7 @@
 """A timer requires the service that it is to start later.
 
 ## What it finds
-A timer with `Requires=`, `Wants=` or `BindsTo=` on the service that it triggers. It is an info where the service has an
-[Install] section of its own: somebody wants it at boot.
+A timer with `Requires=`, `Wants=` or `BindsTo=` on the service that it triggers.
 
 ## Why it matters on a robot
 Starting the timer starts the service too: the job runs at every boot, in the middle of the robot's start, and
@@ -48,13 +47,11 @@ def timer_requires_service(robot: Robot) -> Iterator[Finding]:
         if unit.type != "timer":
             continue
         service = str(unit.get("Unit", "Timer") or f"{unit.stem}.service")
-        started = robot.units.candidates(service, unit.manager)
         for key in _PULLING:
             for line, word in unit.naming(key, service):
                 yield finding(
                     word,
                     f"{key}= starts {service} together with {unit.name}: the job runs at every boot too",
-                    severity="info" if any(each.words("WantedBy", "Install") for each in started) else None,
                     advice="remove it: a timer starts its service by itself",
                     fix=fix("remove it", line.without(word)),
                 )

@@ -159,11 +159,11 @@ def test_a_repository_of_others_names_its_own_files_in_vain(tmp_path: Path) -> N
     assert "src/third_party/weir/launch/view.launch.py" in unreached(tmp_path, {**files, **beside})
 
 
-def test_an_older_version_counts_where_something_names_it(tmp_path: Path) -> None:
+def test_an_archive_counts_where_something_names_it(tmp_path: Path) -> None:
     unit = "[Service]\nExecStart=/bin/true\n"
-    files = {"1.0.0/systemd/otter.service": unit, "2.0.0/systemd/otter.service": unit, "arm_old.service": unit}
-    assert unreached(tmp_path, files) == ["1.0.0/systemd/otter.service"]
-    named = {"setup.sh": "#!/bin/sh\ncp 1.0.0/systemd/otter.service /etc/systemd/system\n"}
+    older = {"1.0.0/systemd/otter.service": unit, "2.0.0/systemd/otter.service": unit}
+    assert unreached(tmp_path, {**older, "old/systemd/otter.service": unit}) == ["old/systemd/otter.service"]
+    named = {"setup.sh": "#!/bin/sh\ncp old/systemd/otter.service /etc/systemd/system\n"}
     assert unreached(tmp_path, named) == []
 
 

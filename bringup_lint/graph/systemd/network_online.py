@@ -21,13 +21,6 @@ _WAITS = regex(
     r"|\bip (?:-\S+ ){0,8}(?:a|addr|route)\b"
 )
 """What a script does that waits for the network itself."""
-_OF_PACKAGE = regex(r"/lib/(\w+)/([\w.-]+\.(?:sh|bash))\b", hints="/lib/")
-_SERVES = regex(
-    r"\b0\.0\.0\.0\b|\bnpm (?:run|start)\b"
-    r"|\b(?:jupyter|http\.server|nginx|uvicorn|gunicorn|node-red|code-server|ttyd|hostapd|create_ap|wifi-connect)\b"
-    r"|\bnmcli (?:-\S+ ){0,4}(?:d|dev|device|c|con|connection) (?:up|wifi|hotspot)\b"
-)
-"""Servers that listen on every address that there will be, and what brings the network up."""
 
 
 class TooEarly(NamedTuple):
@@ -56,30 +49,12 @@ def too_early(units: Units) -> Iterator[TooEarly]:
         named = next((found for key in ("After", "Wants", "Requires") for found in unit.naming(key, *_EARLY)), None)
         if named is None or unit.manager == "user" or unit.unsure_of("After", "Wants", "Requires"):
             continue
-        if not units.waits_for(unit, ONLINE) and not units.stays_local(unit) and not waits_itself(unit, units):
+        if not units.waits_for(unit, ONLINE) and not units.stays_local(unit) and not _waits_itself(unit, units):
             yield TooEarly(unit, *named, presumed=unit not in units.dds)
 
 
-def waits_itself(unit: Unit, units: Units) -> bool:
-    """Whether a command line of a unit, or a script that it runs, waits for the network."""
-    texts = [text for process in units.processes(unit) for text in process.texts]
-    return any(_WAITS.search(text) for text in texts) or any(_runs_waiter(text, units) for text in texts)
-
-
-def _runs_waiter(text: str, units: Units) -> bool:
-    """Whether a text runs a script of a package, by its place in the installation, that waits for the network."""
-    for package, name in _OF_PACKAGE.findall(text):
-        for source in units.files.of_kind("shell-script"):
-            if source.basename == name and f"/{package}/" in f"/{source.name}" and _WAITS.search(source.text):
-                return True
-    return False
-
-
-def needs_no_network(unit: Unit, units: Units) -> bool:
-    """Whether a unit only serves whoever connects, or sets the network up itself, and takes no part in ROS."""
-    if unit in (*units.dds, *units.ros1, *units.presumed_ros):
-        return False
-    return any(_SERVES.search(text) for process in units.processes(unit) for text in process.texts)
+def _waits_itself(unit: Unit, units: Units) -> bool:
+    return any(_WAITS.search(text) for process in units.processes(unit) for text in process.texts)
 
 
 def edits_to_wait(early: TooEarly, units: Units) -> Iterator[tuple[Located | Span, str]]:

@@ -139,7 +139,7 @@ def restart_loop(unit: Unit, policy: RestartPolicy, units: Units) -> Loop | None
     if not unit.complete or not policy.known or not policy.restarts or policy.misplaced:
         return None
     if policy.never_trips:
-        return _endless(policy, _is_wanted_endless(unit, units))
+        return _endless(policy, only_connects(unit, units))
     if policy.leaves_no_time:
         return Loop(Outcome.NO_TIME_LEFT, False)
     if policy.interval_at or policy.burst_at:
@@ -149,14 +149,6 @@ def restart_loop(unit: Unit, policy: RestartPolicy, units: Units) -> Loop | None
         return Loop(Outcome.GIVES_UP, of_robot)
     slow = unit in units.launching and policy.loop(FAILING_LAUNCH) > policy.interval
     return Loop(Outcome.SLOW_FAILURE, False) if slow else None
-
-
-def _is_wanted_endless(unit: Unit, units: Units) -> bool:
-    """Whether endless restarts are what somebody wants who sets no limit: of a daemon beside ROS, or of what only
-    connects, as long as nothing counts on the end."""
-    if unit.get("OnFailure"):
-        return False
-    return only_connects(unit, units) or unit not in (*units.ros, *units.presumed_ros)
 
 
 def only_connects(unit: Unit, units: Units) -> bool:
