@@ -106,6 +106,7 @@ def test_a_key_is_committed_by_its_whole_path(tmp_path: Path, version: str) -> N
     untracked = tmp_path / "keystore/private/ca.key.pem"
     untracked.parent.mkdir(parents=True)
     untracked.write_text(KEY)
+    (tmp_path / "robot.service").write_text("[Service]\nExecStart=/bin/true\n")
     run = lint("--select", "sros2/keystore-committed", "--output-format", "concise", ".", cwd=tmp_path)
     assert [line.partition(":")[0] for line in run.stdout.splitlines() if ": error[" in line] == [
         "a/keystore/private/ca.key.pem"
