@@ -47,6 +47,7 @@ TOLERATED = frozenset(
         "doctype",
         "encoding",
         "late-declaration",
+        "misplaced-declaration",
         "bad-declaration",
         "bad-instruction",
         "empty-document",

@@ -209,7 +209,7 @@ class _Reader:
             self.document.doctype = span
             self.report("doctype", start, min(self.at, start + 9), "entities and external parts are never loaded")
         else:
-            self.report("bad-tag", start, min(self.at, start + 2), "not markup that is allowed here")
+            self.report("misplaced-declaration", start, min(self.at, start + 2), "not markup that is allowed here")
 
     def start(self, at: int) -> None:
         tag = start_tag(self.source, at, self.report)

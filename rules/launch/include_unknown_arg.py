@@ -86,7 +86,7 @@ def unknown(robot: Robot, names: list[Located], target: launch.LaunchFile) -> It
     for name in names:
         if name in known:
             continue
-        near = nearest(name, sorted(known), 3)
+        near = nearest(name, sorted(known - set(names)), 3)
         yield finding(
             name,
             f"'{name}' is not an argument of {target.source.basename}: the value is silently ignored",

@@ -214,7 +214,7 @@ def _left_out(robot: Robot, package: launch.Package, needs: list[Need], started:
 
 
 def _of_release(package: launch.Package, need: Need) -> str:
-    return f"The Debian package of {package.name} does not bring {need.name}: installed alone, its {_end(need)}"
+    return f"The Debian package of {package.name} does not bring {need.name}: installed alone, {_end(need)}"
 
 
 def _of_nothing(package: launch.Package, needs: list[Need]) -> str:

@@ -35,7 +35,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.params import lopsided
 
 
-@rule("error", silent="nodes do not look at the symmetry of a covariance")
+@rule("warning", silent="nodes do not look at the symmetry of a covariance")
 def covariance_lopsided(robot: Robot) -> Iterator[Finding]:
     for each in lopsided(robot.params):
         zero = f", and the variance of row {each.row + 1} is 0" if each.variance == 0 else ""

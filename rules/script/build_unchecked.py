@@ -3,8 +3,8 @@
 ## What it finds
 `colcon build` whose result nobody looks at, before a `ros2 launch` or `ros2 run` of the same script, in a script
 without `set -e`; and one before another build of other packages, in a script that does not end with the build, so that
-its status says nothing of it. Silent if `&&` or `||` follows, if the build is the condition of an `if`, and if the
-script looks at `$?`.
+its status says nothing of it. Silent if `&&` or `||` follows, if the build is the condition of an `if`, if the script
+looks at `$?`, and if it ends by sourcing what was built, as scripts do that people source.
 
 ## Why it matters on a robot
 When a package does not compile, its last build is still in `install/`. The script sources it and starts it: the robot
@@ -65,7 +65,7 @@ def build_unchecked(robot: Robot) -> Iterator[Finding]:
         again = next((run for run in later if _builds_more(first, run)), None)
         if ros is not None:
             what, follows = "ROS starts with what the last build left in install/", note(ros.words[0], "ROS is started")
-        elif again is not None and not _is_ignored(runs[-1]):
+        elif again is not None and not _is_ignored(runs[-1]) and not _sets_up(runs[-1]):
             what, follows = "the script goes on, and ends as if it were built", note(again.words[0], "the next build")
         else:
             continue
@@ -94,6 +94,11 @@ def _is_ignored(run: Run) -> bool:
         return False
     span = run.command.words[0].span
     return CONDITION.search(span.source.line_before(span.start)) is None
+
+
+def _sets_up(run: Run) -> bool:
+    """Whether a run sources a file, as a script ends that people source in their terminal and watch."""
+    return run.name in ("source", ".")
 
 
 def _moves(run: Run) -> bool:

@@ -4,7 +4,8 @@
 Packages that a release of Ubuntu dropped, in images and scripts for that release or a later one: the packages of
 Python 2 (`python-pip`, `python-serial`), `python3-distutils`, `libgl1-mesa-glx` and `gazebo` on 24.04,
 `qt5-default` on 22.04. The release is that of the base image, or that of the ROS distribution of the robot. What no
-supported release has is found without it, also in lists of packages.
+supported release has is found without it, also in lists of packages; it is a warning then, for the robot may run an
+older Debian.
 
 Silent where a command may fail (`||`), only runs under a condition, or another repository is added.
 
@@ -94,6 +95,7 @@ def _findings(words: Iterable[Located], codename: str, related: list[Related]) -
             word,
             f"From Ubuntu {since} on there is no {word}: apt installs none of the packages that are named with it",
             advice=f"install {instead}" if instead else "leave it out",
+            severity=None if codename else "warning",
             related=[*related, *(note(other, f"nor {other}, from {when} on") for other, (when, _) in others)],
         )
 

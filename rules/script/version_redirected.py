@@ -2,8 +2,8 @@
 
 ## What it finds
 `pip install name>=1.2` and `pip install name<2` without quotes, in scripts and in steps of images that a shell runs:
-`>` writes the output of pip to a file with the name `=1.2`, and `<` reads from a file `2`. The same for apt, conda and
-mamba.
+`>` writes the output of pip to a file with the name `=1.2` (a warning), and `<` reads from a file `2`. The same for
+apt, conda and mamba.
 
 ## Why it matters on a robot
 With `>` pip installs the newest version, whatever the bound is for, and its messages go to a file `=1.2`.
@@ -54,7 +54,8 @@ def version_redirected(robot: Robot) -> Iterator[Finding]:
     for command in commands:
         for name, redirect in _versions(command):
             found.setdefault(name.span.source, []).append((name, redirect))
-    for first, *others in found.values():
+    for redirected in found.values():
+        first, *others = sorted(redirected, key=lambda each: each[1].operator == ">")
         yield _finding(*first, [note(redirect.target, f"{name}, too") for name, redirect in others if redirect.target])
 
 
@@ -72,13 +73,16 @@ def _versions(command: Command) -> Iterator[tuple[Located, Redirect]]:
 
 def _finding(name: Located, redirect: Redirect, related: list[Related]) -> Finding:
     text = f"{name}{redirect.operator}{redirect.target}"
+    severity = None
     if redirect.operator == "<":
         what = f"the shell reads from a file '{redirect.target}', and the command does not start without it"
     else:
+        severity = "warning"
         what = f"the shell writes to a file '{redirect.target}', and any version of {name} is installed"
     return finding(
         redirect.target or name,
         f"{text} is a redirection: {what}",
         advice=f"write '{text}' in quotes",
+        severity=severity,
         related=related,
     )

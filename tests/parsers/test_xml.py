@@ -74,6 +74,7 @@ def test_namespaces():
         ('<?xml version="1.0" encoding="UTF-16"?><a>ä</a>', "encoding"),
         ("<?xml?><a/>", "bad-declaration"),
         ("<!DOCTYPE a><a/>", "doctype"),
+        ("<a><!b c='d' /-></a>", "misplaced-declaration"),
         ("<a>]]></a>", "cdata-end"),
     ],
 )
