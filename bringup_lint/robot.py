@@ -228,7 +228,7 @@ class Robot:
         return self.files.environment_file(robot_path)
 
     def leads_to(self, place: Source | Located | Span) -> bool:
-        """Whether a file is more than a part of a copy or of an archive that nothing of the robot's own uses."""
+        """Whether a file is more than a part of a copy that nothing of the robot's own uses."""
         return not self._unreached.has(span_of(place).source)
 
     @cached_property

@@ -184,10 +184,6 @@ class Files:
         """Whether the configuration says what a file is for."""
         return self._purposes.is_configured(source)
 
-    def archived(self, source: Source) -> tuple[str, str] | None:
-        """The folder of an archive that a file lies in, and what is right below."""
-        return self._purposes.archived(source)
-
     @cached_property
     def variants(self) -> Variants:
         """The robots and variants that the tree holds."""

@@ -184,16 +184,6 @@ class Purposes:
         """Whether the configuration says what a file is for."""
         return self._configured(source) is not None
 
-    def archived(self, source: Source) -> tuple[str, str] | None:
-        """The folder of an archive that a file lies in, and what is right below; None when no folder says that it is
-        one."""
-        parts = self._path(source).split("/")
-        for at in range(len(parts) - 1):
-            above = "/".join(parts[: at + 1]) + "/x"
-            if by_path(above) is Purpose.ARCHIVE:
-                return parts[at], parts[at + 1]
-        return None
-
     def _find(self, source: Source) -> Purpose:
         own = self._configured(source)
         if own is not None:

@@ -1,6 +1,5 @@
 """Files of a tree to which nothing of the robot's own leads: in the copy of a package that others wrote, of which the
-robot's own files use another part or nothing, and in the folder of an older version. What is found there is
-information."""
+robot's own files use another part or nothing. What is found there is information."""
 
 from __future__ import annotations
 
@@ -9,11 +8,9 @@ from collections.abc import Iterator
 from fnmatch import fnmatchcase
 from functools import cached_property
 from itertools import chain
-from itertools import pairwise
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.files import Files
-from bringup_lint.graph.purpose import Purpose
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 from bringup_lint.type_names import TYPE_CHECKING
@@ -26,7 +23,6 @@ _BUILDING = ("ros-package", "cmake", "setup-py", "setup-cfg")
 _CODE = ("python-node", "cpp-node", "cpp-driver")
 """Kinds that are used with their package: which files a program is made of is not asked."""
 _WORD = regex(r"[\w*](?:[\w.*+-]*[\w*-])?")
-_PATH = regex(r"[\w.&+/-]+")
 _PAGE = regex(r"(?i)(?:\.(?:md|rst|txt|repos|rosinstall|mk|just)|(?:^|/)(?:makefile|justfile|procfile))$")
 _SIZE = 200_000
 """How much is read of a page."""
@@ -123,12 +119,7 @@ class Unreached:
 
     def has(self, source: Source) -> bool:
         """Whether nothing leads to a file. The configuration may say that it is the robot's."""
-        if self.files.is_configured(source):
-            return self.files.purpose(source) is Purpose.ARCHIVE
-        if self.files.purpose(source) is Purpose.ARCHIVE:
-            archived = self.files.archived(source)
-            return archived is not None and archived not in self._named
-        if source.kind in _BUILDING or not self.files.of_kind("ros-package"):
+        if self.files.is_configured(source) or source.kind in _BUILDING or not self.files.of_kind("ros-package"):
             return False
         folder = self._copies.owner(source)
         if folder is None:
@@ -141,17 +132,6 @@ class Unreached:
         """Whether a file has udev rules for a link that something else opens."""
         links = {link for links in _LINKS.findall(source.text) for link in links.split()}
         return not self._reached.devices.isdisjoint(links)
-
-    @cached_property
-    def _named(self) -> set[tuple[str, str]]:
-        """The names that follow each other in paths which files outside of archives hold."""
-        found: set[tuple[str, str]] = set()
-        own = (each.text for each in self.files.sources if self.files.purpose(each) is not Purpose.ARCHIVE)
-        tree = self.files.tree
-        for text in chain(own, tree.pages(_PAGE, _SIZE)):
-            for path in _PATH.findall(text):
-                found.update(pairwise(path.split("/")))
-        return found
 
     @cached_property
     def _copies(self) -> Copies:

@@ -50,8 +50,8 @@ def mode_world_writable(robot: Robot) -> Iterator[Finding]:
     for line, token in robot.udev.open_to_all:
         files.setdefault(token.span.path, []).append((line, token))
     for found in files.values():
-        of_robot = [each for each in found if not each[0].is_for_tools]
-        yield _finding(of_robot, None) if of_robot else _finding(found, "info")
+        ordered = sorted(found, key=lambda each: each[0].is_for_tools)
+        yield _finding(ordered, "info" if ordered[0][0].is_for_tools else None)
 
 
 def _finding(found: list[tuple[UdevRule, Token]], severity: str | None) -> Finding:

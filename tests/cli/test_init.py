@@ -103,7 +103,7 @@ def test_an_external_tree_of_buildroot_is_the_robots_own(tmp_path: Path) -> None
 
 
 def test_what_is_taken_away_is_said(tmp_path: Path) -> None:
-    """What is found in an archive is information."""
+    """A draft keeps what is wrong in itself; what it lacks for a robot is taken away."""
     wrong = "[Service]\nExecStart=/bin/true {0}\nRestart=some-{0}\n"
     unwatched = "[Service]\nExecStart=/opt/ros/jazzy/bin/ros2 launch {0} up.launch.py\n"
     for folder in ("vendor", "graveyard", "robot"):
@@ -114,13 +114,11 @@ def test_what_is_taken_away_is_said(tmp_path: Path) -> None:
     before = found_in(tmp_path)
     run = lint("init", cwd=tmp_path)
     lost = before - found_in(tmp_path)
-    assert lost == Counter(
-        {(folder, severity): 2 for folder in ("vendor", "graveyard") for severity in ("error", "warning")}
-    )
+    assert lost == Counter({("vendor", "error"): 2, ("vendor", "warning"): 2, ("graveyard", "warning"): 2})
     lines = (tmp_path / "bringup-lint.toml").read_text().splitlines()
     taken = {line.split('"')[1]: line.partition("; takes away ")[2] for line in lines if "takes away" in line}
-    assert taken == {"/vendor/": "2 errors and 2 warnings", "graveyard/": "2 errors and 2 warnings"}
-    assert run.stderr.splitlines()[1:] == ["It takes away 4 errors and 4 warnings: the comments say where."]
+    assert taken == {"/vendor/": "2 errors and 2 warnings", "graveyard/": "2 warnings"}
+    assert run.stderr.splitlines()[1:] == ["It takes away 2 errors and 4 warnings: the comments say where."]
 
 
 def found_in(top: Path) -> Counter[tuple[str, str]]:

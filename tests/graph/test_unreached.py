@@ -1,4 +1,4 @@
-"""Copies of what others wrote and folders of older versions: what the own files of a robot lead to, and what not."""
+"""Copies of what others wrote: what the own files of a robot lead to, and what not."""
 
 from __future__ import annotations
 
@@ -157,14 +157,6 @@ def test_a_repository_of_others_names_its_own_files_in_vain(tmp_path: Path) -> N
         "src/third_party/more/tools/run.sh": "#!/bin/sh\nweir\n",
     }
     assert "src/third_party/weir/launch/view.launch.py" in unreached(tmp_path, {**files, **beside})
-
-
-def test_an_archive_counts_where_something_names_it(tmp_path: Path) -> None:
-    unit = "[Service]\nExecStart=/bin/true\n"
-    older = {"1.0.0/systemd/otter.service": unit, "2.0.0/systemd/otter.service": unit}
-    assert unreached(tmp_path, {**older, "old/systemd/otter.service": unit}) == ["old/systemd/otter.service"]
-    named = {"setup.sh": "#!/bin/sh\ncp old/systemd/otter.service /etc/systemd/system\n"}
-    assert unreached(tmp_path, named) == []
 
 
 def test_what_nothing_leads_to_is_information(tmp_path: Path) -> None:
