@@ -99,7 +99,7 @@ PATHS: tuple[tuple[Purpose, re.Pattern[str]], ...] = (
     (Purpose.DEVELOPMENT, regex(r"(?:^|/)docker/(?:[^/]*[_-])?pc(?:[_-][^/]*)?/", re.I, "docker/")),
     (Purpose.SIMULATION, SIMULATION),
     (Purpose.EXAMPLE, _word("examples?|demos?|tutorials?|samples?", "example demo tutorial sample")),
-    (Purpose.EXAMPLE, _folder("docs?|documentation", "doc/ docs/ documentation/")),
+    (Purpose.EXAMPLE, _folder("docs?", "doc/ docs/")),
     (
         Purpose.EXAMPLE,
         _folder(
