@@ -68,6 +68,8 @@ MAKERS = regex(
     r"(?:\.(?:sh|bash|py|ya?ml|cmake|mk|md|rst|repos|j2)|(?:^|/)(?:Makefile|Dockerfile|CMakeLists\.txt)[^/]*)$"
 )
 MOST = 100_000
+MOST_PATHS = 500
+"""Paths that are followed; each is looked for in all pages of the tree."""
 FOLDER = "src"
 
 
@@ -82,7 +84,7 @@ def checkout_file_missing(robot: Robot) -> Iterator[Finding]:
     paths = [each for source in robot.of_kind(*KINDS) if not source.template for each in _paths(source)]
     checkouts = _checkouts(robot, {below for _, below, _ in paths})
     missing: dict[tuple[Source, str, str], list[Located]] = {}
-    for word, below, is_read in paths:
+    for word, below, is_read in paths[:MOST_PATHS]:
         checkout = next((each for each in checkouts if below.startswith(f"{each}/")), None)
         if checkout is None or not is_read or not word.span.source.judged:
             continue
