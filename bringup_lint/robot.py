@@ -229,7 +229,7 @@ class Robot:
 
     def leads_to(self, place: Source | Located | Span) -> bool:
         """Whether a file is more than a part of a copy that nothing of the robot's own uses."""
-        return not self._unreached.has(span_of(place).source)
+        return not self.files.of_kind("ros-package") or not self._unreached.has(span_of(place).source)
 
     @cached_property
     def _unreached(self) -> Unreached:

@@ -107,7 +107,7 @@ __all__ = [
 
 def own_homes(robot: Robot) -> frozenset[str]:
     """The folders of homes that the robot has because its tree says so."""
-    from bringup_lint.graph.host.container_folders import own_folders
+    from bringup_lint.graph.host.robot_homes import own_folders
 
     units = robot.units.judged if robot.of_kind("systemd-unit") else []
     users = [

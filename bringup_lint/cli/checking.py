@@ -1,5 +1,4 @@
-"""What ``bringup-lint [PATH]...`` does with its paths and options. click is only imported to say what is wrong with
-them."""
+"""What ``bringup-lint [PATH]...`` does with its paths and options."""
 
 from __future__ import annotations
 

@@ -119,7 +119,7 @@ class Unreached:
 
     def has(self, source: Source) -> bool:
         """Whether nothing leads to a file. The configuration may say that it is the robot's."""
-        if self.files.is_configured(source) or source.kind in _BUILDING or not self.files.of_kind("ros-package"):
+        if self.files.is_configured(source) or source.kind in _BUILDING:
             return False
         folder = self._copies.owner(source)
         if folder is None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterable
 from fnmatch import fnmatchcase
 from functools import cache
@@ -90,6 +89,8 @@ class PublicNode(NamedTuple):
     @property
     def defaults(self) -> dict[str, object]:
         """The defaults of its parameters, as far as they are known."""
+        import json
+
         return {
             row["parameter"]: json.loads(row["default"])
             for row in table("ros/parameter_defaults")

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.workspace import Workspace
 
 _TELLING = regex(
-    r"(?:dockerfile|containerfile)[^/]*$|/\.gitmodules$"
+    r"(?:dockerfile|containerfile)[^/]*$|(?:^|/)\.gitmodules$"
     r"|\.(?:sh|bash|py|xml|xacro|urdf|cpp|hpp|h|cc|txt|md|rst|repos|rosinstall|ya?ml|j2|toml|json|nix|ipynb|html?)$",
     re.I,
 )
@@ -47,14 +47,13 @@ class Unbrought:
         is_known = len(family) >= _FAMILY and family not in _COMMON
         if is_known and any(family in name for name in self._declared()):
             return True
-        for path in self._tree.paths:
-            if _TELLING.search(f"/{path}"):
-                text = self._tree.head(path, _MOST)
-                if package in text or package.replace("_", "-") in text:
-                    if _PARAMETERS not in text:
-                        return True
-                elif is_known and family in text and _FETCHING.search(f"/{path}"):
+        for path in self._tree.like(_TELLING):
+            text = self._tree.head(path, _MOST)
+            if package in text or package.replace("_", "-") in text:
+                if _PARAMETERS not in text:
                     return True
+            elif is_known and family in text and _FETCHING.search(path):
+                return True
         return False
 
     def _declared(self) -> frozenset[str]:

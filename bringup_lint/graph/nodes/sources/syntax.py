@@ -6,6 +6,7 @@ import ast
 from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
+from collections.abc import Mapping
 from functools import cached_property
 from typing import Any
 from typing import TypeVar
@@ -14,11 +15,13 @@ from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
 from bringup_lint.model.python import children
 from bringup_lint.model.python import fields_of
+from bringup_lint.model.python import is_own
 
 Answer = TypeVar("Answer")
 _ENDS = (ast.Return, ast.Raise, ast.Break, ast.Continue)
 """Statements after which nothing of their block runs."""
 FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)
+COMPREHENSIONS = (ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
 
 
 class Syntax:
@@ -154,6 +157,32 @@ def own(nodes: Iterable[ast.AST]) -> Iterator[ast.AST]:
 
 def own_calls(nodes: Iterable[ast.AST]) -> Iterator[ast.Call]:
     return (node for node in own(nodes) if isinstance(node, ast.Call))
+
+
+def calls_through(
+    methods: Mapping[str, ast.FunctionDef], method: str, depth: int, is_left_out: Callable[[ast.Call], bool]
+) -> Iterator[ast.Call]:
+    """The calls of a method and of those of its own class that it calls, so many deep; none of those left out, and
+    nothing that only these reach."""
+    seen: set[str] = set()
+    todo = [(method, 0)]
+    while todo:
+        name, at = todo.pop()
+        if name in seen or name not in methods or at > depth:
+            continue
+        seen.add(name)
+        for call in own_calls(methods[name].body):
+            if is_left_out(call):
+                continue
+            yield call
+            if is_own(call.func):
+                todo.append((call.func.attr, at + 1))
+
+
+def methods_of(body: Iterable[ast.stmt], class_name: str) -> dict[str, ast.FunctionDef] | None:
+    """The methods of a class among some statements; None when there is no such class."""
+    cls = next((each for each in body if isinstance(each, ast.ClassDef) and each.name == class_name), None)
+    return None if cls is None else {each.name: each for each in cls.body if isinstance(each, ast.FunctionDef)}
 
 
 def body_of(function: ast.AST | None) -> list[ast.AST]:

@@ -10,7 +10,8 @@ from bringup_lint.graph.nodes.questions.callbacks.blocking import Blocking
 from bringup_lint.graph.nodes.questions.callbacks.blocking_calls import blocked_by_library
 from bringup_lint.graph.nodes.sources.callback_code import reached_once
 from bringup_lint.graph.nodes.sources.stored_values import stored
-from bringup_lint.graph.nodes.sources.syntax import own_calls
+from bringup_lint.graph.nodes.sources.syntax import calls_through
+from bringup_lint.graph.nodes.sources.syntax import methods_of
 from bringup_lint.model.node_source import Callback
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
@@ -57,21 +58,10 @@ def _wait(
 
 def _in_method(nodes: Nodes, other: NodeSource, class_name: str, method: str) -> tuple[str, str, Span] | None:
     """What the first library call that blocks in a method is, how long it waits, and its place."""
-    body = other.tree.body if other.tree is not None else []
-    cls = next((each for each in body if isinstance(each, ast.ClassDef) and each.name == class_name), None)
-    methods = {each.name: each for each in cls.body if isinstance(each, ast.FunctionDef)} if cls is not None else {}
+    methods = methods_of(other.tree.body if other.tree is not None else [], class_name) or {}
     ending = nodes.ending(other)
-    seen: set[str] = set()
-    todo = [(method, 0)]
-    while todo:
-        name, depth = todo.pop()
-        if name in seen or name not in methods or depth > _DEPTH:
-            continue
-        seen.add(name)
-        for call in own_calls(methods[name].body):
-            found = blocked_by_library(ending, call)
-            if found is not None:
-                return found.what, found.how_long, other.span_of(call)
-            if is_own(call.func):
-                todo.append((call.func.attr, depth + 1))
+    for call in calls_through(methods, method, _DEPTH, lambda _: False):
+        found = blocked_by_library(ending, call)
+        if found is not None:
+            return found.what, found.how_long, other.span_of(call)
     return None

@@ -16,8 +16,9 @@ from bringup_lint.graph.nodes.sources.stored_values import module_values
 from bringup_lint.graph.nodes.sources.stored_values import stored
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import body_of
+from bringup_lint.graph.nodes.sources.syntax import calls_through
+from bringup_lint.graph.nodes.sources.syntax import methods_of
 from bringup_lint.graph.nodes.sources.syntax import own
-from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.graph.nodes.sources.uncaught import Uncaught
 from bringup_lint.graph.nodes.sources.uncaught import is_caught
 from bringup_lint.model.node_source import NodeClass
@@ -145,28 +146,15 @@ def _in_driver(nodes: Nodes, file: NodeSource, made: ast.Call, method: str) -> S
         others = [file, *(nodes.module_named(each, file) for each in file.stars)]
         name = made.func.id
     for other in others:
-        body = other.tree.body if other is not None and other.tree is not None else []
-        owner = next((each for each in body if isinstance(each, ast.ClassDef) and each.name == name), None)
-        if other is not None and owner is not None:
-            return _in_method(nodes, other, owner, method)
+        methods = methods_of(other.tree.body, name) if other is not None and other.tree is not None else None
+        if other is not None and methods is not None:
+            return _in_method(nodes, other, methods, method)
     return None
 
 
-def _in_method(nodes: Nodes, other: NodeSource, owner: ast.ClassDef, method: str) -> Span | None:
-    methods = {each.name: each for each in owner.body if isinstance(each, ast.FunctionDef)}
+def _in_method(nodes: Nodes, other: NodeSource, methods: dict[str, ast.FunctionDef], method: str) -> Span | None:
     syntax = nodes.syntax(other)
-    seen: set[str] = set()
-    todo = [(method, 0)]
-    while todo:
-        name, depth = todo.pop()
-        if name in seen or name not in methods or depth > _DEPTH:
-            continue
-        seen.add(name)
-        for call in own_calls(methods[name].body):
-            if not isinstance(call.func, ast.Attribute) or is_caught(syntax, call, OF_SYSTEM):
-                continue
-            if call.func.attr in _TRANSFERS:
-                return other.span_of(call)
-            if is_own(call.func):
-                todo.append((call.func.attr, depth + 1))
-    return None
+    calls = calls_through(methods, method, _DEPTH, lambda call: is_caught(syntax, call, OF_SYSTEM))
+    transfers = (call for call in calls if isinstance(call.func, ast.Attribute) and call.func.attr in _TRANSFERS)
+    first = next(transfers, None)
+    return other.span_of(first) if first is not None else None

@@ -16,6 +16,7 @@ from bringup_lint.graph.nodes.questions.python.missing_attributes import own_use
 from bringup_lint.graph.nodes.questions.python.missing_attributes import set_in_body
 from bringup_lint.graph.nodes.sources.idle import is_idle
 from bringup_lint.graph.nodes.sources.idle import is_late
+from bringup_lint.graph.nodes.sources.syntax import COMPREHENSIONS
 from bringup_lint.graph.nodes.sources.syntax import FUNCTIONS
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.node_source import NodeClass
@@ -27,8 +28,6 @@ if TYPE_CHECKING:
 
     from bringup_lint.graph.nodes.nodes import Nodes
     from bringup_lint.model.node_source import NodeSource
-
-_COMPREHENSIONS = (ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
 
 
 class EarlyRead(NamedTuple):
@@ -135,6 +134,6 @@ def _has(node: ast.AST | None, uses: set[ast.Attribute]) -> bool:
             todo.append(each.values[0])
         elif isinstance(each, ast.IfExp):
             todo.append(each.test)
-        elif not isinstance(each, (*FUNCTIONS, *_COMPREHENSIONS)):
+        elif not isinstance(each, (*FUNCTIONS, *COMPREHENSIONS)):
             todo.extend(children(each))
     return False

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from bringup_lint.graph.nodes.sources.idle import is_idle
 from bringup_lint.graph.nodes.sources.idle import is_late
+from bringup_lint.graph.nodes.sources.syntax import COMPREHENSIONS
 from bringup_lint.graph.nodes.sources.syntax import FUNCTIONS
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import own
@@ -17,7 +18,6 @@ from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
 _PLACED = (ast.expr, ast.stmt, ast.alias, ast.excepthandler)
-_COMPREHENSIONS = (ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
 _LOOPS = (ast.For, ast.AsyncFor, ast.While)
 _LEAVES = (ast.Return, ast.Raise, ast.Break, ast.Continue)
 _SIMPLE = (ast.Expr, ast.Assign, ast.AnnAssign, ast.AugAssign, ast.Return)
@@ -78,7 +78,7 @@ class _Locals:
         self._syntax = syntax
         self._function = function
         self._nodes = list(own(function.body))
-        inner = {part for each in self._nodes if isinstance(each, _COMPREHENSIONS) for part in walk(each)}
+        inner = {part for each in self._nodes if isinstance(each, COMPREHENSIONS) for part in walk(each)}
         self._names = [each for each in self._nodes if isinstance(each, ast.Name) and each not in inner]
         self._known: dict[ast.stmt, _Steps] = {}
         self._bound: dict[str, list[PlacedNode]] = {}
@@ -250,7 +250,7 @@ def _left_out(node: ast.AST) -> Iterator[ast.AST]:
         parts = [*node.values[1:]]
     elif isinstance(node, ast.IfExp):
         parts = [node.body, node.orelse]
-    elif isinstance(node, (*FUNCTIONS, *_COMPREHENSIONS)):
+    elif isinstance(node, (*FUNCTIONS, *COMPREHENSIONS)):
         parts = [node]
     return (part for each in parts for part in walk(each))
 

@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from bringup_lint.facts import table
 from bringup_lint.graph.nodes.sources.idle import is_idle
 from bringup_lint.graph.nodes.sources.idle import is_late
+from bringup_lint.graph.nodes.sources.syntax import COMPREHENSIONS
 from bringup_lint.graph.nodes.sources.syntax import FUNCTIONS
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import own
@@ -101,7 +102,7 @@ class _Bindings:
             if isinstance(outer, ast.ClassDef):
                 if not in_function and field == "body" and name.id in self._of_class(outer):
                     return True
-            elif isinstance(outer, _COMPREHENSIONS) or (isinstance(outer, FUNCTIONS) and field == "body"):
+            elif isinstance(outer, COMPREHENSIONS) or (isinstance(outer, FUNCTIONS) and field == "body"):
                 in_function = in_function or isinstance(outer, FUNCTIONS)
                 if name.id in self._of(outer):
                     return True
@@ -116,9 +117,6 @@ class _Bindings:
         if outer not in self._inner:
             self._inner[outer] = frozenset(_all_bound(own(outer.body)))
         return self._inner[outer]
-
-
-_COMPREHENSIONS = (ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
 
 
 def _all_bound(nodes: Iterable[ast.AST]) -> Iterator[str]:
