@@ -11,6 +11,7 @@ from bringup_lint.type_names import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from bringup_lint.facts.ros.launch_api import module_of
+    from bringup_lint.facts.ros.launch_arguments import OF_LAUNCH
     from bringup_lint.facts.ros.launch_calls import parameters_of
     from bringup_lint.facts.ros.public_programs import package_meant
     from bringup_lint.facts.ros.public_programs import public_package
@@ -127,6 +128,7 @@ else:
 
 __all__ = [
     "AT_RUN_TIME",
+    "OF_LAUNCH",
     "Action",
     "Argument",
     "Choice",

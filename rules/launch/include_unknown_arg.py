@@ -84,7 +84,7 @@ def unknown(robot: Robot, names: list[Located], target: launch.LaunchFile) -> It
         return
     known = {each.name for each in inner.declared} | robot.launch.read_in(inner.files)
     for name in names:
-        if name in known:
+        if name in known or name in launch.OF_LAUNCH:
             continue
         near = nearest(name, sorted(known - set(names)), 3)
         yield finding(

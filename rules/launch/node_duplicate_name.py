@@ -2,7 +2,7 @@
 
 ## What it finds
 Nodes and components of one launch graph with the same fully qualified name. Both start by default, and their
-conditions do not exclude each other.
+conditions do not exclude each other. Info where both only send a static transform.
 
 ## Why it matters on a robot
 ROS 2 lets both run. Parameters and services reach one of them by chance, and lifecycle managers and monitors see
@@ -65,6 +65,7 @@ def node_duplicate_name(robot: Robot) -> Iterator[Finding]:
                 f"Two nodes are called {name}: " + (BY_CHANCE if is_called else ALIKE),
                 advice="give each node its own name or namespace",
                 related=[note(other.span, "the other node"), *places],
+                severity=None if is_called else "info",
             )
 
 

@@ -41,6 +41,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.launch import OF_LAUNCH
 from bringup_lint.api.launch import LaunchFile
 from bringup_lint.api.python import remove
 
@@ -56,7 +57,7 @@ def unused_arg(robot: Robot) -> Iterator[Finding]:
         elsewhere = robot.launch.read_in(each for each in files.values() if each is not file)
         for declared in own.declared:
             name = declared.name
-            if declared.file is not file or name in elsewhere:
+            if declared.file is not file or name in elsewhere or name in OF_LAUNCH:
                 continue
             dead = robot.launch.dead_reads(file, name)
             if sum(argument.name == name for argument in file.reads) > dead or mentioned(robot, file, name) > 1 + dead:

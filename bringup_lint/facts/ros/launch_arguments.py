@@ -7,6 +7,11 @@ from functools import cache
 from bringup_lint.facts import table
 from bringup_lint.named_tuple import NamedTuple
 
+OF_LAUNCH = frozenset(
+    ("emulate_tty", "launch-prefix", "launch-prefix-filter", "ros_namespace", "sigkill_timeout", "sigterm_timeout")
+)
+"""The launch configurations that launch and launch_ros read themselves, for every process that they start."""
+
 
 class Taken(NamedTuple):
     """What a public launch file takes, in any distribution."""

@@ -30,6 +30,8 @@ _INSTALLS = regex(r"(?i:\binstall)\s*\([^()]*\)")
 """Commands that only copy what they name."""
 _END = regex(r"^[ \t]*(ament_(?:auto_)?package)[ \t]*\(", re.M)
 _LIBRARY = regex(r"^(?:.*/)?(?:lib)?([^/]+?)(?:\.so)?$")
+_OF_ROS1 = "nodelet::Nodelet"
+"""The base of nodelets, which ROS 2 does not load."""
 _CODE = (".cpp", ".cc", ".cxx", ".hpp", ".h")
 _MOST = 200_000
 """Characters of a source that are looked at."""
@@ -96,6 +98,7 @@ def _first_class(source: Source | None, targets: set[str]) -> Element | None:
     for element in root.walk():
         library = element.parent
         match = _LIBRARY.match(str(library.get("path") or "")) if library is not None else None
-        if element.local == "class" and element.get("base_class_type") and match and match[1] in targets:
+        base = element.get("base_class_type")
+        if element.local == "class" and base and base != _OF_ROS1 and match and match[1] in targets:
             return element
     return None

@@ -88,13 +88,14 @@ def _unset(self: Expander, action: UnsetArgument, resolver: Resolver, symbolic: 
 
 
 def _include(self: Expander, action: Include, resolver: Resolver, symbolic: Resolver) -> None:
-    self.note_unbound(action.file, *(value for _, value in action.arguments))
+    self.note_unbound(action.file)
     file = resolver.value(action.file)
     target = self.locate(file)
     known = frozenset(self.scope.arguments)
     passed: dict[str, Value] = {}
     chain = (*self.chain, action.span)
     for name_value, value in action.arguments:
+        self.note_unbound(value)  # launch sets one argument after the other: each may read those before it
         name = text_of(resolver.value(name_value))
         if name is None:
             self.result.open = True

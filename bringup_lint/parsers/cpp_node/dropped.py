@@ -38,7 +38,7 @@ def dropped(code: Code) -> Iterator[Dropped]:
     for call in code.calls:
         kind, least = _MADE.get(call.name, ("", 0))
         is_made = kind and len(call.arguments) >= least and call.name not in own and _OWNER.match(call.qualified)
-        if not is_made or (kind in _TYPED and call.template is None) or _is_left_out(code, call.node):
+        if not is_made or (kind in _TYPED and call.template is None) or _does_nothing(call):
             continue
         variable = _variable(code, call)
         if variable is None and not _is_statement(call.node):
@@ -72,7 +72,7 @@ def _ends_unused(code: Code, call: Call, variable: str) -> bool:
     return len(re.findall(rf"\b{re.escape(variable)}\b", text)) == 1 and not _LASTS.search(rest)
 
 
-def _is_left_out(code: Code, node: Node) -> bool:
-    """Whether the preprocessor leaves a place out: ``#if 0``."""
-    outer = (each for each in code.above(node) if each.type == "preproc_if")
-    return any(code.text(each.child_by_field_name("condition")) == "0" for each in outer)
+def _does_nothing(call: Call) -> bool:
+    """Whether the callback is empty, so that only the making counts: ``create_wall_timer(1s, [] {})``."""
+    body = call.arguments[-1].child_by_field_name("body") if call.arguments else None
+    return body is not None and all(each.type == "comment" for each in body.named_children)

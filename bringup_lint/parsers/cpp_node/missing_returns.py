@@ -18,6 +18,7 @@ NESTED = 60
 _TYPES = frozenset(
     {"primitive_type", "type_identifier", "qualified_identifier", "template_type", "sized_type_specifier"}
 )
+_NO_NAMES = frozenset({"main", "if", "for", "while", "switch", "catch"})
 _DECLARATORS = ("pointer_declarator", "reference_declarator")
 _MACRO = regex(r"[A-Z][A-Z0-9_]*\Z")
 _LEAVES = frozenset({"return_statement", "throw_statement", "continue_statement"})
@@ -71,7 +72,8 @@ def missing_returns(code: Code) -> Iterator[MissingReturn]:
 
 
 def _name(code: Code, function: Node) -> Node | None:
-    """The last name of a function with a type; None for ``main`` and for operators."""
+    """The last name of a function with a type; None for ``main``, for operators, and for statements that follow an
+    error of the grammar: ``else if (...) {}``."""
     declarator = function.child_by_field_name("declarator")
     while declarator is not None and declarator.type in _DECLARATORS:
         declarator = next(iter(reversed(declarator.named_children)), None)
@@ -80,8 +82,8 @@ def _name(code: Code, function: Node) -> Node | None:
     name = declarator.child_by_field_name("declarator")
     while name is not None and name.type == "qualified_identifier":
         name = name.child_by_field_name("name")
-    is_name = name is not None and name.type in ("identifier", "field_identifier") and code.text(name) != "main"
-    return name if is_name else None
+    is_name = name is not None and name.type in ("identifier", "field_identifier")
+    return name if is_name and code.text(name) not in _NO_NAMES else None
 
 
 def _is_base(code: Code, function: Node) -> bool:

@@ -51,6 +51,11 @@ _EXPORTED = regex(
     rb"|\b(?P<visible>[A-Z][A-Z0-9_]*_(?:PUBLIC|LOCAL|EXPORT|API))\b(?![ \t]*[(:])"
 )
 """Macros that say what a shared library shows; the grammar takes them for the name or type."""
+_SWITCH = regex(rb"^[ \t]*#[ \t]*(?P<word>if|ifdef|ifndef|elif|else|endif)\b[ \t]*(?P<given>[^\r\n]*)", re.M)
+_NEVER = regex(rb"(?:0|false)[ \t]*(?:/[/*]|\Z)")
+"""The condition of what the preprocessor leaves out."""
+_MAY_BE_DEAD = (b"if 0", b"if false")
+_INK = regex(rb"[^\r\n]")
 _WIDE = regex(r"[^\x00-\x7f]")
 """A character of several bytes."""
 _BRANCHES = frozenset(
@@ -72,7 +77,7 @@ def _parsed(data: bytes) -> Tree:
     import tree_sitter
     import tree_sitter_cpp
 
-    plain = _EXPORTED.sub(_blanked, data)
+    plain = _EXPORTED.sub(_blanked, _without_dead(data))
     parser = tree_sitter.Parser(tree_sitter.Language(tree_sitter_cpp.language()))
     left = iter(range(STEPS + int(STEPS_A_BYTE * len(plain))))
     try:
@@ -81,6 +86,38 @@ def _parsed(data: bytes) -> Tree:
         )
     except ValueError as error:
         raise OutOfTime from error
+
+
+def _without_dead(data: bytes) -> bytes:
+    """The text with what ``#if 0`` leaves out as blanks, so that every place stays as it is."""
+    if not any(each in data for each in _MAY_BE_DEAD):
+        return data
+    parts, at = [], 0
+    for start, end in _dead(data):
+        parts += [data[at:start], _INK.sub(b" ", data[start:end])]
+        at = end
+    return b"".join((*parts, data[at:]))
+
+
+def _dead(data: bytes) -> Iterator[tuple[int, int]]:
+    """Where text begins and ends that is left out, with the lines that say so."""
+    open_dead: list[bool] = []
+    start, level = -1, 0
+    for found in _SWITCH.finditer(data):
+        word = found["word"]
+        if word.startswith(b"if"):
+            is_dead = start < 0 and word == b"if" and _NEVER.match(found["given"]) is not None
+            open_dead.append(is_dead)
+            if is_dead:
+                start, level = found.start(), len(open_dead)
+            continue
+        if start >= 0 and len(open_dead) == level:
+            yield start, found.end()
+            start = -1
+        elif start < 0 and open_dead and open_dead[-1]:
+            yield found.span()
+        if word == b"endif" and open_dead:
+            open_dead.pop()
 
 
 def _blanked(found: re.Match[bytes]) -> bytes:

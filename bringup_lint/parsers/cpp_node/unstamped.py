@@ -26,7 +26,9 @@ _MADE = regex(r"(?:std::make_(?:shared|unique)<(?P<held>[\w:]{1,99})>|(?P<plain>
 _PICTURE = regex(r"(?:cv_bridge::)?CvImage\((?:std_msgs::msg::)?Header(?:\(\)|\{\}),.{1,200}\.toImageMsg\(\)\Z")
 _CAMERA = regex(r"VideoCapture|isOpened\(\)")
 _SENT = regex(r"(?:publish|sendTransform)\s{0,4}\(\s{0,40}(?:std::move\s{0,4}\(\s{0,4})?\*?\s{0,4}\Z")
-_FIELD = regex(r"\s{0,40}(?:\.|->)\s{0,4}(?:(?!header\b|set__header\b)\w|header\s{0,4}\.\s{0,4}frame_id\b)")
+_FIELD = regex(
+    r"\s{0,40}(?:\.|->)\s{0,4}(?:(?!header\b|set__header\b|get\s{0,4}\()\w|header\s{0,4}\.\s{0,4}frame_id\b)"
+)
 _NAME = regex(r"[A-Za-z_]\w*\Z")
 _BEFORE = 80
 """Code points before a name in which the call is written that it is given to."""

@@ -54,6 +54,8 @@ _GIVEN = (
 )
 """What gives the node to a class of a library."""
 _HOLE = regex(r"\{[^{}]{0,80}\}|%s")
+_SHORT = 3
+"""Letters of words that are in many names."""
 _SURE = 5
 """Parameters that a source must read, to be taken for that of the node."""
 _MOST = 0.6
@@ -93,7 +95,8 @@ def unread(params: Params, launch: Launch) -> Iterator[Unread]:
         names = frozenset().union(*(reading[each] for each in readers))
         left = [each for each in lacking if not _is_made(str(each.name), names, pieces)]
         is_alone = not any(_is_helped(each, launch) for each in readers)
-        if readers and left and is_alone and block.node_name not in foreign and count >= max(_SURE, _MOST * len(own)):
+        is_own = any(_is_named(block.node_name, each) for each in readers)
+        if left and is_alone and is_own and block.node_name not in foreign and count >= max(_SURE, _MOST * len(own)):
             first = next(_READ.finditer(readers[0].text))
             yield Unread(block, tuple(left), readers[0].span(*first.span("name")), count, names)
 
@@ -110,6 +113,12 @@ def _readers(by_name: dict[str, list[Source]], own: list[Parameter]) -> tuple[li
     if any(each.matches(_LOOPED) or is_simulation(each.basename) for each in readers):
         return [], 0
     return readers, count
+
+
+def _is_named(label: str, source: Source) -> bool:
+    """Whether a source has a word of the name of a node: many nodes read ``odom_frame`` and ``publish_rate``."""
+    text = f"{source.name} {source.text}".lower()
+    return any(each in text for each in label.lower().split("_") if len(each) > _SHORT)
 
 
 def _is_helped(source: Source, launch: Launch) -> bool:
