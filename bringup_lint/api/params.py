@@ -39,6 +39,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.plugins.refused import Refused
     from bringup_lint.graph.plugins.unknown import UnknownPlugin
     from bringup_lint.graph.plugins.untyped import UntypedPlugin
+    from bringup_lint.graph.topics.questions.foreign_files import foreign
     from bringup_lint.graph.topics.questions.frames import unknown_frames
     from bringup_lint.graph.topics.questions.parameter_blocks import unreached
     from bringup_lint.graph.topics.questions.parameter_blocks import unused
@@ -76,6 +77,7 @@ __all__ = [
     "Unread",
     "UntypedPlugin",
     "WrongType",
+    "foreign",
     "lopsided",
     "navigation_problems",
     "operator_problems",

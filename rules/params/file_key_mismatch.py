@@ -3,7 +3,8 @@
 ## What it finds
 A node with a known name and namespace loads a file in which no block and no wildcard matches its full name, but one is
 meant for it: it has the same name in another namespace, or a misspelling of it, is called as the package or the
-executable, or holds what only the program of this node declares. The name is that of the launch file, else the one that
+executable, or holds what only the program of this node declares. Also a file that is for none of the nodes of a launch
+file, where one beside it has a block for the node that gets it. The name is that of the launch file, else the one that
 the source gives. It is a warning where the values are those that the program has by itself. Silent for components,
 containers and names that are not known.
 
@@ -39,6 +40,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.params import foreign
 from bringup_lint.api.params import unreached
 
 
@@ -68,4 +70,13 @@ def file_key_mismatch(robot: Robot) -> Iterator[Finding]:
             related=[note(found.load.where, "loads the file here"), note(found.load.node.span, "the node")],
             severity="warning" if is_same else None,
             fix=fix(f"name the block {better}", (found.block.key, better), safe=False) if single else None,
+        )
+    for each in foreign(robot.topics):
+        yield finding(
+            each.where,
+            f"{each.file.source.basename} has no block for {each.name}, only for {each.file.blocks[0].name}: "
+            f"{each.name} starts with the defaults of its source",
+            advice=f"load {each.better.span.source.basename}, which has a block for {each.name}",
+            related=[note(each.better.key, "the block for this node"), note(each.load.node.span, "the node")],
+            severity="warning",
         )

@@ -7,13 +7,14 @@ a section of their own, where no other file knows the name; a source that marks 
 with `clearing: false` whose sources all mark, and none of which clears; limits of `velocity_smoother` with the wrong
 sign, not one for each axis, or of zero for turning both ways; `polygons` of the collision monitor without a section;
 `min_particles` of amcl above `max_particles`; an `initial_pose` without `set_initial_pose`; from Humble on the names
-that amcl's motion models had before, and a section `recoveries_server` without one for `behavior_server` or
-`default_bt_xml_filename`; a local costmap that rolls in the frame that amcl corrects; critics that DWB or MPPI do not
-have, and critics of which none looks at obstacles; limits of `velocity_smoother` below those that a controller of the
-same file plans with; a tree for `NavigateToPose` as that for `NavigateThroughPoses`, or the reverse; zones of the
-collision monitor inside of the robot; a `robot_radius` of the local costmap far from that of the global one; a
-`model_dt` of MPPI below the period of its server; a `data_type` that obstacle layers do not take; and from Jazzy on
-libraries in `plugin_lib_names` that bt_navigator loads by itself. Layers with `enabled: false` are left alone.
+that amcl's motion models had before, and a section `recoveries_server` where one for `behavior_server` is missing or
+lacks frames and speeds of it, or `default_bt_xml_filename`; a local costmap that rolls in the frame that amcl corrects;
+critics that DWB or MPPI do not have, and critics of which none looks at obstacles; limits of `velocity_smoother` below
+those that a controller of the same file plans with; a tree for `NavigateToPose` as that for `NavigateThroughPoses`, or
+the reverse; zones of the collision monitor inside of the robot; a `robot_radius` of the local costmap far from that of
+the global one; a `model_dt` of MPPI below the period of its server; a `data_type` that obstacle layers do not take; and
+from Jazzy on libraries in `plugin_lib_names` that bt_navigator loads by itself. Layers with `enabled: false` are left
+alone.
 
 ## Why it matters on a robot
 A footprint that is refused leaves the robot with its radius, and the costmap lets it drive into what the corners touch.
@@ -143,6 +144,8 @@ def _message(each: NavigationProblem) -> str:
             )
         case "section":
             return f"No node is called {each.name} since Humble: {each.detail} runs with the defaults of its source"
+        case "halves":
+            return f"No node is called {each.name} since Humble, and behavior_server lacks its {each.detail}"
         case "critic":
             return f"No critic is called '{each.name}': the controller server ends when it configures"
         case "type":
@@ -200,6 +203,8 @@ def _advice(each: NavigationProblem) -> str:
             return "write odom"
         case "section":
             return f"call it {each.detail}, recovery_plugins behavior_plugins, and the plugins nav2_behaviors/..."
+        case "halves":
+            return f"move them to behavior_server, and remove {each.name}"
         case "critic":
             return f"write {each.detail}" if each.detail else "write the name of a critic of this controller"
         case "type":

@@ -29,6 +29,8 @@ class Included(NamedTuple):
     source: LaunchFile
     target: LaunchFile | None
     arguments: dict[str, Value]
+    values: dict[str, Value]
+    """The arguments as they are when launched without any."""
     conditions: tuple[Condition, ...]
     chain: tuple[Span, ...]
     known: frozenset[str]

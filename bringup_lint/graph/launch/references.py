@@ -100,7 +100,7 @@ def _passed(expansion: Expansion, file: LaunchFile, find: Find) -> Iterator[Refe
     """Paths that includes are given, and the defaults of arguments, which may reach one that is not in the tree."""
     for include in expansion.includes:
         if include.source is file:
-            for name, value in include.arguments.items():
+            for name, value in include.values.items():
                 yield from _paths(value, find, bool(include.conditions), name)
     resolver = Resolver(Scope())
     for declared in expansion.declared:

@@ -93,6 +93,7 @@ def _include(self: Expander, action: Include, resolver: Resolver, symbolic: Reso
     target = self.locate(file)
     known = frozenset(self.scope.arguments)
     passed: dict[str, Value] = {}
+    values: dict[str, Value] = {}
     chain = (*self.chain, action.span)
     for name_value, value in action.arguments:
         self.note_unbound(value)  # launch sets one argument after the other: each may read those before it
@@ -101,9 +102,9 @@ def _include(self: Expander, action: Include, resolver: Resolver, symbolic: Reso
             self.result.open = True
             continue
         passed[name] = value
-        own = Resolver(self.scope)
-        self.bind(name, own.value(value), Resolver(self.scope, symbolic=True).value(value), value.span)
-    included = Included(action, file, self.file, target, passed, self.conditions, chain, known, self.context)
+        values[name] = Resolver(self.scope).value(value)
+        self.bind(name, values[name], Resolver(self.scope, symbolic=True).value(value), value.span)
+    included = Included(action, file, self.file, target, passed, values, self.conditions, chain, known, self.context)
     self.result.includes.append(included)
     if action.open or target is None:
         self.result.open = True

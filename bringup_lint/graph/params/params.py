@@ -337,9 +337,11 @@ class Params:
         return any(name in text for text in texts) and not any(other in text for text in texts)
 
     def is_used(self, file: ParameterFile) -> bool:
-        """Whether a launch file loads a file or hands its path on, or something names it, and means no other one of its
-        name."""
+        """Whether a launch file loads a file, hands its path on, or takes any of its folder by argument, or something
+        names it, and means no other one of its name."""
         if self.loads(file) or file.source.absolute in self._handed_on:
+            return True
+        if os.path.dirname(file.source.absolute) in self._chosen_from:
             return True
         name = file.source.basename
         same = list(self._tree_files.tree.named(name))
@@ -388,6 +390,14 @@ class Params:
         launch = self._launch()
         named = (each for file in launch.judged for each in launch.references(file) if each.kind == "path" and each.key)
         return frozenset(os.path.abspath(each.found.file) for each in named if each.found.file is not None)
+
+    @cached_property
+    def _chosen_from(self) -> frozenset[str]:
+        if not self._tree_files.of_kind(*LAUNCH):
+            return frozenset()
+        from bringup_lint.graph.params.chosen_folders import chosen_folders
+
+        return frozenset(chosen_folders(self._launch()))
 
     @cached_property
     def _mentions(self) -> dict[int, Mentions]:

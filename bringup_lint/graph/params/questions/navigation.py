@@ -66,16 +66,31 @@ _TREES = {
 (navigate_through_poses.cpp, navigate_to_pose.cpp)."""
 _RECOVERIES, _BEHAVIORS = "recoveries_server", "behavior_server"
 """One server, before Humble and since."""
+_OF_BEHAVIORS = {
+    "global_frame": "odom",
+    "robot_base_frame": "base_link",
+    "cycle_frequency": 10.0,
+    "simulate_ahead_time": 2.0,
+    "max_rotational_vel": 1.0,
+    "min_rotational_vel": 0.4,
+    "rotational_acc_lim": 3.2,
+}
+"""What both declare, with the defaults (behavior_server.cpp, spin.cpp)."""
 
 
 def navigation_problems(params: Params) -> Iterator[NavigationProblem]:
     for file in params.judged:
-        if file.accepted and not file.uncertain and params.is_used(file):
+        if _is_read(file) and params.is_used(file):
             for block in file.blocks:
                 check = _CHECKS.get(block.node_name)
                 if check is not None:
                     found = check(params, file, block)
                     yield from (each for each in found if not _is_replaced(params, file, block, each))
+
+
+def _is_read(file: ParameterFile) -> bool:
+    """Whether Navigation2 takes a file, at least once its launch files have filled in the namespace of the robot."""
+    return not file.uncertain and all(each.code == "node-key" and "<" in str(each.where) for each in file.problems)
 
 
 def _is_replaced(params: Params, file: ParameterFile, block: Block, problem: NavigationProblem) -> bool:
@@ -317,13 +332,20 @@ def _amcl(params: Params, file: ParameterFile, block: Block) -> Iterator[Navigat
 
 
 def _recoveries(params: Params, file: ParameterFile, block: Block) -> Iterator[NavigationProblem]:
-    """The section of the server that Humble calls behavior_server, where the file has none for that name."""
-    has_both = any(each.node_name == _BEHAVIORS for each in file.blocks)
-    if has_both or not block.parameters or not _is_since_humble(params, file):
+    """The section of the server that Humble calls behavior_server, where the file has none for that name, or one that
+    lacks what this one says."""
+    if not block.parameters or not _is_since_humble(params, file) or _starts_recoveries(params, file):
         return
-    if _starts_recoveries(params, file):
+    newer = [each for each in file.blocks if each.node_name == _BEHAVIORS]
+    if not newer:
+        yield NavigationProblem("section", block.key.span, block.node_name, _BEHAVIORS)
         return
-    yield NavigationProblem("section", block.key.span, block.node_name, _BEHAVIORS)
+    given = {name for each in newer for name in by_name(each)}
+    named = by_name(block)
+    lost = [name for name in _OF_BEHAVIORS if name in named and name not in given]
+    lost = [name for name in lost if named[name].value.data != _OF_BEHAVIORS[name]]
+    if lost:
+        yield NavigationProblem("halves", block.key.span, block.node_name, ", ".join(lost), newer[0].key.span)
 
 
 def _starts_recoveries(params: Params, file: ParameterFile) -> bool:

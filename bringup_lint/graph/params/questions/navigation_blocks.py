@@ -15,8 +15,8 @@ if TYPE_CHECKING:
 class NavigationProblem(NamedTuple):
     kind: str
     """``footprint``, ``corner``, ``inflation``, ``ranges``, ``source``, ``sign``, ``length``, ``particles``, ``pose``,
-    ``model``, ``frame``, ``polygon``, ``library``, ``section``, ``critic``, ``type``, ``clearing``, ``turn``,
-    ``slower``, ``tree``, ``old-tree``, ``zone``, ``radii``,
+    ``model``, ``frame``, ``polygon``, ``library``, ``section``, ``halves``, ``critic``, ``type``, ``clearing``,
+    ``turn``, ``slower``, ``tree``, ``old-tree``, ``zone``, ``radii``,
     ``blind`` or ``step``."""
     where: Span
     name: str
