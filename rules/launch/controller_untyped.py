@@ -3,8 +3,9 @@
 ## What it finds
 `spawner` of controller_manager with the name of a controller, when none of the parameter files and dictionaries of the
 only `ros2_control_node` of the launch holds `<name>.type`, and the spawner brings no parameters itself. Also a
-`ros2_control_node` without any parameter file, whose controllers all lack their types; where the launch spawns none,
-it is a warning. Managers whose parameters are not all known are left out.
+`ros2_control_node` without any parameter file, whose controllers all lack their types; where the launch spawns none, it
+is a warning. For a manager inside of a simulator, which no launch file starts: a name that nothing else of the tree
+holds, beside one that a parameter file holds. Managers whose parameters are not all known are left out.
 
 ## Why it matters on a robot
 The spawner ends with "The 'type' param was not defined". The hardware is up, no controller moves it, and commands to
@@ -67,6 +68,15 @@ def controller_untyped(robot: Robot) -> Iterator[Finding]:
             chain=robot.provenance.chain_to_node(each.manager),
         )
     yield from _without_spawners(robot)
+    for name, spawner, other in robot.plugins.unnamed_controllers:
+        yield finding(
+            name,
+            f"Only this launch file names '{name}': no parameter file says which type it has, and its spawner fails",
+            advice="declare it with its type in the parameters of the manager, or spawn one that they declare",
+            related=[note(other, "a controller that a parameter file declares")],
+            severity="warning",
+            chain=robot.provenance.chain_to_node(spawner),
+        )
 
 
 def _without_spawners(robot: Robot) -> Iterator[Finding]:

@@ -12,8 +12,10 @@ from bringup_lint.graph.params.loads import path_of
 from bringup_lint.model.launch_values import DictValue
 from bringup_lint.model.launch_values import ParameterFile as LaunchedFile
 from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.files import Files
     from bringup_lint.graph.launch.launch import Launch
     from bringup_lint.graph.launch.started import Started
     from bringup_lint.graph.params.params import Params
@@ -30,6 +32,13 @@ _WITH_VALUE = (
     *("--service-call-timeout", "--controller-ros-args", "--fallback_controllers"),
 )
 """Options of the spawner with a value. Source: spawner.py of controller_manager, Humble to Kilted."""
+_NAMING = (".yaml", ".yml", ".xacro", ".urdf", ".sdf", ".json", ".xml", ".em", ".j2", ".cpp", ".hpp")
+"""Files that may give a controller manager its controllers."""
+_DESCRIPTIONS = (".xacro", ".urdf", ".sdf")
+_SIMULATED = regex(r"(?:gz|ign|gazebo)_ros2_control", hints="_ros2_control")
+_PARAMETER_FILE = regex(r"(?<![\w.-])[\w.-]+\.ya?ml(?![\w.])", hints=".yaml .yml")
+_MOST = 4000
+_SEVERAL = 2
 
 
 class UntypedController(NamedTuple):
@@ -57,6 +66,38 @@ def untyped_controllers(launch: Launch, params: Params) -> Iterator[UntypedContr
                 yield UntypedController(
                     name, spawner, managers[0], tuple(value.span for value in managers[0].parameters)
                 )
+
+
+def unnamed_controllers(launch: Launch, files: Files) -> Iterator[tuple[Located, Started, Located]]:
+    """Controllers that launch files without a manager of their own spawn, as for a simulator, and that nothing of the
+    tree names, with the spawner and another controller of the launch that a parameter file of the tree names."""
+    texts: dict[str, str] | None = None
+    given: list[str] = []
+    seen: set[str] = set()
+    for expansion in launch.entries:
+        spawns = [] if any(map(is_manager, expansion.nodes)) else list(spawned(expansion.nodes))
+        if len(spawns) < _SEVERAL:
+            continue
+        if texts is None:
+            paths = [path for path in files.tree.paths if path.endswith(_NAMING) and ".launch." not in path][:_MOST]
+            sources = (files.tree.read(path, judged=False) for path in paths)
+            texts = {source.basename: source.text for source in sources if source is not None}
+            given = list(_given_in_simulation(texts))
+        named = [name for _, name in spawns if any(name in text for text in given)]
+        for spawner, name in spawns:
+            if not named or str(name) in seen or any(name in text for text in texts.values()):
+                continue
+            if sum(name in each.text for each in files.sources) == 1 and spawner.file.source.judged:
+                seen.add(str(name))
+                yield name, spawner, named[0]
+
+
+def _given_in_simulation(texts: dict[str, str]) -> Iterator[str]:
+    """The parameter files that the plugins of a simulator in the descriptions of a tree give to their managers."""
+    for path, text in texts.items():
+        if path.endswith(_DESCRIPTIONS) and _SIMULATED.search(text) is not None:
+            names = {match[0] for match in _PARAMETER_FILE.finditer(text)}
+            yield from (texts[name] for name in sorted(names & texts.keys()))
 
 
 def _is(node: Started, *executables: str) -> bool:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from bringup_lint.graph.plugins.claims import Claim
 from bringup_lint.graph.plugins.claims import claims
 from bringup_lint.graph.plugins.controllers import UntypedController
+from bringup_lint.graph.plugins.controllers import unnamed_controllers
 from bringup_lint.graph.plugins.controllers import untyped_controllers
 from bringup_lint.graph.plugins.drive_commands import Unstamped
 from bringup_lint.graph.plugins.drive_commands import unstamped_commands
@@ -42,7 +43,9 @@ from bringup_lint.graph.plugins.xacro_arguments import unknown_arguments
 if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
     from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.launch.started import Started
     from bringup_lint.graph.params.params import Params
+    from bringup_lint.source import Located
 
 
 class Plugins:
@@ -68,6 +71,11 @@ class Plugins:
     def untyped_controllers(self) -> list[UntypedController]:
         """Controllers that launch files spawn, of types that their manager is not given."""
         return list(untyped_controllers(self._launch, self._params()))
+
+    @cached_property
+    def unnamed_controllers(self) -> list[tuple[Located, Started, Located]]:
+        """Controllers that launch files spawn and that nothing else names, with the spawner and one that is named."""
+        return list(unnamed_controllers(self._launch, self._files))
 
     @cached_property
     def renamed_controllers(self) -> list[RenamedControllers]:
