@@ -2,6 +2,7 @@
 
 ## What it finds
 - In `kinematics.yaml`: solvers for groups that no SRDF of the package has, where no group of the SRDF has one.
+- In `ompl_planning.yaml`: planners for groups of which the robot has none, as in a file that comes from another robot.
 - In `moveit_controllers.yaml`: names in `controller_names` that have no section, or that are named nowhere else in the
   tree, where a parameter file gives the same joints to a trajectory controller of another name; an `action_ns` that the
   controller of that name in the same folder does not serve: trajectory controllers serve `follow_joint_trajectory`,
@@ -14,7 +15,8 @@ Silent where xacro makes the SRDF.
 
 ## Why it matters on a robot
 Without a solver for its group, MoveIt plans no goal for a pose. A controller of another name never offers its action:
-MoveIt waits for the server, gives up, and executes nothing.
+MoveIt waits for the server, gives up, and executes nothing. For a group without planners, OMPL takes its default,
+whatever planner is asked for.
 
 ## Bad
 ```yaml
@@ -51,6 +53,7 @@ from bringup_lint.api.params import MoveItProblem
     "error",
     symptoms=[
         "No kinematics plugins defined. Fill and load kinematics.yaml!",
+        "Cannot find planning configuration for group *. Will use defaults instead.",
         "Action client not connected to action server",
         "Joints on incoming trajectory don't match the controller joints.",
         "Unable to identify any set of controllers that can actuate the specified joints",
@@ -60,6 +63,10 @@ def moveit_mismatch(robot: Robot) -> Iterator[Finding]:
     for each in robot.plugins.moveit_problems:
         if each.kind == "group":
             message = f"The SRDF has no group '{each.name}': none of its groups has a kinematics solver"
+        elif each.kind == "planners":
+            message = (
+                f"The robot has no group '{each.name}' or any other of this file: its groups get no planners of it"
+            )
         elif each.kind == "section":
             message = f"'{each.name}' has no section with its type and joints: MoveIt leaves the controller out"
         elif each.kind == "action":
@@ -74,7 +81,7 @@ def moveit_mismatch(robot: Robot) -> Iterator[Finding]:
             message,
             advice=_advice(each),
             related=list(_known(each)),
-            severity="warning" if each.kind == "action" else None,
+            severity="warning" if each.kind in ("action", "planners") else None,
         )
     for away in robot.plugins.controllers_elsewhere:
         first, *others = away.names
@@ -93,12 +100,13 @@ def _advice(each: MoveItProblem) -> str:
         return "give both the same joints, or set allow_partial_joints_goal to true"
     if each.kind == "section":
         return f"write {each.near}" if each.near else f"add a section {each.name}, or take it off the list"
-    return f"write {each.near}" if each.near else "name a group of the SRDF"
+    return f"write {each.near}" if each.near else "name a group of the robot"
 
 
 def _known(each: MoveItProblem) -> Iterator[Related]:
     told = {
         "group": "the SRDF has {}",
+        "planners": "the robot has {}",
         "controller": "{} has these joints",
         "action": "its type is {}",
         "joints": "the joints of {}",

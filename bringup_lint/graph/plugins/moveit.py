@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from bringup_lint.source import Source
 
 _KINEMATICS = "kinematics.yaml"
+_PLANNING = "ompl_planning.yaml"
 _CONTROLLERS = "moveit_controllers.yaml"
 _MANAGER = "moveit_simple_controller_manager"
 _OF_HAND = regex(r"gripper|hand|finger|tool|eef|end_?effector")
@@ -38,7 +39,7 @@ _SERVED = {
 
 class MoveItProblem(NamedTuple):
     kind: str
-    """``group``, ``controller``, ``action``, ``section`` or ``joints``."""
+    """``group``, ``planners``, ``controller``, ``action``, ``section`` or ``joints``."""
     name: Located
     known: tuple[Located, ...]
     """The groups of the SRDF, the controller that has the same joints, the type that serves another action, or the
@@ -56,6 +57,13 @@ def moveit_problems(tree: Tree, workspace: Workspace, params: Params) -> Iterato
             if owner.folder not in groups:
                 groups[owner.folder] = _groups(tree, owner.folder)
             yield from _solvers(source, groups[owner.folder], params)
+    for path in tree.named(_PLANNING):
+        source = tree.read(path)
+        owner = workspace.owner(source) if source is not None else None
+        if source is not None and owner is not None and source.judged:
+            if owner.folder not in groups:
+                groups[owner.folder] = _groups(tree, owner.folder)
+            yield from _planners(tree, source, groups[owner.folder], params)
     for path in tree.named(_CONTROLLERS):
         source = tree.read(path)
         if source is not None and source.judged:
@@ -92,6 +100,33 @@ def _solvers(source: Source, groups: tuple[Located, ...] | None, params: Params)
     for name in solved:
         near = nearest(name, names)
         yield MoveItProblem("group", name, groups, near[0] if len(near) == 1 else None)
+
+
+def _planners(
+    tree: Tree, source: Source, groups: tuple[Located, ...] | None, params: Params
+) -> Iterator[MoveItProblem]:
+    """Groups that get planners where none of them is one of the robot: the SRDF, or where xacro makes that, the file of
+    solvers beside it has others, which nothing but the file of planners names."""
+    root = _root(source)
+    if root is None:
+        return
+    planned = [
+        key.value for key, value in root.entries if isinstance(value, Mapping) and value.sequence("planner_configs")
+    ]
+    known = groups
+    if known is None:
+        beside = tree.read(os.path.join(os.path.dirname(source.absolute), _KINEMATICS))
+        solvers = _root(beside) if beside is not None else None
+        solved = solvers.entries if solvers is not None else []
+        known = tuple(
+            key.value for key, value in solved if isinstance(value, Mapping) and value.get("kinematics_solver")
+        )
+        if any(params.named_elsewhere(str(name), {source}) for name in planned):
+            return
+    names = {str(each) for each in known}
+    if planned and known and not any(str(name) in names or "$" in name for name in planned):
+        near = nearest(planned[0], names)
+        yield MoveItProblem("planners", planned[0], known, near[0] if len(near) == 1 else None)
 
 
 def _root(source: Source) -> Mapping | None:
