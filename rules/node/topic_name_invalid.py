@@ -39,6 +39,7 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import NamedTuple
 from bringup_lint.api import Robot
 from bringup_lint.api import Span
@@ -53,6 +54,7 @@ from bringup_lint.api.nodes import Endpoint
 
 TESTED = regex(r"\.empty\(\)|[=!]=\s*(?:\"\"|'')|\bif not \w+:")
 """Code that asks whether a text is empty."""
+WRONG = regex(r"[^A-Za-z0-9_/~{}]")
 ROLES = {"publisher": "topic", "subscription": "topic", "service": "service", "client": "service"}
 
 
@@ -89,6 +91,7 @@ def topic_name_invalid(robot: Robot) -> Iterator[Finding]:
             f"'{name}' is not a valid topic name: {ends(node, when)}",
             advice="use letters, digits, '_' and '/' only, no '__', and no part that begins with a digit",
             related=[note(node.started.span, f"{node.label()} is started here")]
+            + [note(default, "this default is a part of it") for default in defaults(robot, node, name)]
             + [note(each.where, f"'{each.name}' is not valid either") for each in others],
         )
 
@@ -104,6 +107,14 @@ def ends(node: topics.LaunchedNode, when: str) -> str:
     if isinstance(node.started.action, launch.ComposableNode):
         return f"the container does not load {node.label()}"
     return f"{node.label()} exits {when}"
+
+
+def defaults(robot: Robot, node: topics.LaunchedNode, name: str) -> Iterator[Located]:
+    """The defaults of arguments that bring a sign into a name that no name may have."""
+    for declared in robot.launch.expansion(node.started.file).declared:
+        text = launch.literal_text(declared.action.default)
+        if text is not None and text in name and WRONG.search(text) is not None:
+            yield text
 
 
 class Refused(NamedTuple):

@@ -94,4 +94,4 @@ def _tail(block: Block) -> str:
 
 
 def _words(name: str) -> frozenset[str]:
-    return frozenset(name.split("_")) - {"node", "driver"}
+    return frozenset(name.split("_")) - {"node", "driver"} or frozenset({name})
