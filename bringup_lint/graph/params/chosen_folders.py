@@ -14,7 +14,9 @@ from bringup_lint.model.launch_values import walk
 def chosen_folders(launch: Launch) -> Iterator[str]:
     for file in launch.judged:
         names = set(_default_names(launch, file))
-        for each in launch.references(file) if names else ():
+        if not names:
+            continue
+        for each in launch.references(file):
             path = each.found.file
             if path is not None and any(
                 (value.span.source.name, value.span.start) in names for value in walk(each.value)
