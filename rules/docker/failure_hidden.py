@@ -5,7 +5,8 @@ A command of a `RUN` that installs packages or builds the workspace, and whose f
 - `A && B && C || D`, where `D` is meant for `C` and hides the failure of `A` and `B`, too;
 - a `;` or a new line after `colcon build` without `set -e`, and after an installation where all that follows succeeds
   without it, such as `rm`;
-- `colcon build || true`, `rosdep install || true`, and `colcon build | tee` without `pipefail`.
+- `colcon build || true`, `rosdep install || true`, `apt-get update || true`, and `colcon build | tee` without
+  `pipefail`.
 
 A fallback directly after another command that installs something is taken for meant, and so is one that does more than
 print a message. So is one that is followed, with `&&`, by commands that need what was installed: they end the build.
@@ -76,6 +77,10 @@ INDEPENDENT = (*PASSIVE, "rm", "mkdir", "useradd", "groupadd", "usermod", "ldcon
 """Commands that succeed without what an installation brings."""
 
 
+PACKAGE_LISTS = ("apt", "apt-get")
+WITHOUT = "the image is built without its result"
+OLD_LISTS = "apt goes on with the package lists of the base image, if it has any"
+
 JOIN = "join the commands with &&"
 SKIP = "leave out keys that cannot be resolved with --skip-keys, and let others end the build"
 GROUP = "put the fallback in parentheses with its own command"
@@ -88,6 +93,7 @@ class Hiding(NamedTuple):
     how: str
     advice: str
     does: str = "this hides the failure"
+    result: str = WITHOUT
 
 
 class Hidden(NamedTuple):
@@ -102,7 +108,7 @@ def failure_hidden(robot: Robot) -> Iterator[Finding]:
             for hidden in _of_stage(stage):
                 yield finding(
                     hidden.command,
-                    f"When this fails, {hidden.hiding.how}: the image is built without its result",
+                    f"When this fails, {hidden.hiding.how}: {hidden.hiding.result}",
                     advice=hidden.hiding.advice,
                     related=[note(hidden.hiding.by, hidden.hiding.does)],
                 )
@@ -125,7 +131,9 @@ def _of_stage(stage: Stage) -> Iterator[Hidden]:
 
 def _hidden(blocks: Sequence[Block], pipefail: bool) -> Iterator[Hidden]:
     for at, block in enumerate(blocks):
-        if block.command is not None and _brings(block.command):
+        if _updates_lists(block) and _ends(block) == "||" and at + 1 < len(blocks):
+            yield from _hidden_update(block, blocks[at + 1], blocks[at + 2 :])
+        elif block.command is not None and _brings(block.command):
             hiding = _hiding(blocks, at, pipefail)
             if hiding is not None:
                 yield Hidden(block.command.words[0], hiding)
@@ -144,6 +152,18 @@ def _brings(command: Command) -> bool:
     return name in INSTALLERS and rest[:1] == [INSTALLERS[name]] and not simulated
 
 
+def _updates_lists(block: Block) -> bool:
+    return _name(block) in PACKAGE_LISTS and "update" in _words(block)
+
+
+def _hidden_update(block: Block, fallback: Block, later: Sequence[Block]) -> Iterator[Hidden]:
+    """An update of the package lists whose failure is hidden, and that no other one makes up for."""
+    name = _name(fallback)
+    if name in PASSIVE and not any(_updates_lists(each) and _ends(each) != "||" for each in later):
+        how, advice = f"'|| {name}' takes the failure for its own", f"remove '|| {name}'"
+        yield Hidden(_words(block)[0], Hiding(_words(fallback)[0], how, advice, result=OLD_LISTS))
+
+
 def _hiding(blocks: Sequence[Block], at: int, pipefail: bool) -> Hiding | None:
     """What runs although a command failed, and how it comes to that; None where the build ends."""
     builds = _name(blocks[at]) == "colcon"
@@ -151,8 +171,8 @@ def _hiding(blocks: Sequence[Block], at: int, pipefail: bool) -> Hiding | None:
     here = at
     while here + 1 < len(blocks):
         ends, following = _ends(blocks[here]), blocks[here + 1]
-        if ends == "|":
-            tees = here == at and builds and not pipefail and _name(following) == "tee"
+        if ends == "|" and here == at:
+            tees = builds and not pipefail and _name(following) == "tee"
             if not tees:
                 return None
             return Hiding(_words(following)[0], "tee succeeds all the same", "write set -o pipefail before the command")
@@ -165,7 +185,7 @@ def _hiding(blocks: Sequence[Block], at: int, pipefail: bool) -> Hiding | None:
             remedy = SKIP if _name(blocks[here]) == "rosdep" else f"remove '|| {fallback}'"
             advice = remedy if here == at else GROUP
             return Hiding(_words(following)[0], f"'|| {fallback}' takes the failure for its own", advice)
-        if ends != "&&":
+        if ends not in ("&&", "|"):
             if any(STATUS.search(word) for word in _words(following)):
                 return None
             if not builds and not _succeeds(blocks[here + 1 :]):
