@@ -1,9 +1,10 @@
 """Nothing restarts the ROS service when it exits.
 
 ## What it finds
-A service of ROS, or one that only connects to a board, a clock or another computer (MicroXRCEAgent, ptp4l), without
-Restart= that should keep running: it is not Type=oneshot or Type=forking, no timer or path unit starts it, and it runs
-more than a command-line tool such as ros2 topic. It is an info in two cases:
+A service of ROS, one that only connects to a board, a clock or another computer (MicroXRCEAgent, ptp4l), or one with
+Type=simple and WantedBy= whose program the tree does not hold or that never ends, without Restart= that should keep
+running: it is not Type=oneshot or Type=forking, no timer or path unit starts it, it is not there to set something up by
+its name, and it runs more than a command-line tool such as ros2 topic. It is an info in two cases:
 
 - Restart=no is set explicitly, which is a decision;
 - the start script of the service is not in the tree.
@@ -38,6 +39,7 @@ restarts the processes.
 - systemd.service(5), Restart=: the default is no
 """
 
+import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -45,12 +47,21 @@ from bringup_lint.api import Fix
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
+from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Process
 from bringup_lint.api.systemd import Unit
 from bringup_lint.api.systemd import Units
 from bringup_lint.api.systemd import only_connects
 
 TOOLS = "cli"
+SETS_UP = regex(
+    r"set-?up|init|conf|once|boot|load|prepar|fix|updat|install|reset|clean|bind|mount|sync|generat|creat|enabl|check"
+    r"|start-?up|provision|resize|expand|migrat|restore|permission|governor|-up$",
+    re.I,
+)
+"""Parts of the names of units that do something once."""
 
 
 @rule("warning", fix="unsafe", silent="systemd reports the end of the service, as for every service, and does nothing")
@@ -58,7 +69,9 @@ def restart_missing(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     ros = [*units.ros, *units.ros1, *units.presumed_ros]
     agents = [unit for unit in units.services if unit not in ros and only_connects(unit, units)]
-    for unit in (*ros, *agents):
+    known = {unit.name for unit in (*ros, *agents)}
+    daemons = [unit for unit in units.services if unit.name not in known and _is_daemon(robot, unit)]
+    for unit in (*ros, *agents, *daemons):
         policy = units.restart(unit)
         if policy.restart != "no" or not unit.complete or unit.name in units.triggered:
             continue
@@ -66,15 +79,36 @@ def restart_missing(robot: Robot) -> Iterator[Finding]:
             continue
         if unit.get("Type") in ("oneshot", "forking") or not _stays(units, unit):
             continue
-        chosen, known = policy.restart_at is not None, unit not in units.presumed_ros
+        chosen, sure = policy.restart_at is not None, unit not in units.presumed_ros and unit not in daemons
         yield finding(
             policy.restart_at or unit.where,
             f"When the process of {unit.name} exits, nothing restarts it",
             advice="set Restart=always (ros2 launch often exits with status 0) and a start limit",
+            related=[note(process.line, "this process") for process in units.started(unit)[:1]],
             fix=_restart(unit) if unit.editable and not chosen else None,
-            severity="warning" if known and not chosen else "info",
-            confidence="high" if known else "medium",
+            severity="info" if chosen or (unit in units.presumed_ros and not _is_daemon(robot, unit)) else "warning",
+            confidence="high" if sure else "medium",
         )
+
+
+def _is_daemon(robot: Robot, unit: Unit) -> bool:
+    """Whether a service says itself that its process is there to stay, and nothing tells otherwise."""
+    if unit.get("Type") != "simple" or not unit.has("WantedBy", "Install") or SETS_UP.search(unit.name):
+        return False
+    if unit.has("RemainAfterExit") or unit.has("SuccessAction") or unit.has("ConditionFirstBoot", "Unit"):
+        return False
+    return all(
+        robot.units.never_ends(process) is not None or not _is_held(robot, process)
+        for process in robot.units.started(unit)
+    )
+
+
+def _is_held(robot: Robot, process: Process) -> bool:
+    """Whether the tree holds a program of the command line, or the line is a script of its own."""
+    if "-c" in process.argv:
+        return True
+    programs = [process.program, *(word for word in process.argv[1:] if word.endswith((".sh", ".py")))]
+    return any(word.startswith("/") and robot.find(word, word.span.source) for word in programs)
 
 
 def _stays(units: Units, unit: Unit) -> bool:

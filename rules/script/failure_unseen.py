@@ -1,0 +1,113 @@
+"""A script ends with success, whatever failed in it.
+
+## What it finds
+A script without `set -e` in which two or more steps bring something - `apt-get install`, `pip install`,
+`rosdep install`, `vcs import`, `git clone`, `wget`, `curl`, `dpkg -i`, `make`, `colcon build` - and nobody looks at
+their results, and that ends with `echo`, `printf` or `rm`.
+
+Silent if the script asks for `$?` or has a trap for ERR, and where all the steps are builds with colcon, which
+script/build-unchecked judges.
+
+## Why it matters on a robot
+A download that breaks off, or a package that is not found, does not end the installation. The last command succeeds,
+so whoever runs the script - a person, the build of an image, a unit - takes the robot for complete, and a driver is
+missing when it is started.
+
+## Bad
+```sh
+#!/bin/bash
+sudo apt-get install -y can-utils
+wget -q -O /tmp/arm.deb https://example.org/arm.deb
+sudo dpkg -i /tmp/arm.deb
+rm /tmp/arm.deb
+```
+
+## Good
+```sh
+#!/bin/bash
+set -e
+sudo apt-get install -y can-utils
+wget -q -O /tmp/arm.deb https://example.org/arm.deb
+sudo dpkg -i /tmp/arm.deb
+rm /tmp/arm.deb
+```
+
+## When to ignore it
+When the robot works without what the script installs.
+
+## References
+- bash(1), "set": errexit
+- bash(1), "exit"
+"""
+
+import re
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import Source
+from bringup_lint.api import Span
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import regex
+from bringup_lint.api import rule
+from bringup_lint.api.shell import STRICT
+from bringup_lint.api.shell import Run
+
+LOOKS = regex(STRICT + r"|\btrap [^\n]{0,200}\bERR\b|\$\?|\$\{\?\}|\bPIPESTATUS\b", re.M)
+CONDITION = regex(r"\b(?:if|elif|while|until)\b[^;\n]{0,200}$|![ \t]*$")
+BRINGS = {
+    "apt": ("install",),
+    "apt-get": ("install",),
+    "colcon": ("build",),
+    "curl": (),
+    "dpkg": ("-i", "--install"),
+    "git": ("clone",),
+    "make": (),
+    "pip": ("install",),
+    "pip3": ("install",),
+    "rosdep": ("install",),
+    "vcs": ("import",),
+    "wget": (),
+}
+"""Program -> its commands that bring something; empty: it does nothing else."""
+SUCCEED = ("echo", "printf", "rm")
+LEAST = 2
+"""Steps; who ignores only one may mean it."""
+
+
+@rule("warning", confidence="medium", silent="the script ends with success")
+def failure_unseen(robot: Robot) -> Iterator[Finding]:
+    for source in robot.of_kind("shell-script"):
+        if not source.judged or LOOKS.search(source.text) or robot.purpose(source).value != "robot":
+            continue
+        runs = [did for did in robot.scripts.done(source) if isinstance(did, Run) and did.words]
+        ignored = [run for run in runs if _is_ignored(run)]
+        if len(ignored) < LEAST or all(run.name == "colcon" for run in ignored):
+            continue
+        last = runs[-1]
+        if last.certain and last.name in SUCCEED and not last.command.depth:
+            yield finding(
+                ignored[0].words[0],
+                f"When this fails, the script goes on and ends with the success of '{last.name}'",
+                advice="begin the script with set -e",
+                related=[
+                    note(_first_line(source), "nothing here makes a failure end the script"),
+                    *(note(run.words[0], "a failure is ignored here too") for run in ignored[1:20]),
+                    note(last.words[0], "this succeeds in any case"),
+                ],
+            )
+
+
+def _first_line(source: Source) -> Span:
+    return source.span(0, max(source.text.find("\n"), 1))
+
+
+def _is_ignored(run: Run) -> bool:
+    if not run.certain or run.name not in BRINGS or run.command.depth or run.command.ends in ("&&", "||", "|", "&"):
+        return False
+    asks = BRINGS[run.name]
+    if asks and not any(word in asks for word in run.arguments):
+        return False
+    span = run.command.words[0].span
+    return CONDITION.search(span.source.line_before(span.start)) is None
