@@ -56,7 +56,8 @@ FIRST = {
 SECOND = distros_since("foxy")
 NAMES = "|".join((*FIRST, *SECOND))
 TAKES = regex(
-    rf"/opt/ros/(?P<sourced>{NAMES})\b|\bros-(?P<package>{NAMES})-\w|\bFROM[ \t]+\S*\bros:(?P<image>{NAMES})\b",
+    rf"/opt/ros/(?P<sourced>{NAMES})\b|\bros-(?P<package>{NAMES})-\w"
+    rf"|\bFROM[ \t]{{1,8}}\S{{0,80}}?\bros:(?P<image>{NAMES})\b",
     hints=" ".join((*FIRST, *SECOND)),
 )
 WORDS = regex(rf"(?<![a-z])(?:{NAMES})(?![a-z])", re.I)

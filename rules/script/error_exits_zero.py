@@ -51,12 +51,12 @@ from bringup_lint.api.shell import Block
 from bringup_lint.api.shell import shell_blocks
 
 PRINTS = ("echo", "printf")
-REPORTS = regex(r"(?:\w+[_-])?(?:err|error|fatal|fail)(?:[_-]\w+)?", re.I)
-"""Functions that print an error."""
+REPORTS = {"err", "error", "fatal", "fail"}
+"""Words of the names of functions that print an error."""
 ERROR = regex(
-    r"^[^A-Za-z]{0,20}(?:\\[a-z0-9\[;]{1,12}|\$\{?\w+\}?)*[^A-Za-z]{0,20}(?:fatal )?error\b"
-    r"|\b(?:failed|failure|could ?n[o']t|cannot|can't|unable to)\b",
-    re.I,
+    r"^[^\n]{0,30}\b(?:ERROR|Error|FATAL)\b"
+    r"|\b(?:[Ff]ailed|[Ff]ailure|[Cc]ould ?n[o']t|[Cc]annot|[Cc]an't|[Uu]nable to)\b",
+    hints="ERROR Error FATAL ailed ailure ould annot an't nable",
 )
 HARMLESS = regex(
     r"\b(?:skip\w*|already|ignor\w*|nothing|optional|not needed|warn\w*|no errors?|later|continu\w*)\b", re.I
@@ -110,7 +110,10 @@ def _error(block: Block) -> Located | None:
     if command is None or len(command.words) == 1 or command.ends in ("||", "|", "&"):
         return None
     text = " ".join(command.words[1:])
-    said = ERROR.search(text) if command.name in PRINTS else REPORTS.fullmatch(command.name)
+    if command.name in PRINTS:
+        said = ERROR.search(text) is not None
+    else:
+        said = not REPORTS.isdisjoint(re.split(r"[_-]", command.name.lower()))
     return command.words[0] if said and not HARMLESS.search(text) else None
 
 

@@ -95,7 +95,7 @@ def _is_daemon(robot: Robot, unit: Unit) -> bool:
     """Whether a service says itself that its process is there to stay, and nothing tells otherwise."""
     if unit.get("Type") != "simple" or not unit.has("WantedBy", "Install") or SETS_UP.search(unit.name):
         return False
-    if unit.has("RemainAfterExit") or unit.has("SuccessAction") or unit.has("ConditionFirstBoot", "Unit"):
+    if unit.flag("RemainAfterExit") or unit.has("SuccessAction") or unit.has("ConditionFirstBoot", "Unit"):
         return False
     return all(
         robot.units.never_ends(process) is not None or not _is_held(robot, process)
