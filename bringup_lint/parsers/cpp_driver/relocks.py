@@ -28,7 +28,6 @@ _GUARD = regex(
 """A guard of one mutex that the object, the file or the function has."""
 PLAIN = ("mutex", "shared_mutex", "timed_mutex", "shared_timed_mutex")
 """Types that the thread that holds them may not lock again."""
-_BODIES = ("function_definition", "lambda_expression")
 
 
 class _Lock(NamedTuple):
@@ -133,6 +132,6 @@ def _locks(code: Code) -> Iterator[_Lock]:
         block = node.parent
         if found is None or found["type"] not in (*PLAIN, None) or block is None or block.type != "compound_statement":
             continue
-        body = next((each for each in code.above(node) if each.type in _BODIES), None)
+        body = code.body_of(node)
         if body is not None:
             yield _Lock(node, found["name"], found["mutex"], found["type"] is not None, body, block)

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.model.cpp_source import Canceled
+from bringup_lint.parsers.cpp_node.syntax import FUNCTIONS
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.pattern import regex
 
@@ -33,7 +34,7 @@ def _asked(code: Code, call: Node, owner: str) -> Node | None:
     """The condition before the call after which the goal is surely not one that is to be canceled."""
     found, conditions, inner = None, 0, call
     for outer in code.above(call):
-        if outer.type in ("function_definition", "lambda_expression"):
+        if outer.type in FUNCTIONS:
             return found if conditions else None
         if outer.type in _OTHERS:
             return None

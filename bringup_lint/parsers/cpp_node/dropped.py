@@ -29,7 +29,6 @@ _OWNER = regex(r"(?:this->|(?:rclcpp|rclcpp_action)::|\w{0,40}(?i:node)\w{0,40}(
 _LASTS = regex(r"\b(?:spin|sleep|wait|join|while|get\s{0,4}\()")
 """Words of functions that go on while the executor runs."""
 _STRING = regex(r'"[^"\n]*"')
-_BODIES = ("function_definition", "lambda_expression")
 
 
 def dropped(code: Code) -> Iterator[Dropped]:
@@ -64,7 +63,7 @@ def _variable(code: Code, call: Call) -> str | None:
 
 def _ends_unused(code: Code, call: Call, variable: str) -> bool:
     """Whether a function names a variable only once, and returns before an executor can run."""
-    body = next((each for each in code.above(call.node) if each.type in _BODIES), None)
+    body = code.body_of(call.node)
     if body is None or code.function_name(call.node) in (None, "main"):
         return False
     text = _STRING.sub('""', code.text(body))

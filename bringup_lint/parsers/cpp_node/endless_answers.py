@@ -18,7 +18,6 @@ if TYPE_CHECKING:
 ASKS = ("async_send_request", "async_send_goal")
 """What may be sent before there was a server; a goal is canceled only after its server has answered."""
 _LASTS = ("wait", "get")
-_BODIES = ("function_definition", "lambda_expression")
 _PLAIN = regex(r"(?:this->)?(?P<client>[A-Za-z_]\w*)->async_\w+\Z")
 
 
@@ -28,7 +27,7 @@ def endless_answers(code: Code) -> Iterator[EndlessAnswer]:
     requests = _Requests(code)
     told: set[int] = set()
     for call in code.calls:
-        body = _body(code, call.node) if call.name in _LASTS and not call.arguments else None
+        body = code.body_of(call.node) if call.name in _LASTS and not call.arguments else None
         if body is None or body.id in told:
             continue
         asked = requests.answered(call, body)
@@ -36,10 +35,6 @@ def endless_answers(code: Code) -> Iterator[EndlessAnswer]:
         if asked is not None and client is not None and code.function_name(call.node) not in (None, "main"):
             told.add(body.id)
             yield EndlessAnswer(code.span(call.node), code.span(asked.node), client["client"], asked.name)
-
-
-def _body(code: Code, node: Node) -> Node | None:
-    return next((each for each in code.above(node) if each.type in _BODIES), None)
 
 
 class _Requests:
@@ -50,7 +45,7 @@ class _Requests:
         self._by_node = {each.node.id: each for each in requests}
         self._kept: dict[tuple[int, str], Call] = {}
         for each in requests:
-            body, name = _body(code, each.node), code.kept(each.node)
+            body, name = code.body_of(each.node), code.kept(each.node)
             if body is not None and name is not None and not _is_bounded(blanked(code.text(body)), name):
                 self._kept.setdefault((body.id, name), each)
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from bringup_lint.model.cpp_source import Restamped
 from bringup_lint.model.node_source import DERIVED
 from bringup_lint.model.node_source import MEASURED
+from bringup_lint.parsers.cpp_node.syntax import FUNCTIONS
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.pattern import regex
 
@@ -26,7 +27,6 @@ _NOW = regex(r"[\w.:()]{0,80}\bnow\(\)\Z")
 _PARAMETER = regex(
     r"\b(?P<type>[A-Z]\w{0,80})(?:::\w{0,40}Ptr)?\s{0,4}>?\s{0,4}(?:const\s{0,4})?&{0,2}\s{0,4}(?P<name>\w{1,80})\Z"
 )
-_BODIES = ("function_definition", "lambda_expression")
 
 
 def restamped(code: Code) -> Iterator[Restamped]:
@@ -37,7 +37,7 @@ def restamped(code: Code) -> Iterator[Restamped]:
     frames: dict[tuple[int, str], tuple[Node, str, Node]] = {}
     for node in code.written.get("assignment", ()):
         target = _TARGET.match("".join(code.text(node.child_by_field_name("left")).split()))
-        body = next((each for each in code.above(node) if each.type in _BODIES), None) if target is not None else None
+        body = code.body_of(node) if target is not None else None
         if target is None or body is None:
             continue
         value = "".join(code.text(node.child_by_field_name("right")).split())
@@ -56,7 +56,7 @@ def restamped(code: Code) -> Iterator[Restamped]:
 def _is_chosen(code: Code, node: Node) -> bool:
     """Whether a condition decides about a stamp; a loop or a handler may."""
     for outer in code.above(node):
-        if outer.type in _BODIES:
+        if outer.type in FUNCTIONS:
             return False
         if outer.type in ("if_statement", "switch_statement", "conditional_expression"):
             return True

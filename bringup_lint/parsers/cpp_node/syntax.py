@@ -62,7 +62,7 @@ _BRANCHES = frozenset(
     "if_statement for_statement for_range_loop while_statement do_statement switch_statement catch_clause "
     "conditional_expression lambda_expression".split()
 )
-_FUNCTIONS = frozenset({"function_definition", "lambda_expression"})
+FUNCTIONS = frozenset({"function_definition", "lambda_expression"})
 
 
 @cache
@@ -251,6 +251,10 @@ class Code:
             yield current
             current = current.parent
 
+    def body_of(self, node: Node) -> Node | None:
+        """The innermost function or lambda that a node is in."""
+        return next((outer for outer in self.above(node) if outer.type in FUNCTIONS), None)
+
     def is_conditional(self, node: Node) -> bool:
         """Whether a branch, loop or handler of its function decides about a node."""
         for outer in self.above(node):
@@ -291,7 +295,7 @@ class Code:
         return None
 
     def is_inside_function(self, node: Node) -> bool:
-        return any(outer.type in _FUNCTIONS for outer in self.above(node))
+        return self.body_of(node) is not None
 
 
 _WRAPPERS = frozenset({"std::string", "rclcpp::ParameterValue", "ParameterValue", "std::string_view", "string"})

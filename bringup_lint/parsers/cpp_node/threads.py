@@ -22,7 +22,6 @@ _STARTED = regex(
 )
 _TARGET = regex(r"(?:this->)?([A-Za-z_]\w*)(?:\[[^\]]*\])?\Z")
 _DECLARED = regex(r"std::thread\s+\w+\s*[({]")
-_BODIES = ("function_definition", "lambda_expression")
 _ENDS_AT_ONCE = regex(r"\b(?:_exit|_Exit|quick_exit|abort|terminate)\s{0,4}\(", hints="xit abort terminate")
 """What ends a program without destroying its objects, or on purpose."""
 
@@ -65,7 +64,7 @@ def _receiver(call: Call) -> str:
 
 def _common(code: Code, joins: list[Call], runs: dict[int, Callback]) -> Callback | None:
     """The first of the callbacks that hold all of the joins; None when another function holds one."""
-    functions = [next((each for each in code.above(call.node) if each.type in _BODIES), None) for call in joins]
+    functions = [code.body_of(call.node) for call in joins]
     found = [runs.get(each.id) if each is not None else None for each in functions]
     return found[0] if None not in found else None
 

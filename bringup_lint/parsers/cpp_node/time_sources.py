@@ -30,7 +30,6 @@ _COMPARED = frozenset({"-", "<", ">", "<=", ">="})
 _HELD = regex(r"->\s{0,4}cancel\s{0,4}\(")
 """What holds a timer back until a message starts it."""
 _LEAVES = regex(r"\b(?:return|throw|continue)\b")
-_BODIES = ("function_definition", "lambda_expression")
 _CHOOSES = frozenset({"if_statement", "while_statement", "conditional_expression"})
 _MAY_NOT_RUN = frozenset(
     "for_statement for_range_loop do_statement switch_statement catch_clause try_statement preproc_if preproc_ifdef "
@@ -138,7 +137,7 @@ def _is_ros_time(code: Code, node: Node) -> bool:
 
 def _initial(code: Code, node: Node, name: str) -> str:
     """The value that the one declaration of a variable gives it; empty when that is not known."""
-    body = _body(code, node)
+    body = code.body_of(node)
     inside = [
         each
         for each in code.written.get("made", ())
@@ -159,11 +158,11 @@ def _is_plain(code: Code, parent: Node, place: Node) -> bool:
 
 def _unset(code: Code, run: dict[int, Callback], name: str, use: Node, stores: list[Node]) -> TimeUse | None:
     """The use, when its callback computes it whenever it runs, and before the member was set."""
-    body = _body(code, use)
+    body = code.body_of(use)
     callback = run.get(body.id) if body is not None else None
     if body is None or callback is None or not _is_certain(code, use, body):
         return None
-    others = [each for each in stores if _body(code, each) != body]
+    others = [each for each in stores if code.body_of(each) != body]
     if any(each.start_byte < use.end_byte for each in stores if each not in others):
         return None
     if others and _HELD.search(code.source.text):
@@ -181,17 +180,13 @@ def _unset(code: Code, run: dict[int, Callback], name: str, use: Node, stores: l
 
 def _comes_later(code: Code, run: dict[int, Callback], stores: list[Node]) -> bool:
     """Whether only messages set the member."""
-    found = [run.get(body.id) for each in stores if (body := _body(code, each)) is not None]
+    found = [run.get(body.id) for each in stores if (body := code.body_of(each)) is not None]
     return len(found) == len(stores) and all(each is not None and each.role == "subscription" for each in found)
 
 
 def _leaves(code: Code, body: Node, use: Node) -> bool:
     whole = code.span(body)
     return bool(_LEAVES.search(whole.source.text[whole.start : code.span(use).start]))
-
-
-def _body(code: Code, node: Node) -> Node | None:
-    return next((each for each in code.above(node) if each.type in _BODIES), None)
 
 
 def _is_certain(code: Code, use: Node, body: Node) -> bool:

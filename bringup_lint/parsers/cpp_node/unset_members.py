@@ -26,7 +26,6 @@ _NUMBER = regex(
     r"(?:std::)?(?:bool|double|float|int|long|short|unsigned(?:\s+(?:int|long|char|short))?|u?int(?:8|16|32|64)_t|size_t)\Z"
 )
 _TARGET = regex(r"(?:this->)?([A-Za-z_]\w*)\Z")
-_BODIES = ("function_definition", "lambda_expression")
 _DECLARES = frozenset(
     "init_declarator declaration parameter_declaration optional_parameter_declaration lambda_capture_specifier "
     "structured_binding_declarator for_range_loop reference_declarator pointer_declarator".split()
@@ -170,8 +169,9 @@ def _is_declared(outer: Node, node: Node) -> bool:
 
 
 def _holder(code: Code, node: Node) -> int | None:
-    """The function that a place is in."""
-    return next((each.id for each in code.above(node) if each.type in _BODIES), None)
+    """The function that a place is in, by its id."""
+    body = code.body_of(node)
+    return body.id if body is not None else None
 
 
 def _is_early(code: Code, run: _Run, first: Node, uses: list[Node], holders: dict[int, int | None]) -> bool:

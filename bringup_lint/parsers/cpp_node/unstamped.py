@@ -63,7 +63,7 @@ def _sent(code: Code, names: Names, call: Call) -> Unstamped | None:
     name = "".join(code.text(call.arguments[0]).split()).removeprefix("std::move(").rstrip(")").lstrip("*")
     if not _NAME.match(name):
         return None
-    function = next((each for each in code.above(call.node) if each.type in _BODIES), None)
+    function = code.body_of(call.node)
     made = _declaration(code, function, name) if function is not None else None
     if function is None or made is None:
         return None
@@ -71,9 +71,6 @@ def _sent(code: Code, names: Names, call: Call) -> Unstamped | None:
     if kind is None or (kind == TRANSFORM) != (call.name == "sendTransform"):
         return None
     return Unstamped(code.span(made), kind, code.span(call.node)) if _only_fields(code, function, made, name) else None
-
-
-_BODIES = ("function_definition", "lambda_expression")
 
 
 def _declaration(code: Code, function: Node, name: str) -> Node | None:

@@ -33,7 +33,6 @@ DEPTH = 3
 _AT_START = regex(r"(?i)_?(?:on_?)?(?:init|setup|start_?up)")
 """Names of callbacks of a timer that runs once, before the node has anything else to do."""
 _LOCK = regex(r"\bunique_lock\b\s{0,4}(?:<[^<>;]{0,60}>)?\s{0,4}(?P<name>\w{1,60})\s{0,4}[({]", hints="unique_lock")
-_BODIES = ("function_definition", "lambda_expression")
 _ENDLESS = ("true", "1", "rclcpp::ok()")
 
 
@@ -137,7 +136,7 @@ def _waiting(
         found = (condition, "") if condition is not None else _loop(code, each)
         return Waiting(code.span(each), *found, callback) if found is not None else None
     if each.name in ("get", "wait"):
-        function = next((outer for outer in code.above(each.node) if outer.type in _BODIES), None)
+        function = code.body_of(each.node)
         asked = partners.answer(each, function, callback) if function is not None else None
         if asked is not None:
             return Waiting(code.span(each.node), asked, "", callback, True)
