@@ -16,6 +16,7 @@ from functools import cached_property
 from bringup_lint.dataclass import dataclass
 from bringup_lint.facts.ros import carried
 from bringup_lint.graph.files import Files
+from bringup_lint.graph.memo import memo
 from bringup_lint.model.package import Manifest
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
@@ -149,16 +150,8 @@ class Copies:
         found = {folder for folder in self._manifests if any(map(self._is_repository, self._above(folder)))}
         return frozenset(found) if 2 * len(found) < len(self._manifests) else frozenset()
 
+    @memo
     def _is_repository(self, folder: str) -> bool:
-        if folder not in self._repositories:
-            self._repositories[folder] = self._looks_like_repository(folder)
-        return self._repositories[folder]
-
-    @cached_property
-    def _repositories(self) -> dict[str, bool]:
-        return {}
-
-    def _looks_like_repository(self, folder: str) -> bool:
         exists = self.files.tree.exists
         if any(exists(os.path.join(folder, name)) for name in _OF_REPOSITORY):
             return True

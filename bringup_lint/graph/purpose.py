@@ -16,6 +16,7 @@ from functools import cached_property
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
 from bringup_lint.facts.ros import simulation
+from bringup_lint.graph.memo import memo
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 from bringup_lint.templates import final_name
@@ -165,14 +166,17 @@ class Purposes:
     tree: Tree
     configured: Mapping[str, str] = field(default_factory=dict)
 
+    @memo
     def of(self, source: Source) -> Purpose:
-        if source not in self._known:
-            self._known[source] = self._find(source)
-        return self._known[source]
-
-    @cached_property
-    def _known(self) -> dict[Source, Purpose]:
-        return {}
+        own = self._configured(source)
+        if own is not None:
+            return own
+        if self.tree.root is not None:
+            return Purpose.ROBOT
+        path = self._path(source)
+        if source.kind in _COPIED:
+            path = final_name(path)
+        return Purpose.ARCHIVE if self._is_superseded(path) else by_path(path)
 
     def is_test_data(self, source: Source) -> bool:
         """Whether a file lies where tests keep what they read. The configuration may say that it is the robot's."""
@@ -183,17 +187,6 @@ class Purposes:
     def is_configured(self, source: Source) -> bool:
         """Whether the configuration says what a file is for."""
         return self._configured(source) is not None
-
-    def _find(self, source: Source) -> Purpose:
-        own = self._configured(source)
-        if own is not None:
-            return own
-        if self.tree.root is not None:
-            return Purpose.ROBOT
-        path = self._path(source)
-        if source.kind in _COPIED:
-            path = final_name(path)
-        return Purpose.ARCHIVE if self._is_superseded(path) else by_path(path)
 
     def _is_superseded(self, path: str) -> bool:
         """Whether a folder of the path is called after a version, and one beside it after a newer one."""

@@ -287,17 +287,9 @@ class Workspace:
         """The package that a file lies in."""
         return self.package_of(os.path.dirname(source.absolute))
 
+    @memo
     def package_of(self, folder: str) -> Package | None:
         """The package that an absolute folder is, or lies in."""
-        if folder not in self._owners:
-            self._owners[folder] = self._owner_of(folder)
-        return self._owners[folder]
-
-    @cached_property
-    def _owners(self) -> dict[str, Package | None]:
-        return {}
-
-    def _owner_of(self, folder: str) -> Package | None:
         while folder not in self._folders:
             above = os.path.dirname(folder)
             if above == folder:
@@ -367,14 +359,9 @@ class Workspace:
             return False
         return package.executables_known or self._absence(package).of_executable(executable)
 
+    @memo
     def _absence(self, package: Package) -> Absence:
-        if package not in self._absences:
-            self._absences[package] = Absence(self.tree, package.folder, package.builds)
-        return self._absences[package]
-
-    @cached_property
-    def _absences(self) -> dict[Package, Absence]:
-        return {}
+        return Absence(self.tree, package.folder, package.builds)
 
 
 def _templates(path: str) -> Iterator[str]:

@@ -105,14 +105,9 @@ class Dependencies:
                 found.setdefault(need.owner.name, set()).add(str(need.name))
         return {name: frozenset(started) for name, started in found.items()}
 
+    @memo
     def _required(self, package: Package) -> frozenset[str]:
-        if package.name not in self._closures:
-            self._closures[package.name] = frozenset(map(str, self._launch.workspace.required(package)))
-        return self._closures[package.name]
-
-    @cached_property
-    def _closures(self) -> dict[str, frozenset[str]]:
-        return {}
+        return frozenset(map(str, self._launch.workspace.required(package)))
 
     def judged(self, package: Package) -> bool:
         """Whether the tree's authors wrote the package, for ROS 2 and for the robot."""

@@ -12,6 +12,7 @@ from bringup_lint.dataclass import dataclass
 from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.discover.tree import display_name
 from bringup_lint.graph.commands.environment import UNKNOWN
+from bringup_lint.graph.memo import memo
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.graph.target import mentions_of
 from bringup_lint.named_tuple import NamedTuple
@@ -222,18 +223,13 @@ class RosEnvironment:
         """The command lines of runners that run ROS 2; the runner itself where none of them does."""
         return [process for runner in self.runners.ros for process in _of_runner(runner)]
 
+    @memo
     def launched_by(self, launcher: RosProcess) -> list[Launched]:
         """Every process that the launch files of a runner start, with its environment."""
-        if launcher not in self._launched:
-            from bringup_lint.graph.environment.launched import launched
+        from bringup_lint.graph.environment.launched import launched
 
-            found = (launched(expansion, base) for expansion, base in self._expansions(launcher))
-            self._launched[launcher] = [each for processes in found for each in processes]
-        return self._launched[launcher]
-
-    @cached_property
-    def _launched(self) -> dict[RosProcess, list[Launched]]:
-        return {}
+        found = (launched(expansion, base) for expansion, base in self._expansions(launcher))
+        return [each for processes in found for each in processes]
 
     def expansion(self, start: Start) -> Expansion | None:
         """What a command of a launcher leads to with its arguments, always the same object; None when its launch file

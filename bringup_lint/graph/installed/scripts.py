@@ -5,7 +5,6 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterator
-from functools import cached_property
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.discover.starters import STARTING
@@ -13,6 +12,7 @@ from bringup_lint.graph.files import Files
 from bringup_lint.graph.installed.script import Run
 from bringup_lint.graph.installed.script import Written
 from bringup_lint.graph.installed.script import runs
+from bringup_lint.graph.memo import memo
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 
@@ -31,17 +31,12 @@ SIZE = 200_000
 class Scripts:
     files: Files
 
+    @memo
     def done(self, source: Source) -> list[Run | Written]:
         """What a script does; nothing for a template or a very long one."""
-        if source not in self._done:
-            usable = not source.template and len(source.text) <= SIZE
-            read = self.files.parsed(lambda script: list(runs(script)), [source]) if usable else []
-            self._done[source] = next(iter(read), [])
-        return self._done[source]
-
-    @cached_property
-    def _done(self) -> dict[Source, list[Run | Written]]:
-        return {}
+        usable = not source.template and len(source.text) <= SIZE
+        read = self.files.parsed(lambda script: list(runs(script)), [source]) if usable else []
+        return next(iter(read), [])
 
     def run(self, *names: str) -> Iterator[tuple[Source, Run]]:
         """The runs of the programs in all judged scripts."""

@@ -286,24 +286,18 @@ class Launch:
                 if each.kind == kind and each.found.file is None and each.name and each.found.package is not None:
                     yield each, each.found.package
 
+    @memo
     def refusals(self, file: LaunchFile) -> list[Refusal]:
         """What launch refuses in an XML or YAML file; without names that an extension in the tree may define."""
-        found = self._refusals.get(id(file))
-        if found is None:
-            from bringup_lint.graph.launch.grammar import refusals
+        from bringup_lint.graph.launch.grammar import refusals
 
-            of_ros1 = {name.span.start for name in file.ros1}
-            renamed = any(name in ("type", "value") for name in file.ros1)
-            every = refusals(file, self._tree_files.target.ros)
-            found = [each for each in every if not _is_ros1(each, of_ros1, renamed)]
-            if any(each.extension for each in found) and self._extends_launch:
-                found = [each for each in found if not each.extension]
-            self._refusals[id(file)] = found
+        of_ros1 = {name.span.start for name in file.ros1}
+        renamed = any(name in ("type", "value") for name in file.ros1)
+        every = refusals(file, self._tree_files.target.ros)
+        found = [each for each in every if not _is_ros1(each, of_ros1, renamed)]
+        if any(each.extension for each in found) and self._extends_launch:
+            found = [each for each in found if not each.extension]
         return found
-
-    @cached_property
-    def _refusals(self) -> dict[int, list[Refusal]]:
-        return {}
 
     @cached_property
     def _extends_launch(self) -> bool:

@@ -202,13 +202,12 @@ class Nodes:
     def file_of(self, node: NodeClass) -> NodeSource:
         return self._modules.by_source[node.source]
 
+    @memo
     def purpose(self, source: Source) -> Purpose:
         """What a source is for, by the path of the file and by that in its package."""
-        if source not in self._purposes:
-            found = of_source(self._path(source), self.files.purpose(source))
-            is_example = found is Purpose.ROBOT and (self._unused.has(source) or self._is_unmade(source))
-            self._purposes[source] = Purpose.EXAMPLE if is_example else found
-        return self._purposes[source]
+        found = of_source(self._path(source), self.files.purpose(source))
+        is_example = found is Purpose.ROBOT and (self._unused.has(source) or self._is_unmade(source))
+        return Purpose.EXAMPLE if is_example else found
 
     def _is_unmade(self, source: Source) -> bool:
         """Whether a file is no program and holds classes alone, and nothing makes one of them."""
@@ -235,10 +234,6 @@ class Nodes:
 
     def is_for_robot(self, source: Source) -> bool:
         return self.purpose(source) is Purpose.ROBOT
-
-    @cached_property
-    def _purposes(self) -> dict[Source, Purpose]:
-        return {}
 
     def _path(self, source: Source) -> str:
         """The path from the folder of the package on; the last two components when that is not known."""
@@ -361,15 +356,10 @@ class Nodes:
         """A file and all of the workspace that it imports; None when part of that is not found."""
         return self._modules.closure(file)
 
+    @memo
     def made(self, file: NodeSource) -> list[NodeClass]:
         """The nodes that the code of a file makes, also of classes of other files."""
-        if file not in self._made:
-            self._made[file] = list(dict.fromkeys(made(self._modules, file, None)))
-        return self._made[file]
-
-    @cached_property
-    def _made(self) -> dict[NodeSource, list[NodeClass]]:
-        return {}
+        return list(dict.fromkeys(made(self._modules, file, None)))
 
     def makers(self, node: NodeClass) -> list[NodeSource]:
         """The files of the tree that make a node of this class."""
@@ -477,17 +467,12 @@ class Nodes:
     def syntax(self, file: NodeSource) -> Syntax:
         return self.ending(file).syntax
 
+    @memo
     def ending(self, file: NodeSource) -> Ending:
         """How the programs of a file end."""
-        if file not in self._endings:
-            syntax = file.source.kept((Syntax, file), lambda: Syntax(file)) if file.is_alone else Syntax(file)
-            syntax.reached.clear()
-            self._endings[file] = Ending(syntax, self.files.target.ros)
-        return self._endings[file]
-
-    @cached_property
-    def _endings(self) -> dict[NodeSource, Ending]:
-        return {}
+        syntax = file.source.kept((Syntax, file), lambda: Syntax(file)) if file.is_alone else Syntax(file)
+        syntax.reached.clear()
+        return Ending(syntax, self.files.target.ros)
 
     def started(self, node: NodeClass) -> list[Started]:
         """The launch actions that start a node of this class, each as its own file starts it."""

@@ -185,14 +185,12 @@ class Params:
 
     def winner(self, file: ParameterFile, parameter: Parameter) -> Value | None:
         """What rcl's table holds in the end for the name of a parameter in its block."""
-        if id(file) not in self._winners:
-            self._winners[id(file)] = param_values.winners(file)
-        return self._winners[id(file)].get((parameter.block.name, parameter.name))
+        return self._winners(file).get((parameter.block.name, parameter.name))
 
-    @cached_property
-    def _winners(self) -> dict[int, dict[tuple[str, str], Value | None]]:
-        """What tables hold, by the file that makes them."""
-        return {}
+    @memo
+    def _winners(self, file: ParameterFile) -> dict[tuple[str, str], Value | None]:
+        """What the table holds that a file makes."""
+        return param_values.winners(file)
 
     def taken_back(self, file: ParameterFile) -> Iterator[tuple[Parameter, Parameter]]:
         return param_values.taken_back(file)
@@ -299,19 +297,14 @@ class Params:
     def _by_source(self) -> dict[int, ParameterFile]:
         return {id(file.source): file for file in self.files}
 
+    @memo
     def declared_by(self, name: str | None) -> dict[str, Declared]:
         """The parameters of which the sources of a package of the workspace say the type, by name."""
-        if name not in self._declarations:
-            from bringup_lint.graph.params.declared import declared_in
+        from bringup_lint.graph.params.declared import declared_in
 
-            workspace = self._launch().workspace
-            package = workspace.packages.get(name) if name else None
-            self._declarations[name] = declared_in(self._tree_files, workspace, package) if package else {}
-        return self._declarations[name]
-
-    @cached_property
-    def _declarations(self) -> dict[str | None, dict[str, Declared]]:
-        return {}
+        workspace = self._launch().workspace
+        package = workspace.packages.get(name) if name else None
+        return declared_in(self._tree_files, workspace, package) if package else {}
 
     @cached_property
     def _all_loads(self) -> list[Load]:

@@ -18,6 +18,7 @@ from bringup_lint.discover.starters import STARTING
 from bringup_lint.graph.launch.expansion import Expansion
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import literal_text
+from bringup_lint.graph.memo import memo
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.graph.topics.questions.coexistence import coexist
 from bringup_lint.graph.topics.questions.command_sources import has_stop_hardware
@@ -141,20 +142,14 @@ class Topics:
 
         return ParameterNames(self.files, self.launch.workspace, self.nodes)
 
+    @memo
     def node(self, started: Started) -> LaunchedNode:
         """What launch makes of a node: its name, its parameters, and the topics that it uses."""
-        if started not in self._resolved:
-            displays = self._displays.of(started)
-            self._resolved[started] = resolved_node(started, self.code(started), displays, self.parameter_sources)
-        return self._resolved[started]
+        return resolved_node(started, self.code(started), self._displays.of(started), self.parameter_sources)
 
     @cached_property
     def parameter_sources(self) -> ParameterSources:
         return ParameterSources(self.launch, self.params)
-
-    @cached_property
-    def _resolved(self) -> dict[Started, LaunchedNode]:
-        return {}
 
     @cached_property
     def runs(self) -> list[Running]:

@@ -213,15 +213,9 @@ class ParameterNames:
                     found.setdefault(owner, []).append(path)
         return found
 
+    @memo
     def _source(self, path: str) -> Source | None:
-        if path not in self._read:
-            known = self._known_sources.get(path)
-            self._read[path] = known or self._files.tree.read(path, "cpp-node", judged=False)
-        return self._read[path]
-
-    @cached_property
-    def _read(self) -> dict[str, Source | None]:
-        return {}
+        return self._known_sources.get(path) or self._files.tree.read(path, "cpp-node", judged=False)
 
     @cached_property
     def _known_sources(self) -> dict[str, Source]:
