@@ -24,6 +24,7 @@ from bringup_lint.api import rule
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
 from bringup_lint.discover import disk
+from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.discover.starters import STARTING
 from bringup_lint.finding import Severity
 from bringup_lint.graph.purpose import Purpose
@@ -47,6 +48,8 @@ if TYPE_CHECKING:
 
 DOCS = "https://bringup-lint.github.io/bringup-lint/rules/{}/"
 """Where a built-in rule is documented on the web: its page of the site."""
+_KINDS = {"runners": STARTING, "launch": LAUNCH}
+"""Words of ``family.toml`` that stand for several kinds."""
 
 
 class RuleError(Exception):
@@ -212,8 +215,8 @@ def _indexed_families(folder: str, index: Index) -> list[Family]:
 
 
 def _kinds(names: Iterable[str]) -> frozenset[str]:
-    """Kinds of file; ``runners`` stands for all that start processes."""
-    return frozenset(kind for name in names for kind in (STARTING if name == "runners" else (name,)))
+    """Kinds of file; ``runners`` stands for all that start processes, ``launch`` for the launch files of ROS 2."""
+    return frozenset(kind for name in names for kind in _KINDS.get(name, (name,)))
 
 
 def _purposes(table: Mapping[str, Any]) -> dict[Purpose, Severity | None]:

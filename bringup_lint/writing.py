@@ -15,8 +15,9 @@ import stat
 from collections.abc import Iterable
 from collections.abc import Iterator
 
-from bringup_lint.discover.reading import FLAGS
 from bringup_lint.discover.reading import describe
+from bringup_lint.discover.record import FLAGS
+from bringup_lint.discover.record import NEW
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.type_names import TYPE_CHECKING
 from bringup_lint.type_names import BinaryIO
@@ -24,7 +25,6 @@ from bringup_lint.type_names import BinaryIO
 if TYPE_CHECKING:
     from pathlib import Path
 
-_NEW = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_CLOEXEC", 0)
 _FOLDER = os.O_RDONLY | getattr(os, "O_DIRECTORY", 0) | getattr(os, "O_CLOEXEC", 0)
 _READABLE_BY_ALL = 0o666
 _OF_THE_CONTENT = frozenset({"security.capability", "security.evm", "security.ima"})
@@ -178,7 +178,7 @@ def _opened(path: Path, place: _Place) -> Iterator[int]:
 @contextlib.contextmanager
 def _new(place: _Place, mode: int) -> Iterator[BinaryIO]:
     """A new, empty file, which does not outlive a failure."""
-    descriptor = os.open(place.name, _NEW, mode, dir_fd=place.folder)
+    descriptor = os.open(place.name, NEW, mode, dir_fd=place.folder)
     try:
         with os.fdopen(descriptor, "wb") as file:
             yield file

@@ -13,6 +13,7 @@ import time
 from collections.abc import Iterator
 
 from bringup_lint.discover.record import FLAGS
+from bringup_lint.discover.record import NEW
 
 NAME = "bringup-lint"
 LARGEST = 32 * 1024 * 1024
@@ -25,7 +26,6 @@ _KEY_SIZE = 32
 _PRIVATE = 0o700
 _ABANDONED = 3600
 """Seconds after which a file that was never finished is removed."""
-_NEW = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_CLOEXEC", 0)
 
 
 class Folder:
@@ -59,7 +59,7 @@ class Folder:
             return
         unfinished = f".{os.urandom(8).hex()}"
         try:
-            with os.fdopen(os.open(unfinished, _NEW, 0o600, dir_fd=self._descriptor), "wb") as file:
+            with os.fdopen(os.open(unfinished, NEW, 0o600, dir_fd=self._descriptor), "wb") as file:
                 file.write(data)
             os.rename(unfinished, name, src_dir_fd=self._descriptor, dst_dir_fd=self._descriptor)
         except OSError:

@@ -25,6 +25,8 @@ TRACKED = "t"
 """The paths in an index of git (``git_index``)."""
 FLAGS = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_CLOEXEC", 0)
 """Never through a link, and without waiting for the other end of a FIFO."""
+NEW = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_CLOEXEC", 0)
+"""Only where nothing is yet."""
 
 
 Seen = tuple[str, str, str, str]

@@ -11,6 +11,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.finding import Related
 from bringup_lint.finding import span_of
 from bringup_lint.source import Located
@@ -69,7 +70,7 @@ class Provenance:
 
     @cached_property
     def _finders(self) -> dict[str, Callable[[Span], Steps]]:
-        launch = dict.fromkeys(("launch-python", "launch-xml", "launch-yaml"), self._in_launch_file)
+        launch = dict.fromkeys(LAUNCH, self._in_launch_file)
         dds = dict.fromkeys(("cyclonedds", "fastdds"), self._in_dds_file)
         files = dict.fromkeys(("env-file", "shell-script"), self._in_read_file)
         return {**launch, **dds, **files, "params": self._in_parameters}

@@ -12,6 +12,7 @@ from typing import TypedDict
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
 from bringup_lint.dataclass import replace
+from bringup_lint.model.python import FunctionNode
 from bringup_lint.model.python import PlacedNode
 from bringup_lint.model.python import walk
 from bringup_lint.named_tuple import NamedTuple
@@ -128,7 +129,7 @@ class Function:
     """A function or method of a source."""
 
     name: Located
-    node: ast.FunctionDef | ast.AsyncFunctionDef
+    node: FunctionNode
     span: Span
     decorators: tuple[str, ...] = ()
 

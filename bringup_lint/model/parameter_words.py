@@ -12,6 +12,11 @@ from bringup_lint.source import Located
 _HOLE = regex(r"%[-+ #0-9.]*[a-zA-Z]|\{[^{}]*\}")
 """Where a formatted text takes something in."""
 _JOINTS = "._/"
+LOOSE = regex(
+    r"automatically_declare_parameters_from_overrides|allow_undeclared_parameters|generate_parameter",
+    hints="automatically_declare_parameters_from_overrides allow_undeclared_parameters generate_parameter",
+)
+"""What declares parameters that the source does not name."""
 
 
 class Asked(NamedTuple):

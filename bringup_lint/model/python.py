@@ -13,6 +13,7 @@ from bringup_lint.type_names import TYPE_CHECKING
 if TYPE_CHECKING:
     from typing import TypeGuard
 
+FunctionNode = Union["ast.FunctionDef", "ast.AsyncFunctionDef"]
 PlacedNode = Union["ast.expr", "ast.stmt", "ast.keyword", "ast.arg", "ast.excepthandler", "ast.alias"]
 """The nodes of a syntax tree that have a place in the text; those of operators, contexts and clauses have none."""
 

@@ -6,6 +6,7 @@ from collections import defaultdict
 from collections.abc import Iterable
 
 from bringup_lint.finding import Finding
+from bringup_lint.graph.systemd.relations import ROOTS
 from bringup_lint.type_names import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -13,14 +14,13 @@ if TYPE_CHECKING:
 
 LONG = 20
 """Findings from which on a report is grouped."""
-_ROOTS = ("default.target", "graphical.target", "multi-user.target")
 _NOT_STARTING = frozenset({"orders", "conflicts", "part-of"})
 
 
 def at_boot(graph: Graph) -> frozenset[str]:
     """The names of the files that decide what starts at boot: units that a boot target pulls in, and all that these
     read and start."""
-    pending = [node for node in graph.nodes if node.name in _ROOTS]
+    pending = [node for node in graph.nodes if node.name in ROOTS]
     seen = set(pending)
     files: set[str] = set()
     while pending:

@@ -10,6 +10,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.model.unit import UnitFile
 from bringup_lint.parsers.unit import parse
@@ -36,7 +37,7 @@ _WAITS = regex(
 """What waits for an interface, makes it, or loads a driver of a controller on the board."""
 _NO_DEVICES = frozenset({"systemd-modules-load.service", "systemd-networkd.service"})
 """Services after which a CAN interface need not exist."""
-_READERS = ("env-file", "launch-python", "launch-xml", "launch-yaml", "params", "compose", "shell-script")
+_READERS = ("env-file", *LAUNCH, "params", "compose", "shell-script")
 
 
 @dataclass(eq=False)

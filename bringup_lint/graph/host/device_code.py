@@ -8,6 +8,7 @@ from collections.abc import Iterable
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.discover.starters import STARTING
 from bringup_lint.graph.host.device_uses import DeviceUse
 from bringup_lint.model.python import walk
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
 
 _OPENING = frozenset({"serial.Serial", "cv2.VideoCapture", "open", "evdev.InputDevice", "os.open"})
 _CAMERA = "cv2.VideoCapture"
-_GIVING = (*STARTING, "params", "env-file", "launch-python", "launch-xml", "launch-yaml")
+_GIVING = (*STARTING, "params", "env-file", *LAUNCH)
 _NAMES = regex(r"/dev/|VideoCapture", hints="/dev/ VideoCapture")
 _OPENS = regex(r"/dev/|VideoCapture|\bSerial\b|\bInputDevice\b", hints="/dev/ VideoCapture Serial InputDevice")
 

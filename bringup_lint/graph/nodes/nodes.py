@@ -12,6 +12,7 @@ from itertools import islice
 from typing import TYPE_CHECKING
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.finding import Related
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import literal_text
@@ -27,6 +28,7 @@ from bringup_lint.graph.nodes.sources.threads import is_joined_elsewhere
 from bringup_lint.graph.nodes.unused import Unused
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.graph.purpose import of_source
+from bringup_lint.graph.runners.runner import SUPERVISING
 from bringup_lint.graph.runners.runner import RunnerKind
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
@@ -70,7 +72,6 @@ _RUNNING = (ast.FunctionDef, ast.AsyncFunctionDef, ast.If, ast.Try, ast.For, ast
 """Statements of a module that run, or that others may call."""
 _UNJUDGED = (Purpose.TEST, Purpose.CI, Purpose.ARCHIVE)
 """Purposes whose sources are not for a robot."""
-_RUNNERS = ("systemd-unit", "systemd-dropin", "compose", "dockerfile", "supervisord", "cron")
 _TOOL = regex(
     r"(?:^|_)(?:calibrat\w*?|capture|gathering|gui|dummy|evaluat(?:e|or|ion)|visuali[sz](?:e|er|ation)|plot(?:ter)?"
     r"|debug(?:ger)?|bt_(?:monitor|viewer))(?=[_.]|$)|^check_",
@@ -259,11 +260,6 @@ class Nodes:
         package, executable = literal_text(started.package), literal_text(started.executable)
         return self.program(str(package), str(executable)) if package and executable else None
 
-    def of(self, started: Started) -> NodeClass | None:
-        """The class of the one node that a launched program makes; None when it makes several, or that is not known."""
-        program = self.program_of(started)
-        return program.classes[0] if program is not None and len(program.classes) == 1 else None
-
     @cached_property
     def _starters(self) -> dict[NodeClass, list[Started]]:
         found: dict[NodeClass, list[Started]] = {}
@@ -307,7 +303,7 @@ class Nodes:
     @cached_property
     def _runner_texts(self) -> str:
         """What starts processes, in one text, which is searched sooner than many."""
-        return "\0".join(each.text for each in self.files.of_kind(*_RUNNERS))
+        return "\0".join(each.text for each in self.files.of_kind(*SUPERVISING))
 
     def is_stopped(self, file: NodeSource) -> bool:
         """Whether a unit, a container or the like starts a program that is not for tests, examples or a person, and so
@@ -399,8 +395,7 @@ class Nodes:
         roles = (self.launch.role(started).role for started in self.launch.nodes)
         if any(role in ("velocity filter", "safety") for role in roles):
             return "a velocity filter"
-        kinds = ("params", "launch-python", "launch-xml", "launch-yaml")
-        found = (_GATES.search(source.text) for source in self.files.of_kind(*kinds))
+        found = (_GATES.search(source.text) for source in self.files.of_kind("params", *LAUNCH))
         return next((match[0] for match in found if match is not None), None)
 
     @cached_property

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.graph.modules import modules
 from bringup_lint.pattern import regex
 
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
 
 _NAMING = (
     *("systemd-unit", "systemd-dropin", "compose", "dockerfile", "shell-script", "supervisord", "env-file"),
-    *("launch-python", "launch-xml", "launch-yaml", "cmake", "setup-py"),
+    *(*LAUNCH, "cmake", "setup-py"),
 )
 """Kinds of files that start or install others by their names."""
 _IMPORT = regex(r"(?m)^[ \t]*(?:from|import)\b[^\n#(]*(?:\([^()]*\))?")

@@ -35,6 +35,9 @@ if TYPE_CHECKING:
     from bringup_lint.source import Source
     from bringup_lint.source import Span
 
+SUPERVISING = ("systemd-unit", "systemd-dropin", "compose", "dockerfile", "supervisord", "cron")
+"""Kinds of files that start processes without a person."""
+
 
 class RunnerKind(Enum):
     UNIT = "systemd unit"

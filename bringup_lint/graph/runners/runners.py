@@ -13,6 +13,7 @@ from bringup_lint.graph.purpose import Purpose
 from bringup_lint.graph.runners.described import Described
 from bringup_lint.graph.runners.launching import Launching
 from bringup_lint.graph.runners.launching import expansion_of
+from bringup_lint.graph.runners.runner import SUPERVISING
 from bringup_lint.graph.runners.runner import Runner
 from bringup_lint.graph.runners.runner import RunnerKind
 from bringup_lint.graph.runners.runner import Start
@@ -30,8 +31,6 @@ if TYPE_CHECKING:
     from bringup_lint.model.launch import LaunchFile
     from bringup_lint.source import Source
     from bringup_lint.source import Span
-
-_SUPERVISING = ("systemd-unit", "systemd-dropin", "compose", "dockerfile", "supervisord", "cron")
 
 
 @dataclass(eq=False)
@@ -88,7 +87,7 @@ class Runners:
         """Whether something other than a person starts it: a script counts where a unit, service or image names it."""
         if runner.kind is not RunnerKind.SCRIPT:
             return True
-        return any(runner.source.basename in each.text for each in self.files.of_kind(*_SUPERVISING))
+        return any(runner.source.basename in each.text for each in self.files.of_kind(*SUPERVISING))
 
     def of_service(self, service: Service) -> Runner | None:
         """The runner of a compose service; None when its file is not judged."""

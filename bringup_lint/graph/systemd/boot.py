@@ -22,10 +22,9 @@ from bringup_lint.graph.systemd.reachability import Reachability
 from bringup_lint.graph.systemd.references import expand_name
 from bringup_lint.graph.systemd.references import resolve
 from bringup_lint.graph.systemd.relations import PULLING
+from bringup_lint.graph.systemd.relations import ROOTS
 from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.named_tuple import NamedTuple
-
-ROOTS = ("default.target", "graphical.target", "multi-user.target")
 
 Steps = Iterable[tuple[Edge, Node]]
 """Edges that lead on from a node, each with its other end."""

@@ -16,3 +16,5 @@ INSTALLED = {"WantedBy": "wants", "RequiredBy": "requires", "UpheldBy": "upholds
 OTHER = {"PartOf": "part-of", "Conflicts": "conflicts", "OnFailure": "on-failure", "OnSuccess": "on-success"}
 STARTING = PULLING | {"triggers", "on-failure", "on-success"}
 """Edges by which the source starts the target."""
+ROOTS = ("default.target", "graphical.target", "multi-user.target")
+"""What the boot starts."""

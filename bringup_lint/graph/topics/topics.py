@@ -58,7 +58,7 @@ if TYPE_CHECKING:
 
 COMPARED = 100
 """Publishers and subscriptions of one topic that are compared with each other."""
-SPEAKING = ("python-node", "params", "launch-python", "launch-xml", "launch-yaml", "udev-rules", "ros-package")
+SPEAKING = ("python-node", "params", *LAUNCH, "udev-rules", "ros-package")
 """Kinds of files that may name the hardware of the robot."""
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from bringup_lint.model.cpp_source import CppNode
+from bringup_lint.model.parameter_words import LOOSE
 from bringup_lint.parsers.cpp_node.canceled import canceled
 from bringup_lint.parsers.cpp_node.classes import activation
 from bringup_lint.parsers.cpp_node.classes import components
@@ -28,7 +29,6 @@ from bringup_lint.parsers.cpp_node.lookups import lookups
 from bringup_lint.parsers.cpp_node.misread import misread
 from bringup_lint.parsers.cpp_node.missing_returns import missing_returns
 from bringup_lint.parsers.cpp_node.nested_spins import nested_spins
-from bringup_lint.parsers.cpp_node.parameters import LOOSE
 from bringup_lint.parsers.cpp_node.parameters import declarations
 from bringup_lint.parsers.cpp_node.parameters import is_open
 from bringup_lint.parsers.cpp_node.parameters import reads

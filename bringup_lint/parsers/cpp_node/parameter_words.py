@@ -6,10 +6,10 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.model.parameter_words import LOOSE
 from bringup_lint.model.parameter_words import Asked
 from bringup_lint.model.parameter_words import ParameterWords
 from bringup_lint.parsers.cpp_node.parameters import DECLARING
-from bringup_lint.parsers.cpp_node.parameters import LOOSE
 from bringup_lint.parsers.cpp_node.parameters import reads
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located

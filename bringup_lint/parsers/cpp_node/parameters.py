@@ -19,10 +19,6 @@ if TYPE_CHECKING:
 
 DECLARING = ("declare_parameter", "declare_parameters", "declare_parameter_if_not_declared", "declare_or_get_parameter")
 _READING = {"get_parameter": True, "get_parameter_or": False, "has_parameter": False}
-LOOSE = regex(
-    r"automatically_declare_parameters_from_overrides|allow_undeclared_parameters|generate_parameter",
-    hints="automatically_declare_parameters_from_overrides allow_undeclared_parameters generate_parameter",
-)
 _DEFAULTS = {"declare_parameter": 1, "get_parameter_or": -1}
 """Where calls take the value of a parameter that nothing sets."""
 _NUMBER = regex(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?\Z")

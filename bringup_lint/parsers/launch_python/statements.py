@@ -11,6 +11,7 @@ from bringup_lint.model.launch_values import Argument
 from bringup_lint.model.launch_values import Condition
 from bringup_lint.model.launch_values import Literal
 from bringup_lint.model.launch_values import Unknown
+from bringup_lint.model.python import FunctionNode
 from bringup_lint.parsers.launch_python import budget
 from bringup_lint.parsers.launch_python.containers import extend
 from bringup_lint.parsers.launch_python.expressions import located_name
@@ -178,7 +179,7 @@ def _with(state: State, node: ast.With | ast.AsyncWith) -> str | None:
     return run(state, node.body)
 
 
-def _define(state: State, node: ast.FunctionDef | ast.AsyncFunctionDef) -> None:
+def _define(state: State, node: FunctionNode) -> None:
     defaults = tuple(state.evaluate(default) for default in node.args.defaults)
     named = zip(node.args.kwonlyargs, node.args.kw_defaults)
     keywords = {arg.arg: state.evaluate(default) for arg, default in named if default is not None}

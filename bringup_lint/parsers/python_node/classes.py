@@ -10,10 +10,10 @@ from typing import Any
 from bringup_lint.model.node_source import Function
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import Parameter
+from bringup_lint.model.python import FunctionNode
 from bringup_lint.model.python import PlacedNode
 from bringup_lint.parsers.python_node.scopes import Call
 from bringup_lint.parsers.python_node.scopes import ClassScope
-from bringup_lint.parsers.python_node.scopes import Def
 from bringup_lint.parsers.python_node.scopes import Scope
 from bringup_lint.parsers.python_node.values import UNKNOWN
 from bringup_lint.parsers.python_node.values import Called
@@ -47,7 +47,7 @@ def node_class(values: Values, scope: ClassScope) -> NodeClass:
     return found
 
 
-def function(values: Values, node: Def) -> Function:
+def function(values: Values, node: FunctionNode) -> Function:
     span = values.span(node)
     at = span.source.text.find(node.name, span.start)
     decorators = tuple(values.qualified(each) or _text(each) for each in node.decorator_list)
@@ -150,7 +150,7 @@ def _argument_node(call: ast.Call, keyword: str) -> ast.expr | None:
     return argument(call, 0 if keyword == "node_name" else 99, keyword)
 
 
-def _handed(values: Values, init: Def, name: str, call: ast.Call | None, at: Scope) -> Any:
+def _handed(values: Values, init: FunctionNode, name: str, call: ast.Call | None, at: Scope) -> Any:
     """What a parameter of the constructor is given by the call, or its default."""
     positional = [*init.args.posonlyargs, *init.args.args]
     names = [each.arg for each in positional]
@@ -167,7 +167,7 @@ def _handed(values: Values, init: Def, name: str, call: ast.Call | None, at: Sco
     return UNKNOWN if default is None else values.of(default, at)
 
 
-def _super_call(init: Def, scope: ClassScope) -> ast.Call | None:
+def _super_call(init: FunctionNode, scope: ClassScope) -> ast.Call | None:
     """``super().__init__(...)`` or ``Base.__init__(self, ...)``, with ``self`` left out."""
     for node in ast.walk(init):
         if not isinstance(node, ast.Call) or not isinstance(node.func, ast.Attribute) or node.func.attr != "__init__":

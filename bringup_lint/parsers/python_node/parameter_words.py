@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterator
 from functools import cached_property
 
+from bringup_lint.model.parameter_words import LOOSE
 from bringup_lint.model.parameter_words import Asked
 from bringup_lint.model.parameter_words import ParameterWords
 from bringup_lint.model.python import called_name
@@ -21,10 +22,6 @@ from bringup_lint.source import Source
 
 TEXT = 400_000
 """Code points of a file."""
-_LOOSE = regex(
-    r"automatically_declare_parameters_from_overrides|allow_undeclared_parameters|generate_parameter",
-    hints="automatically_declare_parameters_from_overrides allow_undeclared_parameters generate_parameter",
-)
 _READING = ("get_parameter", "get_parameter_or", "has_parameter", "get_parameter_value", "undeclare_parameter")
 _OWN = regex(r"(?:self|(?:self\.)?\w*node\w*)\.(?:get_parameter\w*|has_parameter)\Z", re.I)
 _TYPE = regex(r"(?:^|\.)Parameter\.Type\.(?!NOT_SET)[A-Z_]+\Z")
@@ -36,7 +33,7 @@ HELPERS = 3
 def parse(source: Source) -> ParameterWords:
     """Never raises."""
     tree = tree_of(source) if len(source.text) <= TEXT else None
-    if tree is None or _LOOSE.search(source.text):
+    if tree is None or LOOSE.search(source.text):
         return ParameterWords(open=True)
     try:
         return _Reader(source, tree).words()

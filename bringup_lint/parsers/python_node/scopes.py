@@ -9,10 +9,10 @@ from typing import Any
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
+from bringup_lint.model.python import FunctionNode
 from bringup_lint.model.python import fields_of
 from bringup_lint.named_tuple import NamedTuple
 
-Def = ast.FunctionDef | ast.AsyncFunctionDef
 NODES = 400_000
 """Syntax nodes of a file that are looked at."""
 Kept = dict[int, ast.expr]
@@ -37,7 +37,7 @@ class ClassScope:
     """``self.x = ...`` in any method."""
     sets: dict[str, list[AttributeSet]] = field(default_factory=dict)
     """``self.x.field = ...``."""
-    methods: dict[str, Def] = field(default_factory=dict)
+    methods: dict[str, FunctionNode] = field(default_factory=dict)
     scopes: dict[str, Scope] = field(default_factory=dict)
     base: ClassScope | None = None
 
@@ -46,7 +46,7 @@ class ClassScope:
 class Scope:
     """A module or a function. ``names``: the expressions that a name is bound to; None where there is no expression."""
 
-    node: ast.Module | Def
+    node: ast.Module | FunctionNode
     parent: Scope | None = None
     cls: ClassScope | None = None
     """The class whose method this is, or is nested in."""
@@ -91,7 +91,7 @@ class Module:
     classes: dict[str, ClassScope | None] = field(default_factory=dict)
     """Classes by name; None when two have it."""
     all_classes: list[ClassScope] = field(default_factory=list)
-    functions: dict[str, Def] = field(default_factory=dict)
+    functions: dict[str, FunctionNode] = field(default_factory=dict)
     calls: list[Call] = field(default_factory=list)
     main: str | None = None
     scopes: dict[int, Scope] = field(default_factory=dict)
@@ -121,7 +121,7 @@ def read_module(tree: ast.Module) -> Module:
             module.complete = False
             break
         node = todo.node
-        if isinstance(node, Def):
+        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
             children = _function(module, todo, node)
         elif isinstance(node, ast.ClassDef):
             children = _class(module, todo, node)
@@ -136,7 +136,7 @@ def read_module(tree: ast.Module) -> Module:
     return module
 
 
-def _function(module: Module, todo: Todo, node: Def) -> Iterator[Todo]:
+def _function(module: Module, todo: Todo, node: FunctionNode) -> Iterator[Todo]:
     inner = Scope(node, todo.scope)
     arguments = [*node.args.posonlyargs, *node.args.args, *node.args.kwonlyargs, node.args.vararg, node.args.kwarg]
     inner.arguments = frozenset(argument.arg for argument in arguments if argument is not None)

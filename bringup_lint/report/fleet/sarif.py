@@ -19,10 +19,10 @@ from bringup_lint.report.fleet.rows import indented
 from bringup_lint.report.fleet.rows import rows
 from bringup_lint.report.fleet.rows import written
 from bringup_lint.report.model import RuleDoc
+from bringup_lint.report.sarif import SCHEMA
 
 MOST_RUNS = 20
 MOST_RESULTS = 25_000
-SCHEMA = "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json"
 _LEVELS = {"error": "error", "warning": "warning", "info": "note"}
 
 

@@ -81,8 +81,8 @@ def python_package(scripts: str, **files: str) -> dict[str, str]:
 
 def started_class(found: Robot) -> str | None:
     (started,) = found.launch.nodes
-    node = found.nodes.of(started)
-    return node and str(node.name)
+    program = found.nodes.program_of(started)
+    return str(program.classes[0].name) if program is not None and len(program.classes) == 1 else None
 
 
 def test_console_script(tmp_path: Path) -> None:
@@ -163,7 +163,7 @@ def test_two_packages_of_one_name_give_no_join(tmp_path: Path) -> None:
     files = python_package("'run = arm.driver:main'", driver=node())
     files |= {f"other/{path}": text for path, text in files.items()}
     found = robot(tmp_path, files)
-    assert [found.nodes.of(started) for started in found.launch.nodes] == [None, None]
+    assert [found.nodes.program_of(started) for started in found.launch.nodes] == [None, None]
 
 
 def test_unit_that_starts_a_file(tmp_path: Path) -> None:

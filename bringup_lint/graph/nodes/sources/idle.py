@@ -5,13 +5,11 @@ from __future__ import annotations
 import ast
 from collections import defaultdict
 from functools import cached_property
-from typing import Union
 
 from bringup_lint.graph.nodes.sources.syntax import Syntax
+from bringup_lint.model.python import FunctionNode
 from bringup_lint.model.python import walk
 from bringup_lint.pattern import regex
-
-Function = Union[ast.FunctionDef, ast.AsyncFunctionDef]
 
 _DEPTH = 3
 """Functions in a row that nothing else mentions."""
@@ -37,9 +35,9 @@ class _Idleness:
 
     def __init__(self, syntax: Syntax) -> None:
         self._syntax = syntax
-        self._begins: dict[Function, float] = {}
+        self._begins: dict[FunctionNode, float] = {}
 
-    def begins(self, function: Function) -> float:
+    def begins(self, function: FunctionNode) -> float:
         """The line after which a function is idle: 0 when it is as a whole, infinite when it is not."""
         if function not in self._begins:
             names = (each for each in walk(function) if isinstance(each, (ast.Name, ast.Constant)))
@@ -49,9 +47,9 @@ class _Idleness:
         return self._begins[function]
 
     @cached_property
-    def ends(self) -> dict[Function, int]:
+    def ends(self) -> dict[FunctionNode, int]:
         """Function -> the first line that waits until the work of the node is done."""
-        found: dict[Function, int] = {}
+        found: dict[FunctionNode, int] = {}
         for call in self._syntax.calls:
             function = self._syntax.function(call) if _waits_for_the_end(call) else None
             if function is not None:
@@ -59,16 +57,16 @@ class _Idleness:
         return found
 
     @cached_property
-    def _users(self) -> dict[str, set[Function | None]]:
+    def _users(self) -> dict[str, set[FunctionNode | None]]:
         """Name -> the functions that call or hand over what has it; None: the file itself does."""
-        found: dict[str, set[Function | None]] = defaultdict(set)
+        found: dict[str, set[FunctionNode | None]] = defaultdict(set)
         for node in self._syntax.file.nodes:
             name = _mentioned(node)
             if name is not None:
                 found[name].add(self._syntax.function(node))
         return found
 
-    def _is_unmentioned(self, function: Function, depth: int) -> bool:
+    def _is_unmentioned(self, function: FunctionNode, depth: int) -> bool:
         if _RUN_BY_OTHERS.match(function.name) or function.decorator_list:
             return False
         users = self._users.get(function.name, set()) - {function}

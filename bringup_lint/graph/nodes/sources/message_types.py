@@ -10,6 +10,7 @@ from bringup_lint.graph.nodes.resolved.interface_fields import InterfaceFields
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
+from bringup_lint.model.python import FunctionNode
 from bringup_lint.model.python import is_self
 from bringup_lint.model.python import walk
 from bringup_lint.named_tuple import NamedTuple
@@ -193,7 +194,7 @@ def _sections(service: str) -> list[str]:
     return [f"{service}_Request", f"{service}_Response"]
 
 
-def _looks_at_type(function: ast.FunctionDef | ast.AsyncFunctionDef) -> bool:
+def _looks_at_type(function: FunctionNode) -> bool:
     """Whether a function asks of which type one of its arguments is."""
     taken = {each.arg for each in function.args.args}
     calls = (each for each in walk(function) if isinstance(each, ast.Call) and each.args)

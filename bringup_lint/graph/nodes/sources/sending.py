@@ -12,6 +12,7 @@ from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
+from bringup_lint.model.python import FunctionNode
 from bringup_lint.model.python import is_self
 from bringup_lint.named_tuple import NamedTuple
 
@@ -69,9 +70,7 @@ def _publisher(endpoints: Iterable[Endpoint], kept: str) -> Endpoint | None:
     return next((each for each in endpoints if each.role == "publisher" and each.attribute == kept), None)
 
 
-def called(
-    syntax: Syntax, call: ast.Call, cls: NodeClass | None
-) -> Iterator[tuple[ast.FunctionDef | ast.AsyncFunctionDef, NodeClass | None]]:
+def called(syntax: Syntax, call: ast.Call, cls: NodeClass | None) -> Iterator[tuple[FunctionNode, NodeClass | None]]:
     """The functions and methods of the file that a call may run."""
     function, file = call.func, syntax.file
     if isinstance(function, ast.Name):

@@ -13,6 +13,7 @@ from typing import TypeVar
 
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
+from bringup_lint.model.python import FunctionNode
 from bringup_lint.model.python import children
 from bringup_lint.model.python import fields_of
 from bringup_lint.model.python import is_own
@@ -72,7 +73,7 @@ class Syntax:
                 return
             yield outer, name
 
-    def function(self, node: ast.AST) -> ast.FunctionDef | ast.AsyncFunctionDef | None:
+    def function(self, node: ast.AST) -> FunctionNode | None:
         """The innermost function that a node is in."""
         for outer, _ in self.above(node):
             if isinstance(outer, (ast.FunctionDef, ast.AsyncFunctionDef)):

@@ -6,13 +6,11 @@ import ast
 from collections import defaultdict
 from collections.abc import Iterable
 from functools import cached_property
-from typing import Union
 
 from bringup_lint.graph.nodes.sources.syntax import Syntax
+from bringup_lint.model.python import FunctionNode
 from bringup_lint.model.python import walk
 from bringup_lint.pattern import regex
-
-Function = Union[ast.FunctionDef, ast.AsyncFunctionDef]
 
 _TAKES = regex(r"create_|add_|register|set_\w+_callback|\w*(?:Subscriber|Action(?:Server|Client)|Synchronizer|Updater)")
 """Functions and classes of ROS that take callbacks."""
@@ -57,18 +55,18 @@ class _Threads:
         self._syntax = syntax
 
     @cached_property
-    def of_main(self) -> set[Function]:
+    def of_main(self) -> set[FunctionNode]:
         """``main``, constructors, what the file calls, and what these call: all in the thread of the program."""
         begin = {"main", "__init__", *self._calls[None]}
         return self._reached(each for name in begin for each in self._named[name])
 
     @cached_property
-    def of_callbacks(self) -> set[Function]:
+    def of_callbacks(self) -> set[FunctionNode]:
         """What the file hands over, and what it calls."""
         return self._reached(each for name in self._handed_over for each in self._named[name])
 
     @cached_property
-    def of_ros(self) -> set[Function]:
+    def of_ros(self) -> set[FunctionNode]:
         """What the file hands to ROS, and what it calls."""
         takers = (each for each in self._syntax.calls if _TAKES.match(_name(each.func)))
         given = (
@@ -79,8 +77,8 @@ class _Threads:
         )
         return self._reached(each for name in map(_name, given) for each in self._named[name])
 
-    def _reached(self, begin: Iterable[Function]) -> set[Function]:
-        found: set[Function] = set()
+    def _reached(self, begin: Iterable[FunctionNode]) -> set[FunctionNode]:
+        found: set[FunctionNode] = set()
         todo = list(begin)
         while todo:
             function = todo.pop()
@@ -90,16 +88,16 @@ class _Threads:
         return found
 
     @cached_property
-    def own(self) -> set[Function]:
+    def own(self) -> set[FunctionNode]:
         """What runs only in threads that the file starts for it, or for all that mention it."""
         waits = {name: len(users) for name, users in self._users.items()}
-        mentions: dict[Function | None, list[str]] = defaultdict(list)
+        mentions: dict[FunctionNode | None, list[str]] = defaultdict(list)
         for name, users in self._users.items():
             for user in users:
                 mentions[user].append(name)
         todo = [each for name in self._begun for each in self._named[name] if not waits.get(name)]
         todo += [each for each in self._named["run"] if self._is_thread(each) and not waits.get("run")]
-        found: set[Function] = set()
+        found: set[FunctionNode] = set()
         while todo:
             function = todo.pop()
             if function not in found:
@@ -128,14 +126,14 @@ class _Threads:
         own = [each for each in spins if each not in handed and self._syntax.function(each) not in self.own]
         return not own and (bool(spins) or any(_name(each) == "spin" for each in handed))
 
-    def _is_thread(self, function: Function) -> bool:
+    def _is_thread(self, function: FunctionNode) -> bool:
         """Whether a method is one of a class of threads."""
         owner = self._syntax.definition(function)
         return owner is not None and any(_name(base) == "Thread" for base in owner.bases)
 
     @cached_property
-    def _named(self) -> dict[str, list[Function]]:
-        found: dict[str, list[Function]] = defaultdict(list)
+    def _named(self) -> dict[str, list[FunctionNode]]:
+        found: dict[str, list[FunctionNode]] = defaultdict(list)
         for node in self._syntax.file.nodes:
             if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
                 found[node.name].append(node)
@@ -153,9 +151,9 @@ class _Threads:
         return {_name(each) for each in self._given}
 
     @cached_property
-    def _users(self) -> dict[str, set[Function | None]]:
+    def _users(self) -> dict[str, set[FunctionNode | None]]:
         """Name -> the functions that call or hand over what has it, but to a thread; None: the file itself does."""
-        found: dict[str, set[Function | None]] = defaultdict(set)
+        found: dict[str, set[FunctionNode | None]] = defaultdict(set)
         given = set(self._given)
         for node in self._syntax.file.nodes:
             if _is_read(node) and node not in given:
@@ -165,9 +163,9 @@ class _Threads:
         return found
 
     @cached_property
-    def _calls(self) -> dict[Function | None, set[str]]:
+    def _calls(self) -> dict[FunctionNode | None, set[str]]:
         """Function -> what it calls at once; None: the file itself."""
-        found: dict[Function | None, set[str]] = defaultdict(set)
+        found: dict[FunctionNode | None, set[str]] = defaultdict(set)
         for call in self._syntax.calls:
             if not self._is_in_lambda(call):
                 found[self._syntax.function(call)].add(_name(call.func))

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from itertools import chain
 from typing import TYPE_CHECKING
 
+from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.plugins.described import described
@@ -109,7 +110,7 @@ def _is_publisher(node: Started) -> bool:
 
 
 def _is_prefixed(topics: Topics) -> bool:
-    return any(source.matches(_PREFIX) for source in topics.files.of_kind("launch-python", "launch-xml", "launch-yaml"))
+    return any(source.matches(_PREFIX) for source in topics.files.of_kind(*LAUNCH))
 
 
 def _is_closed(topics: Topics) -> bool:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
-from typing import Union
 
 from bringup_lint.graph.nodes.sources.callback_code import reached
 from bringup_lint.graph.nodes.sources.syntax import Syntax
@@ -14,6 +13,7 @@ from bringup_lint.graph.nodes.sources.syntax import own
 from bringup_lint.model.node_source import Callback
 from bringup_lint.model.node_source import Function
 from bringup_lint.model.node_source import NodeClass
+from bringup_lint.model.python import FunctionNode
 from bringup_lint.model.python import walk
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
@@ -23,7 +23,6 @@ if TYPE_CHECKING:
     from bringup_lint.model.node_source import NodeSource
     from bringup_lint.source import Span
 
-Method = Union[ast.FunctionDef, ast.AsyncFunctionDef]
 
 _CALLED = regex(r"self\.(?P<name>\w+)\(.*\)\Z")
 _TAKEN = {"subscription": ((1, 2), "the message"), "service": ((2, 2), "the request and the response")}
@@ -106,7 +105,7 @@ def _is_within(callback: Callback, span: Span) -> bool:
     return span.start <= callback.span.start and callback.span.end <= span.end
 
 
-def _takes(method: Method, fewest: int, most: int) -> bool:
+def _takes(method: FunctionNode, fewest: int, most: int) -> bool:
     """Whether a method takes some number of arguments after ``self`` that the caller may hand over."""
     arguments = method.args
     positional = len(arguments.posonlyargs) + len(arguments.args) - 1
@@ -131,13 +130,13 @@ def _is_none(value: ast.expr) -> bool:
     return isinstance(value, ast.Constant) and value.value is None
 
 
-def _is_stub(method: Method) -> bool:
+def _is_stub(method: FunctionNode) -> bool:
     """Whether a method only says what another class is to do, or always raises."""
     body = [each for each in method.body if not (isinstance(each, ast.Expr) and isinstance(each.value, ast.Constant))]
     return all(isinstance(each, ast.Pass) for each in body) or isinstance(body[-1], ast.Raise)
 
 
-def _leaves_goal_open(syntax: Syntax, node: NodeClass, method: Method) -> bool:
+def _leaves_goal_open(syntax: Syntax, node: NodeClass, method: FunctionNode) -> bool:
     """Whether a goal is executed and never ended, by a method that hands its handle to nobody else."""
     names = [each.arg for each in method.args.args]
     if len(names) != 2:

@@ -9,6 +9,7 @@ from bringup_lint.graph.nodes.sources.ending import Ending
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import own
 from bringup_lint.model.node_source import Endpoint
+from bringup_lint.model.python import FunctionNode
 from bringup_lint.model.python import called_name
 from bringup_lint.named_tuple import NamedTuple
 
@@ -79,5 +80,5 @@ def _is_at_start(syntax: Syntax, sent: ast.Call, client: Endpoint) -> bool:
     return client.method in _FIRST and bool(callers) and callers <= {*_FIRST, ""}
 
 
-def _name(function: ast.FunctionDef | ast.AsyncFunctionDef | None) -> str:
+def _name(function: FunctionNode | None) -> str:
     return function.name if function is not None else ""

@@ -19,6 +19,7 @@ from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import Function
 from bringup_lint.model.node_source import NodeClass
+from bringup_lint.model.python import FunctionNode
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
@@ -48,7 +49,7 @@ def _commands(syntax: Syntax, body: Sequence[ast.AST], node: NodeClass) -> bool:
     return any(moves(each.endpoint) for each in sendings(syntax, body, node))
 
 
-def _ends_motion(syntax: Syntax, method: ast.FunctionDef | ast.AsyncFunctionDef, node: NodeClass) -> bool:
+def _ends_motion(syntax: Syntax, method: FunctionNode, node: NodeClass) -> bool:
     """Whether the last command is a fresh message, all zero, that is sent in any case after a wait."""
     last = next((each for each in reversed(method.body) if _commands(syntax, [each], node)), None)
     if not isinstance(last, ast.Expr) or not isinstance(last.value, ast.Call):

@@ -10,6 +10,9 @@ from collections.abc import Iterator
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from bringup_lint.discover.kinds.launch import LAUNCH
+from bringup_lint.graph.nodes.sources.file_calls import LOADS
+from bringup_lint.graph.nodes.sources.file_calls import OPENS
 from bringup_lint.graph.nodes.sources.idle import is_idle
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.node_source import NodeSource
@@ -20,20 +23,12 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.nodes import Nodes
 
 _HOME = regex(r"/home/(?P<user>[A-Za-z_][\w.-]{0,60})/[^\s<>${}*]{1,300}\Z")
-_OPENS = frozenset(
-    {
-        *("open", "imread", "FileStorage", "VideoCapture", "CascadeClassifier", "readNet", "readNetFromONNX"),
-        *("YOLO", "InferenceSession", "load_model", "loadtxt", "genfromtxt", "read_csv"),
-    }
-)
-"""Functions whose first argument is a file."""
-_LOADS = frozenset({"numpy.load", "torch.load", "joblib.load", "xml.etree.ElementTree.parse", "torch.jit.load"})
 _CAUGHT = frozenset({"Exception", "BaseException", "OSError", "IOError", "FileNotFoundError"})
 _AUTHORED = regex(r"\.(?:py|sh|ya?ml|json|xml|urdf|xacro|srdf|sdf|lua|rviz|csv|launch)\Z")
 """Files that people write and keep in their repository; models, maps and logs are made on the robot."""
-_CODE = ("python-node", "cpp-node", "launch-python", "launch-xml", "launch-yaml", "params", "ros-package", "setup-py")
+_CODE = ("python-node", "cpp-node", *LAUNCH, "params", "ros-package", "setup-py")
 """Kinds of file whose paths are no sign that the robot has a user."""
-_LAUNCHED = ("launch-python", "launch-xml", "launch-yaml", "params")
+_LAUNCHED = (*LAUNCH, "params")
 _ELSE = (ast.If, ast.IfExp, ast.ExceptHandler, ast.Match)
 
 
@@ -62,7 +57,7 @@ def home_files(nodes: Nodes) -> Iterator[HomeFile]:
 def _in_call(homes: _Homes, file: NodeSource, syntax: Syntax, call: ast.Call) -> Iterator[HomeFile]:
     name = ast.unparse(call.func).rpartition(".")[2]
     is_default = name == "declare_parameter" and len(call.args) > 1
-    if not is_default and not (call.args and (name in _OPENS or syntax.qualified(call) in _LOADS)):
+    if not is_default and not (call.args and (name in OPENS or syntax.qualified(call) in LOADS)):
         return
     place = call.args[1] if is_default else call.args[0]
     value = file.constant(place, syntax.function(call))

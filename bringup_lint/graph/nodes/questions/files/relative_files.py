@@ -8,6 +8,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.launch.questions.relative_paths import FOLDER
+from bringup_lint.graph.nodes.sources.file_calls import LOADS
+from bringup_lint.graph.nodes.sources.file_calls import OPENS
 from bringup_lint.graph.nodes.sources.idle import is_idle
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.node_source import NodeSource
@@ -18,14 +20,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.nodes import Nodes
 
 _PATH = regex(r"(?:\.{1,2}/){0,8}\w[\w./ -]{0,200}\.[A-Za-z0-9]{1,8}\Z")
-_READS = frozenset(
-    {
-        *("open", "imread", "FileStorage", "VideoCapture", "CascadeClassifier", "readNet", "readNetFromONNX"),
-        *("YOLO", "InferenceSession", "load_model", "loadtxt", "genfromtxt", "read_csv", "changeMap"),
-    }
-)
+_READS = OPENS | {"changeMap"}
 """Functions whose first argument is a file that they read; ``open`` unless its mode says otherwise."""
-_LOADS = frozenset({"numpy.load", "torch.load", "joblib.load", "xml.etree.ElementTree.parse", "torch.jit.load"})
 _MOVES = regex(r"\bchdir\b|\b__file__\b[^\n]{0,200}\bopen\b", hints="chdir __file__")
 
 
@@ -66,7 +62,7 @@ def _reads(syntax: Syntax, call: ast.Call, name: str) -> bool:
         modes = [each.value for each in call.keywords if each.arg == "mode"] + call.args[1:2]
         is_reading = all(isinstance(each, ast.Constant) and str(each.value).startswith("r") for each in modes)
         return isinstance(call.func, ast.Name) and is_reading
-    return name in _READS or syntax.qualified(call) in _LOADS
+    return name in _READS or syntax.qualified(call) in LOADS
 
 
 def _folder(nodes: Nodes, file: NodeSource, path: str) -> str | None:

@@ -9,6 +9,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from bringup_lint.addresses import is_wildcard
+from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.graph.memo import memo
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.python import walk
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
     from bringup_lint.source import Span
 
 _SETTERS = (
-    *("params", "launch-python", "launch-xml", "launch-yaml", "systemd-unit", "systemd-dropin"),
+    *("params", *LAUNCH, "systemd-unit", "systemd-dropin"),
     *("compose", "dockerfile", "shell-script", "env-file", "supervisord"),
 )
 """Kinds of files that may give a program another address than its default."""

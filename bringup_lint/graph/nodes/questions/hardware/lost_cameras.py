@@ -10,6 +10,7 @@ from bringup_lint.graph.nodes.sources.ending import Ending
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import own
 from bringup_lint.model.node_source import NodeSource
+from bringup_lint.model.python import FunctionNode
 from bringup_lint.model.python import called_name
 from bringup_lint.model.python import walk
 from bringup_lint.named_tuple import NamedTuple
@@ -80,7 +81,7 @@ def _flag(syntax: Syntax, call: ast.Call) -> str | None:
     return first.id if isinstance(first, ast.Name) else None
 
 
-def _repeats(ending: Ending, call: ast.Call, function: ast.FunctionDef | ast.AsyncFunctionDef) -> bool:
+def _repeats(ending: Ending, call: ast.Call, function: FunctionNode) -> bool:
     """Whether a read is in a loop that goes on, or in the callback of a timer."""
     if any(isinstance(outer, ast.While) for outer, _ in ending.syntax.within(call)):
         return True

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from bringup_lint.graph.nodes.sources.with_header import with_header
 from bringup_lint.model.node_source import DERIVED
 from bringup_lint.model.node_source import MEASURED
+from bringup_lint.model.python import FunctionNode
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.cpp_node.restamped import INTENDED
 from bringup_lint.pattern import regex
@@ -50,7 +51,7 @@ def _in_python(file: NodeSource) -> Iterator[Replaced]:
                 yield from _in_callback(file, method.node, kind)
 
 
-def _in_callback(file: NodeSource, function: ast.FunctionDef | ast.AsyncFunctionDef, kind: str) -> Iterator[Replaced]:
+def _in_callback(file: NodeSource, function: FunctionNode, kind: str) -> Iterator[Replaced]:
     """Each name that a callback sets both fields of, where no condition decides about them."""
     message = function.args.args[-1].arg
     made: dict[str, str] = {message: kind}

@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.facts.ros.message_units import FRACTIONS
 from bringup_lint.facts.ros.message_units import RADIANS
 from bringup_lint.graph.nodes.questions.messages.wrong_unit import PERCENT
@@ -89,7 +90,7 @@ def _is_set(nodes: Nodes, parameter: Parameter | None) -> bool:
     """Whether a file of the tree may set a parameter to something else than a percentage."""
     if parameter is None:
         return False
-    kinds = ("params", "launch-python", "launch-xml", "launch-yaml")
+    kinds = ("params", *LAUNCH)
     named = re.compile(rf"\b{re.escape(parameter.name)}\b[\"']?(?:[ \t]*:[ \t]*(?P<number>\d+(?:\.\d*)?)\b)?")
     found = [each for source in nodes.files.of_kind(*kinds) for each in named.finditer(source.text)]
     return not all(each["number"] and float(each["number"]) >= PERCENT for each in found)

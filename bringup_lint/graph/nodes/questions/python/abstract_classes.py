@@ -5,10 +5,10 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
-from typing import Union
 
 from bringup_lint.graph.nodes.sources.syntax import FUNCTIONS
 from bringup_lint.model.node_source import NodeSource
+from bringup_lint.model.python import FunctionNode
 from bringup_lint.model.python import bound_names
 from bringup_lint.model.python import walk
 from bringup_lint.named_tuple import NamedTuple
@@ -16,7 +16,6 @@ from bringup_lint.named_tuple import NamedTuple
 if TYPE_CHECKING:
     from bringup_lint.graph.nodes.nodes import Nodes
 
-Method = Union[ast.FunctionDef, ast.AsyncFunctionDef]
 
 _ABSTRACT = frozenset(
     {"abc.abstractmethod", "abc.abstractproperty", "abc.abstractclassmethod", "abc.abstractstaticmethod"}
@@ -39,7 +38,7 @@ class Unfinished(NamedTuple):
     """The file of the class."""
     cls: ast.ClassDef
     base: NodeSource
-    method: Method
+    method: FunctionNode
     """The abstract method that nothing defines."""
 
 
@@ -82,7 +81,7 @@ class _Classes:
     def __init__(self, nodes: Nodes) -> None:
         self._nodes = nodes
         self._tops: dict[NodeSource, dict[str, ast.stmt | None]] = {}
-        self._missing: dict[ast.ClassDef, tuple[NodeSource, Method] | None] = {}
+        self._missing: dict[ast.ClassDef, tuple[NodeSource, FunctionNode] | None] = {}
 
     def of(self, node: ast.expr, file: NodeSource) -> _Class | None:
         """The class that an expression names."""
@@ -116,13 +115,13 @@ class _Classes:
         target = file.imports.get(name) if name not in self._tops[file] else None
         return self._imported(target, file, steps) if target is not None else None
 
-    def missing(self, cls: _Class) -> tuple[NodeSource, Method] | None:
+    def missing(self, cls: _Class) -> tuple[NodeSource, FunctionNode] | None:
         """The first abstract method of a class that nothing of it defines; None where that is not known."""
         if cls.node not in self._missing:
             self._missing[cls.node] = self._first_missing(cls)
         return self._missing[cls.node]
 
-    def _first_missing(self, cls: _Class) -> tuple[NodeSource, Method] | None:
+    def _first_missing(self, cls: _Class) -> tuple[NodeSource, FunctionNode] | None:
         lineage = self._lineage(cls)
         if not any(_has_meta(each) for each in lineage):
             return None

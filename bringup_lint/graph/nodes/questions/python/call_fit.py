@@ -6,12 +6,12 @@ import ast
 from collections import Counter
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
-from typing import Union
 
 from bringup_lint.graph.nodes.sources.idle import is_idle
 from bringup_lint.graph.nodes.sources.idle import is_late
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.node_source import NodeSource
+from bringup_lint.model.python import FunctionNode
 from bringup_lint.model.python import bound_names
 from bringup_lint.model.python import is_own
 from bringup_lint.named_tuple import NamedTuple
@@ -19,7 +19,6 @@ from bringup_lint.named_tuple import NamedTuple
 if TYPE_CHECKING:
     from bringup_lint.graph.nodes.nodes import Nodes
 
-Method = Union[ast.FunctionDef, ast.AsyncFunctionDef]
 
 _FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
 _EXPECTED = frozenset({"TypeError"})
@@ -33,7 +32,7 @@ class UnfitCall(NamedTuple):
     """``self.drive``, ``Motor``."""
     wrong: str
     """What is wrong, in words."""
-    definition: Method
+    definition: FunctionNode
     function: str | None
     """Where it is called; None: when the file is loaded."""
     caught: bool
@@ -57,7 +56,7 @@ def _overridden(nodes: Nodes) -> set[tuple[str, str]]:
     }
 
 
-def _methods(owner: ast.ClassDef) -> Iterator[Method]:
+def _methods(owner: ast.ClassDef) -> Iterator[FunctionNode]:
     return (each for each in owner.body if isinstance(each, _FUNCTIONS))
 
 
@@ -89,9 +88,9 @@ class _Known:
         body = file.tree.body if file.tree is not None else []
         self._functions = {each.name: each for each in body if isinstance(each, _FUNCTIONS)}
         self._classes = {each.name: each for each in body if isinstance(each, ast.ClassDef)}
-        self._methods: dict[ast.ClassDef, dict[str, list[Method]]] = {}
+        self._methods: dict[ast.ClassDef, dict[str, list[FunctionNode]]] = {}
 
-    def of(self, call: ast.Call) -> Method | None:
+    def of(self, call: ast.Call) -> FunctionNode | None:
         """What a call surely runs, when that has no decorators."""
         if isinstance(call.func, ast.Name):
             found = self._named(call.func.id)
@@ -101,7 +100,7 @@ class _Known:
             return None
         return found if found is not None and not found.decorator_list else None
 
-    def _named(self, name: str) -> Method | None:
+    def _named(self, name: str) -> FunctionNode | None:
         if self._bound[name] != 1:
             return None
         owner = self._classes.get(name)
@@ -109,12 +108,12 @@ class _Known:
             return self._functions.get(name)
         return None if self._own(owner, "__new__") is not None else self._own(owner, "__init__")
 
-    def _method(self, owner: ast.ClassDef | None, name: str) -> Method | None:
+    def _method(self, owner: ast.ClassDef | None, name: str) -> FunctionNode | None:
         if owner is None or name in self._stored or (owner.name, name) in self._overridden:
             return None
         return self._own(owner, name)
 
-    def _own(self, owner: ast.ClassDef, name: str) -> Method | None:
+    def _own(self, owner: ast.ClassDef, name: str) -> FunctionNode | None:
         """The method of a class that its body defines once."""
         if owner not in self._methods:
             self._methods[owner] = {}

@@ -16,6 +16,7 @@ from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.node_source import Callback
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import Timer
+from bringup_lint.model.python import FunctionNode
 from bringup_lint.model.python import is_self
 from bringup_lint.model.python import walk
 from bringup_lint.named_tuple import NamedTuple
@@ -91,7 +92,7 @@ def _is_plain_store(syntax: Syntax, place: ast.Attribute) -> bool:
     return not isinstance(outer, ast.AugAssign) and is_self(place.value)
 
 
-def _outermost(syntax: Syntax, place: ast.AST) -> ast.FunctionDef | ast.AsyncFunctionDef | None:
+def _outermost(syntax: Syntax, place: ast.AST) -> FunctionNode | None:
     """The method that a place is in."""
     found = None
     for outer, _ in syntax.above(place):

@@ -12,6 +12,7 @@ from bringup_lint.graph.nodes.sources.idle import is_idle
 from bringup_lint.graph.nodes.sources.idle import is_late
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.node_source import NodeClass
+from bringup_lint.model.python import FunctionNode
 from bringup_lint.model.python import walk
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.python_node.classes import ROOTS
@@ -192,7 +193,7 @@ def _is_self(syntax: Syntax, node: NodeClass, place: ast.Attribute) -> bool:
     return False
 
 
-def _first(method: ast.FunctionDef | ast.AsyncFunctionDef) -> str | None:
+def _first(method: FunctionNode) -> str | None:
     arguments = [*method.args.posonlyargs, *method.args.args]
     return arguments[0].arg if arguments else None
 

@@ -11,6 +11,7 @@ from bringup_lint.graph.nodes.sources.syntax import COMPREHENSIONS
 from bringup_lint.graph.nodes.sources.syntax import FUNCTIONS
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import own
+from bringup_lint.model.python import FunctionNode
 from bringup_lint.model.python import PlacedNode
 from bringup_lint.model.python import bound_names
 from bringup_lint.model.python import walk
@@ -74,7 +75,7 @@ def unbound_locals(syntax: Syntax) -> Iterator[Unbound]:
 class _Locals:
     """The names that one function binds, and where."""
 
-    def __init__(self, syntax: Syntax, function: ast.FunctionDef | ast.AsyncFunctionDef) -> None:
+    def __init__(self, syntax: Syntax, function: FunctionNode) -> None:
         self._syntax = syntax
         self._function = function
         self._nodes = list(own(function.body))
