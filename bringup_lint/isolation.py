@@ -96,14 +96,19 @@ def unread(robot: Robot) -> Iterator[Finding]:
         yield internal(source, f"reading {source.name}", error)
 
 
-def internal(source: Source, what: str, error: Exception) -> Finding:
-    """A finding for what failed inside. It says where, and nothing that a file holds."""
+def failure(what: str, error: Exception) -> str:
+    """What failed inside, in words that say where, and nothing that a file holds."""
     import traceback
 
     frames = traceback.extract_tb(error.__traceback__)
     where = f" in {frames[-1].filename.rpartition('/')[2]}:{frames[-1].lineno}" if frames else ""
+    return f"{what} failed: {type(error).__name__}{where}"
+
+
+def internal(source: Source, what: str, error: Exception) -> Finding:
+    """A finding for what failed inside."""
     return Finding(
-        f"{what} failed: {type(error).__name__}{where}",
+        failure(what, error),
         source.whole,
         rule=INTERNAL_ERROR,
         severity=Severity.ERROR,

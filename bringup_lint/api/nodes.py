@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.edits import tried_shutdown
     from bringup_lint.graph.nodes.questions.callbacks.asyncio_waits import awaits_asyncio
     from bringup_lint.graph.nodes.questions.callbacks.blocking_calls import UNTIL_TIMEOUT
-    from bringup_lint.graph.nodes.questions.callbacks.callback_fit import Unfit
+    from bringup_lint.graph.nodes.questions.callbacks.callback_fit import UnfitCallback
     from bringup_lint.graph.nodes.questions.callbacks.callback_fit import unfit_callbacks
     from bringup_lint.graph.nodes.questions.callbacks.canceled_goals import canceled_goals
     from bringup_lint.graph.nodes.questions.callbacks.early_results import early_results
@@ -80,8 +80,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.messages.message_fields import consequence
     from bringup_lint.graph.nodes.questions.messages.message_fields import converted
     from bringup_lint.graph.nodes.questions.messages.message_fields import is_checked
-    from bringup_lint.graph.nodes.questions.messages.message_fields import misfits
     from bringup_lint.graph.nodes.questions.messages.message_fields import missing_fields
+    from bringup_lint.graph.nodes.questions.messages.message_fields import wrong_fields
     from bringup_lint.graph.nodes.questions.messages.message_units import wrong_units
     from bringup_lint.graph.nodes.questions.messages.mistaken_handlers import mistaken_handlers
     from bringup_lint.graph.nodes.questions.messages.quaternion_order import misordered_quaternions
@@ -106,6 +106,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.python.missing_attributes import missing_attributes
     from bringup_lint.graph.nodes.questions.python.missing_attributes import taken_attributes
     from bringup_lint.graph.nodes.questions.python.missing_modules import missing_modules
+    from bringup_lint.graph.nodes.questions.python.missing_qos import without_qos
     from bringup_lint.graph.nodes.questions.python.pipes import unread_pipes
     from bringup_lint.graph.nodes.questions.python.python_releases import NotThere
     from bringup_lint.graph.nodes.questions.python.python_releases import not_there
@@ -113,7 +114,6 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.python.python_relocks import python_relocks
     from bringup_lint.graph.nodes.questions.python.refused_logs import RefusedLog
     from bringup_lint.graph.nodes.questions.python.refused_logs import refused_logs
-    from bringup_lint.graph.nodes.questions.python.signatures import without_qos
     from bringup_lint.graph.nodes.questions.python.unbound_locals import unbound_locals
     from bringup_lint.graph.nodes.questions.python.undefined_names import undefined
     from bringup_lint.graph.nodes.sources.motion import is_remote
@@ -146,7 +146,7 @@ __all__ = [
     "Swallowed",
     "Timer",
     "Unchecked",
-    "Unfit",
+    "UnfitCallback",
     "WrongUnit",
     "asked_in_vain",
     "awaits_asyncio",
@@ -189,7 +189,6 @@ __all__ = [
     "lost_transfers",
     "lowered",
     "making_loops",
-    "misfits",
     "misordered_quaternions",
     "misread_parameters",
     "missing_attributes",
@@ -255,6 +254,7 @@ __all__ = [
     "window_spins",
     "without_pin_mode",
     "without_qos",
+    "wrong_fields",
     "wrong_units",
     "zero_divisors",
     "zero_fractions",

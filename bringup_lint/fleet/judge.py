@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import traceback
 from collections.abc import Iterable
 
 from bringup_lint.config import Config
@@ -13,6 +12,7 @@ from bringup_lint.fleet.fleet import Fleet
 from bringup_lint.fleet.fleet import FleetFinding
 from bringup_lint.fleet.members import Accepted
 from bringup_lint.fleet.silence import Silence
+from bringup_lint.isolation import failure
 from bringup_lint.registry import Registry
 from bringup_lint.registry import Rule
 from bringup_lint.selection import Selection
@@ -50,7 +50,7 @@ def judge(
         try:
             findings += (silence.apply(_graded(each, rule, selection)) for each in rule.check(fleet))
         except Exception as error:
-            failures[rule.id] = _failure(rule, error)
+            failures[rule.id] = failure(f"rule {rule.id}", error)
     if selection.runs(UNUSED):
         rules[UNUSED] = registry[UNUSED]
         said = silence.complaints(
@@ -72,11 +72,6 @@ def _silence(accepted: Iterable[Accepted], config: Config, selection: Selection)
     known = tuple(replace(each, rule=selection.id_of(each.rule)) for each in accepted)
     files = file_ignores(config.per_file_ignores, source_of(config), means)
     return Silence(known, files)
-
-
-def _failure(rule: Rule, error: Exception) -> str:
-    frame = traceback.extract_tb(error.__traceback__)[-1]
-    return f"rule {rule.id} failed: {type(error).__name__} in {frame.filename.rpartition('/')[2]}:{frame.lineno}"
 
 
 def _graded(found: FleetFinding, rule: Rule, selection: Selection) -> FleetFinding:

@@ -76,14 +76,14 @@ def callback_misfit(robot: Robot) -> Iterator[Finding]:
         )
 
 
-def _end(robot: Robot, unfit: nodes.Unfit) -> str:
+def _end(robot: Robot, unfit: nodes.UnfitCallback) -> str:
     """What ends, in words; empty where several threads run callbacks."""
     if robot.nodes.threads(unfit.node) == "several":
         return ""
     return ", and " + nodes.end_of_callbacks(robot.nodes.syntax(unfit.file))
 
 
-def _message(unfit: nodes.Unfit, exits: str) -> str:
+def _message(unfit: nodes.UnfitCallback, exits: str) -> str:
     match unfit.what:
         case "called":
             return f"{unfit.name}() runs here once and gives None: {_of_none(unfit.callback.role)}"
@@ -106,7 +106,7 @@ def _of_none(role: str) -> str:
     return "the node exits" if role == "subscription" else "TypeError with the first request"
 
 
-def _advice(unfit: nodes.Unfit) -> str:
+def _advice(unfit: nodes.UnfitCallback) -> str:
     match unfit.what:
         case "called":
             return f"hand over self.{unfit.name}, without parentheses"

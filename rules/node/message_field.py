@@ -70,7 +70,7 @@ def message_field(robot: Robot) -> Iterator[Finding]:
                 related=[note(types.file.span_of(each.place), "the same") for each in rest],
                 severity=of_values if lacking.given else severity,
             )
-        for first, *others in nodes.misfits(types, robot.target.ros):
+        for first, *others in nodes.wrong_fields(types, robot.target.ros):
             spans = [types.file.span_of(each.value) for each in (first, *others)]
             better = nodes.converted(first, spans[0].text)
             edits = [(each, nodes.converted(first, each.text) or each.text) for each in spans]

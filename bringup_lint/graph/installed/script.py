@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
 
@@ -101,10 +102,10 @@ def runs(source: Source) -> Iterator[Run | Written]:
     """What a script does, in its order."""
     statements = script_blocks(source)
     reader = _Reader(_constants(statements), has_root=bool(_NEEDS_ROOT.search(source.text)))
-    yield from reader.all(statements, True, 0)
+    yield from reader.statements(statements, True, 0)
     for name, body in list(reader.functions.items()):
         if name not in reader.called:
-            yield from reader.all(body, False, 1)
+            yield from reader.statements(body, False, 1)
 
 
 def _constants(statements: tuple[Block, ...]) -> dict[str, str | None]:
@@ -135,6 +136,15 @@ def _is_refused(block: Block, did: Written) -> bool:
     return by_tee and _OF_ROOT.match(did.path) is not None
 
 
+def _without_sudo(words: tuple[Located, ...]) -> tuple[tuple[Located, ...], bool]:
+    """The words of the program that runs in the end, without those that start it, and whether it runs as root."""
+    by_root = False
+    while words and (_AS_ROOT.fullmatch(words[0]) or unwrapped(words) != words):
+        by_root |= bool(_AS_ROOT.fullmatch(words[0])) or program_name(words[0]) == "sudo"
+        words = words[1:] if _AS_ROOT.fullmatch(words[0]) else unwrapped(words)
+    return words, by_root
+
+
 @dataclass
 class _Reader:
     values: dict[str, str | None]
@@ -144,20 +154,20 @@ class _Reader:
     """The script asks for root to start it."""
     budget: int = STEPS
 
-    def all(self, statements: Iterable[Block], certain: bool, depth: int) -> Iterator[Run | Written]:
+    def statements(self, body: Iterable[Block], certain: bool, depth: int) -> Iterator[Run | Written]:
         piped: Text | None = None
         guarded = False
         sudo = False
-        for block in statements:
+        for block in body:
             self.budget -= 1
             if self.budget < 0 or depth > _DEPTH:
                 return
-            for did in self.one(block, certain and not guarded, piped, depth):
+            for did in self.statement(block, certain and not guarded, piped, depth):
                 if sudo and isinstance(did, Written) and _is_refused(block, did):
                     did = did._replace(refused=True)
                 yield did
             ends = block.command.ends if block.command else block.ends
-            piped = self.output(block, piped) if ends == "|" else None
+            piped = self.standard_output(block, piped) if ends == "|" else None
             sudo = ends == "|" and (sudo or self.is_sudo(block.command))
             tested = block.command is not None and block.command.name in _TESTS
             guarded = ends == "||" or (ends in ("&&", "|") and (guarded or (tested and ends == "&&")))
@@ -166,26 +176,22 @@ class _Reader:
         """Whether a command asks for root itself, so that the script is not run by root."""
         return command is not None and bool(command.words) and command.words[0] == "sudo" and not self.has_root
 
-    def one(self, block: Block, certain: bool, piped: Text | None, depth: int) -> Iterator[Run | Written]:
+    def statement(self, block: Block, certain: bool, piped: Text | None, depth: int) -> Iterator[Run | Written]:
         if block.kind == "function":
             self.functions[block.name] = block.bodies[0]
         elif block.command is not None:
             yield from self.command(block.command, certain, piped, depth)
         elif block.kind in ("branches", "for", "loop"):
-            yield from self.all(block.condition, certain, depth + 1)
+            yield from self.statements(block.condition, certain, depth + 1)
             for body in block.bodies:
-                yield from self.all(body, False, depth + 1)
+                yield from self.statements(body, False, depth + 1)
         elif block.kind == "group":
-            yield from self.all(block.bodies[0], certain, depth + 1)
-            yield from self.redirected(block.redirects, lambda: self.output(block, None), certain)
+            yield from self.statements(block.bodies[0], certain, depth + 1)
+            yield from self.redirected(block.redirects, lambda: self.standard_output(block, None), certain)
 
     def command(self, command: Command, certain: bool, piped: Text | None, depth: int) -> Iterator[Run | Written]:
-        words = command.words
-        by_root = False
-        while words and (_AS_ROOT.fullmatch(words[0]) or unwrapped(words) != words):
-            by_root |= bool(_AS_ROOT.fullmatch(words[0])) or program_name(words[0]) == "sudo"
-            words = words[1:] if _AS_ROOT.fullmatch(words[0]) else unwrapped(words)
-        given = self.given(command, piped)
+        words, by_root = _without_sudo(command.words)
+        given = self.standard_input(command, piped)
         yield Run(command, words, certain, self.values, given, by_root)
         name = program_name(words[0]) if words else ""
         if name == "tee":
@@ -194,7 +200,7 @@ class _Reader:
             yield from self.shell(words, certain, depth, by_root)
         elif name in self.functions and name not in self.called:
             self.called.add(name)
-            yield from self.all(self.functions[name], certain, depth + 1)
+            yield from self.statements(self.functions[name], certain, depth + 1)
         for each in self.redirected(command.redirects, lambda: self.printed(words, given), certain):
             yield each._replace(refused=True) if self.is_sudo(command) and _OF_ROOT.match(each.path) else each
 
@@ -202,7 +208,7 @@ class _Reader:
         read = shell_input(words[1:])
         if read is not None and read.text is not None:
             shell = program_name(words[0])
-            for did in self.all(blocks(read.text), certain, depth + 1):
+            for did in self.statements(blocks(read.text), certain, depth + 1):
                 if isinstance(did, Run):
                     yield did._replace(shell=did.shell or shell, by_root=did.by_root or by_root)
                 else:
@@ -214,13 +220,14 @@ class _Reader:
             if not word.startswith("-"):
                 yield Written(plain(word, self.values), given, appends, word, certain, by_shell=False)
 
-    def redirected(self, redirects: Iterable[Redirect], output: object, certain: bool) -> Iterator[Written]:
+    def redirected(
+        self, redirects: Iterable[Redirect], output: Callable[[], Text | None], certain: bool
+    ) -> Iterator[Written]:
         for each in redirects:
             if each.writes and each.target is not None and each.target != "/dev/null":
-                text = output() if callable(output) else None
-                yield Written(plain(each.target, self.values), text, each.appends, each.target, certain)
+                yield Written(plain(each.target, self.values), output(), each.appends, each.target, certain)
 
-    def given(self, command: Command, piped: Text | None) -> Text | None:
+    def standard_input(self, command: Command, piped: Text | None) -> Text | None:
         for each in command.redirects:
             if each.document is not None:
                 return document(each.document, self.values)
@@ -241,17 +248,15 @@ class _Reader:
             return given
         return None
 
-    def output(self, block: Block, piped: Text | None) -> Text | None:
+    def standard_output(self, block: Block, piped: Text | None) -> Text | None:
         if block.command is not None:
-            words = block.command.words
-            while words and (_AS_ROOT.fullmatch(words[0]) or unwrapped(words) != words):
-                words = words[1:] if _AS_ROOT.fullmatch(words[0]) else unwrapped(words)
-            return self.printed(words, self.given(block.command, piped))
+            words, _ = _without_sudo(block.command.words)
+            return self.printed(words, self.standard_input(block.command, piped))
         if block.kind != "group":
             return None
         whole = Text()
         for each in block.bodies[0]:
-            text = self.output(each, None)
+            text = self.standard_output(each, None)
             if text is None:
                 return None
             whole.extend(text)

@@ -33,7 +33,7 @@ _ANSWERS = {"service": "the response", "parameters": "a SetParametersResult"}
 _ENDS = frozenset({"succeed", "abort", "canceled"})
 
 
-class Unfit(NamedTuple):
+class UnfitCallback(NamedTuple):
     file: NodeSource
     node: NodeClass
     callback: Callback
@@ -46,7 +46,7 @@ class Unfit(NamedTuple):
     """What the caller hands over, or needs."""
 
 
-def unfit_callbacks(nodes: Nodes) -> Iterator[Unfit]:
+def unfit_callbacks(nodes: Nodes) -> Iterator[UnfitCallback]:
     """Each callback once, whatever else it is registered for."""
     overridden = _overridden(nodes)
     for file, node in nodes.with_callbacks:
@@ -71,25 +71,25 @@ def _overridden(nodes: Nodes) -> set[tuple[NodeClass, str]]:
     }
 
 
-def _unfit(nodes: Nodes, file: NodeSource, node: NodeClass, callback: Callback) -> Iterator[Unfit]:
+def _unfit(nodes: Nodes, file: NodeSource, node: NodeClass, callback: Callback) -> Iterator[UnfitCallback]:
     text = callback.span.text
     match = _CALLED.match(text)
     if match is not None and callback.role in ("timer", "subscription", "service"):
         method = node.method(match["name"])
         if method is not None and _gives_nothing(method):
-            yield Unfit(file, node, callback, callback.span, "called", match["name"], "")
+            yield UnfitCallback(file, node, callback, callback.span, "called", match["name"], "")
         return
     method = node.methods.get(callback.name) if callback.name is not None and text == f"self.{callback.name}" else None
     if method is None or method.decorators or _is_stub(method.node):
         return
     taken = _taken(nodes, node, callback)
     if taken is not None and not _takes(method.node, *taken[0]):
-        yield Unfit(file, node, callback, method.name.span, "arguments", method.name, taken[1])
+        yield UnfitCallback(file, node, callback, method.name.span, "arguments", method.name, taken[1])
     answer = _ANSWERS.get(callback.role)
     if answer is not None and _gives_nothing(method):
-        yield Unfit(file, node, callback, method.name.span, "answer", method.name, answer)
+        yield UnfitCallback(file, node, callback, method.name.span, "answer", method.name, answer)
     if callback.role == "action" and _leaves_goal_open(nodes.syntax(file), node, method.node):
-        yield Unfit(file, node, callback, method.name.span, "goal", method.name, "")
+        yield UnfitCallback(file, node, callback, method.name.span, "goal", method.name, "")
 
 
 def _taken(nodes: Nodes, node: NodeClass, callback: Callback) -> tuple[tuple[int, int], str] | None:

@@ -52,7 +52,7 @@ class NoField(NamedTuple):
     """What the exception ends, in words."""
 
 
-class Misfit(NamedTuple):
+class WrongField(NamedTuple):
     """A value of another type than the field has."""
 
     value: ast.expr
@@ -95,40 +95,40 @@ def _lacking(
     yield NoField(place, name, owner, tuple(fields), isinstance(place, ast.keyword), _end(types, place))
 
 
-def misfits(types: MessageTypes, distribution: str | None) -> Iterator[list[Misfit]]:
+def wrong_fields(types: MessageTypes, distribution: str | None) -> Iterator[list[WrongField]]:
     """The values that do not fit, those of one function, field type and value type together."""
-    groups: dict[tuple[ast.AST | None, str, str], list[Misfit]] = {}
-    for each in _misfits(types):
+    groups: dict[tuple[ast.AST | None, str, str], list[WrongField]] = {}
+    for each in _wrong_fields(types):
         is_zero = each.wanted.startswith(("float", "bool")) and _literal(types, each.value) == 0
         if distribution in (None, *_CHECKING) or not is_zero:
             groups.setdefault((types.syntax.function(each.value), each.wanted, each.got), []).append(each)
     yield from groups.values()
 
 
-def _misfits(types: MessageTypes) -> Iterator[Misfit]:
+def _wrong_fields(types: MessageTypes) -> Iterator[WrongField]:
     placed = (each for each in types.file.nodes if isinstance(each, (ast.Assign, ast.Call)))
     for node in sorted(placed, key=lambda each: (each.lineno, each.col_offset)):
         if isinstance(node, ast.Assign):
             for target in node.targets:
                 if isinstance(target, ast.Attribute):
-                    yield from _misfit(types, types.of(target.value), target.attr, node.value)
+                    yield from _of_wrong_type(types, types.of(target.value), target.attr, node.value)
         elif isinstance(node, ast.Call):
             made = types.made(node)
             for each in node.keywords:
                 if each.arg is not None:
-                    yield from _misfit(types, made, each.arg, each.value)
+                    yield from _of_wrong_type(types, made, each.arg, each.value)
 
 
-def consequence(misfit: Misfit, distribution: str | None) -> str:
+def consequence(wrong: WrongField, distribution: str | None) -> str:
     """What happens when the value is set, in words."""
-    match = _WANTED.match(misfit.wanted)
+    match = _WANTED.match(wrong.wanted)
     later = _UNCHECKED[match.lastgroup or ""] if match is not None else "publish() raises AttributeError"
-    if misfit.got == OUT_OF_RANGE:
+    if wrong.got == OUT_OF_RANGE:
         later = "another number is sent"
     if distribution in _CHECKING:
-        return f"AssertionError, and {misfit.end}"
+        return f"AssertionError, and {wrong.end}"
     return (
-        later if distribution is not None else f"in Humble AssertionError, and {misfit.end}; in newer releases {later}"
+        later if distribution is not None else f"in Humble AssertionError, and {wrong.end}; in newer releases {later}"
     )
 
 
@@ -137,11 +137,11 @@ def is_checked(distribution: str | None) -> bool:
     return distribution is None or distribution in _CHECKING
 
 
-def converted(misfit: Misfit, text: str) -> str | None:
+def converted(wrong: WrongField, text: str) -> str | None:
     """The value as the field wants it; None when that is not plain."""
-    if misfit.got == _CLOCK:
+    if wrong.got == _CLOCK:
         return f"{text}.to_msg()"
-    if misfit.wanted.startswith("float") and misfit.got == _WORDS["int"] and text.lstrip("-").isdigit():
+    if wrong.wanted.startswith("float") and wrong.got == _WORDS["int"] and text.lstrip("-").isdigit():
         return f"{text}.0"
     return None
 
@@ -150,7 +150,7 @@ def _has(fields: Mapping[str, str], name: str) -> bool:
     return name in fields or name in _OF_EVERY_MESSAGE or name.startswith("_")
 
 
-def _misfit(types: MessageTypes, owner: str | None, name: str, value: ast.expr) -> Iterator[Misfit]:
+def _of_wrong_type(types: MessageTypes, owner: str | None, name: str, value: ast.expr) -> Iterator[WrongField]:
     fields = types.interfaces.fields(owner) if owner is not None else None
     wanted = (fields or {}).get(name, "")
     if not wanted or wanted in (CONSTANT, "?") or types.syntax.is_dead(value):
@@ -158,7 +158,7 @@ def _misfit(types: MessageTypes, owner: str | None, name: str, value: ast.expr) 
     for arm in _arms(value):
         got = _wrong(types, wanted, arm)
         if got is not None:
-            yield Misfit(arm, name, wanted, _WORDS.get(got, got), _end(types, value))
+            yield WrongField(arm, name, wanted, _WORDS.get(got, got), _end(types, value))
             return
 
 

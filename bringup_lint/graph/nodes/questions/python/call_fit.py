@@ -66,7 +66,7 @@ def _in_file(file: NodeSource, syntax: Syntax, overridden: set[tuple[str, str]])
         definition = known.of(call)
         if definition is None or syntax.catches(call, _EXPECTED) or syntax.is_dead(call):
             continue
-        wrong = misfit(call, definition.args, isinstance(syntax.definition(definition), ast.ClassDef))
+        wrong = _misfit(call, definition.args, isinstance(syntax.definition(definition), ast.ClassDef))
         if wrong is not None:
             function = syntax.function(call)
             named = function.name if function is not None else None
@@ -123,7 +123,7 @@ class _Known:
         return found[0] if len(found) == 1 else None
 
 
-def misfit(call: ast.Call, taken: ast.arguments, is_method: bool) -> str | None:
+def _misfit(call: ast.Call, taken: ast.arguments, is_method: bool) -> str | None:
     """What is wrong with the arguments of a call, in words; None when nothing is, or ``*`` may hide some."""
     if any(isinstance(each, ast.Starred) for each in call.args) or any(each.arg is None for each in call.keywords):
         return None

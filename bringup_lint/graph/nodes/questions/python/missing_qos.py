@@ -1,4 +1,4 @@
-"""Calls of rclpy whose arguments do not fit: they raise a TypeError when they run."""
+"""Publishers and subscriptions without a quality of service: rclpy raises a TypeError when they are made."""
 
 from __future__ import annotations
 
@@ -13,22 +13,22 @@ _NEEDED = {"create_publisher": 3, "create_subscription": 4}
 _QOS = "qos_profile"
 
 
-class Misfit(NamedTuple):
+class MissingQos(NamedTuple):
     call: ast.Call
     wrong: str
     """What is wrong with it, in words."""
 
 
-def without_qos(syntax: Syntax) -> Iterator[list[Misfit]]:
+def without_qos(syntax: Syntax) -> Iterator[list[MissingQos]]:
     """Publishers and subscriptions of the classes of a file that get no quality of service, those of one function
     together: the first one keeps the others from being reached."""
-    groups: dict[ast.AST | None, list[Misfit]] = {}
+    groups: dict[ast.AST | None, list[MissingQos]] = {}
     for found in _without_qos(syntax):
         groups.setdefault(syntax.function(found.call), []).append(found)
     yield from groups.values()
 
 
-def _without_qos(syntax: Syntax) -> Iterator[Misfit]:
+def _without_qos(syntax: Syntax) -> Iterator[MissingQos]:
     made = {each.span.start: node for node in syntax.file.classes for each in node.endpoints}
     for call in syntax.calls:
         name = call.func.attr if isinstance(call.func, ast.Attribute) else ""
@@ -37,9 +37,9 @@ def _without_qos(syntax: Syntax) -> Iterator[Misfit]:
             continue
         given = {each.arg for each in call.keywords}
         if "queue_size" in given:
-            yield Misfit(call, "has no argument 'queue_size'")
+            yield MissingQos(call, "has no argument 'queue_size'")
         elif _QOS not in given and len(call.args) + len(given) < _NEEDED[name]:
-            yield Misfit(call, f"needs '{_QOS}'")
+            yield MissingQos(call, f"needs '{_QOS}'")
 
 
 def _is_overridden(node: NodeClass, name: str) -> bool:
