@@ -37,7 +37,7 @@ def declarations_at(robot: Robot, source: Source, offset: int) -> list[Span]:
 def _found(robot: Robot, source: Source, offset: int) -> Iterator[Span]:
     for started in robot.launch.nodes:
         yield from _of_started(robot, started, source, offset)
-    for file in robot.params.files:
+    for file in robot.params.parameter_files:
         if file.source is source:
             yield from _of_key(robot, file, offset)
     yield from _of_call(robot, source, offset)
@@ -128,7 +128,7 @@ def _of_call(robot: Robot, source: Source, offset: int) -> Iterator[Span]:
 
 
 def _values(robot: Robot, package: Package, name: str) -> Iterator[Span]:
-    for file in robot.params.files:
+    for file in robot.params.parameter_files:
         for parameter in file.parameters:
             if parameter.name == name and package.name in _readers(robot, file, parameter):
                 yield parameter.key.span

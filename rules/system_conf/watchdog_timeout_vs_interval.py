@@ -49,7 +49,7 @@ DEFAULT_TIMEOUT = 60
     ],
 )
 def watchdog_timeout_vs_interval(robot: Robot) -> Iterator[Finding]:
-    for settings in robot.watchdog.files:
+    for settings in robot.watchdog.settings:
         interval, timeout = settings.get("interval"), settings.get("watchdog-timeout")
         if interval is None or not interval.isdecimal() or (timeout is not None and not timeout.isdecimal()):
             continue

@@ -118,7 +118,7 @@ def loose(value):
 def started(name: str) -> list[dict]:
     """What we say that a file starts."""
     launch = robot().launch
-    (file,) = [file for file in launch.files if Path(file.source.name).name == name]
+    (file,) = [file for file in launch.launch_files if Path(file.source.name).name == name]
     return [
         described(node)
         for node in launch.expansion(file).nodes

@@ -73,7 +73,7 @@ def ours(files: list[Path]) -> dict[str, dict[str, Environment]]:
     launch = Robot(discover([str(files[0].parent)])).launch
     found = {}
     for path in files:
-        (file,) = [file for file in launch.files if Path(file.source.name).name == path.name]
+        (file,) = [file for file in launch.launch_files if Path(file.source.name).name == path.name]
         processes = launched(launch.expansion(file), base)
         found[str(path)] = {process_name(each.node): each.environment for each in processes}
     return found

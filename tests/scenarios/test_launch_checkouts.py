@@ -55,6 +55,6 @@ def test_most_nodes_are_understood(repository: str, monkeypatch: pytest.MonkeyPa
     nodes = [node for expansion in robot.launch.expansions for node in expansion.nodes if node.is_node]
     assert robot.failures == []
     share = sum(map(resolved, nodes)) / len(nodes) if nodes else 1.0
-    print(f"{repository}: {len(robot.launch.files)} launch files, {len(nodes)} nodes, {share:.1%} resolved")
+    print(f"{repository}: {len(robot.launch.launch_files)} launch files, {len(nodes)} nodes, {share:.1%} resolved")
     if repository in WANTED:
         assert share >= 0.9

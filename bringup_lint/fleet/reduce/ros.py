@@ -56,7 +56,7 @@ def _inside(said: Statements, source: Source) -> str:
 
 
 def parameters(said: Statements) -> None:
-    for file in said.robot.params.files:
+    for file in said.robot.params.parameter_files:
         if not file.is_certain or file.source.template or _CALIBRATION.search(_inside(said, file.source)):
             continue
         for parameter in file.parameters:

@@ -63,7 +63,7 @@ def _parameter_file(tree: Tree, path: str) -> Node:
 
 
 def launch_places(launch: Launch) -> Iterator[tuple[Node, Span]]:
-    for file in launch.files:
+    for file in launch.launch_files:
         yield launch_file_node(file), file_place(file.source)
     for expansion in launch.entries:
         for node in expansion.nodes:

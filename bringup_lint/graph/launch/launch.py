@@ -101,19 +101,19 @@ class Launch:
     """Every launch file of ROS 2 in the tree, and the expansion of each, with the file as the entry."""
 
     def __init__(self, files: Files) -> None:
-        self._tree_files = files
+        self.files = files
 
     @cached_property
-    def files(self) -> list[LaunchFile]:
+    def launch_files(self) -> list[LaunchFile]:
         """The launch files of ROS 2 in the tree."""
-        return [file for source in self._tree_files.of_kind(*LAUNCH) for file in self._parsed(source)]
+        return [file for source in self.files.of_kind(*LAUNCH) for file in self._parsed(source)]
 
     def _parsed(self, source: Source) -> list[LaunchFile]:
-        return self._tree_files.parsed(_parser(source.kind), [source])
+        return self.files.parsed(_parser(source.kind), [source])
 
     @cached_property
     def _by_path(self) -> dict[str, LaunchFile]:
-        return {file.source.absolute: file for file in self.files}
+        return {file.source.absolute: file for file in self.launch_files}
 
     def of_source(self, source: Source) -> LaunchFile | None:
         """The launch file that a source is."""
@@ -121,11 +121,11 @@ class Launch:
 
     @cached_property
     def _by_source(self) -> dict[Source, LaunchFile]:
-        return {file.source: file for file in self.files}
+        return {file.source: file for file in self.launch_files}
 
     @cached_property
     def workspace(self) -> Workspace:
-        return load_workspace(self._tree_files)
+        return load_workspace(self.files)
 
     @property
     def judged(self) -> list[LaunchFile]:
@@ -134,7 +134,7 @@ class Launch:
 
     @cached_property
     def _judged(self) -> list[LaunchFile]:
-        files = [file for file in self.files if file.source.judged and not file.source.template]
+        files = [file for file in self.launch_files if file.source.judged and not file.source.template]
         owners = [self.workspace.owner(file.source) for file in files]
         return [file for file, owner in zip(files, owners) if owner is None or not owner.manifest.is_ros1]
 
@@ -145,7 +145,7 @@ class Launch:
 
     @cached_property
     def _unseen(self) -> frozenset[int]:
-        return frozenset(id(file) for file in self.files if file.reads_all or _substitutes(file))
+        return frozenset(id(file) for file in self.launch_files if file.reads_all or _substitutes(file))
 
     @memo
     def place(self, value: Value) -> Place | None:
@@ -166,12 +166,12 @@ class Launch:
         found = self.find(value)
         if found is None or found.file is None:
             return None
-        return self._by_path.get(found.file) or self._by_path.get(self._tree_files.tree.real_path(found.file))
+        return self._by_path.get(found.file) or self._by_path.get(self.files.tree.real_path(found.file))
 
     @cached_property
     def _mentions(self) -> dict[str, set[int]]:
         found: dict[str, set[int]] = {}
-        for file in self.files:
+        for file in self.launch_files:
             for name in _LAUNCH_FILE.findall(file.source.text):
                 found.setdefault(name, set()).add(id(file))
         return found
@@ -199,7 +199,7 @@ class Launch:
     @cached_property
     def _by_folder(self) -> dict[str, list[int]]:
         found: dict[str, list[int]] = {}
-        for file in self.files:
+        for file in self.launch_files:
             found.setdefault(os.path.dirname(file.source.absolute), []).append(id(file))
         return found
 
@@ -208,7 +208,7 @@ class Launch:
         """File (by ``id``) and name of a launch file -> the files of this name that it is known to include."""
         found: dict[tuple[int, str], set[int]] = {}
         resolver = Resolver(Scope())
-        for file in self.files:
+        for file in self.launch_files:
             for action in walk_actions(file.actions):
                 if isinstance(action, Include):
                     target = self.locate(resolver.value(action.file))
@@ -218,7 +218,7 @@ class Launch:
 
     @cached_property
     def _all(self) -> dict[int, Expansion]:
-        return {id(file): self.expand(file) for file in self.files[:EXPANSIONS]}
+        return {id(file): self.expand(file) for file in self.launch_files[:EXPANSIONS]}
 
     @property
     def expansions(self) -> Iterator[Expansion]:
@@ -228,7 +228,7 @@ class Launch:
     @property
     def entries(self) -> Iterator[Expansion]:
         """Only the files that no other file includes."""
-        return (self._all[id(file)] for file in self.files[:EXPANSIONS] if id(file) not in self.included)
+        return (self._all[id(file)] for file in self.launch_files[:EXPANSIONS] if id(file) not in self.included)
 
     def leading_to(self, file: LaunchFile) -> Iterator[Expansion]:
         """The expansions in which a file is read."""
@@ -256,7 +256,9 @@ class Launch:
     @cached_property
     def _actions_left(self) -> int:
         """How many actions may still be expanded in this run: enough for every file to be included many times."""
-        return max(MINIMUM_OF_RUN, ACTIONS_OF_RUN * sum(1 for file in self.files for _ in walk_actions(file.actions)))
+        return max(
+            MINIMUM_OF_RUN, ACTIONS_OF_RUN * sum(1 for file in self.launch_files for _ in walk_actions(file.actions))
+        )
 
     @property
     def nodes(self) -> Iterator[Started]:
@@ -272,7 +274,7 @@ class Launch:
         """Files in the syntax of ROS 1, read as if they were of ROS 2."""
         from bringup_lint.parsers.launch_xml import parse
 
-        return self._tree_files.parsed(parse, self._tree_files.of_kind("launch-ros1"))
+        return self.files.parsed(parse, self.files.of_kind("launch-ros1"))
 
     @memo
     def references(self, file: LaunchFile) -> list[Reference]:
@@ -293,7 +295,7 @@ class Launch:
 
         of_ros1 = {name.span.start for name in file.ros1}
         renamed = any(name in ("type", "value") for name in file.ros1)
-        every = refusals(file, self._tree_files.target.ros)
+        every = refusals(file, self.files.target.ros)
         found = [each for each in every if not _is_ros1(each, of_ros1, renamed)]
         if any(each.extension for each in found) and self._extends_launch:
             found = [each for each in found if not each.extension]
@@ -302,7 +304,7 @@ class Launch:
     @cached_property
     def _extends_launch(self) -> bool:
         """Whether a package of the tree adds tags or substitutions to launch."""
-        builds = self._tree_files.of_kind("setup-py", "setup-cfg")
+        builds = self.files.of_kind("setup-py", "setup-cfg")
         return any("launch.frontend.launch_extension" in source.text for source in builds)
 
     def files_of(self, package: Package) -> list[LaunchFile]:
@@ -312,14 +314,14 @@ class Launch:
     @cached_property
     def _by_package(self) -> dict[int, list[LaunchFile]]:
         found: dict[int, list[LaunchFile]] = {}
-        for file in self.files:
+        for file in self.launch_files:
             found.setdefault(id(self.workspace.owner(file.source)), []).append(file)
         return found
 
     def yaml_names(self, package: Package) -> list[str]:
         """The names of the YAML files that a package installs, or of all that it holds."""
         names = set()
-        for name in self._tree_files.tree.names_below(package.folder, depth=8):
+        for name in self.files.tree.names_below(package.folder, depth=8):
             if name.endswith((".yaml", ".yml")):
                 names.add(name)
             if len(names) > 1000:
@@ -328,7 +330,7 @@ class Launch:
 
     def path_of(self, name: str, package: Package) -> str:
         """Where a package has a file of this name; the name itself when that is not known."""
-        paths = (os.path.relpath(path, package.folder) for path in self._tree_files.tree.named(name))
+        paths = (os.path.relpath(path, package.folder) for path in self.files.tree.named(name))
         return next((path for path in sorted(paths) if not path.startswith("..")), name)
 
     def read_in(self, files: Iterable[LaunchFile]) -> set[str]:
@@ -337,13 +339,13 @@ class Launch:
 
     @cached_property
     def _reads(self) -> dict[int, frozenset[str]]:
-        return {id(file): frozenset(str(argument.name) for argument in file.reads) for file in self.files}
+        return {id(file): frozenset(str(argument.name) for argument in file.reads) for file in self.launch_files}
 
     @cached_property
     def _readers(self) -> dict[str, list[LaunchFile]]:
         """Launch configuration -> the files that read it."""
         found: dict[str, list[LaunchFile]] = {}
-        for file in self.files:
+        for file in self.launch_files:
             for name in self._reads[id(file)]:
                 found.setdefault(name, []).append(file)
         return found
@@ -378,8 +380,8 @@ class Launch:
     @memo
     def code_of(self, folder: str) -> str:
         """The sources of the nodes below a folder."""
-        paths = (path for path in self._tree_files.tree.walked_below(folder) if path.endswith(_CODE))
-        return "\n".join(self._tree_files.tree.head(path, _MOST_CODE) for path in paths)
+        paths = (path for path in self.files.tree.walked_below(folder) if path.endswith(_CODE))
+        return "\n".join(self.files.tree.head(path, _MOST_CODE) for path in paths)
 
     @memo
     def asks_for_share(self, folder: str) -> bool:
@@ -393,7 +395,7 @@ class Launch:
 
     def names_near(self, file: LaunchFile) -> frozenset[str]:
         """The bare names of all nodes that the launch files of one robot or variant start."""
-        near = (each for each in self.expansions if self._tree_files.same_robot(each.entry.source, file.source))
+        near = (each for each in self.expansions if self.files.same_robot(each.entry.source, file.source))
         return frozenset(self._names(near))
 
     def _names(self, expansions: Iterable[Expansion]) -> Iterator[str]:
@@ -422,14 +424,14 @@ class Launch:
     @cached_property
     def _switching(self) -> list[str]:
         """The texts of the programs that change the states of nodes."""
-        texts = (source.said for source in self._tree_files.of_kind(*_PROGRAMS))
+        texts = (source.said for source in self.files.of_kind(*_PROGRAMS))
         return [text for text in texts if any(word in text for word in _SWITCH_WORDS) and _SWITCHES.search(text)]
 
     @memo
     def role(self, node: Started) -> Role:
         """What is known about a node's program."""
         program = literal_text(node.plugin) or literal_text(node.executable)
-        return role_of(literal_text(node.package), program, self._tree_files.target.ros)
+        return role_of(literal_text(node.package), program, self.files.target.ros)
 
     def as_lifecycle_node(self, node: Started) -> Span | None:
         """Where a launch file of the tree starts the program of a node as a ``LifecycleNode``."""
@@ -449,8 +451,8 @@ class Launch:
         """Where launch files and scripts of the robot start a file and leave an argument to its default."""
         yield from self._included_without(file, name)
         command = re.compile(rf"ros2 launch [^\n;&|]*\b{re.escape(file.source.basename)}(?![\w.])[^\n;&|\"']*")
-        for script in self._tree_files.of_kind("shell-script"):
-            if self._tree_files.purpose(script) is not Purpose.ROBOT:
+        for script in self.files.of_kind("shell-script"):
+            if self.files.purpose(script) is not Purpose.ROBOT:
                 continue
             yield from (
                 script.span(*match.span()) for match in command.finditer(script.text) if f"{name}:=" not in match[0]
@@ -475,7 +477,7 @@ class Launch:
     @memo
     def simulated(self, file: LaunchFile) -> bool:
         """Whether a launch file is for a simulator, a test or a look at a model: by its path, or by what it starts."""
-        if self._tree_files.purpose(file.source) is not Purpose.ROBOT or _VIEW.search(file.source.name):
+        if self.files.purpose(file.source) is not Purpose.ROBOT or _VIEW.search(file.source.name):
             return True
         expansion = self.expansion(file)
         packages = {str(literal_text(node.package)) for node in expansion.nodes if node.by_default is not False}
@@ -528,7 +530,7 @@ class Launch:
     def _by_name(self) -> dict[str, list[LaunchFile]]:
         """The launch files by the last parts of their paths."""
         found: dict[str, list[LaunchFile]] = {}
-        for file in self.files:
+        for file in self.launch_files:
             found.setdefault(file.source.basename, []).append(file)
         return found
 
@@ -546,7 +548,7 @@ class Launch:
     def is_unrun_test(self, source: Source) -> bool:
         """Whether a launch file is one for tests that the build of its package does not name."""
         owner = self.workspace.owner(source)
-        if self._tree_files.purpose(source) is not Purpose.TEST or owner is None or not owner.builds:
+        if self.files.purpose(source) is not Purpose.TEST or owner is None or not owner.builds:
             return False
         return not any(source.basename in _REMARK.sub("", each.source.text) for each in owner.builds)
 
@@ -560,7 +562,7 @@ class Launch:
 
     def names_of(self, module: str) -> frozenset[str] | None:
         """The public names of a module of launch or launch_ros; None when the module is not one of theirs."""
-        return launch_api.names(module, self._tree_files.target.ros)
+        return launch_api.names(module, self.files.target.ros)
 
     def looks_at_distribution(self, file: LaunchFile) -> bool:
         """Whether a file asks itself which distribution runs, or catches what another one raises."""
@@ -568,13 +570,13 @@ class Launch:
 
     def distribution(self, file: LaunchFile) -> str | None:
         """The distribution that a file is for, by its name, else that of the robot; None when it is not known."""
-        return distros.named_in(file.source.basename) or self._tree_files.target.ros
+        return distros.named_in(file.source.basename) or self.files.target.ros
 
     def refused_calls(self, file: LaunchFile) -> list[RefusedCall]:
         """The calls in a Python file that end with an exception; none when the file may catch it."""
         if self.looks_at_distribution(file):
             return []
-        is_foxy = self._tree_files.target.ros == "foxy"
+        is_foxy = self.files.target.ros == "foxy"
         return [each for each in file.calls_refused if not (is_foxy and each.code == "missing")]
 
     def removed_keywords(self, file: LaunchFile) -> Iterator[OldKeyword]:

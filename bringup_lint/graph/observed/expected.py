@@ -123,7 +123,7 @@ def launch_file(tree: Tree, launch: Launch, command: str) -> LaunchFile | None:
     named = [word for word in shlex.split(command) if ":=" not in word]
     if len(named) == 1:
         path = tree.real_path(named[0])
-        found = [file for file in launch.files if tree.real_path(file.source.name) == path]
+        found = [file for file in launch.launch_files if tree.real_path(file.source.name) == path]
         return found[0] if found else launch.named(None, named[0])
     return launch.named(named[0], named[1]) if len(named) == 2 else None
 

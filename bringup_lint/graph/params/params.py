@@ -57,23 +57,23 @@ class Params:
     """The parameter files of a tree. ``launch`` is asked only where launch files may load one."""
 
     def __init__(self, files: Files, launch: Callable[[], Launch]) -> None:
-        self._tree_files = files
+        self.files = files
         self._launch = launch
 
     @property
     def distribution(self) -> str | None:
         """The distribution of ROS 2 that the tree is for."""
-        return self._tree_files.target.ros
+        return self.files.target.ros
 
     @cached_property
-    def files(self) -> list[ParameterFile]:
+    def parameter_files(self) -> list[ParameterFile]:
         """The YAML files that hold ``ros__parameters``."""
-        return self._tree_files.parsed(parse, self._tree_files.of_kind("params"))
+        return self.files.parsed(parse, self.files.of_kind("params"))
 
     @cached_property
     def judged(self) -> list[ParameterFile]:
         """Those that findings may be about: really parameter files, neither context nor templates."""
-        certain = (file for file in self.files if self.reader(file) == "rcl" or self._may_load(file))
+        certain = (file for file in self.parameter_files if self.reader(file) == "rcl" or self._may_load(file))
         return [file for file in (*certain, *self.plain) if file.source.judged and not file.source.template]
 
     def _may_load(self, file: ParameterFile) -> bool:
@@ -83,7 +83,7 @@ class Params:
     @cached_property
     def _own(self) -> frozenset[str]:
         """The files that launch files give to programs in options of their own (``--config``)."""
-        if not self._tree_files.of_kind(*LAUNCH):
+        if not self.files.of_kind(*LAUNCH):
             return frozenset()
         from bringup_lint.graph.params.loads import own_arguments
 
@@ -93,18 +93,18 @@ class Params:
     @cached_property
     def plain(self) -> list[ParameterFile]:
         """Files without any ``ros__parameters`` that a node is given all the same."""
-        sources = (self._tree_files.tree.read(path, "params") for path in sorted(self._unclaimed))
-        return self._tree_files.parsed(parse, (source for source in sources if source is not None))
+        sources = (self.files.tree.read(path, "params") for path in sorted(self._unclaimed))
+        return self.files.parsed(parse, (source for source in sources if source is not None))
 
     @cached_property
     def _unclaimed(self) -> dict[str, list[Load]]:
         """Other YAML files of the tree that rcl gets from a launch file, with who gets them."""
         found: dict[str, list[Load]] = {}
-        known = {source.absolute for source in self._tree_files.sources}
+        known = {source.absolute for source in self.files.sources}
         for load in self._all_loads:
             path = os.path.normpath(load.path)
             odd = load.how not in ("rcl", "substituted") or not path.endswith((".yaml", ".yml")) or path in known
-            if not odd and load.certain and path in self._tree_files.tree.named(os.path.basename(path)):
+            if not odd and load.certain and path in self.files.tree.named(os.path.basename(path)):
                 found.setdefault(path, []).append(load)
         return found
 
@@ -234,7 +234,7 @@ class Params:
 
         workspace = self._launch().workspace
         package = workspace.packages.get(name)
-        return list(declarations_in(self._tree_files, workspace, package)) if package else []
+        return list(declarations_in(self.files, workspace, package)) if package else []
 
     def declared_type(self, parameter: Parameter) -> str | None:
         """The type that the workspace's sources declare for a parameter; None when it is not known."""
@@ -263,7 +263,7 @@ class Params:
         names = {text_of(load.node.package) if load.node.package is not None else None for load in loads}
         packages = [self._launch().workspace.packages.get(name or "") for name in names]
         word = str(parameter.key).rpartition(".")[2]
-        return bool(packages) and all(each and not mentions(self._tree_files, each, word) for each in packages)
+        return bool(packages) and all(each and not mentions(self.files, each, word) for each in packages)
 
     def is_unknown_to_code(self, file: ParameterFile, parameter: Parameter) -> bool:
         """Whether the sources of the tree name several other parameters of the same block, and not this one: what would
@@ -289,13 +289,13 @@ class Params:
     @cached_property
     def code(self) -> list[Source]:
         """The sources of the tree that have to do with parameters."""
-        paths = [path for path in self._tree_files.tree.paths if path.endswith(_CODE)][:_MOST_SOURCES]
-        sources = (self._tree_files.tree.read(path, judged=False) for path in paths)
+        paths = [path for path in self.files.tree.paths if path.endswith(_CODE)][:_MOST_SOURCES]
+        sources = (self.files.tree.read(path, judged=False) for path in paths)
         return [source for source in sources if source is not None and "param" in source.text]
 
     @cached_property
     def _by_source(self) -> dict[int, ParameterFile]:
-        return {id(file.source): file for file in self.files}
+        return {id(file.source): file for file in self.parameter_files}
 
     @memo
     def declared_by(self, name: str | None) -> dict[str, Declared]:
@@ -304,11 +304,11 @@ class Params:
 
         workspace = self._launch().workspace
         package = workspace.packages.get(name) if name else None
-        return declared_in(self._tree_files, workspace, package) if package else {}
+        return declared_in(self.files, workspace, package) if package else {}
 
     @cached_property
     def _all_loads(self) -> list[Load]:
-        if not self._tree_files.of_kind(*LAUNCH):
+        if not self.files.of_kind(*LAUNCH):
             return []
         from bringup_lint.graph.params.loads import loads_in
 
@@ -317,16 +317,16 @@ class Params:
 
     def named_elsewhere(self, name: str, known: set[Source]) -> bool:
         """Whether a file other than the known ones and those that only build or install mentions a name."""
-        count = len(self._tree_files.sources)
+        count = len(self.files.sources)
         if count not in self._mentions:
             from bringup_lint.graph.params.mentions import Mentions
 
-            self._mentions[count] = Mentions([each for each in self._tree_files.sources if each.kind not in BUILD])
+            self._mentions[count] = Mentions([each for each in self.files.sources if each.kind not in BUILD])
         return self._mentions[count].outside(name, known)
 
     def is_launched_without(self, name: str, other: str) -> bool:
         """Whether launch files of the tree name one word and none of them another one."""
-        texts = [each.text for each in self._tree_files.of_kind(*LAUNCH)]
+        texts = [each.text for each in self.files.of_kind(*LAUNCH)]
         return any(name in text for text in texts) and not any(other in text for text in texts)
 
     def is_used(self, file: ParameterFile) -> bool:
@@ -337,7 +337,7 @@ class Params:
         if os.path.dirname(file.source.absolute) in self._chosen_from:
             return True
         name = file.source.basename
-        same = list(self._tree_files.tree.named(name))
+        same = list(self.files.tree.named(name))
         if len(same) == 1 and self.named_elsewhere(name, {file.source}):
             return True
         return self._is_named_in_package(file, same)
@@ -345,7 +345,7 @@ class Params:
     def _is_named_in_package(self, file: ParameterFile, same: list[str]) -> bool:
         """Whether a launch file of the package of a file names it, and the package has no other one of its name, or
         puts its name together."""
-        launch = self._launch() if self._tree_files.of_kind(*LAUNCH) else None
+        launch = self._launch() if self.files.of_kind(*LAUNCH) else None
         owner = launch.workspace.owner(file.source) if launch is not None else None
         if launch is None or owner is None:
             return False
@@ -361,7 +361,7 @@ class Params:
         """Whether a launch file names a node and a package, as one does that starts nodes in a way that is not
         followed."""
         named = regex(rf"[\"']{re.escape(node)}[\"']")
-        texts = (each.source.uncommented for each in self._launch().judged) if self._tree_files.of_kind(*LAUNCH) else ()
+        texts = (each.source.uncommented for each in self._launch().judged) if self.files.of_kind(*LAUNCH) else ()
         return any(package in text and named.search(text) is not None for text in texts)
 
     @memo
@@ -378,7 +378,7 @@ class Params:
     @cached_property
     def _handed_on(self) -> frozenset[str]:
         """The files of the tree that launch files name as values of arguments, and so give to what they include."""
-        if not self._tree_files.of_kind(*LAUNCH):
+        if not self.files.of_kind(*LAUNCH):
             return frozenset()
         launch = self._launch()
         named = (each for file in launch.judged for each in launch.references(file) if each.kind == "path" and each.key)
@@ -408,14 +408,14 @@ class Params:
 
     def at_path(self, path: str) -> ParameterFile | None:
         """The file at a path, of the tree or of the robot."""
-        return self._paths.get(path) or self._paths.get(self._tree_files.tree.real_path(path))
+        return self._paths.get(path) or self._paths.get(self.files.tree.real_path(path))
 
     @cached_property
     def _paths(self) -> dict[str, ParameterFile]:
         paths: dict[str, ParameterFile] = {}
-        for file in self.files:
+        for file in self.parameter_files:
             path = file.source.absolute
-            for name in (path, self._tree_files.tree.real_path(path), file.source.robot_path):
+            for name in (path, self.files.tree.real_path(path), file.source.robot_path):
                 if name:
                     paths.setdefault(name, file)
         return paths
@@ -428,7 +428,7 @@ class Params:
         if paths:
             for load in self._all_loads:
                 if load.path not in real:
-                    real[load.path] = self._tree_files.tree.real_path(load.path)
+                    real[load.path] = self.files.tree.real_path(load.path)
                 file = paths.get(load.path) or paths.get(real[load.path])
                 if file is not None:
                     found.setdefault(id(file), []).append(load)
@@ -510,11 +510,11 @@ class Params:
         return "info" if self._is_unused(file) or self._is_for_tests(file) else "warning"
 
     def _is_unused(self, file: ParameterFile) -> bool:
-        if self.loads(file) or not self._tree_files.of_kind(*LAUNCH):
+        if self.loads(file) or not self.files.of_kind(*LAUNCH):
             return False
         name, workspace = file.source.basename, self._launch().workspace
         owner = workspace.owner(file.source)
-        sources = (each for each in self._tree_files.sources if each is not file.source and each.kind not in BUILD)
+        sources = (each for each in self.files.sources if each is not file.source and each.kind not in BUILD)
         named = [each for each in sources if name in each.text and _opens(each, name)]
         if owner is not None:
             named = [each for each in named if owner.name in each.text or workspace.owner(each) is owner]
@@ -522,7 +522,7 @@ class Params:
 
     def _is_in_guide(self, name: str) -> bool:
         """Whether a page of the tree has people give a file to a node."""
-        tree = self._tree_files.tree
+        tree = self.files.tree
         told = regex(rf"--params-file[ \t=]+[^\s`\"']*{re.escape(name)}\b")
         return any(told.search(tree.head(path, _MOST)) for path in tree.paths if path.endswith(".md"))
 
@@ -532,7 +532,7 @@ class Params:
         return source.kind == "launch-python" and any(each in packages for each in _IMPORTED.findall(source.text))
 
     def _is_for_tests(self, file: ParameterFile) -> bool:
-        return self._tree_files.purpose(file.source) in (Purpose.TEST, Purpose.CI, Purpose.ARCHIVE)
+        return self.files.purpose(file.source) in (Purpose.TEST, Purpose.CI, Purpose.ARCHIVE)
 
     def reader(self, file: ParameterFile) -> str:
         """``rcl`` when at least one node gets the file as it is, ``pyyaml`` when all get it through PyYAML, else

@@ -72,7 +72,7 @@ def _generated(tree: Tree, launch: Launch) -> Iterator[tuple[str, dict[str, Loca
 
     Source: moveit_configs_utils, launches.py.
     """
-    for file in launch.files:
+    for file in launch.launch_files:
         text = file.source.text
         owner = launch.workspace.owner(file.source) if _GENERATES.search(text) else None
         if owner is None or "trajectory_execution" in text or not file.source.judged:

@@ -39,7 +39,7 @@ def incomplete_controllers(params: Params, packages: Container[str]) -> Iterator
     """Those of one controller together, only where one file has both its class and its block, and no other file gives
     it anything. ``packages``: those of the tree, whose controllers are others."""
     given: dict[str, list[Parameter]] = {}
-    for file in params.files:
+    for file in params.parameter_files:
         for each in file.parameters:
             given.setdefault(_tail(str(each.block.key)), []).append(each)
     for file in params.judged:

@@ -31,15 +31,15 @@ Owner = tuple[Located, str]
 class Watchdog:
     """watchdog.conf(5), and programs of the tree that open the device."""
 
-    tree_files: Files
+    files: Files
     system_conf: Callable[[], list[Daemon]]
 
     @cached_property
-    def files(self) -> list[dict[str, Located]]:
+    def settings(self) -> list[dict[str, Located]]:
         """The settings of each watchdog.conf; of a key that is set twice the last."""
         return [
             {match[1]: source.located(*match.span(2)) for match in _SETTING.finditer(source.text)}
-            for source in self.tree_files.of_kind("watchdog-conf")
+            for source in self.files.of_kind("watchdog-conf")
             if not source.template
         ]
 
@@ -48,7 +48,7 @@ class Watchdog:
         """The device as each owner names it, and the owner in words."""
         daemons = [
             (settings["watchdog-device"], "the watchdog daemon")
-            for settings in self.files
+            for settings in self.settings
             if "watchdog-device" in settings
         ]
         return [*daemons, *self._programs()]
@@ -57,7 +57,7 @@ class Watchdog:
         """The programs of the tree that open the device. They matter only where systemd is configured."""
         if not self.system_conf():
             return
-        tree = self.tree_files.tree
+        tree = self.files.tree
         known = {source.name: source for source in tree.sources}
         for path in [path for path in tree.paths if _PROGRAM.search(path)][:_MOST_PROGRAMS]:
             source = known.get(path) or tree.read(path)

@@ -36,7 +36,7 @@ def tree(folder: Path, files: dict[str, str]) -> Launch:
 
 
 def started(launch: Launch, name: str) -> list[tuple[str | None, bool | None]]:
-    (file,) = [file for file in launch.files if file.source.name.endswith(name)]
+    (file,) = [file for file in launch.launch_files if file.source.name.endswith(name)]
     return [(node.fqn, node.by_default) for node in launch.expansion(file).nodes]
 
 
@@ -105,7 +105,7 @@ def test_doubling_includes_and_lets_end(tmp_path: Path) -> None:
     }
     files["launch/f24.launch.xml"] = "<launch/>"
     launch = tree(tmp_path, files)
-    assert launch.expansion(launch.files[0]).open
+    assert launch.expansion(launch.launch_files[0]).open
 
 
 @pytest.mark.parametrize(

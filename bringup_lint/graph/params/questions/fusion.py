@@ -62,5 +62,5 @@ def _is_named(files: Files, params: Params, file: ParameterFile, name: str) -> b
     if any(word in text for text in texts for word in (f"'{name}'", f'"{name}"')):
         return True
     nodes = {id(load.node) for load in loads}
-    beside = (each for each in params.files if any(id(load.node) in nodes for load in params.loads(each)))
+    beside = (each for each in params.parameter_files if any(id(load.node) in nodes for load in params.loads(each)))
     return any(each.name == name for other in beside for each in other.parameters)
