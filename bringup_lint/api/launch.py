@@ -36,6 +36,19 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch.lifecycle import outside
     from bringup_lint.graph.launch.lifecycle import setting
     from bringup_lint.graph.launch.lifecycle import transitions_elsewhere
+    from bringup_lint.graph.launch.lifecycle_names import as_lifecycle_node
+    from bringup_lint.graph.launch.lifecycle_names import is_plain
+    from bringup_lint.graph.launch.lifecycle_names import managed_names
+    from bringup_lint.graph.launch.lifecycle_names import switched_by_program
+    from bringup_lint.graph.launch.packages import is_known_package
+    from bringup_lint.graph.launch.packages import package_like
+    from bringup_lint.graph.launch.packages import path_of
+    from bringup_lint.graph.launch.packages import yaml_names
+    from bringup_lint.graph.launch.python_api import distribution_of
+    from bringup_lint.graph.launch.python_api import looks_at_distribution
+    from bringup_lint.graph.launch.python_api import names_of
+    from bringup_lint.graph.launch.python_api import refused_calls
+    from bringup_lint.graph.launch.python_api import removed_keywords
     from bringup_lint.graph.launch.questions.allowed_words import allowed_words
     from bringup_lint.graph.launch.questions.delays import delayed
     from bringup_lint.graph.launch.questions.delays import undelayed
@@ -56,6 +69,10 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch.questions.relative_paths import relative_paths
     from bringup_lint.graph.launch.questions.shared_devices import shared_devices
     from bringup_lint.graph.launch.questions.shutdowns import shut_down_by_helpers
+    from bringup_lint.graph.launch.reads import dead_reads
+    from bringup_lint.graph.launch.reads import read_elsewhere
+    from bringup_lint.graph.launch.reads import read_in
+    from bringup_lint.graph.launch.reads import reads_unseen
     from bringup_lint.graph.launch.references import Reference
     from bringup_lint.graph.launch.resolve import text_of
     from bringup_lint.graph.launch.resolve import truth
@@ -187,35 +204,50 @@ __all__ = [
     "Value",
     "Wait",
     "allowed_words",
+    "as_lifecycle_node",
     "brought_up",
     "check_of",
     "choices_of",
+    "dead_reads",
     "delayed",
+    "distribution_of",
     "effect_of",
     "exclusive",
     "full_name",
     "gone_packages",
     "in_degrees",
+    "is_known_package",
+    "is_plain",
     "is_real_clock",
     "joined_commands",
     "literal",
     "literal_text",
+    "looks_at_distribution",
+    "managed_names",
     "managers",
     "missing_entries",
     "module_of",
     "names_beside",
+    "names_of",
     "not_passed",
     "of_robots",
     "options_with_next",
     "outside",
+    "package_like",
     "package_meant",
     "parameters_of",
     "passed_without_effect",
+    "path_of",
     "public_package",
+    "read_elsewhere",
+    "read_in",
+    "reads_unseen",
     "refused",
+    "refused_calls",
     "refused_choices",
     "refused_transforms",
     "relative_paths",
+    "removed_keywords",
     "respawns",
     "rest_of",
     "same",
@@ -225,6 +257,7 @@ __all__ = [
     "simulated_by_default",
     "simulated_literally",
     "simulates_nothing",
+    "switched_by_program",
     "text_of",
     "transitions_elsewhere",
     "truth",
@@ -239,6 +272,7 @@ __all__ = [
     "walk",
     "walk_actions",
     "watched",
+    "yaml_names",
 ]
 
 

@@ -45,6 +45,7 @@ from bringup_lint.api import Fix
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
+from bringup_lint.api import launch
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
@@ -142,7 +143,7 @@ PLACEHOLDER = regex(r"[\"'/](?:your_(?:package|pkg|robot)|path/to/(?:your|my)?)\
 def call_refused(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         groups: dict[tuple[str, ...], list[RefusedCall]] = {}
-        for each in robot.launch.refused_calls(file):
+        for each in launch.refused_calls(robot.launch, file):
             groups.setdefault((message(each), each.word), []).append(each)
         for first, *others in groups.values():
             yield finding(

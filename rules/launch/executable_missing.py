@@ -120,8 +120,8 @@ def _of_launch_files(robot: Robot) -> Iterator[Start]:
                 executable,
                 partial(robot.provenance.chain_to_node, node),
                 severity="warning" if node.by_default is not True else None,
-                distro=robot.launch.distribution(node.file),
-                judged=node.file.source.judged and not robot.launch.looks_at_distribution(node.file),
+                distro=launch.distribution_of(robot.launch, node.file),
+                judged=node.file.source.judged and not launch.looks_at_distribution(node.file),
             )
 
 

@@ -39,6 +39,7 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import Source
 from bringup_lint.api import finding
+from bringup_lint.api import launch
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
@@ -123,7 +124,7 @@ def _reads(robot: Robot, file: LaunchFile, name: str) -> bool:
     """Whether a launch file, or one that goes with it, reads a configuration and does something with it."""
     for expansion in (robot.launch.expansion(file), *robot.launch.leading_to(file)):
         for each in expansion.files:
-            if sum(read.name == name for read in each.reads) > robot.launch.dead_reads(each, name):
+            if sum(read.name == name for read in each.reads) > launch.dead_reads(each, name):
                 return True
     return False
 

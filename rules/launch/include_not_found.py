@@ -36,6 +36,7 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import launch
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
@@ -89,7 +90,7 @@ def _of_command(robot: Robot, command: Launching, effect: str, severity: str | N
     known = [os.path.basename(each.source.name) for each in robot.launch.files_of(package)]
     if command.target in known or not command.target.endswith((".py", ".xml", ".yaml", ".yml", ".launch")):
         return
-    if robot.launch.path_of(command.target, package) != command.target:
+    if launch.path_of(robot.launch, command.target, package) != command.target:
         return
     near = nearest(command.target, known, 3)
     yield finding(
@@ -105,11 +106,11 @@ def _of_command(robot: Robot, command: Launching, effect: str, severity: str | N
 
 def _without_package(robot: Robot, command: Launching, effect: str) -> Iterator[Finding]:
     name, workspace = command.package, robot.launch.workspace
-    if name is None or not PLAIN.match(name) or name in workspace.ambiguous or robot.launch.is_known_package(name):
+    if name is None or not PLAIN.match(name) or name in workspace.ambiguous or launch.is_known_package(name):
         return
     if may_fail(command.start.ros.command, name) or robot.dependencies.is_fetched(name):
         return
-    meant = robot.launch.meant(name)
+    meant = launch.package_like(robot.launch, name)
     beside = None if meant is not None else _beside(robot, command)
     if meant is None and beside is None:
         return

@@ -53,7 +53,7 @@ def include_unknown_arg(robot: Robot) -> Iterator[Finding]:
             names = [launch.literal(key) for key, _ in include.action.arguments]
             inner = robot.launch.expansion(include.target)
             idle = launch.passed_without_effect(include.action.arguments, inner)
-            own = [name for name in names if name and not robot.launch.read_elsewhere(name, file, inner.files)]
+            own = [name for name in names if name and not launch.read_elsewhere(robot.launch, name, file, inner.files)]
             yield from unknown(robot, [name for name in own if name not in idle], include.target)
         yield from _of_public(robot, file)
     for command in (*robot.runners.launches, *robot.runners.typed_launches):
@@ -80,9 +80,9 @@ def _of_public(robot: Robot, file: launch.LaunchFile) -> Iterator[Finding]:
 
 def unknown(robot: Robot, names: list[Located], target: launch.LaunchFile) -> Iterator[Finding]:
     inner = robot.launch.expansion(target)
-    if inner.open or robot.launch.reads_unseen(inner.files):
+    if inner.open or launch.reads_unseen(robot.launch, inner.files):
         return
-    known = {each.name for each in inner.declared} | robot.launch.read_in(inner.files)
+    known = {each.name for each in inner.declared} | launch.read_in(robot.launch, inner.files)
     for name in names:
         if name in known or name in launch.OF_LAUNCH:
             continue

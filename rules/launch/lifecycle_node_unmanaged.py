@@ -45,7 +45,7 @@ DRIVERS = ("driver", "hardware")
 
 @rule("error", symptoms=["Trying to publish message on the topic *, but the publisher is not activated"])
 def lifecycle_node_unmanaged(robot: Robot) -> Iterator[Finding]:
-    elsewhere = robot.launch.managed_names
+    elsewhere = launch.managed_names(robot.launch)
     if elsewhere is None:
         return
     for expansion in robot.launch.entries:
@@ -56,14 +56,14 @@ def lifecycle_node_unmanaged(robot: Robot) -> Iterator[Finding]:
             role = robot.launch.role(node)
             lifecycle = getattr(node.action, "lifecycle", False)
             name = launch.full_name(node, role)
-            other = None if lifecycle or role.managed else robot.launch.as_lifecycle_node(node)
+            other = None if lifecycle or role.managed else launch.as_lifecycle_node(robot.launch, node)
             if not (lifecycle or role.managed or other) or name is None or node.by_default is False:
                 continue
-            if role.managed is False or robot.launch.is_plain(node):
+            if role.managed is False or launch.is_plain(robot.launch, node):
                 continue
             if name.rpartition("/")[2] in elsewhere or launch.transitions_elsewhere(expansion, node):
                 continue
-            if robot.launch.switched_by_program(name.rpartition("/")[2]):
+            if launch.switched_by_program(robot.launch, name.rpartition("/")[2]):
                 continue
             yield finding(
                 node.span,

@@ -34,6 +34,7 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import launch
 from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.spelling import nearest
@@ -56,7 +57,7 @@ def moveit_file_missing(robot: Robot) -> Iterator[Finding]:
             f"{each.path} {what} in {each.package.name}: MoveItConfigsBuilder raises an exception, and launch aborts",
             advice="install it"
             if each.exists
-            else f"use {robot.launch.path_of(near[0], each.package)}"
+            else f"use {launch.path_of(robot.launch, near[0], each.package)}"
             if len(near) == 1
             else "correct the path, or add it",
             related=[

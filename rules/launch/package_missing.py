@@ -58,7 +58,7 @@ def package_missing(robot: Robot) -> Iterator[Finding]:
         owner = workspace.owner(node.file.source)
         if package is None or owner is None or package == owner.name or owner.depends_on(package):
             continue
-        near = robot.launch.meant(package)
+        near = launch.package_like(robot.launch, package)
         if near is not None:
             yield finding(
                 package,
@@ -78,7 +78,7 @@ def _gone(robot: Robot) -> Iterator[Finding]:
     """Packages of ROS 1, and of older distributions."""
     for each in launch.gone_packages(robot.launch):
         fetched = any(map(robot.dependencies.is_fetched, filter(None, (each.name, each.package.repository))))
-        if fetched or robot.launch.meant(each.name) is not None:
+        if fetched or launch.package_like(robot.launch, each.name) is not None:
             continue
         why = f"{each.distro.capitalize()} no longer has it" if each.distro else "ROS 2 does not have it"
         yield finding(
@@ -100,7 +100,7 @@ def _moved(robot: Robot, node: launch.Started, package: Located) -> Iterator[Fin
     """A package that became a part of another one, which installs its executable now; or one that never was."""
     executable = launch.literal_text(node.executable)
     workspace = robot.launch.workspace
-    known = package in workspace.packages or package in workspace.ambiguous or robot.launch.is_known_package(package)
+    known = package in workspace.packages or package in workspace.ambiguous or launch.is_known_package(package)
     if known or executable is None or robot.dependencies.is_fetched(package):
         return
     public = launch.package_meant(package, executable)

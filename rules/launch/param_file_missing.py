@@ -31,6 +31,7 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import launch
 from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.launch import Package
@@ -61,5 +62,5 @@ def _effect(reference: Reference) -> str:
 
 def _advice(robot: Robot, reference: Reference, package: Package) -> str:
     """The file of that name elsewhere in the package, or the one with the most similar name."""
-    near = nearest(reference.name, robot.launch.yaml_names(package), 3)
-    return f"use {robot.launch.path_of(near[0], package)}" if near else "correct the path, or add the file"
+    near = nearest(reference.name, launch.yaml_names(robot.launch, package), 3)
+    return f"use {launch.path_of(robot.launch, near[0], package)}" if near else "correct the path, or add the file"

@@ -30,6 +30,7 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
+from bringup_lint.api import launch
 from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.launch import OldKeyword
@@ -45,7 +46,7 @@ from bringup_lint.api.launch import OldKeyword
 )
 def removed_keyword(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
-        found = list(robot.launch.removed_keywords(file))
+        found = list(launch.removed_keywords(robot.launch, file))
         if not found:
             continue
         first, *others = found

@@ -34,6 +34,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import fix
+from bringup_lint.api import launch
 from bringup_lint.api import rule
 from bringup_lint.api.spelling import nearest
 
@@ -42,7 +43,7 @@ from bringup_lint.api.spelling import nearest
 def unknown_import(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         for imported in file.imports:
-            known = robot.launch.names_of(imported.module)
+            known = launch.names_of(robot.launch, imported.module)
             if known is None or imported.name in known or imported.name == "*":
                 continue
             if _may_be_module(imported.name):

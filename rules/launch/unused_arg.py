@@ -40,6 +40,7 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
+from bringup_lint.api import launch
 from bringup_lint.api import rule
 from bringup_lint.api.launch import OF_LAUNCH
 from bringup_lint.api.launch import LaunchFile
@@ -54,12 +55,12 @@ def unused_arg(robot: Robot) -> Iterator[Finding]:
             continue
         is_idle = not own.nodes and not own.includes and not own.handlers
         files = {id(each): each for expansion in robot.launch.leading_to(file) for each in expansion.files}
-        elsewhere = robot.launch.read_in(each for each in files.values() if each is not file)
+        elsewhere = launch.read_in(robot.launch, (each for each in files.values() if each is not file))
         for declared in own.declared:
             name = declared.name
             if declared.file is not file or name in elsewhere or name in OF_LAUNCH:
                 continue
-            dead = robot.launch.dead_reads(file, name)
+            dead = launch.dead_reads(file, name)
             if sum(argument.name == name for argument in file.reads) > dead or mentioned(robot, file, name) > 1 + dead:
                 continue
             if any(f"$(var {name}" in source.text for source in robot.of_kind("params")):

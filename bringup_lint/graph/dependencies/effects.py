@@ -13,6 +13,8 @@ from bringup_lint.graph.dependencies.omitted import TOOLS
 from bringup_lint.graph.dependencies.omitted import of_launch_files
 from bringup_lint.graph.dependencies.omitted import of_sources
 from bringup_lint.graph.dependencies.omitted import omitted
+from bringup_lint.graph.launch.packages import comes_with
+from bringup_lint.graph.launch.packages import package_like
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
@@ -101,7 +103,7 @@ def rest_of(dependencies: Dependencies, launch: Launch, package: Package, said: 
 
 def _judged(dependencies: Dependencies, launch: Launch, package: Package) -> list[Need]:
     undeclared = dependencies.undeclared(package)
-    return [each for each in undeclared if not _PLACEHOLDER.search(each.name) and not launch.meant(each.name)]
+    return [each for each in undeclared if not _PLACEHOLDER.search(each.name) and not package_like(launch, each.name)]
 
 
 def _some(dependencies: Dependencies, launch: Launch, package: Package, needs: list[Need]) -> Undeclared | None:
@@ -175,4 +177,4 @@ def _is_brought(launch: Launch, package: Package, need: Need) -> bool:
 
 def _is_started(launch: Launch, package: Package, need: Need) -> bool:
     """Whether a launch file needs a package, and nothing that is declared has a name like it."""
-    return need.use in _STARTED and not launch.comes_with(package, str(need.name))
+    return need.use in _STARTED and not comes_with(launch, package, str(need.name))

@@ -5,25 +5,18 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Callable
-from collections.abc import Iterable
 from collections.abc import Iterator
 from functools import cached_property
 from typing import TYPE_CHECKING
 from typing import TypeVar
 
 from bringup_lint.discover.kinds.launch import LAUNCH
-from bringup_lint.facts.ros import distros
-from bringup_lint.facts.ros import launch_api
 from bringup_lint.facts.ros.node_roles import Role
-from bringup_lint.facts.ros.node_roles import packages
 from bringup_lint.facts.ros.node_roles import role_of
 from bringup_lint.facts.ros.simulation import is_simulation
 from bringup_lint.graph.launch.expand import ACTIONS
 from bringup_lint.graph.launch.expand import Expander
 from bringup_lint.graph.launch.expansion import Expansion
-from bringup_lint.graph.launch.expansion import Included
-from bringup_lint.graph.launch.lifecycle import full_name
-from bringup_lint.graph.launch.lifecycle import managers
 from bringup_lint.graph.launch.references import Reference
 from bringup_lint.graph.launch.references import references
 from bringup_lint.graph.launch.resolve import Resolver
@@ -44,36 +37,20 @@ from bringup_lint.graph.workspace import place
 from bringup_lint.model.launch import Action
 from bringup_lint.model.launch import Include
 from bringup_lint.model.launch import LaunchFile
-from bringup_lint.model.launch import OldKeyword
-from bringup_lint.model.launch import RefusedCall
 from bringup_lint.model.launch import walk_actions
 from bringup_lint.model.launch_values import Condition
-from bringup_lint.model.launch_values import ParameterFile
 from bringup_lint.model.launch_values import Value
-from bringup_lint.model.launch_values import walk
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
-from bringup_lint.source import Span
-from bringup_lint.spelling import nearest
 
 if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
     from bringup_lint.graph.launch.grammar import Refusal
 
 _REMARK = regex(r"#[^\n]*")
-_DIGIT = regex(r"\d")
 _VIEW = regex(r"(?:^|[/_.-])(?:display|view\w*|rviz\w*)(?:$|[/_.-])")
 """Paths of launch files that only show something."""
-_LIFECYCLE = regex(r"lifecycle|nav2_util|nav2_ros_common")
-_PROGRAMS = ("python-node", "cpp-node", "shell-script", "systemd-unit", "compose", "dockerfile")
-_SWITCHES = regex(r"\blifecycle[\"',\s]+set\b|\blifecycle_bringup\b|\bChangeState\b|/change_state\b")
-"""Commands and service clients that configure the nodes which their file names."""
-_SWITCH_WORDS = ("lifecycle", "ChangeState", "change_state")
-"""One of them is in each text that the pattern matches."""
-_LOOKS_AT_DISTRIBUTION = regex(r"ros_?distro|except TypeError", re.I, "ros_distro rosdistro typeerror")
-PUBLIC = ("nav2_", "ros2_", "ros_", "rclcpp_", "tf2_", "launch_", "image_", "joint_", "moveit_", "rviz", "controller_")
-"""How packages of ROS itself begin."""
 _LAUNCH_FILE = regex(r"(?<![\w.-])(?:[\w.-]+\.launch(?:\.(?:py|xml|ya?ml))?|[\w.-]+_launch\.py)")
 EXPANSIONS = 2_000
 """Entries that are expanded in one run."""
@@ -81,17 +58,6 @@ ACTIONS_OF_RUN = 100
 """How often an action is expanded in one run, on average over all launch files."""
 MINIMUM_OF_RUN = 50_000
 """Actions that are expanded in one run in any case."""
-_GENERAL = frozenset(("node", "server", "robot", "ros", "ros2", "lifecycle", "nav2"))
-"""Words that say nothing of what a node does."""
-_CODE = (".py", ".cpp", ".cc", ".cxx", ".hpp", ".h")
-_MOST_CODE = 200_000
-"""Characters of a source that are looked at."""
-_SHARE = regex(
-    r"package_?share|share_?directory|ament_index|getSharePath",
-    re.I,
-    "package_share packageshare share_directory sharedirectory ament_index getsharepath",
-)
-"""How a source asks for the folder of a package."""
 
 
 Kind = TypeVar("Kind", bound=Action)
@@ -137,15 +103,6 @@ class Launch:
         files = [file for file in self.launch_files if file.source.judged and not file.source.template]
         owners = [self.workspace.owner(file.source) for file in files]
         return [file for file, owner in zip(files, owners) if owner is None or not owner.manifest.is_ros1]
-
-    def reads_unseen(self, files: Iterable[LaunchFile]) -> bool:
-        """Whether files may read launch configurations by names that are not in them: by computed names, or in
-        parameter files with substitutions."""
-        return any(id(file) in self._unseen for file in files)
-
-    @cached_property
-    def _unseen(self) -> frozenset[int]:
-        return frozenset(id(file) for file in self.launch_files if file.reads_all or _substitutes(file))
 
     @memo
     def place(self, value: Value) -> Place | None:
@@ -318,161 +275,11 @@ class Launch:
             found.setdefault(id(self.workspace.owner(file.source)), []).append(file)
         return found
 
-    def yaml_names(self, package: Package) -> list[str]:
-        """The names of the YAML files that a package installs, or of all that it holds."""
-        names = set()
-        for name in self.files.tree.names_below(package.folder, depth=8):
-            if name.endswith((".yaml", ".yml")):
-                names.add(name)
-            if len(names) > 1000:
-                break
-        return sorted(names)
-
-    def path_of(self, name: str, package: Package) -> str:
-        """Where a package has a file of this name; the name itself when that is not known."""
-        paths = (os.path.relpath(path, package.folder) for path in self.files.tree.named(name))
-        return next((path for path in sorted(paths) if not path.startswith("..")), name)
-
-    def read_in(self, files: Iterable[LaunchFile]) -> set[str]:
-        """The launch configurations that files read."""
-        return set().union(*(self._reads[id(file)] for file in files))
-
-    @cached_property
-    def _reads(self) -> dict[int, frozenset[str]]:
-        return {id(file): frozenset(str(argument.name) for argument in file.reads) for file in self.launch_files}
-
-    @cached_property
-    def _readers(self) -> dict[str, list[LaunchFile]]:
-        """Launch configuration -> the files that read it."""
-        found: dict[str, list[LaunchFile]] = {}
-        for file in self.launch_files:
-            for name in self._reads[id(file)]:
-                found.setdefault(name, []).append(file)
-        return found
-
-    def read_elsewhere(self, name: str, file: LaunchFile, inner: list[LaunchFile]) -> bool:
-        """Whether a configuration that leaks out of an include is read by another file that runs together with it."""
-        inside = {id(file), *map(id, inner)}
-        readers = (each for each in self._readers.get(name, ()) if id(each) not in inside)
-        together = {id(each) for expansion in self.leading_to(file) for each in expansion.files}
-        return any(id(each) in together for each in readers)
-
-    def unknown_before(self, expansion: Expansion, include: Included) -> bool:
-        """Whether something before an include may set arguments unseen: an include that is not in the tree."""
-        for other in expansion.includes:
-            if other is include:
-                return False
-            if other.target is None:
-                return True
-        return False
-
-    def may_be_called(self, node: Started, name: str) -> bool:
-        """Whether a node that the launch files do not name may get a name from its code."""
-        package, program = text_of(node.package), text_of(node.executable or node.plugin)
-        if node.name is not None or package is None or program is None:
-            return True
-        own = self.workspace.packages.get(package)
-        if own is not None:
-            return name in self.code_of(own.folder)
-        words = [word for word in name.split("_") if len(word) > 2 and word not in _GENERAL]
-        return not words or any(word in f"{package} {program}".lower() for word in words)
-
-    @memo
-    def code_of(self, folder: str) -> str:
-        """The sources of the nodes below a folder."""
-        paths = (path for path in self.files.tree.walked_below(folder) if path.endswith(_CODE))
-        return "\n".join(self.files.tree.head(path, _MOST_CODE) for path in paths)
-
-    @memo
-    def asks_for_share(self, folder: str) -> bool:
-        """Whether a source of a node below a folder asks for the folder of a package."""
-        return _SHARE.search(self.code_of(folder)) is not None
-
-    @cached_property
-    def all_names(self) -> frozenset[str]:
-        """The bare names of all nodes that any launch file of the tree starts."""
-        return frozenset(self._names(self.expansions))
-
-    def names_near(self, file: LaunchFile) -> frozenset[str]:
-        """The bare names of all nodes that the launch files of one robot or variant start."""
-        near = (each for each in self.expansions if self.files.same_robot(each.entry.source, file.source))
-        return frozenset(self._names(near))
-
-    def _names(self, expansions: Iterable[Expansion]) -> Iterator[str]:
-        for expansion in expansions:
-            for node in expansion.nodes:
-                name = full_name(node, self.role(node))
-                if name is not None:
-                    yield name.rpartition("/")[2]
-
-    @cached_property
-    def managed_names(self) -> frozenset[str] | None:
-        """The bare names of all nodes that any lifecycle manager of the tree lists; None when a list is not known."""
-        found: set[str] = set()
-        for expansion in self.expansions:
-            for manager in managers(expansion):
-                if manager.managed is None:
-                    return None
-                found.update(managed.fqn.rpartition("/")[2] for managed in manager.managed)
-        return frozenset(found)
-
-    def switched_by_program(self, name: str) -> bool:
-        """Whether a program of the tree that changes the states of nodes names this one."""
-        word = re.compile(rf"\b{re.escape(name)}\b")
-        return any(word.search(text) for text in self._switching if name in text)
-
-    @cached_property
-    def _switching(self) -> list[str]:
-        """The texts of the programs that change the states of nodes."""
-        texts = (source.said for source in self.files.of_kind(*_PROGRAMS))
-        return [text for text in texts if any(word in text for word in _SWITCH_WORDS) and _SWITCHES.search(text)]
-
     @memo
     def role(self, node: Started) -> Role:
         """What is known about a node's program."""
         program = literal_text(node.plugin) or literal_text(node.executable)
         return role_of(literal_text(node.package), program, self.files.target.ros)
-
-    def as_lifecycle_node(self, node: Started) -> Span | None:
-        """Where a launch file of the tree starts the program of a node as a ``LifecycleNode``."""
-        return self._lifecycle_programs.get((literal_text(node.package), literal_text(node.executable)))
-
-    @cached_property
-    def _lifecycle_programs(self) -> dict[tuple[str | None, str | None], Span]:
-        """Package and executable -> the first place; both have to be known."""
-        found: dict[tuple[str | None, str | None], Span] = {}
-        for node in self.nodes:
-            program = literal_text(node.package), literal_text(node.executable)
-            if getattr(node.action, "lifecycle", False) and None not in program:
-                found.setdefault(program, node.span)
-        return found
-
-    def started_without(self, file: LaunchFile, name: str) -> Iterator[Span]:
-        """Where launch files and scripts of the robot start a file and leave an argument to its default."""
-        yield from self._included_without(file, name)
-        command = re.compile(rf"ros2 launch [^\n;&|]*\b{re.escape(file.source.basename)}(?![\w.])[^\n;&|\"']*")
-        for script in self.files.of_kind("shell-script"):
-            if self.files.purpose(script) is not Purpose.ROBOT:
-                continue
-            yield from (
-                script.span(*match.span()) for match in command.finditer(script.text) if f"{name}:=" not in match[0]
-            )
-
-    def _included_without(self, file: LaunchFile, name: str) -> Iterator[Span]:
-        for expansion in self.leading_to(file):
-            if self.simulated(expansion.entry):
-                continue
-            for include in expansion.includes:
-                if include.target is file and name not in include.arguments and name not in include.known:
-                    yield include.action.span
-
-    def is_plain(self, node: Started) -> bool:
-        """Whether the C++ package of a node, which is in the tree, builds on nothing of the lifecycle."""
-        package = self.workspace.packages.get(literal_text(node.package) or "")
-        if package is None or package.manifest.build_type != "ament_cmake":
-            return False
-        texts = [package.manifest.source.text, *(build.source.text for build in package.builds)]
-        return not any(_LIFECYCLE.search(text) for text in texts)
 
     @memo
     def simulated(self, file: LaunchFile) -> bool:
@@ -492,27 +299,6 @@ class Launch:
     def resolved(self, value: Value | None, file: LaunchFile) -> Value | None:
         """A value when its file is launched without arguments."""
         return Resolver(Scope(self.expansion(file).arguments)).optional(value)
-
-    def is_known_package(self, name: str) -> bool:
-        """Whether a package is a public one that the tables know, so that its name is no misspelling."""
-        return name in packages() or name.startswith(PUBLIC)
-
-    def meant(self, package: str) -> Package | None:
-        """The package of the workspace that is meant by a name which nobody has."""
-        packages = self.workspace.packages
-        known = package in packages or package in self.workspace.ambiguous or self.is_known_package(package)
-        near = nearest(package, sorted(packages)) if not known and len(package) > 5 else []
-        names = [other for other in near if _DIGIT.sub("", other) != _DIGIT.sub("", package)]
-        return packages[names[0]] if names else None
-
-    def comes_with(self, owner: Package, name: str) -> bool:
-        """Whether a package is there when another one's dependencies are, as far as this can be told: through packages
-        of the workspace, or because a package of the same family is depended on."""
-        family = name.partition("_")[0]
-        return any(
-            depend == name or (depend.partition("_")[0] == family and depend not in self.workspace.packages)
-            for depend in self.workspace.required(owner)
-        )
 
     def named(self, package: str | None, target: str | None) -> LaunchFile | None:
         """The file that ``ros2 launch package target`` starts; a path when there is no package."""
@@ -539,12 +325,6 @@ class Launch:
         for action in walk_actions(file.actions):
             yield from action.conditions
 
-    def dead_reads(self, file: LaunchFile, name: str) -> int:
-        """How often a launch configuration is bound to a variable that is used nowhere, or only as the default of the
-        argument itself."""
-        variables = (variable for read, variable in file.bound if read.name == name)
-        return sum(_uses(file.source.uncommented, variable, name) == 1 for variable in variables)
-
     def is_unrun_test(self, source: Source) -> bool:
         """Whether a launch file is one for tests that the build of its package does not name."""
         owner = self.workspace.owner(source)
@@ -559,34 +339,6 @@ class Launch:
     def text(self, value: Value, file: LaunchFile) -> str | None:
         """A value as text when the file is launched without arguments; None when that is not known."""
         return text_of(Resolver(Scope(self.expansion(file).arguments)).value(value))
-
-    def names_of(self, module: str) -> frozenset[str] | None:
-        """The public names of a module of launch or launch_ros; None when the module is not one of theirs."""
-        return launch_api.names(module, self.files.target.ros)
-
-    def looks_at_distribution(self, file: LaunchFile) -> bool:
-        """Whether a file asks itself which distribution runs, or catches what another one raises."""
-        return file.source.matches(_LOOKS_AT_DISTRIBUTION)
-
-    def distribution(self, file: LaunchFile) -> str | None:
-        """The distribution that a file is for, by its name, else that of the robot; None when it is not known."""
-        return distros.named_in(file.source.basename) or self.files.target.ros
-
-    def refused_calls(self, file: LaunchFile) -> list[RefusedCall]:
-        """The calls in a Python file that end with an exception; none when the file may catch it."""
-        if self.looks_at_distribution(file):
-            return []
-        is_foxy = self.files.target.ros == "foxy"
-        return [each for each in file.calls_refused if not (is_foxy and each.code == "missing")]
-
-    def removed_keywords(self, file: LaunchFile) -> Iterator[OldKeyword]:
-        """The keywords in a Python file that its distribution no longer has; none when the file looks itself which
-        distribution runs."""
-        if self.looks_at_distribution(file):
-            return
-        for keyword in file.keywords:
-            if keyword.name in launch_api.removed(keyword.owner, self.distribution(file)):
-                yield keyword
 
     def actions(self, kind: type[Kind]) -> Iterator[tuple[LaunchFile, Kind]]:
         """All actions of a kind in the judged files, with their file."""
@@ -603,14 +355,6 @@ def _is_ros1(refusal: Refusal, starts: set[int], renamed: bool) -> bool:
     return where.start in starts or (refusal.code == "missing" and renamed)
 
 
-def _substitutes(file: LaunchFile) -> bool:
-    for action in walk_actions(file.actions):
-        for source in getattr(action, "parameters", ()):
-            if any(isinstance(each, ParameterFile) and each.allow_substs is not None for each in walk(source)):
-                return True
-    return False
-
-
 def _parser(kind: str) -> Callable[[Source], LaunchFile]:
     if kind == "launch-python":
         from bringup_lint.parsers.launch_python import parse
@@ -619,11 +363,3 @@ def _parser(kind: str) -> Callable[[Source], LaunchFile]:
     else:
         from bringup_lint.parsers.launch_yaml import parse
     return parse
-
-
-def _uses(text: str, variable: str, name: str) -> int:
-    """How often a variable is named, without the place that makes it the default of the argument ``name``."""
-    written = re.escape(variable)
-    own_default = rf"""(['"]){re.escape(name)}\1\s*,\s*default_value\s*=\s*{written}(?!\w)"""
-    named = len(re.findall(rf"(?<![\w.'\"]){written}(?![\w'\"])", text))
-    return named - len(re.findall(own_default, text))

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.graph.launch.python_api import distribution_of
+from bringup_lint.graph.launch.python_api import looks_at_distribution
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.plugins.controllers import is_manager
 from bringup_lint.graph.plugins.controllers import spawned_by
@@ -49,10 +51,10 @@ def renamed_controllers(launch: Launch, params: Params) -> Iterator[RenamedContr
 
 
 def _renamed(launch: Launch, manager: Started, controllers: list[Located]) -> RenamedControllers | None:
-    name, distribution = literal_text(manager.name), launch.distribution(manager.file)
+    name, distribution = literal_text(manager.name), distribution_of(launch, manager.file)
     if name is None or distribution not in _RENAMING:
         return None
-    if not manager.file.source.judged or launch.looks_at_distribution(manager.file):
+    if not manager.file.source.judged or looks_at_distribution(manager.file):
         return None
     if _GIVES_FILE in manager.file.source.text:
         return None

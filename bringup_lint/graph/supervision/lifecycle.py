@@ -13,6 +13,9 @@ from bringup_lint.graph.launch.lifecycle import Manager
 from bringup_lint.graph.launch.lifecycle import full_name
 from bringup_lint.graph.launch.lifecycle import managers
 from bringup_lint.graph.launch.lifecycle import outside
+from bringup_lint.graph.launch.lifecycle_names import all_names
+from bringup_lint.graph.launch.lifecycle_names import may_be_called
+from bringup_lint.graph.launch.lifecycle_names import names_near
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.spelling import nearest
@@ -70,9 +73,9 @@ def _of(
             missing = Unstarted(manager, managed, bare)
             if managed.fqn in started or missing.name in nav2:
                 continue
-            elsewhere = bool(nameless) and missing.name in launch.all_names
-            unsure = expansion.open or elsewhere or any(launch.may_be_called(node, missing.name) for node in nameless)
-            if unsure and (missing.name in launch.all_names or not (missing.namesake or nearest(missing.name, bare))):
+            elsewhere = bool(nameless) and missing.name in all_names(launch)
+            unsure = expansion.open or elsewhere or any(may_be_called(launch, node, missing.name) for node in nameless)
+            if unsure and (missing.name in all_names(launch) or not (missing.namesake or nearest(missing.name, bare))):
                 continue
             yield missing
 
@@ -82,7 +85,7 @@ def _of_managers_alone(launch: Launch, params: Params, found: list[Manager]) -> 
     if any(outside(expansion) for expansion in launch.expansions):
         return
     for manager in found:
-        names = launch.names_near(manager.node.file)
+        names = names_near(launch, manager.node.file)
         wanted = {managed.fqn.rpartition("/")[2]: managed for managed in _listed(params, manager)}
         if names.isdisjoint(wanted):
             continue

@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.facts.ros.public_programs import PublicPackage
 from bringup_lint.facts.ros.public_programs import public_package
+from bringup_lint.graph.launch.python_api import distribution_of
+from bringup_lint.graph.launch.python_api import looks_at_distribution
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.model.launch import LaunchFile
 from bringup_lint.model.launch_values import PackageShare
@@ -32,11 +34,11 @@ def gone_packages(launch: Launch) -> Iterator[GonePackage]:
     """Each place once; files of ROS 1 are left out, because launch rejects them before."""
     seen = set()
     for name, file, always in (*_of_nodes(launch), *_of_includes(launch)):
-        if name.span in seen or file.ros1 or launch.looks_at_distribution(file):
+        if name.span in seen or file.ros1 or looks_at_distribution(file):
             continue
         seen.add(name.span)
         package = public_package(name)
-        distro = launch.distribution(file)
+        distro = distribution_of(launch, file)
         in_tree = name in launch.workspace.packages or name in launch.workspace.ambiguous
         if package is not None and not in_tree and package.is_gone(distro):
             yield GonePackage(name, package, distro if package.last != "ros1" else None, always)

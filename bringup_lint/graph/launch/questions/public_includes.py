@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.facts.ros.launch_arguments import Taken
 from bringup_lint.facts.ros.launch_arguments import taken
+from bringup_lint.graph.launch.reads import read_elsewhere
+from bringup_lint.graph.launch.reads import unknown_before
 from bringup_lint.graph.workspace import place
 from bringup_lint.model.launch_values import literal
 from bringup_lint.named_tuple import NamedTuple
@@ -77,12 +79,12 @@ def _missing(include: Included, known: Taken) -> list[str]:
 def _unknown(launch: Launch, file: LaunchFile, include: Included, known: Taken) -> list[Located]:
     names = (literal(key) for key, _ in include.action.arguments)
     given = [name for name in names if name is not None and name not in known.arguments and name not in _HARMLESS]
-    return [name for name in given if not launch.read_elsewhere(name, file, [])]
+    return [name for name in given if not read_elsewhere(launch, name, file, [])]
 
 
 def _may_be_set(launch: Launch, expansion: Expansion, include: Included) -> bool:
     """Whether something else may set the argument before: an include of this file, or a file that includes it."""
-    return launch.unknown_before(expansion, include) or id(expansion.entry) in launch.included
+    return unknown_before(expansion, include) or id(expansion.entry) in launch.included
 
 
 def _public(launch: Launch, file: LaunchFile) -> Iterator[tuple[Included, str, str, Taken]]:

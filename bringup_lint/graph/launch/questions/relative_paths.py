@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.graph.launch.packages import asks_for_share
 from bringup_lint.graph.launch.references import base_of
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.model.launch_values import Choice
@@ -77,7 +78,7 @@ def _opens_as_given(launch: Launch, node: Started) -> bool:
     """Whether a program takes a path as it is, and does not look for it in a package or folder of its own."""
     name = str(literal_text(node.package))
     own = launch.workspace.packages.get(name)
-    return name in _AS_GIVEN if own is None else not launch.asks_for_share(own.folder)
+    return name in _AS_GIVEN if own is None else not asks_for_share(launch, own.folder)
 
 
 def _whole(value: Value) -> Iterator[Value]:

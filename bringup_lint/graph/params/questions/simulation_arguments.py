@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.graph.launch.reads import read_in
+from bringup_lint.graph.launch.reads import started_without
 from bringup_lint.graph.launch.resolve import truth
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.model.launch import DeclareArgument
@@ -38,7 +40,7 @@ def simulated_by_default(launch: Launch, runners: Runners) -> Iterator[Simulated
             starters = runners.launching(file)
             if starters and all(name in {str(given) for given, _ in each.arguments} for each in starters):
                 continue
-            omitted = next(launch.started_without(file, name), None)
+            omitted = next(started_without(launch, file, name), None)
             used = omitted is not None or bool(starters) or not _is_passed(launch, file, name)
             if used and _sets_clock(launch, file, name):
                 yield SimulatedByDefault(name, default, bool(starters), omitted)
@@ -56,7 +58,7 @@ def _true_by_default(launch: Launch, file: LaunchFile) -> Iterator[tuple[str, Li
 def _sets_clock(launch: Launch, file: LaunchFile, name: str) -> bool:
     """Whether the argument is read where nodes are given the simulated clock."""
     files = launch.expansion(file).files
-    return name in launch.read_in(files) and any("use_sim_time" in each.source.text for each in files)
+    return name in read_in(launch, files) and any("use_sim_time" in each.source.text for each in files)
 
 
 def _is_passed(launch: Launch, file: LaunchFile, name: str) -> bool:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.graph.launch.expansion import Declared
 from bringup_lint.graph.launch.expansion import Included
+from bringup_lint.graph.launch.reads import unknown_before
 from bringup_lint.graph.runners.launching import Launching
 from bringup_lint.model.launch import LaunchFile
 from bringup_lint.named_tuple import NamedTuple
@@ -42,7 +43,7 @@ def _by_includes(launch: Launch) -> Iterator[NotPassed]:
             for declared in _required(launch, include.target):
                 if declared.name in known or declared.before is not None:
                     continue
-                if not launch.unknown_before(expansion, include):
+                if not unknown_before(expansion, include):
                     yield NotPassed(declared, include)
 
 
