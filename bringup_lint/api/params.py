@@ -10,6 +10,8 @@ from bringup_lint.on_demand import on_demand
 
 if TYPE_CHECKING:
     from bringup_lint.graph.params.declared import Declared
+    from bringup_lint.graph.params.declared_types import declared_type
+    from bringup_lint.graph.params.declared_types import is_never_read
     from bringup_lint.graph.params.questions.camera_urls import RefusedUrl
     from bringup_lint.graph.params.questions.camera_urls import refused_urls
     from bringup_lint.graph.params.questions.covariances import Lopsided
@@ -31,7 +33,13 @@ if TYPE_CHECKING:
     from bringup_lint.graph.params.questions.unread import unread
     from bringup_lint.graph.params.questions.wrong_types import WrongType
     from bringup_lint.graph.params.questions.wrong_types import wrong_types
+    from bringup_lint.graph.params.refused_files import severity_of_refusal
     from bringup_lint.graph.params.values import Item
+    from bringup_lint.graph.params.values import holds_maps
+    from bringup_lint.graph.params.values import indenting_tabs
+    from bringup_lint.graph.params.values import is_flattened
+    from bringup_lint.graph.params.values import tab_width
+    from bringup_lint.graph.params.values import taken_back
     from bringup_lint.graph.plugins.hardware_parameters import HardwareParameter
     from bringup_lint.graph.plugins.incomplete import IncompleteController
     from bringup_lint.graph.plugins.joints import UnknownJoint
@@ -77,14 +85,22 @@ __all__ = [
     "Unread",
     "UntypedPlugin",
     "WrongType",
+    "declared_type",
     "foreign",
+    "holds_maps",
+    "indenting_tabs",
+    "is_flattened",
+    "is_never_read",
     "lopsided",
     "navigation_problems",
     "operator_problems",
     "qos_overrides",
     "refused_urls",
+    "severity_of_refusal",
     "simulated",
     "skipped_sensors",
+    "tab_width",
+    "taken_back",
     "undeclared",
     "unknown_frames",
     "unknown_to_public",

@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.nodes.resolved.programs import Program
+from bringup_lint.graph.params.declared_types import declarations
 from bringup_lint.graph.workspace import Package
 from bringup_lint.model.launch_values import DictValue
 from bringup_lint.model.params import Parameter
@@ -111,7 +112,7 @@ def _readers(robot: Robot, file: ParameterFile, parameter: Parameter) -> Iterabl
 
 
 def _declared(robot: Robot, package: str, name: str) -> Iterator[Span]:
-    yield from (each.place.span for each in robot.params.declarations(package) if each.place == name)
+    yield from (each.place.span for each in declarations(robot.params, package) if each.place == name)
 
 
 def _of_call(robot: Robot, source: Source, offset: int) -> Iterator[Span]:

@@ -41,6 +41,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import params
 from bringup_lint.api import rule
 from bringup_lint.api.params import ParameterFile
 
@@ -49,7 +50,7 @@ from bringup_lint.api.params import ParameterFile
 def alias(robot: Robot) -> Iterator[Finding]:
     found: dict[ParameterFile, list[Located | Span]] = {}
     for file, problem in robot.params.problems("alias"):
-        if robot.params.reader(file) != "pyyaml":
+        if robot.params.read_by(file) != "pyyaml":
             found.setdefault(file, []).append(problem.where)
     for file, (first, *others) in found.items():
         yield finding(
@@ -57,5 +58,5 @@ def alias(robot: Robot) -> Iterator[Finding]:
             "rcl does not support YAML aliases: the process that loads the file exits at start",
             advice="write the values out, or use a block for '/**'",
             related=[note(other, "another alias") for other in others[:20]],
-            severity=robot.params.proven(file),
+            severity=params.severity_of_refusal(robot.params, file),
         )

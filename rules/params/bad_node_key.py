@@ -37,6 +37,7 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
+from bringup_lint.api import params
 from bringup_lint.api import rule
 
 
@@ -56,16 +57,16 @@ def bad_node_key(robot: Robot) -> Iterator[Finding]:
             f"{problem.where} without quotes is a YAML alias: the process that loads the file exits at start",
             advice=f'write "{problem.where}"',
             fix=fix("put it in quotes", (problem.where, f'"{problem.where}"')),
-            severity=robot.params.proven(file),
+            severity=params.severity_of_refusal(robot.params, file),
         )
     for file, problem in robot.params.problems("node-key"):
         key = problem.where
-        if robot.params.reader(file) == "pyyaml" or any(sign in key for sign in "$<>{}%@"):
+        if robot.params.read_by(file) == "pyyaml" or any(sign in key for sign in "$<>{}%@"):
             continue
         name = next((block.name for block in file.blocks if block.key is key), key)
         yield finding(
             key,
             f"'{name}' is not a node name ({problem.detail}): the process that loads the file exits at start",
             advice="use letters, digits and _, and wildcards only for whole names",
-            severity=robot.params.proven(file),
+            severity=params.severity_of_refusal(robot.params, file),
         )

@@ -36,6 +36,7 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import params
 from bringup_lint.api import rule
 
 
@@ -46,14 +47,14 @@ from bringup_lint.api import rule
 def empty_list(robot: Robot) -> Iterator[Finding]:
     ended = set()
     for file, problem in robot.params.problems("after-empty-map"):
-        if robot.params.reader(file) != "pyyaml":
+        if robot.params.read_by(file) != "pyyaml":
             ended.add(problem.where)
             yield finding(
                 problem.where,
                 "For rcl the empty mapping ends the block: it reads the next parameter as a node, and the process that "
                 "loads the file exits at start",
                 advice="remove the empty mapping",
-                severity=robot.params.proven(file) or "error",
+                severity=params.severity_of_refusal(robot.params, file) or "error",
             )
     for _, parameter in robot.params.parameters:
         if parameter.text in ("[]", "{}", "[ ]", "{ }") and parameter.span not in ended:
@@ -65,5 +66,5 @@ def empty_list(robot: Robot) -> Iterator[Finding]:
                 advice="remove the line, or write a list with one value of the type"
                 if kind == "list"
                 else "remove the line",
-                severity="info" if robot.params.is_never_read(parameter) else None,
+                severity="info" if params.is_never_read(robot.params, parameter) else None,
             )

@@ -38,6 +38,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import fix
+from bringup_lint.api import params
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 
@@ -47,7 +48,7 @@ VALUE = regex(r"[ \t]*(?:[&!~]|null\b)")
 @rule("error", fix="safe", symptoms=["Cannot have a value before ros__parameters"])
 def empty_node_or_block(robot: Robot) -> Iterator[Finding]:
     for file, problem in robot.params.problems("empty-block"):
-        if robot.params.reader(file) == "pyyaml":
+        if robot.params.read_by(file) == "pyyaml":
             continue
         key = problem.word
         inner = "{}" if key.startswith("ros__parameters") else "{ros__parameters: {}}"
@@ -59,7 +60,7 @@ def empty_node_or_block(robot: Robot) -> Iterator[Finding]:
             f"'{key}' is empty: the process that loads the file exits at start",
             advice=f"write {inner}, or remove the block",
             fix=change if colon >= 0 and not _has_node(file.source, colon) else None,
-            severity=robot.params.proven(file),
+            severity=params.severity_of_refusal(robot.params, file),
         )
 
 

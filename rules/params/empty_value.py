@@ -32,13 +32,14 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import params
 from bringup_lint.api import rule
 
 
 @rule("error", symptoms=["No value at line", "Couldn't parse params file"])
 def empty_value(robot: Robot) -> Iterator[Finding]:
     for file, problem in robot.params.problems("no-value"):
-        if robot.params.reader(file) == "pyyaml":
+        if robot.params.read_by(file) == "pyyaml":
             continue
         parameter = robot.params.at(file, problem.where)
         name = f"'{parameter.name}' has no value" if parameter else "There is no value here"
@@ -46,5 +47,5 @@ def empty_value(robot: Robot) -> Iterator[Finding]:
             parameter.key if parameter else problem.where,
             f"{name}: the process that loads the file exits at start",
             advice='give it a value (an empty string is ""), or remove the line',
-            severity=robot.params.proven(file),
+            severity=params.severity_of_refusal(robot.params, file),
         )

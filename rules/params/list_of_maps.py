@@ -35,6 +35,7 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import params
 from bringup_lint.api import rule
 
 _ADVICE = "write a list of names, and one mapping for each name"
@@ -49,10 +50,10 @@ def list_of_maps(robot: Robot) -> Iterator[Finding]:
             problem.where,
             "rcl does not support lists of mappings: the process that loads the file exits at start",
             advice=_ADVICE,
-            severity=robot.params.proven(file) or "error",
+            severity=params.severity_of_refusal(robot.params, file) or "error",
         )
     for _, parameter in robot.params.parameters:
-        if parameter.span not in refused and robot.params.holds_maps(parameter):
+        if parameter.span not in refused and params.holds_maps(parameter):
             yield finding(
                 parameter.span,
                 f"rcl does not read '{parameter.name}' as a list: it mixes up the values of the mappings",

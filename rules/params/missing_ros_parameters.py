@@ -42,6 +42,7 @@ from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
+from bringup_lint.api import params
 from bringup_lint.api import rule
 from bringup_lint.api.params import ParameterFile
 
@@ -53,7 +54,7 @@ def missing_ros_parameters(robot: Robot) -> Iterator[Finding]:
     misspelt: dict[ParameterFile, list[Located | Span]] = {}
     for file, problem in robot.params.problems("misspelt-header"):
         if (
-            robot.params.reader(file)
+            robot.params.read_by(file)
             or any(not block.name.startswith("ros_") for block in file.blocks)
             or in_config(file)
         ):
@@ -67,13 +68,13 @@ def missing_ros_parameters(robot: Robot) -> Iterator[Finding]:
             fix=fix(
                 "write ros__parameters",
                 *((where, "ros__parameters") for where in (first, *others)),
-                safe=robot.params.reader(file) == "rcl" and "ros__parameters:" not in file.source.text,
+                safe=robot.params.read_by(file) == "rcl" and "ros__parameters:" not in file.source.text,
             ),
-            severity=robot.params.proven(file),
+            severity=params.severity_of_refusal(robot.params, file),
         )
     outside: dict[ParameterFile, list[Located | Span]] = {}
     for file, problem in robot.params.problems("value-before-parameters", "list-before-parameters", "internal"):
-        if robot.params.reader(file) == "rcl" or (not robot.params.reader(file) and in_config(file)):
+        if robot.params.read_by(file) == "rcl" or (not robot.params.read_by(file) and in_config(file)):
             outside.setdefault(file, []).append(problem.where)
     for file, (first, *others) in outside.items():
         yield _outside(robot, file, first, others if file.is_certain else [])
@@ -93,13 +94,13 @@ def _outside(robot: Robot, file: ParameterFile, first: Located | Span, others: l
         if file.is_certain
         else "put the node name and ros__parameters above the values",
         related=[*loads, *(note(other, "outside, too") for other in others[:20])],
-        severity=robot.params.proven(file),
+        severity=params.severity_of_refusal(robot.params, file),
     )
 
 
 def _effect(robot: Robot, file: ParameterFile, name: str) -> str:
     """What follows: rcl ends the process; launch, which reads the files of components itself, finds no values."""
-    if robot.params.reader(file) == "pyyaml":
+    if robot.params.read_by(file) == "pyyaml":
         return f"the components that get {name} keep their defaults"
     return f"the process that loads {name} exits at start"
 

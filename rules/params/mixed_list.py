@@ -37,6 +37,7 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
+from bringup_lint.api import params
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 
@@ -52,7 +53,7 @@ def mixed_list(robot: Robot) -> Iterator[Finding]:
         types = list(dict.fromkeys(item.type for item in items))
         doubles = {"integer", "double"} == set(types)
         whole = [item for item in items if item.type == "integer"]
-        only_pyyaml = robot.params.reader(file) == "pyyaml"
+        only_pyyaml = robot.params.read_by(file) == "pyyaml"
         yield finding(
             parameter.span,
             f"'{parameter.name}' mixes {' and '.join(types)}: "
@@ -61,5 +62,5 @@ def mixed_list(robot: Robot) -> Iterator[Finding]:
             fix=fix("write doubles", *((item.span, f"{item.text}.0") for item in whole), safe=not only_pyyaml)
             if doubles and all(_DECIMAL.match(item.text) for item in whole)
             else None,
-            severity=robot.params.proven(file),
+            severity=params.severity_of_refusal(robot.params, file),
         )

@@ -33,6 +33,7 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import params
 from bringup_lint.api import rule
 
 
@@ -43,10 +44,10 @@ def nested_list(robot: Robot) -> Iterator[Finding]:
             problem.where,
             "rcl does not support nested lists: the process that loads the file exits at start",
             advice="write a flat list, or one quoted string that the node parses",
-            severity=robot.params.proven(file),
+            severity=params.severity_of_refusal(robot.params, file),
         )
     for _, parameter in robot.params.parameters:
-        if robot.params.is_flattened(parameter):
+        if params.is_flattened(parameter):
             yield finding(
                 parameter.span,
                 f"rcl reads '{parameter.name}' as if its inner list were the whole list",

@@ -35,6 +35,7 @@ from bringup_lint.api import Fix
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
+from bringup_lint.api import params
 from bringup_lint.api import rule
 from bringup_lint.api.params import ParameterFile
 from bringup_lint.api.yaml import YamlCode
@@ -67,7 +68,7 @@ def not_wellformed(robot: Robot) -> Iterator[Finding]:
     for file, problem in robot.params.problems(
         YamlCode.SYNTAX, YamlCode.TAB, YamlCode.CONTROL_CHARACTER, "yaml-version", "no-key", "list-at-root"
     ):
-        if problem.code == "yaml-version" and robot.params.reader(file) == "pyyaml":
+        if problem.code == "yaml-version" and robot.params.read_by(file) == "pyyaml":
             continue
         what = _WHAT.get(problem.code, f"The file is not valid YAML ({problem.detail})")
         yield finding(
@@ -75,14 +76,15 @@ def not_wellformed(robot: Robot) -> Iterator[Finding]:
             f"{what}: the process that loads the file exits at start",
             advice=_ADVICE.get(problem.code, "correct the YAML; quote values that start with a special character"),
             fix=_spaces(robot, file) if problem.code == YamlCode.TAB else None,
-            severity=robot.params.proven(file) or ("warning" if problem.code == "yaml-version" else None),
+            severity=params.severity_of_refusal(robot.params, file)
+            or ("warning" if problem.code == "yaml-version" else None),
         )
 
 
 def _spaces(robot: Robot, file: ParameterFile) -> Fix | None:
     """Spaces for every tab in the indentation, if every usual tab width gives the same structure."""
-    width = robot.params.tab_width(file)
+    width = params.tab_width(file)
     if width is None:
         return None
-    edits = [(tab, " " * width) for tab in robot.params.indenting_tabs(file)]
+    edits = [(tab, " " * width) for tab in params.indenting_tabs(file)]
     return fix("indent with spaces", *edits)

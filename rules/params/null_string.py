@@ -34,6 +34,7 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import params
 from bringup_lint.api import rule
 
 _UNKNOWN = "one that declares another type than a string exits with an exception"
@@ -43,10 +44,10 @@ _NULLS = ("null", "~", "NULL", "Null", "None", "none")
 @rule("warning", symptoms=["Trying to set parameter '*' to 'null' of type 'STRING', expecting type"])
 def null_string(robot: Robot) -> Iterator[Finding]:
     for file, parameter in robot.params.parameters:
-        if robot.params.reader(file) == "pyyaml":
+        if robot.params.read_by(file) == "pyyaml":
             continue
         for item in robot.params.items(parameter):
-            declared = robot.params.declared_type(parameter)
+            declared = params.declared_type(robot.params, parameter)
             if item.quoted or item.text not in _NULLS or declared == "string":
                 continue
             yield finding(

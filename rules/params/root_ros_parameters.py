@@ -34,6 +34,7 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import params
 from bringup_lint.api import rule
 
 
@@ -44,5 +45,5 @@ def root_ros_parameters(robot: Robot) -> Iterator[Finding]:
             problem.where,
             "There is no node name above ros__parameters: the process that loads the file exits at start",
             advice="put the node name, or '/**' for every node, above it and indent the rest",
-            severity=robot.params.proven(file),
+            severity=params.severity_of_refusal(robot.params, file),
         )

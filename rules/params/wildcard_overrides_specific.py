@@ -36,6 +36,7 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import params
 from bringup_lint.api import rule
 
 
@@ -44,7 +45,7 @@ def wildcard_overrides_specific(robot: Robot) -> Iterator[Finding]:
     for file in robot.params.judged:
         if not file.accepted:
             continue
-        for specific, general in robot.params.taken_back(file):
+        for specific, general in params.taken_back(file):
             yield finding(
                 general.key,
                 f"'{general.block.name}' comes last and sets '{general.name}' of {specific.block.name} to "

@@ -33,6 +33,7 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
+from bringup_lint.api import params
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 
@@ -50,7 +51,7 @@ _NUMBER = regex(r"0o[0-7]+|0b[01]+|[+-]?[1-9][0-9]{0,2}(?:_[0-9]{3})+(?:\.[0-9]+
 )
 def yaml12_number(robot: Robot) -> Iterator[Finding]:
     for _, parameter in robot.params.parameters:
-        if robot.params.declared_type(parameter) == "string":
+        if params.declared_type(robot.params, parameter) == "string":
             continue
         for item in robot.params.items(parameter):
             if item.type == "string" and not item.quoted and _NUMBER.fullmatch(item.text):

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import re
 from collections.abc import Callable
 from collections.abc import Iterator
 from functools import cached_property
@@ -14,9 +13,7 @@ from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.memo import memo
 from bringup_lint.graph.params import values as param_values
-from bringup_lint.graph.params.composed_names import ComposedNames
 from bringup_lint.graph.params.values import Item
-from bringup_lint.graph.purpose import Purpose
 from bringup_lint.model.params import Parameter
 from bringup_lint.model.params import ParameterFile
 from bringup_lint.model.params import Value
@@ -35,19 +32,10 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch.started import Started
     from bringup_lint.graph.params.declared import Declared
     from bringup_lint.graph.params.loads import Load
-    from bringup_lint.graph.params.mentions import Mentions
-    from bringup_lint.graph.workspace import Package
+    from bringup_lint.graph.params.naming import Naming
 
-_MOST = 200_000
-"""Characters of a page that are looked at."""
-_IMPORTED = regex(r"(?m)^[ \t]*(?:from|import)[ \t]+(\w+)")
-_FILE_NAME = regex(r"[\w.-]+")
-BUILD = ("params", "cmake", "setup-py", "setup-cfg", "ros-package")
-"""Kinds that may name a parameter file without loading it."""
 _UNTYPED = ("ardent", "bouncy", "crystal", "dashing", "eloquent", "foxy")
 """Distributions in which a declared parameter may take any type."""
-
-
 _CODE = (".py", ".cpp", ".cc", ".cxx", ".hpp", ".hh", ".h", ".rs")
 _QUOTED = regex(r"[\"']([\w.]{3,80})[\"']")
 _MOST_SOURCES = 4000
@@ -58,7 +46,7 @@ class Params:
 
     def __init__(self, files: Files, launch: Callable[[], Launch]) -> None:
         self.files = files
-        self._launch = launch
+        self.launch = launch
 
     @property
     def distribution(self) -> str | None:
@@ -73,7 +61,7 @@ class Params:
     @cached_property
     def judged(self) -> list[ParameterFile]:
         """Those that findings may be about: really parameter files, neither context nor templates."""
-        certain = (file for file in self.parameter_files if self.reader(file) == "rcl" or self._may_load(file))
+        certain = (file for file in self.parameter_files if self.read_by(file) == "rcl" or self._may_load(file))
         return [file for file in (*certain, *self.plain) if file.source.judged and not file.source.template]
 
     def _may_load(self, file: ParameterFile) -> bool:
@@ -87,7 +75,7 @@ class Params:
             return frozenset()
         from bringup_lint.graph.params.loads import own_arguments
 
-        launch = self._launch()
+        launch = self.launch()
         return frozenset(path for expansion in launch.expansions for path in own_arguments(launch, expansion))
 
     @cached_property
@@ -159,9 +147,6 @@ class Params:
         """The items of lists, by the parameter that has them."""
         return {}
 
-    def holds_maps(self, parameter: Parameter) -> bool:
-        return param_values.holds_maps(parameter)
-
     def is_switched_off(self, parameter: Parameter) -> bool:
         """Whether a section around a value says that it is not in use, as with ``enabled: false``."""
         if id(parameter.block) not in self._switched_off:
@@ -173,9 +158,6 @@ class Params:
     @cached_property
     def _switched_off(self) -> dict[int, frozenset[str]]:
         return {}
-
-    def is_flattened(self, parameter: Parameter) -> bool:
-        return param_values.is_flattened(parameter)
 
     @property
     def duplicates(self) -> Iterator[tuple[ParameterFile, Parameter, Parameter]]:
@@ -192,20 +174,16 @@ class Params:
         """What the table holds that a file makes."""
         return param_values.winners(file)
 
-    def taken_back(self, file: ParameterFile) -> Iterator[tuple[Parameter, Parameter]]:
-        return param_values.taken_back(file)
-
-    def indenting_tabs(self, file: ParameterFile) -> Iterator[Span]:
-        return param_values.indenting_tabs(file)
-
-    def tab_width(self, file: ParameterFile) -> int | None:
-        return param_values.tab_width(file)
+    @property
+    def is_typed(self) -> bool:
+        """Whether a declared parameter takes one type only, in the distribution that the tree is for."""
+        return self.distribution not in _UNTYPED
 
     @memo
     def declared(self, parameter: Parameter) -> Declared | None:
         """How the workspace declares a parameter: what all nodes that may get it agree on, None when that is not
         known."""
-        file = self._by_source.get(id(parameter.span.source))
+        file = self.of_source(parameter.span.source)
         if file is None or not self.is_typed:
             return None
         if not self.loads(file):
@@ -223,47 +201,25 @@ class Params:
     def _declared_in_own(self, file: ParameterFile, parameter: Parameter) -> Declared | None:
         """How the package of a file declares a parameter for its program of the name of the block: a command line, as
         in a unit or compose file, gives the program the file."""
-        owner = self._launch().workspace.owner(file.source)
+        owner = self.launch().workspace.owner(file.source)
         if owner is None or parameter.block.name.strip("/") not in owner.executables or not self.is_used(file):
             return None
         return self.declared_by(owner.name).get(parameter.name)
 
-    def declarations(self, name: str) -> list[Declared]:
-        """Every declaration in the sources of a package of the workspace, in the order of the files."""
-        from bringup_lint.graph.params.declared import declarations_in
+    @memo
+    def declared_by(self, name: str | None) -> dict[str, Declared]:
+        """The parameters of which the sources of a package of the workspace say the type, by name."""
+        from bringup_lint.graph.params.declared import declared_in
 
-        workspace = self._launch().workspace
-        package = workspace.packages.get(name)
-        return list(declarations_in(self.files, workspace, package)) if package else []
-
-    def declared_type(self, parameter: Parameter) -> str | None:
-        """The type that the workspace's sources declare for a parameter; None when it is not known."""
-        found = self.declared(parameter)
-        return found.type if found else None
+        workspace = self.launch().workspace
+        package = workspace.packages.get(name) if name else None
+        return declared_in(self.files, workspace, package) if package else {}
 
     @cached_property
     def typed(self) -> list[tuple[Parameter, Declared]]:
         """The values whose type the workspace declares, with the declaration."""
         pairs = ((parameter, self.declared(parameter)) for _, parameter in self.parameters)
         return [(parameter, found) for parameter, found in pairs if found is not None]
-
-    def of_wrong_type(self, given: str, declared: str) -> Iterator[tuple[Parameter, Declared, list[Item]]]:
-        """The values of one type that the workspace declares as another, each with its items; arrays of them too."""
-        pairs = ((given, declared), (f"{given}_array", f"{declared}_array"))
-        for parameter, found in self.typed:
-            if (parameter.value.type, found.type) in pairs:
-                yield parameter, found, self.items(parameter)
-
-    def is_never_read(self, parameter: Parameter) -> bool:
-        """Whether the sources of every node that gets a value are in the workspace, and none of them names it."""
-        from bringup_lint.graph.params.declared import mentions
-
-        file = self._by_source.get(id(parameter.span.source))
-        loads = self.loads(file) if file else []
-        names = {text_of(load.node.package) if load.node.package is not None else None for load in loads}
-        packages = [self._launch().workspace.packages.get(name or "") for name in names]
-        word = str(parameter.key).rpartition(".")[2]
-        return bool(packages) and all(each and not mentions(self.files, each, word) for each in packages)
 
     def is_unknown_to_code(self, file: ParameterFile, parameter: Parameter) -> bool:
         """Whether the sources of the tree name several other parameters of the same block, and not this one: what would
@@ -274,11 +230,6 @@ class Params:
     def is_named_in_code(self, name: str) -> bool:
         """Whether a source of the tree that has to do with parameters names one, or its last part."""
         return name in self._names_in_code or name.rpartition(".")[2] in self._names_in_code
-
-    @property
-    def is_typed(self) -> bool:
-        """Whether a declared parameter takes one type only, in the distribution that the tree is for."""
-        return self.distribution not in _UNTYPED
 
     @cached_property
     def _names_in_code(self) -> frozenset[str]:
@@ -293,18 +244,13 @@ class Params:
         sources = (self.files.tree.read(path, judged=False) for path in paths)
         return [source for source in sources if source is not None and "param" in source.text]
 
+    def of_source(self, source: Source) -> ParameterFile | None:
+        """The parameter file that a source is."""
+        return self._by_source.get(id(source))
+
     @cached_property
     def _by_source(self) -> dict[int, ParameterFile]:
         return {id(file.source): file for file in self.parameter_files}
-
-    @memo
-    def declared_by(self, name: str | None) -> dict[str, Declared]:
-        """The parameters of which the sources of a package of the workspace say the type, by name."""
-        from bringup_lint.graph.params.declared import declared_in
-
-        workspace = self._launch().workspace
-        package = workspace.packages.get(name) if name else None
-        return declared_in(self.files, workspace, package) if package else {}
 
     @cached_property
     def _all_loads(self) -> list[Load]:
@@ -312,99 +258,23 @@ class Params:
             return []
         from bringup_lint.graph.params.loads import loads_in
 
-        launch = self._launch()
+        launch = self.launch()
         return [load for expansion in launch.expansions for load in loads_in(launch, expansion)]
-
-    def named_elsewhere(self, name: str, known: set[Source]) -> bool:
-        """Whether a file other than the known ones and those that only build or install mentions a name."""
-        count = len(self.files.sources)
-        if count not in self._mentions:
-            from bringup_lint.graph.params.mentions import Mentions
-
-            self._mentions[count] = Mentions([each for each in self.files.sources if each.kind not in BUILD])
-        return self._mentions[count].outside(name, known)
-
-    def is_launched_without(self, name: str, other: str) -> bool:
-        """Whether launch files of the tree name one word and none of them another one."""
-        texts = [each.text for each in self.files.of_kind(*LAUNCH)]
-        return any(name in text for text in texts) and not any(other in text for text in texts)
 
     def is_used(self, file: ParameterFile) -> bool:
         """Whether a launch file loads a file, hands its path on, or takes any of its folder by argument, or something
         names it, and means no other one of its name."""
-        if self.loads(file) or file.source.absolute in self._handed_on:
-            return True
-        if os.path.dirname(file.source.absolute) in self._chosen_from:
-            return True
-        name = file.source.basename
-        same = list(self.files.tree.named(name))
-        if len(same) == 1 and self.named_elsewhere(name, {file.source}):
-            return True
-        return self._is_named_in_package(file, same)
+        return bool(self.loads(file)) or self._naming.is_named(file.source)
 
-    def _is_named_in_package(self, file: ParameterFile, same: list[str]) -> bool:
-        """Whether a launch file of the package of a file names it, and the package has no other one of its name, or
-        puts its name together."""
-        launch = self._launch() if self.files.of_kind(*LAUNCH) else None
-        owner = launch.workspace.owner(file.source) if launch is not None else None
-        if launch is None or owner is None:
-            return False
-        path = os.path.relpath(file.source.absolute, owner.folder)
-        if self._composed(owner).has(path):
-            return True
-        owners = [launch.workspace.package_of(os.path.dirname(os.path.abspath(path))) for path in same]
-        if sum(each is owner for each in owners) != 1:
-            return False
-        return file.source.basename in self._named_by(owner)
-
-    def is_named_with(self, node: str, package: str) -> bool:
-        """Whether a launch file names a node and a package, as one does that starts nodes in a way that is not
-        followed."""
-        named = regex(rf"[\"']{re.escape(node)}[\"']")
-        texts = (each.source.uncommented for each in self._launch().judged) if self.files.of_kind(*LAUNCH) else ()
-        return any(package in text and named.search(text) is not None for text in texts)
-
-    @memo
-    def _composed(self, owner: Package) -> ComposedNames:
-        """The names that the launch files of a package put together."""
-        return ComposedNames(each.source.uncommented for each in self._launch().files_of(owner))
-
-    @memo
-    def _named_by(self, owner: Package) -> frozenset[str]:
-        """The names of files that the launch files of a package hold."""
-        texts = (each.source.uncommented for each in self._launch().files_of(owner))
-        return frozenset(word for text in texts for word in _FILE_NAME.findall(text))
+    def named_elsewhere(self, name: str, known: set[Source]) -> bool:
+        """Whether a file other than the known ones and those that only build or install mentions a name."""
+        return self._naming.is_elsewhere(name, known)
 
     @cached_property
-    def _handed_on(self) -> frozenset[str]:
-        """The files of the tree that launch files name as values of arguments, and so give to what they include."""
-        if not self.files.of_kind(*LAUNCH):
-            return frozenset()
-        launch = self._launch()
-        named = (each for file in launch.judged for each in launch.references(file) if each.kind == "path" and each.key)
-        return frozenset(os.path.abspath(each.found.file) for each in named if each.found.file is not None)
+    def _naming(self) -> Naming:
+        from bringup_lint.graph.params.naming import Naming
 
-    @cached_property
-    def _chosen_from(self) -> frozenset[str]:
-        if not self._tree_files.of_kind(*LAUNCH):
-            return frozenset()
-        from bringup_lint.graph.params.chosen_folders import chosen_folders
-
-        return frozenset(chosen_folders(self._launch()))
-
-    @cached_property
-    def _mentions(self) -> dict[int, Mentions]:
-        """By the number of sources, to which some come later."""
-        return {}
-
-    def is_static(self, parent: str, child: str) -> bool:
-        """Whether a launch file starts a static_transform_publisher for two frames."""
-        for node in self._launch().nodes:
-            if literal_text(node.executable) == "static_transform_publisher":
-                words = " ".join(text_of(each) or "" for each in node.arguments).split()
-                if parent in words and child in words:
-                    return True
-        return False
+        return Naming(self.files, self.launch)
 
     def at_path(self, path: str) -> ParameterFile | None:
         """The file at a path, of the tree or of the robot."""
@@ -465,7 +335,7 @@ class Params:
 
     def is_included(self, load: Load) -> bool:
         """Whether the load is that of a file launched alone which another file of the tree includes."""
-        return id(load.expansion.entry) in self._launch().included
+        return id(load.expansion.entry) in self.launch().included
 
     def effective(self, file: ParameterFile, parameter: Parameter) -> list[Load]:
         """The loads by which a value may reach a node: its block may be for the node, and nothing later sets it
@@ -496,58 +366,19 @@ class Params:
     def is_missing(self, node: Started) -> bool:
         """Whether the package of a node, which is in the tree, surely has no such executable, so that it never runs.
         One that is built and only not installed is meant to run."""
-        package = self._launch().workspace.packages.get(literal_text(node.package) or "")
+        package = self.launch().workspace.packages.get(literal_text(node.package) or "")
         executable = literal_text(node.executable)
         if package is None or executable is None:
             return False
-        return package.made(executable) is None and self._launch().workspace.lacks(package, executable)
+        return package.made(executable) is None and self.launch().workspace.lacks(package, executable)
 
-    def proven(self, file: ParameterFile) -> str | None:
-        """The severity of what ends the process that loads a file: a rule's own where a node of the tree loads it with
-        rcl, info where the tree starts nodes and nothing of it names the file, else a warning."""
-        if self.reader(file) == "rcl":
-            return None
-        return "info" if self._is_unused(file) or self._is_for_tests(file) else "warning"
-
-    def _is_unused(self, file: ParameterFile) -> bool:
-        if self.loads(file) or not self.files.of_kind(*LAUNCH):
-            return False
-        name, workspace = file.source.basename, self._launch().workspace
-        owner = workspace.owner(file.source)
-        sources = (each for each in self.files.sources if each is not file.source and each.kind not in BUILD)
-        named = [each for each in sources if name in each.text and _opens(each, name)]
-        if owner is not None:
-            named = [each for each in named if owner.name in each.text or workspace.owner(each) is owner]
-        return all(self._hands_to_helper(each) for each in named) and not self._is_in_guide(name)
-
-    def _is_in_guide(self, name: str) -> bool:
-        """Whether a page of the tree has people give a file to a node."""
-        tree = self.files.tree
-        told = regex(rf"--params-file[ \t=]+[^\s`\"']*{re.escape(name)}\b")
-        return any(told.search(tree.head(path, _MOST)) for path in tree.paths if path.endswith(".md"))
-
-    def _hands_to_helper(self, source: Source) -> bool:
-        """Whether a launch file works with code of a package of the tree, which may read a file and write another."""
-        packages = self._launch().workspace.packages
-        return source.kind == "launch-python" and any(each in packages for each in _IMPORTED.findall(source.text))
-
-    def _is_for_tests(self, file: ParameterFile) -> bool:
-        return self.files.purpose(file.source) in (Purpose.TEST, Purpose.CI, Purpose.ARCHIVE)
-
-    def reader(self, file: ParameterFile) -> str:
+    def read_by(self, file: ParameterFile) -> str:
         """``rcl`` when at least one node gets the file as it is, ``pyyaml`` when all get it through PyYAML, else
         empty."""
         ways = {load.how for load in self.loads(file)}
         if ways & {"rcl", "substituted"}:
             return "rcl"
         return "pyyaml" if ways else ""
-
-
-def _opens(source: Source, name: str) -> bool:
-    """Whether a source that holds the name of a file may open it: code has it as a text, not in what it says."""
-    if source.kind not in ("python-node", "cpp-node"):
-        return True
-    return re.search(rf"{re.escape(name)}[\"'](?!\w)", source.uncommented) is not None
 
 
 def _last(parameter: Parameter) -> str:

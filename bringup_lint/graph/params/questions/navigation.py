@@ -7,8 +7,11 @@ from collections.abc import Iterator
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
+from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.facts import table
 from bringup_lint.facts.ros import distros
+from bringup_lint.graph.launch.resolve import text_of
+from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.params.questions.navigation_blocks import NavigationProblem
 from bringup_lint.graph.params.questions.navigation_blocks import by_name
 from bringup_lint.graph.params.questions.navigation_blocks import number_of
@@ -127,8 +130,18 @@ def _jumping(
         return
     localized = [by_name(each) for each in file.blocks if each.node_name == "amcl"]
     frames = [(_text(named, "global_frame_id", "map"), _text(named, "odom_frame_id", "odom")) for named in localized]
-    if frames and frame.value.data == frames[0][0] != frames[0][1] and not params.is_static(*frames[0]):
+    if frames and frame.value.data == frames[0][0] != frames[0][1] and not _is_static(params, *frames[0]):
         yield NavigationProblem("frame", frame.span, "global_frame", str(frame.value.data), rolling.span)
+
+
+def _is_static(params: Params, parent: str, child: str) -> bool:
+    """Whether a launch file starts a static_transform_publisher for two frames."""
+    for node in params.launch().nodes:
+        if literal_text(node.executable) == "static_transform_publisher":
+            words = " ".join(text_of(each) or "" for each in node.arguments).split()
+            if parent in words and child in words:
+                return True
+    return False
 
 
 def _text(named: dict[str, Parameter], name: str, default: str) -> str:
@@ -358,7 +371,15 @@ def _may_smooth(params: Params, file: ParameterFile) -> bool:
     names = _loading(params, file)
     if "velocity_smoother" in names:
         return True
-    return "controller_server" not in names and not params.is_launched_without("controller_server", "velocity_smoother")
+    return "controller_server" not in names and not _is_launched_without(
+        params, "controller_server", "velocity_smoother"
+    )
+
+
+def _is_launched_without(params: Params, name: str, other: str) -> bool:
+    """Whether launch files of the tree name one word and none of them another one."""
+    texts = [each.text for each in params.files.of_kind(*LAUNCH)]
+    return any(name in text for text in texts) and not any(other in text for text in texts)
 
 
 def _loading(params: Params, file: ParameterFile) -> set[str | None]:

@@ -8,6 +8,7 @@ from itertools import islice
 from typing import TYPE_CHECKING
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
@@ -84,11 +85,20 @@ def _deadman(params: Params, file: ParameterFile, block: Block) -> Iterator[Oper
         return
     loads = params.loads(file)
     sure = _TELEOP in str(block.key) or any(literal_text(load.node.package) == _TELEOP for load in loads)
-    sure = sure or (not loads and params.is_named_with(block.node_name, _TELEOP))
+    sure = sure or (not loads and _is_named_with(params, block.node_name, _TELEOP))
     if not sure and _JOYSTICK.search(str(block.key)) is None:
         return
     if not loads or params.effective(file, switch):
         yield OperatorProblem("deadman", switch.span, _TELEOP if sure else "", "", "")
+
+
+def _is_named_with(params: Params, node: str, package: str) -> bool:
+    """Whether a launch file names a node and a package, as one does that starts nodes in a way that is not followed."""
+    if not params.files.of_kind(*LAUNCH):
+        return False
+    named = regex(rf"[\"']{re.escape(node)}[\"']")
+    texts = (each.source.uncommented for each in params.launch().judged)
+    return any(package in text and named.search(text) is not None for text in texts)
 
 
 def _is_mux(params: Params, file: ParameterFile, block: Block) -> bool:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.facts.ros.parameters import public_node
 from bringup_lint.graph.launch.started import literal_text
+from bringup_lint.graph.params.declared_types import of_wrong_type
 from bringup_lint.graph.params.questions.public import of_wrong_public_type
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.source import Located
@@ -49,7 +50,7 @@ class WrongType(NamedTuple):
 
 def wrong_types(params: Params, launch: Launch, given: str, declared: str) -> Iterator[WrongType]:
     """The values of one type that a node of the workspace or a public one declares as another; arrays of them too."""
-    for parameter, found, items in params.of_wrong_type(given, declared):
+    for parameter, found, items in of_wrong_type(params, given, declared):
         yield WrongType(parameter.name, parameter.text, parameter.span, items, declared=found.place)
     for parameter, node, items in of_wrong_public_type(params, launch, given, declared):
         yield WrongType(

@@ -1,0 +1,61 @@
+"""How bad it is that rcl refuses a parameter file: whether something loads it."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+from bringup_lint.discover.kinds.launch import LAUNCH
+from bringup_lint.graph.params.naming import BUILD
+from bringup_lint.graph.purpose import Purpose
+from bringup_lint.pattern import regex
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.params.params import Params
+    from bringup_lint.model.params import ParameterFile
+    from bringup_lint.source import Source
+
+_MOST = 200_000
+"""Characters of a page that are looked at."""
+_IMPORTED = regex(r"(?m)^[ \t]*(?:from|import)[ \t]+(\w+)")
+
+
+def severity_of_refusal(params: Params, file: ParameterFile) -> str | None:
+    """The severity of what ends the process that loads a file: a rule's own where a node of the tree loads it with rcl,
+    info where the tree starts nodes and nothing of it names the file, else a warning."""
+    if params.read_by(file) == "rcl":
+        return None
+    is_for_tests = params.files.purpose(file.source) in (Purpose.TEST, Purpose.CI, Purpose.ARCHIVE)
+    return "info" if _is_unused(params, file) or is_for_tests else "warning"
+
+
+def _is_unused(params: Params, file: ParameterFile) -> bool:
+    if params.loads(file) or not params.files.of_kind(*LAUNCH):
+        return False
+    name, workspace = file.source.basename, params.launch().workspace
+    owner = workspace.owner(file.source)
+    sources = (each for each in params.files.sources if each is not file.source and each.kind not in BUILD)
+    named = [each for each in sources if name in each.text and _opens(each, name)]
+    if owner is not None:
+        named = [each for each in named if owner.name in each.text or workspace.owner(each) is owner]
+    return all(_hands_to_helper(params, each) for each in named) and not _is_in_guide(params, name)
+
+
+def _opens(source: Source, name: str) -> bool:
+    """Whether a source that holds the name of a file may open it: code has it as a text, not in what it says."""
+    if source.kind not in ("python-node", "cpp-node"):
+        return True
+    return re.search(rf"{re.escape(name)}[\"'](?!\w)", source.uncommented) is not None
+
+
+def _is_in_guide(params: Params, name: str) -> bool:
+    """Whether a page of the tree has people give a file to a node."""
+    tree = params.files.tree
+    told = regex(rf"--params-file[ \t=]+[^\s`\"']*{re.escape(name)}\b")
+    return any(told.search(tree.head(path, _MOST)) for path in tree.paths if path.endswith(".md"))
+
+
+def _hands_to_helper(params: Params, source: Source) -> bool:
+    """Whether a launch file works with code of a package of the tree, which may read a file and write another."""
+    packages = params.launch().workspace.packages
+    return source.kind == "launch-python" and any(each in packages for each in _IMPORTED.findall(source.text))
