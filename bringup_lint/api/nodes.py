@@ -116,8 +116,16 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.python.refused_logs import refused_logs
     from bringup_lint.graph.nodes.questions.python.unbound_locals import unbound_locals
     from bringup_lint.graph.nodes.questions.python.undefined_names import undefined
+    from bringup_lint.graph.nodes.resolved.starting import chain_to
+    from bringup_lint.graph.nodes.resolved.starting import is_stopped
+    from bringup_lint.graph.nodes.resolved.starting import is_tool
+    from bringup_lint.graph.nodes.resolved.starting import runners_of
+    from bringup_lint.graph.nodes.resolved.starting import stopped_by
+    from bringup_lint.graph.nodes.sources.halting import has_firmware
     from bringup_lint.graph.nodes.sources.motion import is_remote
     from bringup_lint.graph.nodes.sources.motion import moves
+    from bringup_lint.graph.nodes.sources.threads import ends_thread
+    from bringup_lint.graph.nodes.sources.threads import late_join
     from bringup_lint.graph.nodes.sources.what_ends import end_of
     from bringup_lint.graph.nodes.sources.what_ends import end_of_callbacks
     from bringup_lint.graph.nodes.sources.what_ends import end_where_called
@@ -152,6 +160,7 @@ __all__ = [
     "awaits_asyncio",
     "blocking_reads",
     "canceled_goals",
+    "chain_to",
     "clock_mixes",
     "consequence",
     "converted",
@@ -168,10 +177,12 @@ __all__ = [
     "endless_answers",
     "endless_rates",
     "endless_threads",
+    "ends_thread",
     "fed_without_condition",
     "guards_commands",
     "half_made",
     "handler_never_runs",
+    "has_firmware",
     "heard_parameters",
     "held",
     "hidden_failures",
@@ -181,8 +192,11 @@ __all__ = [
     "is_called_nowhere",
     "is_checked",
     "is_remote",
+    "is_stopped",
+    "is_tool",
     "late_attributes",
     "late_bound",
+    "late_join",
     "late_spins",
     "lost_cameras",
     "lost_requests",
@@ -212,6 +226,7 @@ __all__ = [
     "relocks",
     "repeated",
     "restamped",
+    "runners_of",
     "sent_in_vain",
     "shell_commands",
     "shut_constructors",
@@ -219,6 +234,7 @@ __all__ = [
     "stale_reads",
     "starved_waits",
     "stop_after_shutdown",
+    "stopped_by",
     "stopped_callbacks",
     "stopped_in_cpp",
     "stuck_flags",

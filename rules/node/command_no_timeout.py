@@ -80,6 +80,6 @@ def command_no_timeout(robot: Robot) -> Iterator[Finding]:
             advice=ADVICE,
             related=[note(held.writer, "writes them")] if held.writer is not None else [],
             severity="info"
-            if held.is_board and not robot.nodes.has_firmware
+            if held.is_board and not nodes.has_firmware(robot.nodes)
             else nodes.lowered(robot.nodes.purpose(held.source), "warning"),
         )

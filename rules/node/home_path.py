@@ -44,7 +44,7 @@ from bringup_lint.api import rule
 @rule("warning", confidence="medium", symptoms=["FileNotFoundError: [Errno 2] No such file or directory: '/home/"])
 def home_path(robot: Robot) -> Iterator[Finding]:
     for found in nodes.home_files(robot.nodes):
-        idle = found.idle or robot.nodes.is_tool(found.file)
+        idle = found.idle or nodes.is_tool(robot.nodes, found.file)
         message = f"{found.call}() needs a file in {found.home}, which nothing else in the tree knows: on another "
         message += f"computer it raises, and {nodes.end_of(robot.nodes.syntax(found.file), found.place)}"
         if found.missing:

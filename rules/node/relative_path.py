@@ -47,7 +47,7 @@ from bringup_lint.api import rule
 )
 def relative_path(robot: Robot) -> Iterator[Finding]:
     for found, *others in nodes.relative_files(robot.nodes):
-        idle = found.idle or robot.nodes.is_tool(found.file)
+        idle = found.idle or nodes.is_tool(robot.nodes, found.file)
         yield finding(
             found.file.span_of(found.place),
             f"{found.call}() finds {found.path} only when the program is started in {found.folder}: "

@@ -59,7 +59,7 @@ def shutdown_double(robot: Robot) -> Iterator[Finding]:
     found: dict[tuple[object, bool], list[Late]] = {}
     for file in robot.nodes.programs:
         package = robot.launch.workspace.owner(file.source) or file
-        found.setdefault((package, robot.nodes.is_stopped(file)), []).extend(late(robot, file))
+        found.setdefault((package, nodes.is_stopped(robot.nodes, file)), []).extend(late(robot, file))
     for (_, stopped), alike in found.items():
         if alike:
             yield _finding(robot, alike, stopped)
@@ -75,7 +75,7 @@ class Late(NamedTuple):
 
 def late(robot: Robot, file: nodes.NodeSource) -> Iterator[Late]:
     ending = robot.nodes.ending(file)
-    uncaught = () if robot.nodes.stopped_by(file) == {"SIGINT"} else nodes.unhandled_shutdown(ending)
+    uncaught = () if nodes.stopped_by(robot.nodes, file) == {"SIGINT"} else nodes.unhandled_shutdown(ending)
     told = {each.spin for each in uncaught}
     for call, spin in nodes.double_shutdown(ending):
         if spin not in told:

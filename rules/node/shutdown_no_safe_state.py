@@ -73,9 +73,9 @@ def shutdown_no_safe_state(robot: Robot) -> Iterator[Finding]:
             related=[
                 note(file.span_of(spin), "after this spin nothing stops it"),
                 *([note(command.span, f"publishes {command.name}")] if init is not None else []),
-                *(note(runner.where, f"{runner.name} stops it") for runner in robot.nodes.runners(file)),
+                *(note(runner.where, f"{runner.name} stops it") for runner in nodes.runners_of(robot.nodes, file)),
             ],
-            chain=robot.nodes.chain_to(file, note(place, "no stop command")),
+            chain=nodes.chain_to(robot.nodes, file, note(place, "no stop command")),
             severity="info" if is_caught else nodes.lowered(robot.nodes.purpose(file.source), "warning"),
         )
     for file, last, bus, command in nodes.unsafe_hardware(robot.nodes):
@@ -85,7 +85,7 @@ def shutdown_no_safe_state(robot: Robot) -> Iterator[Finding]:
             f"The node exits without stopping what it drives: {bus} keeps the last value that was written",
             advice="spin in a try that takes KeyboardInterrupt and ExternalShutdownException, and stop in its finally",
             related=[note(command.span, f"the commands of {command.name or 'this topic'} stay in force")],
-            chain=robot.nodes.chain_to(file, note(place, "no stop command")),
+            chain=nodes.chain_to(robot.nodes, file, note(place, "no stop command")),
             severity=nodes.lowered(robot.nodes.purpose(file.source), "warning"),
         )
     for each in nodes.unsafe_in_cpp(robot.nodes):

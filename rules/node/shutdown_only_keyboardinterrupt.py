@@ -85,12 +85,12 @@ class Unhandled(NamedTuple):
 
 def unhandled(robot: Robot) -> Iterator[Unhandled]:
     for file in robot.nodes.programs:
-        if robot.nodes.stopped_by(file) == {"SIGINT"}:
+        if nodes.stopped_by(robot.nodes, file) == {"SIGINT"}:
             continue
         ending = robot.nodes.ending(file)
         for caught, spin in nodes.unhandled_shutdown(ending):
             doubles = [call for call, ended in nodes.double_shutdown(ending) if ended == spin]
-            stopped = robot.nodes.is_stopped(file)
+            stopped = nodes.is_stopped(robot.nodes, file)
             yield Unhandled(file, file.span_of(caught), file.span_of(spin.call), doubles, stopped)
 
 
@@ -108,7 +108,7 @@ def _finding(robot: Robot, alike: list[Unhandled]) -> Finding:
         related=[
             note(first.spin, "raised by this spin"),
             *(note(place, "the signal has already shut the context down") for place in doubles),
-            *(note(runner.where, f"{runner.name} stops it") for runner in robot.nodes.runners(first.file)),
+            *(note(runner.where, f"{runner.name} stops it") for runner in nodes.runners_of(robot.nodes, first.file)),
             *(note(other.caught, "the same in this program of the package") for other in others),
         ],
         fix=fix("catch both", *(edit for each in alike for edit in _edits(robot, each))),

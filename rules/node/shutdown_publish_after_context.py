@@ -84,7 +84,7 @@ def shutdown_publish_after_context(robot: Robot) -> Iterator[Finding]:
                 advice="init with SignalHandlerOptions.NO, turn SIGTERM into KeyboardInterrupt with "
                 "signal.signal(signal.SIGTERM, signal.default_int_handler), and give the node a timer",
                 related=steps,
-                chain=robot.nodes.chain_to(file, note(place, f"the {what} comes too late")),
+                chain=nodes.chain_to(robot.nodes, file, note(place, f"the {what} comes too late")),
                 severity=_severity(robot, file, purpose, moves),
             )
 
@@ -92,6 +92,6 @@ def shutdown_publish_after_context(robot: Robot) -> Iterator[Finding]:
 def _severity(robot: Robot, file: nodes.NodeSource, purpose: nodes.Purpose, moves: bool) -> str:
     """In a raw terminal Ctrl-C is not a signal: the message is sent then, and lost only on SIGTERM. A message that
     moves nothing matters where something of the robot stops the program."""
-    if robot.nodes.ending(file).is_raw_terminal or not (moves or robot.nodes.is_stopped(file)):
+    if robot.nodes.ending(file).is_raw_terminal or not (moves or nodes.is_stopped(robot.nodes, file)):
         return "info"
     return nodes.lowered(purpose, "error" if moves else "warning")

@@ -69,7 +69,7 @@ def shutdown_signal_handler_starved(robot: Robot) -> Iterator[Finding]:
                     note(file.span_of(found.spin.call), "this spin waits in C"),
                     *(note(node.name or node.span, "this node has no timer") for node in waiting[:3]),
                 ],
-                chain=robot.nodes.chain_to(file, note(file.span_of(found.place), "the signal is not noticed")),
+                chain=nodes.chain_to(robot.nodes, file, note(file.span_of(found.place), "the signal is not noticed")),
                 severity=nodes.lowered(robot.nodes.purpose(file.source), "warning" if found.wakers else "error"),
             )
 

@@ -56,6 +56,6 @@ def shutdown_stop_unreached(robot: Robot) -> Iterator[Finding]:
             "SIGINT and SIGTERM skip this stop: they end spin() with an exception, and the last command stays in force",
             advice=OF_MESSAGE if is_motion else OF_HARDWARE,
             related=[note(file.span_of(spin.call), "raises KeyboardInterrupt or ExternalShutdownException")],
-            chain=robot.nodes.chain_to(file, note(place, "the stop is not reached")),
+            chain=nodes.chain_to(robot.nodes, file, note(place, "the stop is not reached")),
             severity=nodes.lowered(robot.nodes.purpose(file.source), "warning"),
         )

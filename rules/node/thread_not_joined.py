@@ -71,8 +71,8 @@ def _in_cpp(robot: Robot) -> Iterator[Finding]:
         vendored = robot.launch.workspace.is_vendored(source.source)
         severity = "info" if vendored else nodes.lowered(robot.nodes.purpose(source.source), "warning")
         for thread in source.threads:
-            late = robot.nodes.late_join(source, str(thread))
-            if late is None and robot.nodes.ends_thread(source.source, str(thread)):
+            late = nodes.late_join(robot.nodes, source, str(thread))
+            if late is None and nodes.ends_thread(robot.nodes, source.source, str(thread)):
                 continue
             by, when = "Nothing", "when it is destroyed, at each shutdown"
             if late is not None:

@@ -130,5 +130,5 @@ def waiting_for_sigint(robot: Robot, unit: Unit) -> Iterator[Span]:
     if not robot.of_kind("python-node"):
         return
     for file in robot.nodes.programs:
-        if any(runner.unit is unit for runner in robot.nodes.runners(file)):
+        if any(runner.unit is unit for runner in nodes.runners_of(robot.nodes, file)):
             yield from (file.span_of(caught) for caught, _ in nodes.unhandled_shutdown(robot.nodes.ending(file)))

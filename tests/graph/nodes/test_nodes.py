@@ -12,6 +12,9 @@ from hypothesis import strategies as st
 
 from bringup_lint.discover.tree import Tree
 from bringup_lint.discover.walk import discover
+from bringup_lint.graph.nodes.resolved.starting import chain_to
+from bringup_lint.graph.nodes.resolved.starting import runners_of
+from bringup_lint.graph.nodes.resolved.starting import stopped_by
 from bringup_lint.registry import Registry
 from bringup_lint.robot import Robot
 from bringup_lint.source import Source
@@ -177,9 +180,9 @@ def test_unit_that_starts_a_file(tmp_path: Path) -> None:
     )
     found = robot(tmp_path, files)
     (file,) = found.nodes.judged
-    assert [runner.name for runner in found.nodes.runners(file)] == ["arm.service"]
-    assert found.nodes.stopped_by(file) == {"SIGINT"}
-    assert [step.span.source.basename for step in found.nodes.chain_to(file)] == ["arm.service", "arm.launch.py"]
+    assert [runner.name for runner in runners_of(found.nodes, file)] == ["arm.service"]
+    assert stopped_by(found.nodes, file) == {"SIGINT"}
+    assert [step.span.source.basename for step in chain_to(found.nodes, file)] == ["arm.service", "arm.launch.py"]
 
 
 @pytest.mark.parametrize(

@@ -12,7 +12,9 @@ from bringup_lint.source import Source
 
 if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
+    from bringup_lint.graph.nodes.nodes import Nodes
     from bringup_lint.graph.workspace import Package
+    from bringup_lint.model.cpp_source import CppNode
 
 SUFFIXES = (".cpp", ".cc", ".cxx", ".hpp", ".hh", ".h", ".hxx", ".ipp", ".tpp", ".inl")
 FILES = 400
@@ -30,16 +32,22 @@ _STATEMENT = 2000
 """Characters in which a statement ends."""
 
 
-def ends_thread(files: Files, package: Package | None, source: Source, name: str) -> bool:
-    """Whether a source joins or detaches a thread, or hands it to something that may. True where too much is there to
-    be read."""
-    sources = package_sources(files, package, source)
+def ends_thread(nodes: Nodes, source: Source, name: str) -> bool:
+    """Whether the package of a C++ source joins or detaches a thread, or hands it to something that may. True where too
+    much is there to be read."""
+    sources = package_sources(nodes.files, nodes.launch.workspace.owner(source), source)
     return any(each is None or name in _ended(each) for each in sources)
 
 
-def is_joined_elsewhere(files: Files, package: Package | None, source: Source, late: LateJoin) -> bool:
+def late_join(nodes: Nodes, source: CppNode, name: str) -> LateJoin | None:
+    """The joins of a thread in callbacks, where nothing else of the package ends it."""
+    found = next((each for each in source.late_joins if each.thread == name), None)
+    return None if found is not None and _is_joined_elsewhere(nodes, source.source, found) else found
+
+
+def _is_joined_elsewhere(nodes: Nodes, source: Source, late: LateJoin) -> bool:
     """Whether the package ends a thread in other ways than by the joins in callbacks."""
-    sources = list(package_sources(files, package, source))
+    sources = list(package_sources(nodes.files, nodes.launch.workspace.owner(source), source))
     if None in sources:
         return True
     ends = [place for each in sources if each is not None for place in _ended(each).get(late.thread, ())]

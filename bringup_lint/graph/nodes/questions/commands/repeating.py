@@ -14,6 +14,7 @@ from bringup_lint.graph.nodes.sources.age import COMMENTS
 from bringup_lint.graph.nodes.sources.age import looks_at_age
 from bringup_lint.graph.nodes.sources.age import looks_at_time
 from bringup_lint.graph.nodes.sources.callback_code import reached
+from bringup_lint.graph.nodes.sources.halting import firmware_looks_at_time
 from bringup_lint.graph.nodes.sources.kept_commands import held_over
 from bringup_lint.graph.nodes.sources.kept_commands import loops
 from bringup_lint.graph.nodes.sources.motion import is_aimed
@@ -289,7 +290,7 @@ def _may_stop(source: CppNode, timer: Callback) -> bool:
 
 def boards_stop(nodes: Nodes, text: str) -> bool:
     """Whether a board is known to stop without commands, or firmware of the tree looks at a time."""
-    return bool(SELF_STOPPING.search(text)) or nodes.firmware_looks_at_time
+    return bool(SELF_STOPPING.search(text)) or firmware_looks_at_time(nodes)
 
 
 def driven_bus(nodes: Nodes, file: NodeSource) -> str | None:

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.nodes.sources.threads import package_sources
+from bringup_lint.graph.nodes.sources.with_header import headers
 from bringup_lint.model.cpp_source import UnsetMember
 from bringup_lint.source import Source
 from bringup_lint.source import Span
@@ -29,10 +30,10 @@ def unset_members(nodes: Nodes) -> Iterator[list[UnsetMember]]:
 
 def _in_header(nodes: Nodes, node: CppNode, member: UnsetMember) -> Span | None:
     """The declaration in the one header of a source, which gives the member no value and names it nowhere else."""
-    headers = nodes.headers(node.source)
-    if len(headers) != 1:
+    found = headers(nodes, node.source)
+    if len(found) != 1:
         return None
-    bare = (each for each in headers[0].bare_members if each.owner == member.owner)
+    bare = (each for each in found[0].bare_members if each.owner == member.owner)
     return next((each.declared.span for each in bare if each.declared == member.name), None)
 
 

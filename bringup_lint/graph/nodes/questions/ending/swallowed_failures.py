@@ -6,6 +6,7 @@ import ast
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.graph.nodes.resolved.starting import is_tool
 from bringup_lint.graph.nodes.sources.age import COMMENTS
 from bringup_lint.graph.nodes.sources.ending import Ending
 from bringup_lint.model.cpp_source import Swallowed
@@ -24,7 +25,7 @@ _ALL = frozenset({"Exception", "BaseException"})
 def swallowed_failures(nodes: Nodes) -> Iterator[list[Swallowed]]:
     """Those of one source together, where only ``main`` spins and returns nothing but 0."""
     for file in nodes.programs:
-        if not nodes.is_tool(file) and not _FAILS.search(COMMENTS.sub("", file.source.text)):
+        if not is_tool(nodes, file) and not _FAILS.search(COMMENTS.sub("", file.source.text)):
             found = list(_in_file(nodes.ending(file)))
             if found:
                 yield found

@@ -12,7 +12,11 @@ from bringup_lint.graph.nodes.questions.ending.safe_state import is_watched_rela
 from bringup_lint.graph.nodes.questions.ending.safe_state import relays
 from bringup_lint.graph.nodes.questions.ending.safe_state import stops_itself
 from bringup_lint.graph.nodes.questions.ending.safe_state import uncovered_sigterm
+from bringup_lint.graph.nodes.resolved.starting import stopped_by
 from bringup_lint.graph.nodes.sources.ending import Ending
+from bringup_lint.graph.nodes.sources.halting import firmware_looks_at_time
+from bringup_lint.graph.nodes.sources.halting import gate
+from bringup_lint.graph.nodes.sources.halting import timed_topics
 from bringup_lint.graph.nodes.sources.motion import is_velocity
 from bringup_lint.graph.nodes.sources.motion import moves
 from bringup_lint.graph.nodes.sources.syntax import Syntax
@@ -48,7 +52,7 @@ def unsafe_ends(nodes: Nodes) -> Iterator[UnsafeEnd]:
         init = uncovered_sigterm(ending, made)
         if init is None and has_safe_state(ending, made):
             continue
-        if init is not None and nodes.stopped_by(file) == {"SIGINT"}:
+        if init is not None and stopped_by(nodes, file) == {"SIGINT"}:
             continue
         command = _sent(nodes, made[0])[0]
         yield UnsafeEnd(file, command, ending.spins[0].call, init, _is_caught(nodes, ending, made, command))
@@ -73,10 +77,10 @@ def _loaded(file: NodeSource) -> Iterator[str]:
 
 def _is_caught(nodes: Nodes, ending: Ending, made: list[NodeClass], command: Endpoint) -> bool:
     if (
-        nodes.gate is not None
-        or nodes.firmware_looks_at_time
+        gate(nodes) is not None
+        or firmware_looks_at_time(nodes)
         or made[0].is_lifecycle
-        or _name(str(command.name)) in nodes.timed_topics
+        or _name(str(command.name)) in timed_topics(nodes)
     ):
         return True
     if all(relays(node) or stops_itself(ending.syntax, node) for node in made):

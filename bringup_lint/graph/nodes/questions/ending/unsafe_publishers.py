@@ -10,6 +10,9 @@ from bringup_lint.graph.nodes.questions.ending.safe_state import is_watched_rela
 from bringup_lint.graph.nodes.questions.ending.unsafe_hardware import only_spin
 from bringup_lint.graph.nodes.sources.age import COMMENTS
 from bringup_lint.graph.nodes.sources.age import looks_at_age
+from bringup_lint.graph.nodes.sources.halting import firmware_looks_at_time
+from bringup_lint.graph.nodes.sources.halting import gate
+from bringup_lint.graph.nodes.sources.halting import timed_topics
 from bringup_lint.graph.nodes.sources.motion import is_velocity
 from bringup_lint.graph.nodes.sources.motion import moves
 from bringup_lint.graph.nodes.sources.with_header import with_header
@@ -43,7 +46,7 @@ def unsafe_publishers(nodes: Nodes) -> Iterator[UnsafePublisher]:
 
 def _is_caught(nodes: Nodes, node: CppNode, command: Endpoint) -> bool:
     topic = (command.name or "").rpartition("/")[2]
-    if nodes.gate is not None or nodes.firmware_looks_at_time or topic in nodes.timed_topics:
+    if gate(nodes) is not None or firmware_looks_at_time(nodes) or topic in timed_topics(nodes):
         return True
     if any(each.role == "subscription" and (moves(each) or is_velocity(each)) for each in node.endpoints):
         return True

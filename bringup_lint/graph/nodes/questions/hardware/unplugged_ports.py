@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from functools import partial
 from typing import TYPE_CHECKING
 
+from bringup_lint.graph.nodes.resolved.starting import is_supervised
 from bringup_lint.graph.nodes.sources.callback_code import code_of
 from bringup_lint.graph.nodes.sources.stored_values import module_values
 from bringup_lint.graph.nodes.sources.stored_values import stored
@@ -117,5 +118,5 @@ def is_restarted(nodes: Nodes, file: NodeSource) -> bool:
     programs = [file, *nodes.importers(file.source)]
     launched = [started for each in programs for started in nodes.launched(each)]
     if not launched:
-        return any(nodes.is_supervised(each) for each in programs)
+        return any(is_supervised(nodes, each) for each in programs)
     return any("respawn" in each.options or "on_exit" in each.options for each in launched)
