@@ -40,6 +40,29 @@ from bringup_lint.api import rule
 from bringup_lint.api.ros import Ungenerated
 
 GROUP = "rosidl_interface_packages"
+_TEXTS = {
+    "group": (
+        f"{{name}} generates interfaces and is no member of {GROUP}: its build stops",
+        f"add <member_of_group>{GROUP}</member_of_group> to package.xml",
+    ),
+    "file": (
+        "{name} generates {listed}, which does not exist: its build stops",
+        "correct the name, or add the file",
+    ),
+    "unlisted": (
+        "{name} does not generate {listed}, which a node includes: its build stops",
+        "add {words} to rosidl_generate_interfaces",
+    ),
+    "dependency": (
+        "The interfaces of {name} have fields of {listed}, no DEPENDENCIES: its build stops",
+        "add DEPENDENCIES {words} to rosidl_generate_interfaces",
+    ),
+    "none": (
+        "{name} defines {some} and generates no interface: nothing can include or import them",
+        "call rosidl_generate_interfaces with the files, or remove them",
+    ),
+}
+"""Kind -> what happens, and what to write instead."""
 
 
 @rule(
@@ -50,10 +73,11 @@ def interface_not_generated(robot: Robot) -> Iterator[Finding]:
     for each in robot.dependencies.ungenerated:
         if not robot.dependencies.judged(each.package):
             continue
+        message, advice = (text.format(**_said(each)) for text in _TEXTS[each.kind])
         yield finding(
             each.where,
-            _message(each),
-            advice=_advice(each),
+            message,
+            advice=advice,
             related=[note(each.package.place, f"the package {each.package.name}")] if each.kind != "group" else [],
             severity=_severity(robot, each),
         )
@@ -69,29 +93,11 @@ def _severity(robot: Robot, each: Ungenerated) -> str | None:
     return "warning" if any(package in source.text and used.search(source.text) for source in sources) else "info"
 
 
-def _message(each: Ungenerated) -> str:
-    name = each.package.name
-    match each.kind:
-        case "group":
-            return f"{name} generates interfaces and is no member of {GROUP}: its build stops"
-        case "file":
-            return f"{name} generates {', '.join(each.names)}, which does not exist: its build stops"
-        case "unlisted":
-            return f"{name} does not generate {', '.join(each.names)}, which a node includes: its build stops"
-        case "dependency":
-            return f"The interfaces of {name} have fields of {', '.join(each.names)}, no DEPENDENCIES: its build stops"
+def _said(each: Ungenerated) -> dict[str, str]:
     more = f" and {len(each.names) - 1} more" if len(each.names) > 1 else ""
-    return f"{name} defines {each.names[0]}{more} and generates no interface: nothing can include or import them"
-
-
-def _advice(each: Ungenerated) -> str:
-    match each.kind:
-        case "group":
-            return f"add <member_of_group>{GROUP}</member_of_group> to package.xml"
-        case "file":
-            return "correct the name, or add the file"
-        case "unlisted":
-            return f"add {' '.join(each.names)} to rosidl_generate_interfaces"
-        case "dependency":
-            return f"add DEPENDENCIES {' '.join(each.names)} to rosidl_generate_interfaces"
-    return "call rosidl_generate_interfaces with the files, or remove them"
+    return {
+        "name": each.package.name,
+        "listed": ", ".join(each.names),
+        "words": " ".join(each.names),
+        "some": f"{next(iter(each.names), '')}{more}",
+    }

@@ -63,8 +63,144 @@ from bringup_lint.api import rule
 from bringup_lint.api.params import NavigationProblem
 from bringup_lint.api.params import navigation_problems
 
-_ENDS = ("sign", "length", "polygon", "model", "footprint", "library", "critic", "type", "step")
-"""What a server refuses."""
+_TEXTS: dict[str, tuple[str, str, str | None]] = {
+    "footprint": (
+        "The footprint is refused, {detail}: the costmap takes robot_radius instead",
+        'write "[[x, y], [x, y], [x, y]]" with the corners in metres',
+        "error",
+    ),
+    "corner": (
+        "The footprint has a corner twice in a row ({detail}): a part of the robot is outside of it",
+        "write every corner once, in order around the robot",
+        None,
+    ),
+    "inflation": (
+        "The inflation radius is below the inscribed radius of {detail} m: paths touch obstacles",
+        "inflate by more than the inscribed radius",
+        None,
+    ),
+    "inflation-logged": (
+        "The inflation radius is below the inscribed radius of {detail} m: Nav2 logs an error",
+        "write {detail}",
+        None,
+    ),
+    "ranges": (
+        "'{name}' clears less far than it marks ({detail}): obstacles beyond stay in the costmap",
+        "set raytrace_max_range above obstacle_max_range",
+        None,
+    ),
+    "source": (
+        "The source '{name}' of {detail} has no section: the layer reads the topic '{name}'",
+        "add a section {name} with topic and data_type, or take it off the list",
+        None,
+    ),
+    "sign": (
+        "{name} has the wrong sign ({detail}): the velocity smoother refuses it, or never stops",
+        "write 0 or {sign} numbers",
+        "error",
+    ),
+    "length": (
+        "{name} has {detail}: the velocity smoother ends when it configures",
+        "write one number for each axis: x, y and theta",
+        "error",
+    ),
+    "turn": (
+        "{name} and min_velocity are 0 for theta: the velocity smoother takes every turn away",
+        "write the speeds at which the robot may turn, in rad/s",
+        None,
+    ),
+    "slower": (
+        "The velocity smoother drives slower than the controller plans ({detail})",
+        "give both the same limit",
+        None,
+    ),
+    "tree": (
+        "The tree is that of the other action: it reads {detail}: each goal fails",
+        "write the tree of its own action, or leave out {name}",
+        None,
+    ),
+    "old-tree": (
+        "bt_navigator reads no {name} since Galactic: it takes the tree of its own package",
+        "write the path of the tree as default_nav_to_pose_bt_xml, or remove the line",
+        None,
+    ),
+    "zone": (
+        "The robot itself fills {name} (radius {detail}): what is seen there has touched it",
+        "make the zone larger than the robot, by the distance that it needs to stop",
+        None,
+    ),
+    "radii": (
+        "The costmaps are for robots of two sizes ({detail}): what one lets through, the other blocks",
+        "give both costmaps the same robot_radius",
+        None,
+    ),
+    "step": (
+        "The step of {name} is below the period of its server ({detail}): MPPI does not configure",
+        "set model_dt to 1 / controller_frequency",
+        "error",
+    ),
+    "blind": (
+        "No critic of {name} looks at the costmap: the controller drives into obstacles",
+        "add {either}",
+        None,
+    ),
+    "polygon": (
+        "The polygon '{name}' has no section with a type: {detail} does not configure",
+        "add a section {name}, or write the name of the one that is there",
+        "error",
+    ),
+    "pose": (
+        "{name} has no effect without set_initial_pose: amcl waits until something sends a pose",
+        "add set_initial_pose: true",
+        None,
+    ),
+    "particles": (
+        "min_particles is above max_particles ({detail}): amcl raises the maximum",
+        "swap the numbers",
+        None,
+    ),
+    "frame": (
+        "The local costmap rolls in {detail}: each correction of amcl moves its obstacles off the robot",
+        "write odom",
+        None,
+    ),
+    "section": (
+        "No node is called {name} since Humble: {detail} runs with the defaults of its source",
+        "call it {detail}, recovery_plugins behavior_plugins, and the plugins nav2_behaviors/...",
+        None,
+    ),
+    "halves": (
+        "No node is called {name} since Humble, and behavior_server lacks its {detail}",
+        "move them to behavior_server, and remove {name}",
+        None,
+    ),
+    "critic": (
+        "No critic is called '{name}': the controller server ends when it configures",
+        "write {critic}",
+        "error",
+    ),
+    "type": (
+        "The source '{name}' is a {detail}: the costmap takes LaserScan and PointCloud2, and ends",
+        "write LaserScan or PointCloud2",
+        "error",
+    ),
+    "clearing": (
+        "No source of {name} clears ({detail}): what it marked stays there after it left",
+        "set clearing: true for the source that sees where nothing is",
+        None,
+    ),
+    "library": (
+        "bt_navigator loads {name}{detail} by itself: it ends when it registers their nodes again",
+        "list libraries of your own only, or remove plugin_lib_names",
+        "error",
+    ),
+    "model": (
+        "amcl has no motion model '{name}' since Humble: it ends when it configures",
+        "write {detail}",
+        "error",
+    ),
+}
+"""Kind -> what happens, what to write instead, and the severity where a server ends."""
 
 
 @rule(
@@ -89,128 +225,22 @@ _ENDS = ("sign", "length", "polygon", "model", "footprint", "library", "critic",
 )
 def nav2_contradiction(robot: Robot) -> Iterator[Finding]:
     for each in navigation_problems(robot.params):
+        message, advice, severity = _TEXTS[each.kind]
+        said = _said(each)
         yield finding(
             each.where,
-            _message(each),
-            advice=_advice(each),
+            message.format(**said),
+            advice=advice.format(**said),
             related=[note(each.other, "compared with this")] if each.other is not None else [],
-            severity="error" if each.kind in _ENDS else None,
+            severity=severity,
         )
 
 
-def _message(each: NavigationProblem) -> str:
-    match each.kind:
-        case "footprint":
-            return f"The footprint is refused, {each.detail}: the costmap takes robot_radius instead"
-        case "corner":
-            return f"The footprint has a corner twice in a row ({each.detail}): a part of the robot is outside of it"
-        case "inflation":
-            return f"The inflation radius is below the inscribed radius of {each.detail} m: paths touch obstacles"
-        case "inflation-logged":
-            return f"The inflation radius is below the inscribed radius of {each.detail} m: Nav2 logs an error"
-        case "ranges":
-            return f"'{each.name}' clears less far than it marks ({each.detail}): obstacles beyond stay in the costmap"
-        case "source":
-            return f"The source '{each.name}' of {each.detail} has no section: the layer reads the topic '{each.name}'"
-        case "sign":
-            return f"{each.name} has the wrong sign ({each.detail}): the velocity smoother refuses it, or never stops"
-        case "length":
-            return f"{each.name} has {each.detail}: the velocity smoother ends when it configures"
-        case "turn":
-            return f"{each.name} and min_velocity are 0 for theta: the velocity smoother takes every turn away"
-        case "slower":
-            return f"The velocity smoother drives slower than the controller plans ({each.detail})"
-        case "tree":
-            return f"The tree is that of the other action: it reads {each.detail}: each goal fails"
-        case "old-tree":
-            return f"bt_navigator reads no {each.name} since Galactic: it takes the tree of its own package"
-        case "zone":
-            return f"The robot itself fills {each.name} (radius {each.detail}): what is seen there has touched it"
-        case "radii":
-            return f"The costmaps are for robots of two sizes ({each.detail}): what one lets through, the other blocks"
-        case "step":
-            return f"The step of {each.name} is below the period of its server ({each.detail}): MPPI does not configure"
-        case "blind":
-            return f"No critic of {each.name} looks at the costmap: the controller drives into obstacles"
-        case "polygon":
-            return f"The polygon '{each.name}' has no section with a type: {each.detail} does not configure"
-        case "pose":
-            return f"{each.name} has no effect without set_initial_pose: amcl waits until something sends a pose"
-        case "particles":
-            return f"min_particles is above max_particles ({each.detail}): amcl raises the maximum"
-        case "frame":
-            return (
-                f"The local costmap rolls in {each.detail}: each correction of amcl moves its obstacles off the robot"
-            )
-        case "section":
-            return f"No node is called {each.name} since Humble: {each.detail} runs with the defaults of its source"
-        case "halves":
-            return f"No node is called {each.name} since Humble, and behavior_server lacks its {each.detail}"
-        case "critic":
-            return f"No critic is called '{each.name}': the controller server ends when it configures"
-        case "type":
-            return f"The source '{each.name}' is a {each.detail}: the costmap takes LaserScan and PointCloud2, and ends"
-        case "clearing":
-            return f"No source of {each.name} clears ({each.detail}): what it marked stays there after it left"
-        case "library":
-            return f"bt_navigator loads {each.name}{each.detail} by itself: it ends when it registers their nodes again"
-    return f"amcl has no motion model '{each.name}' since Humble: it ends when it configures"
-
-
-def _advice(each: NavigationProblem) -> str:
-    match each.kind:
-        case "footprint":
-            return 'write "[[x, y], [x, y], [x, y]]" with the corners in metres'
-        case "corner":
-            return "write every corner once, in order around the robot"
-        case "inflation":
-            return "inflate by more than the inscribed radius"
-        case "ranges":
-            return "set raytrace_max_range above obstacle_max_range"
-        case "source":
-            return f"add a section {each.name} with topic and data_type, or take it off the list"
-        case "sign":
-            return (
-                "write 0 or positive numbers"
-                if each.name.startswith("max_") and "decel" not in each.name
-                else ("write 0 or negative numbers")
-            )
-        case "length":
-            return "write one number for each axis: x, y and theta"
-        case "turn":
-            return "write the speeds at which the robot may turn, in rad/s"
-        case "slower":
-            return "give both the same limit"
-        case "tree":
-            return f"write the tree of its own action, or leave out {each.name}"
-        case "old-tree":
-            return "write the path of the tree as default_nav_to_pose_bt_xml, or remove the line"
-        case "zone":
-            return "make the zone larger than the robot, by the distance that it needs to stop"
-        case "radii":
-            return "give both costmaps the same robot_radius"
-        case "step":
-            return "set model_dt to 1 / controller_frequency"
-        case "blind":
-            return f"add {each.detail.replace(', ', ' or ')}"
-        case "polygon":
-            return f"add a section {each.name}, or write the name of the one that is there"
-        case "pose":
-            return "add set_initial_pose: true"
-        case "particles":
-            return "swap the numbers"
-        case "frame":
-            return "write odom"
-        case "section":
-            return f"call it {each.detail}, recovery_plugins behavior_plugins, and the plugins nav2_behaviors/..."
-        case "halves":
-            return f"move them to behavior_server, and remove {each.name}"
-        case "critic":
-            return f"write {each.detail}" if each.detail else "write the name of a critic of this controller"
-        case "type":
-            return "write LaserScan or PointCloud2"
-        case "clearing":
-            return "set clearing: true for the source that sees where nothing is"
-        case "library":
-            return "list libraries of your own only, or remove plugin_lib_names"
-    return f"write {each.detail}"
+def _said(each: NavigationProblem) -> dict[str, str]:
+    return {
+        "name": each.name,
+        "detail": each.detail,
+        "either": each.detail.replace(", ", " or "),
+        "critic": each.detail or "the name of a critic of this controller",
+        "sign": "positive" if each.name.startswith("max_") and "decel" not in each.name else "negative",
+    }

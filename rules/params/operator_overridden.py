@@ -45,39 +45,35 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api.params import OperatorProblem
 from bringup_lint.api.params import operator_problems
+
+_TEXTS = {
+    "order": (
+        "{other} has priority over {name} ({detail}): the operator cannot take over",
+        "give {name} the higher priority",
+    ),
+    "lock": (
+        "The lock {name} does not hold back {other} ({detail}): the robot drives on",
+        "give the lock a priority above all inputs, such as 255",
+    ),
+    "endless": (
+        "{name} never gets too old: after its first message, {other} has no effect any more",
+        "set a timeout of a few periods of the input, such as 0.5",
+    ),
+    "never": ("{name} has priority 0: twist_mux never forwards it", "give it a priority from 1 to 255"),
+}
+"""Kind -> what happens, and what to write instead."""
 
 
 @rule("warning", silent="twist_mux drops the message of an input that is masked without a word")
 def operator_overridden(robot: Robot) -> Iterator[Finding]:
     for each in operator_problems(robot.params):
-        if each.kind != "deadman":
+        if each.kind in _TEXTS:
+            said = {"name": each.name, "other": each.other, "detail": each.detail}
+            message, advice = (text.format(**said) for text in _TEXTS[each.kind])
             yield finding(
                 each.where,
-                _message(each),
-                advice=_advice(each),
+                message,
+                advice=advice,
                 related=[note(each.related, f"the priority of {each.other}")] if each.related is not None else [],
             )
-
-
-def _message(each: OperatorProblem) -> str:
-    match each.kind:
-        case "order":
-            return f"{each.other} has priority over {each.name} ({each.detail}): the operator cannot take over"
-        case "lock":
-            return f"The lock {each.name} does not hold back {each.other} ({each.detail}): the robot drives on"
-        case "endless":
-            return f"{each.name} never gets too old: after its first message, {each.other} has no effect any more"
-    return f"{each.name} has priority 0: twist_mux never forwards it"
-
-
-def _advice(each: OperatorProblem) -> str:
-    match each.kind:
-        case "order":
-            return f"give {each.name} the higher priority"
-        case "lock":
-            return "give the lock a priority above all inputs, such as 255"
-        case "endless":
-            return "set a timeout of a few periods of the input, such as 0.5"
-    return "give it a priority from 1 to 255"
