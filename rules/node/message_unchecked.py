@@ -52,11 +52,19 @@ from bringup_lint.api import rule
 
 @rule("warning", symptoms=["json.decoder.JSONDecodeError: Expecting value", "IndexError: list index out of range"])
 def message_unchecked(robot: Robot) -> Iterator[Finding]:
+    yield from _in_callbacks(robot)
+    yield from _in_handlers(robot)
+
+
+def _in_callbacks(robot: Robot) -> Iterator[Finding]:
     alike: dict[tuple[nodes.NodeSource, str], list[nodes.Unchecked]] = {}
     for each in nodes.unchecked_messages(robot.nodes):
         alike.setdefault((each.file, each.fault.raises), []).append(each)
     for (file, _), found in alike.items():
         yield _finding(robot, file, *found)
+
+
+def _in_handlers(robot: Robot) -> Iterator[Finding]:
     for file in robot.nodes.programs:
         syntax = robot.nodes.syntax(file)
         for node, raised, handler in nodes.mistaken_handlers(syntax):

@@ -61,6 +61,13 @@ KEEPS = "the robot keeps its last velocity until something else stops it"
 
 @rule("warning", confidence="medium", silent="the program ends as it was asked to", tags=["CWE-404"])
 def shutdown_no_safe_state(robot: Robot) -> Iterator[Finding]:
+    yield from _without_stop_command(robot)
+    yield from _with_hardware(robot)
+    yield from _with_hardware_in_cpp(robot)
+    yield from _with_publishers(robot)
+
+
+def _without_stop_command(robot: Robot) -> Iterator[Finding]:
     for file, command, spin, init, is_caught in nodes.unsafe_ends(robot.nodes):
         place = file.span_of(init) if init is not None else command.span
         message = f"The node exits without a stop command: {KEEPS}"
@@ -78,6 +85,9 @@ def shutdown_no_safe_state(robot: Robot) -> Iterator[Finding]:
             chain=nodes.chain_to(robot.nodes, file, note(place, "no stop command")),
             severity="info" if is_caught else nodes.lowered(robot.nodes.purpose(file.source), "warning"),
         )
+
+
+def _with_hardware(robot: Robot) -> Iterator[Finding]:
     for file, last, bus, command in nodes.unsafe_hardware(robot.nodes):
         place = file.span_of(last.call)
         yield finding(
@@ -88,6 +98,9 @@ def shutdown_no_safe_state(robot: Robot) -> Iterator[Finding]:
             chain=nodes.chain_to(robot.nodes, file, note(place, "no stop command")),
             severity=nodes.lowered(robot.nodes.purpose(file.source), "warning"),
         )
+
+
+def _with_hardware_in_cpp(robot: Robot) -> Iterator[Finding]:
     for each in nodes.unsafe_in_cpp(robot.nodes):
         yield finding(
             each.spin,
@@ -96,6 +109,9 @@ def shutdown_no_safe_state(robot: Robot) -> Iterator[Finding]:
             related=[note(each.command.span, f"the commands of {each.command.name or 'this topic'} stay in force")],
             severity=nodes.lowered(robot.nodes.purpose(each.source), "warning"),
         )
+
+
+def _with_publishers(robot: Robot) -> Iterator[Finding]:
     for sent in nodes.unsafe_publishers(robot.nodes):
         yield finding(
             sent.spin,

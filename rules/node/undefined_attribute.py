@@ -55,6 +55,15 @@ from bringup_lint.api import rule
     ],
 )
 def undefined_attribute(robot: Robot) -> Iterator[Finding]:
+    yield from _missing(robot)
+    yield from _taken(robot)
+    yield from _late(robot)
+    yield from _early(robot)
+    yield from _half_made(robot)
+    yield from _untyped(robot)
+
+
+def _missing(robot: Robot) -> Iterator[Finding]:
     for first, *others in nodes.missing_attributes(robot.nodes):
         name, end = first.place.attr, nodes.end_of(robot.nodes.syntax(first.file), first.place)
         yield finding(
@@ -64,6 +73,9 @@ def undefined_attribute(robot: Robot) -> Iterator[Finding]:
             related=[note(each.file.span_of(each.place), f"nothing sets self.{each.place.attr}") for each in others],
             severity="info" if first.idle else robot.nodes.graded(first.file.source, "error"),
         )
+
+
+def _taken(robot: Robot) -> Iterator[Finding]:
     for taken in nodes.taken_attributes(robot.nodes):
         name, end = taken.place.attr, nodes.end_of(robot.nodes.syntax(taken.file), taken.place)
         yield finding(
@@ -72,6 +84,9 @@ def undefined_attribute(robot: Robot) -> Iterator[Finding]:
             advice=f"choose another name, such as self.own_{name}",
             severity=robot.nodes.graded(taken.file.source, "error"),
         )
+
+
+def _late(robot: Robot) -> Iterator[Finding]:
     for late, *more in nodes.late_attributes(robot.nodes):
         name, end = late.place.attr, nodes.end_of(robot.nodes.syntax(late.file), late.place)
         yield finding(
@@ -84,7 +99,10 @@ def undefined_attribute(robot: Robot) -> Iterator[Finding]:
             ],
             severity=robot.nodes.graded(late.file.source, "warning"),
         )
-    for early, *more_early in nodes.early_reads(robot.nodes):
+
+
+def _early(robot: Robot) -> Iterator[Finding]:
+    for early, *more in nodes.early_reads(robot.nodes):
         name, end = early.place.attr, nodes.end_of(robot.nodes.syntax(early.file), early.place)
         yield finding(
             early.file.span_of(early.place),
@@ -92,10 +110,13 @@ def undefined_attribute(robot: Robot) -> Iterator[Finding]:
             advice=f"give self.{name} its first value in __init__()",
             related=[
                 note(early.file.span_of(early.set_at), "set only behind a use of it"),
-                *(note(each.file.span_of(each.place), f"self.{each.place.attr} likewise") for each in more_early),
+                *(note(each.file.span_of(each.place), f"self.{each.place.attr} likewise") for each in more),
             ],
             severity="info" if early.idle else robot.nodes.graded(early.file.source, "error"),
         )
+
+
+def _half_made(robot: Robot) -> Iterator[Finding]:
     for file, handler, place, set_at, function in nodes.half_made(robot.nodes):
         end = nodes.end_of(robot.nodes.syntax(file), place)
         where = handler.type if handler.type is not None else set_at
@@ -109,6 +130,9 @@ def undefined_attribute(robot: Robot) -> Iterator[Finding]:
             ],
             severity=robot.nodes.graded(file.source, "warning"),
         )
+
+
+def _untyped(robot: Robot) -> Iterator[Finding]:
     for file in robot.nodes.programs:
         reads = list(nodes.untyped_reads(robot.nodes.syntax(file)))
         for read in reads[:1]:
