@@ -100,6 +100,8 @@ _OfRobot = TypeVar("_OfRobot", Stated, Marked)
 
 @dataclass(frozen=True, eq=False)
 class Fleet:
+    """What the rules of the fleet ask: the robots with what their summaries say of the network, names and keys."""
+
     store: Store
 
     @property

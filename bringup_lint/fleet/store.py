@@ -97,6 +97,8 @@ class FleetRobot:
 
 @dataclass(frozen=True, eq=False)
 class Store:
+    """The database: summaries go in robot by robot, and the fleet asks for facts of all."""
+
     database: Connection
     robots: list[FleetRobot] = field(default_factory=list)
     """In the order of their names."""

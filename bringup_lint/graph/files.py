@@ -58,6 +58,8 @@ _ROS_KINDS = (
 
 @dataclass(eq=False)
 class Files:
+    """What every layer may ask: the sources by kind, their models, what a file is for. It knows no layer."""
+
     tree: Tree
     configured_ros: str | None = None
     configured_systemd: int | None = None

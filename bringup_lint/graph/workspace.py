@@ -87,6 +87,8 @@ class Made(NamedTuple):
 
 @dataclass(eq=False)
 class Package:
+    """One package of the workspace: its manifest, and what its build makes and installs."""
+
     manifest: Manifest
     folder: str
     """Absolute."""
@@ -251,6 +253,8 @@ def _origin(install: Install, destination: str, source: str, path: str) -> str |
 
 
 class Workspace:
+    """Asked as ``launch.workspace``: the packages by name, the owner of a file, the source of an installed one."""
+
     def __init__(self, tree: Tree, packages: dict[str, Package], ambiguous: set[str], copies: Copies) -> None:
         self.tree = tree
         self._copies = copies

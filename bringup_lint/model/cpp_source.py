@@ -258,6 +258,8 @@ class TextAsBool(NamedTuple):
 
 @dataclass(eq=False, slots=True)
 class CppNode:
+    """All that ``parsers.cpp_node`` finds in one file."""
+
     source: Source
     endpoints: list[Endpoint] = field(default_factory=list)
     """In the order of the text; without a name where it is not a literal."""

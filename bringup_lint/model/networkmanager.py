@@ -44,6 +44,8 @@ class Address(NamedTuple):
 
 @dataclass(eq=False, slots=True)
 class Profile:
+    """One keyfile: its settings in the order of the text, and what is wrong with them."""
+
     source: Source
     settings: list[Setting] = field(default_factory=list)
     problems: list[Problem] = field(default_factory=list)

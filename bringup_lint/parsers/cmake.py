@@ -46,6 +46,8 @@ def _end_of_loop(given: list[Command], at: int) -> int:
 
 
 class Reader:
+    """Follows the commands of one file with its includes, and writes into its ``Build``."""
+
     def __init__(self, build: Build, variables: dict[str, str]) -> None:
         self.build = build
         self.variables = variables

@@ -95,6 +95,8 @@ class Table:
 
 
 class State:
+    """What the real parser keeps between two events."""
+
     def __init__(self) -> None:
         self.in_parameters = False
         self.depth = 0

@@ -30,6 +30,8 @@ LONGEST = 400
 
 @dataclass
 class Statements:
+    """What the parts of ``fleet.reduce`` add the facts and marks of one robot to."""
+
     robot: Robot
     key: bytes
     """Made for this run; without it nobody can try out guesses on the digests."""

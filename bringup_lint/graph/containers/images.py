@@ -49,6 +49,8 @@ class Built(NamedTuple):
 
 @dataclass(eq=False)
 class Images:
+    """Which Dockerfile of the tree makes the image of a name."""
+
     tree: Tree
     dockerfiles: list[Dockerfile]
     compose_files: list[ComposeFile] = field(default_factory=list)

@@ -68,6 +68,8 @@ _COMMON = frozenset(
 
 
 class Dependencies:
+    """Asked as ``robot.dependencies``: what packages need, and whether anything of the tree brings it."""
+
     def __init__(self, files: Files, launch: Launch, dockerfiles: Callable[[], list[Dockerfile]]) -> None:
         self._files = files
         self._launch = launch

@@ -47,6 +47,8 @@ _VARIANTS = frozenset(("desktop", "desktop_full", "perception", "simulation"))
 
 
 class Provided:
+    """Whether installers and images bring a package that the manifests do not."""
+
     def __init__(self, installers: Installers, dockerfiles: list[Dockerfile]) -> None:
         self._installers = installers
         self._dockerfiles = dockerfiles

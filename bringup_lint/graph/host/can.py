@@ -69,6 +69,8 @@ class CanFile:
 
 @dataclass(eq=False)
 class Can:
+    """Asked as ``robot.can``: who configures an interface, and who needs it."""
+
     sources: Files
     units: Units
 

@@ -56,6 +56,8 @@ class Refusal(NamedTuple):
 
 
 class Checker:
+    """Compares the tags of one file with the grammar of a distribution."""
+
     def __init__(self, grammar: Grammar) -> None:
         self.grammar = grammar
 

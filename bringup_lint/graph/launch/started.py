@@ -31,6 +31,8 @@ from bringup_lint.source import Span
 
 @dataclass(eq=False, slots=True)
 class Started:
+    """One node, component or process of an expansion, with its values as far as they are known there."""
+
     action: Node | ComposableNode | Process
     file: LaunchFile
     """Where it is written."""

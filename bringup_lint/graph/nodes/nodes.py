@@ -48,6 +48,8 @@ _UNJUDGED = (Purpose.TEST, Purpose.CI, Purpose.ARCHIVE)
 
 @dataclass(eq=False)
 class Nodes:
+    """Asked as ``robot.nodes``: the sources of nodes, with the packages and launch files that start them."""
+
     files: Files
     launch: Launch
     runners: Callable[[], Runners]

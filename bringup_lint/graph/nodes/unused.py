@@ -40,6 +40,8 @@ _REMARK = regex(r"#[^\n]*")
 
 
 class Unused:
+    """Whether anything of the tree runs, imports or builds a file."""
+
     def __init__(self, files: Files, workspace: Workspace) -> None:
         self._files = files
         self._workspace = workspace

@@ -25,6 +25,8 @@ _STEPS = 200_000
 
 
 class XacroValues:
+    """Gathers properties and calls of macros while files are read, and answers with the values that they give."""
+
     def __init__(self) -> None:
         self._calls: dict[str, list[Element]] = {}
         """Macro -> its calls."""

@@ -35,6 +35,8 @@ if TYPE_CHECKING:
 
 @dataclass(eq=False)
 class Runners:
+    """Asked as ``robot.runners``: everything that starts processes, and what of ROS it starts."""
+
     files: Files
     layers: Layers
     launch: Callable[[], Launch]

@@ -65,6 +65,8 @@ SIGNED_FORMS = (".p7s", ".smime")
 
 @dataclass(eq=False)
 class Sros2:
+    """Asked as ``robot.sros2``: keystores, policies, enclaves, and the processes that are given them."""
+
     files: Files
     ros: RosEnvironment
     runners: Callable[[], Runners]

@@ -54,6 +54,8 @@ _VOLATILE = ("/run/", "/var/run/", "/tmp/", "/dev/", "/proc/", "/sys/")
 
 @dataclass(eq=False)
 class Filesystem:
+    """Asked as ``robot.filesystem``: whether anything of the tree makes a path, also before a unit starts."""
+
     files: Files
     units: Units
     fstabs: Callable[[], list[Fstab]]

@@ -70,6 +70,8 @@ _WAITING = regex(
 
 @dataclass(eq=False)
 class Topics:
+    """Asked as ``robot.topics``: the endpoints of what runs together, by the names that launch files give them."""
+
     files: Files
     launch: Launch
     nodes: Nodes

@@ -61,6 +61,8 @@ _ROS1_TAGS = frozenset(("rosparam", "machine", "test", "env-loader"))
 
 
 class Builder:
+    """Makes the actions of one file."""
+
     def __init__(self, file: LaunchFile) -> None:
         self.file = file
 

@@ -40,6 +40,8 @@ _REQUIREMENTS = ("requirements.yml", "requirements.yaml", "galaxy.yml")
 
 @dataclass(eq=False)
 class Roles:
+    """Which roles Ansible finds in the tree."""
+
     files: Files
 
     def missing(self, source: Source) -> Iterator[Located]:

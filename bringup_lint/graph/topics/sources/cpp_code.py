@@ -21,6 +21,8 @@ FILES = 40
 
 
 class CppCode:
+    """Reads the sources of each C++ program once."""
+
     def __init__(self, files: Files) -> None:
         self._files = files
         self._known: dict[tuple[str, str], Code | None] = {}

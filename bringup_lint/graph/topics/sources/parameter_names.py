@@ -52,6 +52,8 @@ _SAFE = ("rclpy", "rclpy_action", "tf2_ros", "message_filters", "diagnostic_upda
 
 
 class ParameterNames:
+    """Reads for each program the words with which it may ask for parameters, once."""
+
     def __init__(self, files: Files, workspace: Workspace, nodes: Nodes) -> None:
         self._files = files
         self._workspace = workspace

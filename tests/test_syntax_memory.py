@@ -18,7 +18,7 @@ from bringup_lint.report.order import at_boot
 from bringup_lint.robot import Robot
 from bringup_lint.rule_index.described import described
 
-BENCHMARKS = Path(__file__).parents[2] / "benchmarks"
+BENCHMARKS = Path(__file__).parents[1] / "benchmarks"
 
 
 @pytest.fixture
