@@ -2,16 +2,18 @@
 
 It is the only module that knows all layers. A layer takes what it needs as arguments: ``Files``, and the layers below
 it that it asks; none takes a ``Robot``. To construct a layer costs nothing, because all that it holds is computed on
-first use (``cached_property``), so layers are passed as they are::
+first use (``cached_property``), so layers are passed as they are. Where one is asked in rare cases only, and its
+modules would be imported in vain in most runs, a function is passed that gives it, with the parameter
+``launch: Callable[[], Launch]``::
 
     @cached_property
     def params(self) -> Params:
         from bringup_lint.graph.params.params import Params
 
-        return Params(self.files, self.launch)
+        return Params(self.files, lambda: self.launch)
 
-Where a layer is asked in rare cases only, and its modules would be imported in vain in most runs, a function is passed
-that gives it: ``Units(self.files, lambda: self.launch)``, with the parameter ``launch: Callable[[], Launch]``.
+A member is a layer, or a list that decides whether a rule is loaded at all (``rule_index``). What else a rule asks is a
+function in a module of ``api``, which takes the layer.
 """
 
 from __future__ import annotations
@@ -95,11 +97,23 @@ if TYPE_CHECKING:
 Model = TypeVar("Model")
 
 OF_SYNTAX = frozenset(
-    "nodes topics sros2 graph devices closed_devices open_services expected observed compared params "
-    "dependencies".split()
+    (
+        "closed_devices",
+        "compared",
+        "dependencies",
+        "devices",
+        "expected",
+        "graph",
+        "nodes",
+        "observed",
+        "open_services",
+        "params",
+        "sros2",
+        "topics",
+    )
 )
 """What is answered from the syntax of nodes, or of the modules that they are made of."""
-_HOLDING_SYNTAX = ("nodes", "topics", "expected", "observed")
+HOLDING_SYNTAX = ("nodes", "topics", "expected", "observed")
 """The layers that keep it."""
 
 
@@ -145,7 +159,7 @@ class Robot:
                 _ = self._topic_joins
         if "nodes" in self.__dict__:
             self.nodes.let_go()
-        for name in _HOLDING_SYNTAX:
+        for name in HOLDING_SYNTAX:
             self.__dict__.pop(name, None)
         if self.of_kind("python-node"):
             from bringup_lint.parsers.python_node import let_go

@@ -13,6 +13,8 @@ import pytest
 from bringup_lint.discover.walk import discover
 from bringup_lint.registry import Registry
 from bringup_lint.registry import load
+from bringup_lint.robot import HOLDING_SYNTAX
+from bringup_lint.robot import OF_SYNTAX
 from bringup_lint.robot import Robot
 from bringup_lint.rule_index.body import needs_of
 from bringup_lint.rule_index.met import KINDS
@@ -159,6 +161,11 @@ def test_a_list_is_empty_without_the_kinds_of_its_files(path: tuple[str, ...]) -
         robot = Robot(tree.without({source.name for source in tree.sources if source.kind in KINDS[path]}))
         found: Any = reduce(getattr, path, robot)
         assert list(found) == []
+
+
+def test_what_is_named_apart_from_robot_is_asked_of_it() -> None:
+    named = {*OF_SYNTAX, *HOLDING_SYNTAX, *(path[0] for path in KINDS)}
+    assert {name for name in named if not hasattr(Robot, name)} == set()
 
 
 @pytest.mark.campaign
