@@ -16,14 +16,11 @@ if TYPE_CHECKING:
     from bringup_lint.facts.ros.public_programs import package_meant
     from bringup_lint.facts.ros.public_programs import public_package
     from bringup_lint.finding import Finding
-    from bringup_lint.graph.dependencies.effects import AT_RUN_TIME
-    from bringup_lint.graph.dependencies.effects import Effect
-    from bringup_lint.graph.dependencies.effects import Undeclared
-    from bringup_lint.graph.dependencies.effects import brought_up
-    from bringup_lint.graph.dependencies.effects import effect_of
-    from bringup_lint.graph.dependencies.effects import of_robots
-    from bringup_lint.graph.dependencies.effects import rest_of
     from bringup_lint.graph.dependencies.needs import Need
+    from bringup_lint.graph.dependencies.undeclared import AT_RUN_TIME
+    from bringup_lint.graph.dependencies.undeclared import Lack
+    from bringup_lint.graph.dependencies.undeclared import Undeclared
+    from bringup_lint.graph.dependencies.undeclared import undeclared
     from bringup_lint.graph.launch.expansion import Declared
     from bringup_lint.graph.launch.expansion import Expansion
     from bringup_lint.graph.launch.expansion import Failed
@@ -157,7 +154,6 @@ __all__ = [
     "Declared",
     "DerivedFile",
     "DictValue",
-    "Effect",
     "Emit",
     "Env",
     "EventHandler",
@@ -166,6 +162,7 @@ __all__ = [
     "FileDir",
     "Group",
     "Include",
+    "Lack",
     "LaunchFile",
     "Launching",
     "ListValue",
@@ -205,13 +202,11 @@ __all__ = [
     "Wait",
     "allowed_words",
     "as_lifecycle_node",
-    "brought_up",
     "check_of",
     "choices_of",
     "dead_reads",
     "delayed",
     "distribution_of",
-    "effect_of",
     "exclusive",
     "full_name",
     "gone_packages",
@@ -230,7 +225,6 @@ __all__ = [
     "names_beside",
     "names_of",
     "not_passed",
-    "of_robots",
     "options_with_next",
     "outside",
     "package_like",
@@ -249,7 +243,6 @@ __all__ = [
     "relative_paths",
     "removed_keywords",
     "respawns",
-    "rest_of",
     "same",
     "setting",
     "shared_devices",
@@ -261,6 +254,7 @@ __all__ = [
     "text_of",
     "transitions_elsewhere",
     "truth",
+    "undeclared",
     "undelayed",
     "understood",
     "unknown_flags",

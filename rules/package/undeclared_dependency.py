@@ -1,33 +1,25 @@
 """A package needs another one that its package.xml does not declare.
 
 ## What it finds
-Packages that launch files start or include or whose share folder they look up, that xacro looks up, that nodes and
-launch files import at their top or that CMake finds with REQUIRED, and xacro where a launch file runs it, if neither
-the package.xml nor that of a package of the workspace on which it depends declares them. A dependency that is commented
-out is not declared. It is a warning
+What a package needs, and what neither its package.xml nor that of a package of the workspace on which it depends
+declares, in one finding for each package. It needs
 
-- when CMake finds a package of the same workspace;
-- when ros-base lacks the package, module or library, and no package.xml, script, image, list of repositories or
-  command of the documentation installs it or something that brings it. A link, a sentence or `install_requires` of a
-  setup.py installs nothing; the name of a Debian package of ROS counts wherever it is written;
-- when launch files start another package of the same workspace, and a script or an image builds the one that needs it
-  with `--packages-up-to`, without the other;
-- when the same is so, and the changelog of the package shows that it is released, which makes a Debian package of it
-  alone;
-- when the package.xml declares nothing that is needed at run time, and launch files start three packages or more, or
-  these and the nodes need three or more, of which ros-base lacks one. Viewers and simulators do not count;
-- when launch files always start five packages or more that are not declared, or three that are more than half of all
-  that they start. Those of ros-base, viewers and simulators do not count;
-- when nodes import or CMake requires five packages of ROS or more that are not declared, and fewer are declared. Those
-  of launch files and of builds do not count;
-- once a robot, for all its other packages: when sources need packages of ROS, or launch files always start packages of
-  the workspace or released ones or look packages up, and neither the package.xml declares them nor what it declares
-  brings them, and no comment in it says why. One is
-  enough if CMake requires it or it is a package of the same workspace, else two. The finding names with them what is
-  brought by others, and modules and libraries that rosdep has a key for.
+- the packages that its installed launch files start or include, or whose share folder they look up, without an
+  argument, and xacro where a launch file runs it. Launch files for a simulator do not count;
+- the packages that its installed robot descriptions look up;
+- the modules that its installed nodes and launch files import at their top, where they are packages of ROS or rosdep
+  has a key for them;
+- the packages and libraries that its CMakeLists.txt finds with REQUIRED under no condition, where they are packages of
+  ROS or rosdep has a key for them. Build tools come with any that is declared.
 
-Other packages of which launch files start nodes or include files are an info. Nothing is said of other modules and
-libraries.
+What a comment in the package.xml names is left out on purpose, unless it is a dependency that is only commented out
+and launch files start. Packages of a simulation, of tests and what others wrote are not looked at.
+
+The message says what follows for the worst of them: a clean build stops at a package of the same workspace; nothing of
+the tree declares or installs it; rosdep and colcon do not know of it; it is there as far as others bring it.
+
+It is an info when all that is left out is one module that ros-base has, or packages that launch files start by an
+argument alone. What something that is declared may bring by its name is named with others only.
 
 ## Why it matters on a robot
 A dependency that is missing in package.xml works on the developer's machine and fails on a fresh robot: rosdep does not
@@ -73,22 +65,19 @@ from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.launch import AT_RUN_TIME
-from bringup_lint.api.launch import Effect
+from bringup_lint.api.launch import Lack
 from bringup_lint.api.launch import Need
 from bringup_lint.api.launch import Undeclared
-from bringup_lint.api.launch import brought_up
-from bringup_lint.api.launch import effect_of
-from bringup_lint.api.launch import of_robots
-from bringup_lint.api.launch import rest_of
+from bringup_lint.api.launch import undeclared
 from bringup_lint.api.ros import COMMON
 
 REST = regex(r"[ \t]*(?:<!--[^\n<>]*-->[ \t]*)?(?=\r?\n)")
 """The end of a line that has nothing or a comment."""
 DEPENDENCY = regex(r"[ \t]*<\w+_?depend\b")
-SHOWN = 12
+SHOWN = 30
 """Places, or names, that a finding shows."""
-MOST = 30
-"""Packages that a finding shows."""
+NAMED = 3
+"""Packages that a message names."""
 ASKED = {
     "node": "{} is started here",
     "include": "a launch file of {} is included here",
@@ -119,135 +108,65 @@ ASKED = {
     ],
 )
 def undeclared_dependency(robot: Robot) -> Iterator[Finding]:
-    some = []
     for package in robot.launch.workspace.packages.values():
-        if not robot.dependencies.judged(package):
-            continue
-        found = effect_of(robot.dependencies, robot.launch, package)
-        if found is not None and found.effect is Effect.SOME:
-            some.append((package, found))
-        elif found is not None:
+        found = (
+            undeclared(robot.dependencies, robot.launch, package) if robot.dependencies.must_declare(package) else None
+        )
+        if found is not None:
             yield _finding(robot, package, found)
-            rest = rest_of(robot.dependencies, robot.launch, package, found)
-            some += [(package, rest)] if rest is not None else []
-    sure = [need for _, found in some for need in found.needs]
-    if len(sure) > 1 or any(need.use == "library" or robot.dependencies.is_of_workspace(need) for need in sure):
-        yield _of_some(some)
-    else:
-        yield from (_harmless(robot, package, found.started) for package, found in some if found.started)
-
-
-def _of_some(some: list[tuple[launch.Package, Undeclared]]) -> Finding:
-    """One for all packages of the robot that declare most of what they need, beginning with the one that lacks most."""
-    some = sorted(some, key=lambda each: (-len(each[1].needs), -len(each[1].others)))
-    package, found = some[0]
-    first, *more = found.needs
-    tag = tag_of(package, first)
-    names = f"{first.name} and {len(more)} other{'s' if len(more) > 1 else ''}" if more else str(first.name)
-    them = "them" if more else "it"
-    others = sum(1 for _, each in some if each.needs) - 1
-    count = f"; {others} more package{'s do' if others > 1 else ' does'} the same" if others else ""
-    return finding(
-        _last(package) or package.place,
-        f"{package.name} needs {names} and does not declare {them}: neither rosdep nor colcon build --packages-up-to "
-        f"knows of it{count}",
-        advice=f"add <{tag}>{first.name}</{tag}>{' and the others' if more else ''} to its package.xml",
-        related=[*_places(found.needs), *(note(_first(each), _left(each, _all(what))) for each, what in some[:MOST])],
-        fix=_of_all(some),
-    )
-
-
-def _all(found: Undeclared) -> list[Need]:
-    return [*found.needs, *found.others]
-
-
-def _left(package: launch.Package, needs: list[Need]) -> str:
-    names = dict.fromkeys(key_of(need) for need in needs if key_of(need))
-    return f"{package.name} does not declare {', '.join([*names][:SHOWN])}"
-
-
-def _first(package: launch.Package) -> Span:
-    """Where the dependencies of a package begin, or would."""
-    return package.manifest.first or package.manifest.export or package.manifest.source.whole
-
-
-def _of_all(some: list[tuple[launch.Package, Undeclared]]) -> Fix | None:
-    """What is missing in each of the packages; None where one has no place for it, and would be found again."""
-    fixes = [dependency(package, [*_all(found), *found.started]) for package, found in some]
-    edits = [edit for each in fixes if each is not None for edit in each.edits]
-    return fix("declare what is missing", *edits) if None not in fixes else None
 
 
 def _finding(robot: Robot, package: launch.Package, found: Undeclared) -> Finding:
-    needs, started = [*found.needs, *found.others], found.started
-    match found.effect:
-        case Effect.BUILD:
-            return _found(package, needs, started, _of_build(found.needs), "high")
-        case Effect.ROBOT:
-            return _found(package, needs, started, _of_robot(robot, found.needs), None)
-        case Effect.APART:
-            return _left_out(robot, package, needs, started)
-        case Effect.RELEASE:
-            return _found(package, needs, started, _of_release(package, needs[0]), None)
-        case Effect.EMPTY:
-            return _found(package, needs, started, _of_nothing(package, found.needs), None)
-        case Effect.SEVERAL:
-            return _found(package, needs, started, _of_several(robot, package, needs), None)
-        case Effect.SOURCES:
-            return _found(package, needs, started, _of_sources(package, needs), None)
-    return _harmless(robot, package, started)
-
-
-def _of_build(needs: list[Need]) -> str:
-    return (
-        f"A clean colcon build stops at find_package({needs[0].name}): "
-        "the build environment has only the packages that package.xml declares"
+    needs = found.needs
+    command = next(filter(None, map(robot.dependencies.left_out, needs)), None)
+    every = [*found.needs, *found.others]
+    return finding(
+        _last(package) or package.place,
+        f"{package.name} needs {_names(needs)} and does not declare {_them(needs)}: {_why(robot, package, found)}",
+        advice=_advice(package, needs),
+        related=[
+            *([note(command, "built without it here")] if command else ()),
+            *_places(robot, every),
+            *([note(_first(package), _left(package, every))] if len(every) > 1 else ()),
+        ],
+        fix=dependency(package, every),
+        confidence="high" if found.lack is Lack.BUILD else None,
+        severity=None if found.is_plain else "info",
     )
 
 
-def _left_out(robot: Robot, package: launch.Package, needs: list[Need], started: list[Need]) -> Finding:
-    command = robot.dependencies.left_out(needs[0])
-    what = " ".join(str(command).replace("\\", " ").split())
-    message = f"colcon build {what} leaves {needs[0].name} out, and {_end(needs[0])}"
-    related = [note(command, "built without it here")] if command else []
-    return _found(package, needs, started, message, None, related)
+def _names(needs: list[Need]) -> str:
+    names = [str(need.name) for need in needs]
+    left = len(names) - NAMED
+    if left > 1:
+        return f"{', '.join(names[:NAMED])} and {left} others"
+    return " and ".join([", ".join(names[:-1]), names[-1]]) if len(names) > 1 else names[0]
 
 
-def _of_release(package: launch.Package, need: Need) -> str:
-    return f"The Debian package of {package.name} does not bring {need.name}: installed alone, {_end(need)}"
+def _them(needs: list[Need]) -> str:
+    return "them" if len(needs) > 1 else "it"
 
 
-def _of_nothing(package: launch.Package, needs: list[Need]) -> str:
-    first, *others = of_robots(needs)
-    return (
-        f"{package.name} declares nothing that it needs at run time: rosdep and colcon build --packages-up-to do not "
-        f"know that it needs {first.name} and {len(others)} others"
-    )
-
-
-def _of_several(robot: Robot, package: launch.Package, needs: list[Need]) -> str:
-    first, *others = needs
-    count = len(brought_up(robot.dependencies, package))
-    return (
-        f"The launch files of {package.name} start {count} other packages, and it does not declare {len(needs)} of "
-        f"them: rosdep and colcon build --packages-up-to leave out {first.name} and {len(others)} others"
-    )
-
-
-def _of_sources(package: launch.Package, needs: list[Need]) -> str:
-    first, *others = needs
-    return (
-        f"The sources of {package.name} need {len(needs)} packages that it does not declare, more than it declares: "
-        f"rosdep and colcon build --packages-up-to leave out {first.name} and {len(others)} others"
-    )
-
-
-def _of_robot(robot: Robot, needs: list[Need]) -> str:
-    first, *others = needs
-    more = "1 other" if len(others) == 1 else f"{len(others)} others"
-    names = f"{first.name} and {more}" if others else str(first.name)
-    how = "rosdep does not install" if robot.dependencies.uses_rosdep else "Nothing of this tree declares or installs"
-    return f"{how} {names}: on a freshly installed robot {_end(first)}"
+def _why(robot: Robot, package: launch.Package, found: Undeclared) -> str:
+    needs = found.needs
+    first = needs[0]
+    unknown = f"neither rosdep nor colcon build --packages-up-to {package.name} knows of {_them(needs)}"
+    if found.lack is Lack.BUILD:
+        return (
+            f"a clean colcon build stops at find_package({first.name}), because its environment has only the packages "
+            "that package.xml declares"
+        )
+    if found.lack is Lack.NOWHERE:
+        how = (
+            "rosdep does not install" if robot.dependencies.uses_rosdep else "nothing of this tree declares or installs"
+        )
+        return f"{how} {first.name}, and on a freshly installed robot {_end(first)}"
+    if found.lack is Lack.PACKAGE and first.use in ("node", "include", "share"):
+        return f"{unknown}, and where {first.name} is not there {_end(first)}"
+    if found.lack is Lack.BASE:
+        is_there = "they are" if len(needs) > 1 else "it is"
+        return f"{unknown}, and {is_there} there only as far as other packages bring {_them(needs)}, as ros-base does"
+    return unknown
 
 
 def _end(need: Need) -> str:
@@ -263,60 +182,38 @@ def _end(need: Need) -> str:
     return f"{file} ends with \"package '{need.name}' not found\""
 
 
-def _harmless(robot: Robot, package: launch.Package, started: list[Need]) -> Finding:
-    """Packages that are there all the same: in the workspace, in ros-base or by another package."""
-    first = started[0]
-    tag = package.manifest.tag_at_runtime
-    starts = robot.launch.workspace.packages.get(str(first.name))
-    circular = starts is not None and package.name in robot.launch.workspace.required(starts)
-    if circular:
-        advice = f"{first.name} depends on {package.name}: start it from a launch file of {first.name}"
-    else:
-        advice = f"add <{tag}>{first.name}</{tag}> to the package.xml"
-    own = robot.dependencies.is_of_workspace(first)
-    built = f"colcon build --packages-up-to {package.name} leaves it out"
-    return finding(
-        _last(package) or package.place,
-        f"{package.name} starts {first.name} and does not declare it: {built if own else 'rosdep does not install it'}",
-        advice=advice,
-        related=_places(started),
-        fix=None if circular else dependency(package, started),
-        severity="info",
-    )
-
-
-def _found(
-    package: launch.Package,
-    needs: list[Need],
-    started: list[Need],
-    message: str,
-    confidence: str | None,
-    related: list[Related] | None = None,
-) -> Finding:
+def _advice(package: launch.Package, needs: list[Need]) -> str:
     declared = [(tag_of(package, need), key_of(need)) for need in needs if key_of(need)]
-    tag, key = declared[0] if declared else ("", "")
-    left = [need for need in [*needs, *started] if key_of(need)]
-    all_left = [note(_first(package), _left(package, left))] if len(left) > 1 else []
-    return finding(
-        _last(package) or package.place,
-        message,
-        advice=f"add <{tag}>{key}</{tag}> to the package.xml of {package.name}"
-        if key
-        else f"install {needs[0].name} with the robot, for example by a requirements.txt",
-        related=[*(related or ()), *_places(needs), *all_left],
-        fix=dependency(package, [*needs, *started]),
-        confidence=confidence,
-    )
+    if not declared:
+        return f"install {needs[0].name} with the robot, for example by a requirements.txt"
+    tag, key = declared[0]
+    others = " and the others" if len(declared) > 1 else ""
+    return f"add <{tag}>{key}</{tag}>{others} to the package.xml of {package.name}"
+
+
+def _first(package: launch.Package) -> Span:
+    """Where the dependencies of a package begin, or would."""
+    return package.manifest.first or package.manifest.export or package.manifest.source.whole
+
+
+def _left(package: launch.Package, needs: list[Need]) -> str:
+    names = dict.fromkeys(key_of(need) for need in needs if key_of(need))
+    return f"{package.name} does not declare {', '.join([*names][:SHOWN])}"
+
+
+def _places(robot: Robot, needs: list[Need]) -> list[Related]:
+    """Where each is asked for, then the other files that need it in any case."""
+    uses = [robot.dependencies.places(need) for need in needs]
+    places = [*(each[0] for each in uses), *(use for each in uses for use in each[1:] if use.always)]
+    first = {(str(use.name), use.name.span.source): use for use in reversed(places)}
+    shown = [use for use in places if first[str(use.name), use.name.span.source] is use]
+    return [note(use.name, ASKED[use.use].format(use.name)) for use in shown[:SHOWN]]
 
 
 def _last(package: launch.Package) -> Span | None:
     """The dependency below which another one is written: the last of its kind."""
     places = package.manifest.places
     return next((places[tag] for tag in (*AT_RUN_TIME, *places) if tag in places), None)
-
-
-def _places(needs: list[Need]) -> list[Related]:
-    return [note(need.name, ASKED[need.use].format(need.name)) for need in needs[:SHOWN]]
 
 
 def key_of(need: Need) -> str:

@@ -6,11 +6,6 @@ from collections.abc import Iterable
 from functools import cache
 
 from bringup_lint.facts import rows
-from bringup_lint.facts.ros.needed import base
-from bringup_lint.pattern import regex
-
-_SYSTEM = regex(r"^(?:python3?-|lib)|-|^(?:boost|curl|eigen|gtest|opencv|protobuf|sdl2|ament_|rosidl_|launch)")
-"""rosdep keys of the system, and tools: they bring no package that nodes use."""
 
 
 def brought_by(names: Iterable[str]) -> frozenset[str]:
@@ -24,9 +19,14 @@ def brought_by(names: Iterable[str]) -> frozenset[str]:
     return frozenset(found)
 
 
-def is_known_to_bring(name: str) -> bool:
-    """Whether the table has all that a dependency brings."""
-    return name in _brings() or name in base() or _SYSTEM.search(name) is not None
+def is_released(name: str) -> bool:
+    """Whether the table knows a package."""
+    return name in _brings() or name in _packages()
+
+
+@cache
+def _packages() -> frozenset[str]:
+    return frozenset(each for brought in _brings().values() for each in brought)
 
 
 @cache

@@ -74,10 +74,27 @@ COMMON = {
     "numpy": "python3-numpy",
     "psutil": "python3-psutil",
     "requests": "python3-requests",
+    "yaml": "python3-yaml",
     "Boost": "boost",
+    "CURL": "curl",
     "Eigen3": "eigen",
+    "OpenSSL": "libssl-dev",
+    "SQLite3": "libsqlite3-dev",
+    "TBB": "tbb",
+    "fmt": "fmt",
+    "nlohmann_json": "nlohmann-json-dev",
+    "spdlog": "spdlog",
+    "yaml-cpp": "yaml-cpp",
 }
 """Modules and libraries that most robots have, and their keys."""
+_OF_ROS_BASE = frozenset(
+    "python3-numpy python3-psutil python3-requests python3-yaml eigen libssl-dev spdlog yaml-cpp".split()
+)
+
+
+def of_ros_base() -> frozenset[str]:
+    """The keys of these that the packages of ros-base, or Ubuntu, bring."""
+    return _OF_ROS_BASE
 
 
 @cache

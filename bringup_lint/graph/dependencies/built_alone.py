@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import re
 from collections.abc import Iterator
 from functools import cached_property
@@ -67,9 +66,3 @@ class Apart:
         package = self._workspace.packages.get(name)
         if package is not None:
             yield from map(str, self._workspace.required(package))
-
-    def is_released(self, package: Package) -> bool:
-        """Whether a package has the changelog of a release: bloom makes a Debian package of it alone."""
-        text = self._files.tree.head(os.path.join(package.folder, "CHANGELOG.rst"), _HEAD)
-        heading = _CHANGELOG.search(text)
-        return heading is not None and heading[1] == package.name and _RELEASE.search(text) is not None

@@ -50,10 +50,6 @@ if TYPE_CHECKING:
     from bringup_lint.source import Located
     from bringup_lint.source import Span
 
-COMMENTED_OUT = regex(
-    r"<!--\s{0,20}<(?:exec_|run_)?depend\b[^<>]{0,80}>\s{0,20}([\w-]{1,80})\s{0,20}</\w{1,20}>\s{0,20}-->", hints="<!--"
-)
-"""A dependency that is commented out, without a word on why."""
 _GOES_ON = regex(r"\s-[a-qs-z]*r[a-z]*(?:\s|$)|\s-s\s|--simulate|--dependency-types|\s-t\s|\|\|")
 """rosdep installs the rest, only says what it would do, or its failure is ignored."""
 _FOREIGN = regex(r"(?:^|_)(?:vendor|stubs?|template)(?:_|$)|[{}$<]")
@@ -77,17 +73,20 @@ class Dependencies:
 
     def undeclared(self, package: Package) -> list[Need]:
         """What a package needs and declares neither itself nor through packages of the workspace, once by name."""
-        return self._undeclared.get(package.name, [])
+        return [needs[0] for needs in self._undeclared.get(package.name, {}).values()]
+
+    def places(self, need: Need) -> list[Need]:
+        """All uses of what is needed, those first that are for the robot in any case."""
+        return self._undeclared[need.owner.name][str(need.name)]
 
     @cached_property
-    def _undeclared(self) -> dict[str, list[Need]]:
-        found: dict[str, dict[str, Need]] = {}
+    def _undeclared(self) -> dict[str, dict[str, list[Need]]]:
+        found: dict[str, dict[str, list[Need]]] = {}
         for need in self._needs():
-            own = found.setdefault(need.owner.name, {})
-            known = own.get(need.name)
-            if known is None or (need.always and not known.always):
-                own[str(need.name)] = need
-        return {name: list(needs.values()) for name, needs in found.items()}
+            found.setdefault(need.owner.name, {}).setdefault(str(need.name), []).append(need)
+        for uses in (uses for needs in found.values() for uses in needs.values()):
+            uses.sort(key=lambda use: not use.always)
+        return found
 
     def _needs(self) -> Iterator[Need]:
         for needs in (of_builds, of_launch, of_launch_files, of_descriptions, of_nodes):
@@ -95,29 +94,24 @@ class Dependencies:
                 if need.name != need.owner.name and need.name not in self._required(need.owner):
                     yield need
 
-    def started(self, package: Package) -> frozenset[str]:
-        """The other packages of which the launch files of a package start something whenever they run."""
-        return self._started.get(package.name, frozenset())
-
-    @cached_property
-    def _started(self) -> dict[str, frozenset[str]]:
-        found: dict[str, set[str]] = {}
-        for need in of_launch(self._files, self._launch):
-            if need.always and need.name != need.owner.name:
-                found.setdefault(need.owner.name, set()).add(str(need.name))
-        return {name: frozenset(started) for name, started in found.items()}
-
     @memo
     def _required(self, package: Package) -> frozenset[str]:
         return frozenset(map(str, self._launch.workspace.required(package)))
 
     def judged(self, package: Package) -> bool:
         """Whether the tree's authors wrote the package, for ROS 2 and for the robot."""
+        return self._is_own_of(package, Purpose.ROBOT)
+
+    def must_declare(self, package: Package) -> bool:
+        """Whether the tree's authors wrote the package for ROS 2: one of examples is built and started like others."""
+        return self._is_own_of(package, Purpose.ROBOT, Purpose.EXAMPLE)
+
+    def _is_own_of(self, package: Package, *purposes: Purpose) -> bool:
         manifest = package.manifest
         if not manifest.source.judged or manifest.is_ros1 or manifest.for_both or _FOREIGN.search(package.name):
             return False
-        is_robots = self._files.purpose(manifest.source) is Purpose.ROBOT
-        return is_robots and not self._launch.workspace.is_vendored(manifest.source)
+        is_vendored = self._launch.workspace.is_vendored(manifest.source)
+        return self._files.purpose(manifest.source) in purposes and not is_vendored
 
     def missing_files(self, package: Package) -> list[Install]:
         """What a build installs in any case, and that is not in the tree."""
@@ -201,11 +195,15 @@ class Dependencies:
         known = need.fact
         if known is None or not need.always or need.name in base() or self.is_of_workspace(need):
             return False
-        if any(known.comes_with(name) for name in self._declared) or _is_mentioned(need):
+        if any(known.comes_with(name) for name in self._declared):
             return False
         if need.use == "module" and self._asks_for_others(need.owner):
             return False
         return not self._is_example(need) and not self._provided.brings(known)
+
+    def is_installed(self, need: Need) -> bool:
+        """Whether something of the tree installs a module or a library that is no package of ROS."""
+        return need.fact is not None and not need.fact.is_package and self._provided.installs(need.fact)
 
     def is_fetched(self, name: str) -> bool:
         """Whether a list of repositories or a command names a package as one of others."""
@@ -218,21 +216,10 @@ class Dependencies:
     def left_out(self, need: Need) -> Located | None:
         """The command that builds a package without another one of the workspace that its launch files start."""
         name = str(need.name)
-        if not self._is_started(need) or self._provided.has_repository(name):
+        is_started = need.use in ("node", "include") and name in self._launch.workspace.packages
+        if not is_started or self._provided.has_repository(name):
             return None
         return self._apart.leaving_out(need.owner, name)
-
-    def is_released_without(self, need: Need) -> bool:
-        """Whether the Debian package of a package comes without another one of the tree that its launch files start."""
-        return self._is_started(need) and self._apart.is_released(need.owner)
-
-    def _is_started(self, need: Need) -> bool:
-        """Whether launch files start another package of the tree in any case, and it does not start them."""
-        starts = self._launch.workspace.packages.get(str(need.name))
-        is_written = need.name.span.text == need.name
-        if need.use not in ("node", "include") or not need.always or not is_written or starts is None:
-            return False
-        return need.owner.name not in self._required(starts)
 
     @cached_property
     def _apart(self) -> Apart:
@@ -335,13 +322,6 @@ class Dependencies:
         if "condition=" in name.span.source.line_text(name.span.line):
             return False
         return name in not_rosdep() or not self._provided.has_repository(name)
-
-
-def _is_mentioned(need: Need) -> bool:
-    """Whether the package.xml names what is needed: a comment may say why it is left out. A dependency that is only
-    commented out says nothing of what a launch file starts all the same."""
-    text = need.owner.manifest.source.text
-    return str(need.name) in (text if need.use == "module" else COMMENTED_OUT.sub("", text))
 
 
 def _source_space(folder: str) -> str:

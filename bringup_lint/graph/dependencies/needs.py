@@ -46,6 +46,8 @@ class Need(NamedTuple):
     """On the robot, without an argument, and with no way round it."""
     is_component: bool = False
     """A container loads it, and launch goes on without it."""
+    is_of_robot: bool = True
+    """An installed file of the robot asks for it, perhaps by an argument alone."""
 
     @property
     def fact(self) -> Needed | None:
@@ -59,18 +61,19 @@ def of_launch(files: Files, launch: Launch) -> Iterator[Need]:
     for node in launch.nodes:
         name, owner = literal_text(node.package), launch.workspace.owner(node.file.source)
         if name is not None and owner is not None:
-            always = node.by_default is True and _is_of_robot(files, launch, node.file)
+            is_of_robot = _is_of_robot(files, launch, node.file, owner)
             is_loaded = isinstance(node.action, ComposableNode)
-            yield Need("node", name, owner, always and _is_installed(owner, node.file.source), is_loaded)
+            yield Need("node", name, owner, is_of_robot and node.by_default is True, is_loaded, is_of_robot)
     for file in launch.judged:
         owner = launch.workspace.owner(file.source)
         if owner is None:
             continue
         for include in launch.expansion(file).includes:
             chosen = include.conditions or any(isinstance(each, Choice) for each in walk(include.file))
-            always = not chosen and _is_of_robot(files, launch, file) and _is_installed(owner, file.source)
+            is_of_robot = _is_of_robot(files, launch, file, owner)
             if include.source is file:
-                yield from (Need("include", name, owner, always) for name in _shares(include.file))
+                for name in _shares(include.file):
+                    yield Need("include", name, owner, is_of_robot and not chosen, is_of_robot=is_of_robot)
 
 
 def of_launch_files(files: Files, launch: Launch) -> Iterator[Need]:
@@ -80,16 +83,16 @@ def of_launch_files(files: Files, launch: Launch) -> Iterator[Need]:
         owner = launch.workspace.owner(file.source)
         if owner is None:
             continue
-        always = _is_of_robot(files, launch, file) and _is_installed(owner, file.source)
+        always = _is_of_robot(files, launch, file, owner)
         if file.source.kind == "launch-python":
             yield from (Need("share", name, owner, always) for name in shares_of_python(file.source))
             yield from (Need("module", module, owner, always) for module in _foreign(launch, folders, file.source))
     for node in launch.nodes:
         owner = launch.workspace.owner(node.file.source)
         if owner is not None and isinstance(node.action, Node):
-            always = node.by_default is True and _is_of_robot(files, launch, node.file)
+            always = node.by_default is True and _is_of_robot(files, launch, node.file, owner)
             for program in _programs(node.action.parameters):
-                yield Need("program", program, owner, always and _is_installed(owner, node.file.source))
+                yield Need("program", program, owner, always)
 
 
 def _programs(values: Iterable[Value]) -> Iterator[Located]:
@@ -103,9 +106,25 @@ def _programs(values: Iterable[Value]) -> Iterator[Located]:
                     yield Located(words[0], first.span)
 
 
-def _is_of_robot(files: Files, launch: Launch, file: LaunchFile) -> bool:
-    """Neither for a simulation nor for tests."""
-    return files.purpose(file.source) is Purpose.ROBOT and not launch.simulated(file)
+def _is_of_robot(files: Files, launch: Launch, file: LaunchFile, owner: Package) -> bool:
+    """Installed, and neither for a simulation nor for tests."""
+    is_kept = not owner.installs_known or _is_installed(owner, file.source)
+    return is_kept and is_meant(files, file.source, owner) and not _simulates(launch, file)
+
+
+def _simulates(launch: Launch, file: LaunchFile) -> bool:
+    """Whether a launch file starts a simulator when no argument is passed."""
+    expansion = launch.expansion(file)
+    packages = {str(literal_text(node.package)) for node in expansion.nodes if node.by_default is True}
+    included = (launch.place(include.file) for include in expansion.includes if not include.conditions)
+    packages |= {each.package for each in included if each is not None}
+    return any(map(is_simulation, packages))
+
+
+def is_meant(files: Files, source: Source, owner: Package) -> bool:
+    """Whether a file is for the robot, or for the same as its package: all files of a package of examples are ones."""
+    purpose = files.purpose(source)
+    return purpose is Purpose.ROBOT or purpose is files.purpose(owner.manifest.source)
 
 
 def _shares(value: Value) -> Iterator[Located]:
@@ -115,7 +134,13 @@ def _shares(value: Value) -> Iterator[Located]:
 
 
 def _is_installed(owner: Package, source: Source) -> bool:
-    return owner.takes(source.absolute)
+    return owner.takes(source.absolute) or _is_of_module(owner, source)
+
+
+def _is_of_module(owner: Package, source: Source) -> bool:
+    """Whether a file lies in the Python package that CMake installs for a package."""
+    installs = any(build.installs_python for build in owner.builds)
+    return installs and source.absolute.startswith(os.path.join(owner.folder, owner.name, ""))
 
 
 def of_nodes(files: Files, launch: Launch) -> Iterator[Need]:
@@ -123,11 +148,17 @@ def of_nodes(files: Files, launch: Launch) -> Iterator[Need]:
     folders = _python_packages(files)
     for source in files.of_kind("python-node"):
         owner = launch.workspace.owner(source)
-        if owner is None or not source.judged or files.purpose(source) is not Purpose.ROBOT:
+        if owner is None or not source.judged or not is_meant(files, source, owner):
             continue
-        if owner.manifest.build_type != "ament_python" and not _is_installed(owner, source):
+        if not _is_installed(owner, source) and not _is_of_setup(files, owner, source):
             continue
         yield from (Need("module", module, owner) for module in _foreign(launch, folders, source))
+
+
+def _is_of_setup(files: Files, owner: Package, source: Source) -> bool:
+    """Whether setuptools installs a file, not one that lies beside the Python packages."""
+    beside = os.path.join(os.path.dirname(source.absolute), "__init__.py")
+    return owner.manifest.build_type == "ament_python" and files.tree.exists(beside)
 
 
 def _foreign(launch: Launch, folders: dict[str, list[str]], source: Source) -> Iterator[Located]:
@@ -166,8 +197,9 @@ def of_descriptions(files: Files, launch: Launch) -> Iterator[Need]:
     """The packages in which xacro looks for what descriptions of the robot include or name."""
     for source in files.of_kind("urdf"):
         owner = launch.workspace.owner(source)
-        is_of_robot = files.purpose(source) is Purpose.ROBOT and not is_simulation(source.basename)
-        if owner is not None and source.judged and is_of_robot:
+        if owner is None or not source.judged or is_simulation(source.basename):
+            continue
+        if is_meant(files, source, owner):
             always = _is_installed(owner, source)
             yield from (Need("description", name, owner, always) for name in shares_of_description(source))
 

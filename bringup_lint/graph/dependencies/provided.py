@@ -57,6 +57,10 @@ class Provided:
         """Whether anything of the tree may bring it, an image of others included."""
         if self._foreign_images or self._is_of_pattern(known) or known.words & self._variants:
             return True
+        return self.installs(known)
+
+    def installs(self, known: Needed) -> bool:
+        """Whether something of the tree names it where it installs."""
         if not known.is_package and self._installers.lists_elsewhere:
             return True
         if (known.words - _VARIANTS) & self._installed or any(map(self._has_beginning, known.beginnings)):

@@ -1,0 +1,220 @@
+"""What a package needs and does not declare, and how much it lacks where only declared packages are installed."""
+
+from __future__ import annotations
+
+from enum import IntEnum
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from bringup_lint.facts.ros.brought import brought_by
+from bringup_lint.facts.ros.brought import is_released
+from bringup_lint.facts.ros.needed import COMMON
+from bringup_lint.facts.ros.needed import base
+from bringup_lint.facts.ros.needed import of_ros_base
+from bringup_lint.facts.ros.simulation import is_simulation
+from bringup_lint.graph.dependencies.needs import Need
+from bringup_lint.graph.launch.packages import comes_with
+from bringup_lint.graph.launch.packages import is_known_package
+from bringup_lint.graph.launch.packages import package_like
+from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.pattern import regex
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.dependencies.dependencies import Dependencies
+    from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.workspace import Package
+
+AT_RUN_TIME = ("exec_depend", "run_depend", "depend")
+_PLACEHOLDER = regex(r"^(?:your|my)_(?:package|pkg|robot|node)|package_name$")
+_BARE = regex(
+    r"<!--\s{0,20}<(?:exec_|run_)?depend\b[^<>]{0,80}>\s{0,20}([\w-]{1,80})\s{0,20}</\w{1,20}>\s{0,20}-->", hints="<!--"
+)
+"""A dependency that is commented out, without a word on why."""
+_EXPLAINED = regex(r"<!--\s{0,20}\w[^<>]{0,300}<(?:exec_|run_)?depend\b", hints="<!--")
+"""A dependency in a comment after words, which say why it and others are left out."""
+_WORD = regex(r"[A-Za-z][\w-]*")
+_OF_LAUNCH_FILES = frozenset(("launch", "launch_ros", "launch_xml", "launch_yaml", "ament_index_python"))
+"""What launch itself brings to all launch files."""
+_BUILD_TOOLS = ("ament_cmake", "ament_lint", "rosidl_cmake", "rosidl_typesupport")
+_MESSAGES = ("_msgs", "_interfaces")
+_METAPACKAGES = frozenset(("common_interfaces", "ros_core", "ros_base", "desktop", "desktop_full"))
+"""What people declare for the messages that it brings (common_interfaces/package.xml; REP 2001)."""
+_STARTED = ("node", "include")
+_NAMED = (*_STARTED, "share", "description")
+_TRIAL = regex(r"test|sim|gazebo|template")
+"""Launch files that somebody starts to try something."""
+_SEVERAL = 2
+_DECORATION = regex(r"^(?:lib|python3?-)|-dev$")
+_VIEWER = regex(r"^(?:rviz|rqt|plotjuggler)|_gui$")
+
+
+class Lack(IntEnum):
+    """What is there without it, the worst first."""
+
+    BUILD = 0
+    """CMake asks for a package of the same workspace, and a clean build stops."""
+    NOWHERE = 1
+    """Nothing of the tree brings it."""
+    PACKAGE = 2
+    """It is a package of the workspace, or one that ros-base lacks."""
+    BASE = 3
+    """It is there where ros-base is, or by what brings it."""
+    OPTIONAL = 4
+    """Launch files start it when an argument is passed."""
+    LIKELY = 5
+    """It may come with something that is declared, or the tree installs it otherwise."""
+
+
+class Undeclared(NamedTuple):
+    lack: Lack
+    """The worst."""
+    needs: list[Need]
+    """The worst first."""
+    others: list[Need]
+    """Those that are likely there, or not always needed, where others are that are."""
+    is_plain: bool
+    """Whether a fresh build or robot lacks something, or several are left to others."""
+
+
+def undeclared(dependencies: Dependencies, launch: Launch, package: Package) -> Undeclared | None:
+    """None when nothing is to be said of the package."""
+    needed = _Needed(dependencies, launch, package)
+    lacks = [(lack, need) for need in dependencies.undeclared(package) if (lack := needed.lack(need)) is not None]
+    if _EXPLAINED.search(package.manifest.source.text):
+        lacks = [each for each in lacks if each[0] < Lack.PACKAGE]
+    lacks.sort(key=lambda each: (each[0], _VIEWER.search(each[1].name) is not None))
+    worst = lacks[0][0] if lacks else Lack.LIKELY
+    if worst is Lack.LIKELY:
+        return None
+    certain = max(worst, Lack.BASE)
+    needs = [need for lack, need in lacks if lack <= certain]
+    others = [need for lack, need in lacks if lack > certain and certain is Lack.BASE]
+    is_used = len(needs) >= _SEVERAL or any(need.use != "module" for need in needs)
+    return Undeclared(worst, needs, others, worst < Lack.BASE or (worst is Lack.BASE and is_used))
+
+
+class _Needed:
+    """One package, and what comes with its dependencies."""
+
+    def __init__(self, dependencies: Dependencies, launch: Launch, package: Package) -> None:
+        self._dependencies = dependencies
+        self._launch = launch
+        self._package = package
+
+    @cached_property
+    def _declared(self) -> frozenset[str]:
+        return frozenset(map(str, self._launch.workspace.required(self._package)))
+
+    @cached_property
+    def _brought(self) -> frozenset[str]:
+        return brought_by(self._declared)
+
+    @cached_property
+    def _explained(self) -> frozenset[str]:
+        """The words of the comments in the package.xml: they may say why a dependency is left out."""
+        parts = self._package.manifest.source.text.split("<!--")[1:]
+        return frozenset(word for part in parts for word in _WORD.findall(part.partition("-->")[0]))
+
+    @cached_property
+    def _left_out(self) -> frozenset[str]:
+        """The dependencies that are commented out without a word."""
+        return frozenset(_BARE.findall(self._package.manifest.source.text))
+
+    def lack(self, need: Need) -> Lack | None:
+        """None when it is not known to be one, or the package.xml says why it is left out."""
+        name = str(need.name)
+        if not self._is_known(need) or self._is_declared(need) or self._is_explained(need) or self._is_circular(name):
+            return None
+        if self._dependencies.stops_build(need):
+            return Lack.BUILD
+        if self._dependencies.is_lacking(need):
+            return Lack.NOWHERE
+        if need.always and _is_plain(need):
+            return self._of_always(need)
+        is_optional = need.use in _STARTED and need.is_of_robot and not is_simulation(name)
+        return Lack.OPTIONAL if is_optional and not self._may_come(need) else None
+
+    def _of_always(self, need: Need) -> Lack | None:
+        if need.fact is not None and not need.fact.declared:
+            return None
+        if self._dependencies.is_of_workspace(need):
+            return Lack.PACKAGE
+        if (
+            self._may_come(need)
+            or self._dependencies.is_installed(need)
+            or (need.use == "module" and COMMON.get(str(need.name)) in of_ros_base())
+        ):
+            return Lack.LIKELY
+        return Lack.BASE if self._is_in_base(need) or str(need.name) in self._brought else Lack.PACKAGE
+
+    def _is_known(self, need: Need) -> bool:
+        """Whether a package is needed, or what rosdep has a key for, besides what launch and builds have anyway."""
+        name = str(need.name)
+        if _PLACEHOLDER.search(name) or package_like(self._launch, name):
+            return False
+        if need.use in _NAMED:
+            return True
+        if name in _OF_LAUNCH_FILES or name.startswith(_BUILD_TOOLS):
+            return False
+        if need.fact is not None:
+            return True
+        return need.use != "program" and (self._is_package(need) or name in COMMON)
+
+    def _is_package(self, need: Need) -> bool:
+        """Whether a module or a library is a package of ROS."""
+        name = str(need.name)
+        if name in base() or name.endswith(_MESSAGES) or self._dependencies.is_of_workspace(need):
+            return True
+        is_ros = name.startswith("rosidl_") or is_released(name) or is_known_package(name)
+        return need.use == "library" and is_ros
+
+    def _is_declared(self, need: Need) -> bool:
+        """Whether a dependency of another name is the same library, or brings it as far as its name tells."""
+        key = COMMON.get(str(need.name), "") if need.use in ("module", "library") else ""
+        if key:
+            begin = _plain(key)
+            return any(_plain(each).startswith(begin) for each in self._declared)
+        if need.fact is None or need.fact.is_package:
+            return False
+        return any(map(need.fact.comes_with, self._declared))
+
+    def _is_explained(self, need: Need) -> bool:
+        """Whether a comment names it; one that only holds a dependency says nothing of what is started all the same."""
+        name = str(need.name)
+        return name in self._explained and not (name in self._left_out and need.use in _STARTED)
+
+    def _is_circular(self, name: str) -> bool:
+        """Whether a package depends on the one that needs it, so that it cannot be declared."""
+        needed = self._launch.workspace.packages.get(name)
+        return needed is not None and self._package.name in self._launch.workspace.required(needed)
+
+    def _is_in_base(self, need: Need) -> bool:
+        name = str(need.name)
+        return name in base() or (need.use in ("module", "library") and COMMON.get(name, "") in of_ros_base())
+
+    def _may_come(self, need: Need) -> bool:
+        """Whether something that is declared may bring a package, by the tables or by its name."""
+        name = str(need.name)
+        if need.use != "library" and name in self._brought:
+            return True
+        if need.fact is not None:
+            return any(map(need.fact.comes_with, self._declared))
+        if name in base():
+            return name in brought_by(self._declared & _METAPACKAGES)
+        if need.use in _STARTED:
+            return comes_with(self._launch, self._package, name)
+        family = name.partition("_")[0]
+        return name.endswith(_MESSAGES) and not self._declared.isdisjoint((family, f"{family}_msgs"))
+
+
+def _plain(key: str) -> str:
+    """A rosdep key without what differs between its spellings."""
+    return _DECORATION.sub("", key).replace("_", "-")
+
+
+def _is_plain(need: Need) -> bool:
+    """Whether a launch file for more than a trial names a package itself: the default of an argument is a choice."""
+    if need.use not in _NAMED:
+        return True
+    is_written = need.name.span.text.strip("'\"") == need.name
+    return is_written and not _TRIAL.search(need.name.span.source.basename)
