@@ -198,6 +198,10 @@ class Span(NamedTuple):
     def text(self) -> str:
         return self.source.text[self.start : self.end]
 
+    def holds(self, inner: Span) -> bool:
+        """Whether another stretch lies inside this one."""
+        return self.source is inner.source and self.start <= inner.start and inner.end <= self.end
+
 
 class Piece(NamedTuple):
     """From ``at`` on, a text comes from a stretch of another; both go on side by side unless something was expanded."""

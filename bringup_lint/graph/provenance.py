@@ -141,7 +141,7 @@ class Provenance:
         return ()
 
     def _in_launch_file(self, span: Span) -> Steps:
-        inside = [found for found in self._nodes.values() if _holds(found[1].span, span)]
+        inside = [found for found in self._nodes.values() if found[1].span.holds(span)]
         if inside:
             steps, node = min(inside, key=lambda found: found[1].span.end - found[1].span.start)
             return self._to_node(node) if steps else ()
@@ -162,7 +162,7 @@ class Provenance:
         file = next((file for file in params.judged if file.source is span.source), None)
         if file is None:
             return ()
-        parameter = next((each for each in file.parameters if _holds(each.span, span)), None)
+        parameter = next((each for each in file.parameters if each.span.holds(span)), None)
         loads = params.effective(file, parameter) if parameter else params.loads(file)
         load = next((load for load in loads if load.node.action in self._nodes), None)
         return self.chain_to_load(load) if load else ()
@@ -191,7 +191,3 @@ def _includes(chain: tuple[Span, ...], file: LaunchFile) -> Steps:
 
 def _calls(step: Step, script: Source) -> bool:
     return any(word.endswith(f"/{script.basename}") for word in step.command.words)
-
-
-def _holds(outer: Span, inner: Span) -> bool:
-    return outer.source is inner.source and outer.start <= inner.start and inner.end <= outer.end

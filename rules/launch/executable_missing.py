@@ -76,6 +76,15 @@ class Start(NamedTuple):
     distro: str | None = None
     judged: bool = True
     """What public packages have is asked, too: the file is judged, and does not ask itself which distribution runs."""
+    node: Span | None = None
+    """The action of the launch file."""
+
+    @property
+    def used(self) -> list[Related]:
+        """The action, where the name of the executable stands elsewhere."""
+        if self.node is None or self.node.holds(self.executable.span):
+            return []
+        return [note(self.node, "started here")]
 
 
 @rule(
@@ -122,6 +131,7 @@ def _of_launch_files(robot: Robot) -> Iterator[Start]:
                 severity="warning" if node.by_default is not True else None,
                 distro=launch.distribution_of(robot.launch, node.file),
                 judged=node.file.source.judged and not launch.looks_at_distribution(node.file),
+                node=node.span,
             )
 
 
@@ -162,6 +172,7 @@ def of_public(robot: Robot, start: Start) -> Iterator[Finding]:
             f"{name} has no executable '{executable}' after {now.last.capitalize()}: {start.effect}",
             advice=f"start '{now.now}'",
             chain=start.chain(),
+            related=start.used,
             fix=_fix(executable, now.now),
             severity=start.severity,
         )
@@ -173,6 +184,7 @@ def of_public(robot: Robot, start: Start) -> Iterator[Finding]:
             f"{name} has no executable '{executable}': {start.effect}",
             advice=f"start {' or '.join(near or names)}",
             chain=start.chain(),
+            related=start.used,
             fix=_fix(executable, near[0]) if len(near) == 1 else None,
             severity=start.severity,
         )
@@ -190,7 +202,7 @@ def misplaced(package: launch.Package, started: list[Start]) -> Finding:
         f"'{executable}' is not installed in lib/{package.name}: {start.effect}",
         advice=f"write 'install_scripts=$base/lib/{package.name}' in the section [install] of setup.cfg",
         chain=start.chain(),
-        related=[note(place, f"the console scripts go to {where}"), *_others(others)],
+        related=[*start.used, note(place, f"the console scripts go to {where}"), *_others(others)],
         severity=_severity_of(started),
     )
 
@@ -210,7 +222,7 @@ def only_made(package: launch.Package, started: list[Start]) -> Finding:
         f"'{executable}' is built and not installed in lib/{package.name}: {start.effect}",
         advice=f"add it to install(TARGETS ... DESTINATION lib/{package.name})",
         chain=start.chain(),
-        related=[*related, *_others(others)],
+        related=[*start.used, *related, *_others(others)],
         severity=_severity_of(started),
     )
 
@@ -249,7 +261,7 @@ def missing(start: Start, package: launch.Package) -> Finding:
         f"{package.name} has no executable '{executable}': {start.effect}",
         advice=f"start '{near[0]}'" if near else f"install it in {builds[0].name if builds else package.name}",
         chain=start.chain(),
-        related=related or [note(build, "what the package installs") for build in builds],
+        related=start.used + (related or [note(build, "what the package installs") for build in builds]),
         fix=_fix(executable, near[0]) if len(near) == 1 else None,
         severity=start.severity,
     )

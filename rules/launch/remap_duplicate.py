@@ -28,7 +28,6 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
-from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import launch
@@ -47,7 +46,8 @@ def remap_duplicate(robot: Robot) -> Iterator[Finding]:
                 continue
             before = first.setdefault(source, (source, target))
             if before[0] is not source and before[1] is not None and target is not None and before[1] != target:
-                drop = remove(source.span) if _is_own(node.action.span, source.span) else None
+                is_own = node.action.span.holds(source.span)  # other nodes may use a list that is outside
+                drop = remove(source.span) if is_own else None
                 yield finding(
                     source,
                     f"'{source}' is remapped twice: the first rule applies and '{target}' is never used",
@@ -55,8 +55,3 @@ def remap_duplicate(robot: Robot) -> Iterator[Finding]:
                     fix=fix("remove the rule that never applies", codemod=drop) if drop else None,
                     related=[note(before[0], "the first rule")],
                 )
-
-
-def _is_own(node: Span, remapping: Span) -> bool:
-    """Whether a remapping is written inside the node: other nodes may use a list that is outside."""
-    return node.source is remapping.source and node.start <= remapping.start and remapping.end <= node.end

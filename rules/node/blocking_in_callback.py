@@ -89,6 +89,7 @@ def _in_python(robot: Robot) -> Iterator[Finding]:
             advice="use a timer, call_async with add_done_callback, or a separate thread",
             related=[
                 *([note(wait.where, "waits here")] if wait.where is not None else []),
+                *([note(file.span_of(wait.made), "made here, without a timeout")] if wait.made is not None else []),
                 *_related(wait.callback.span, f"{wait.name} is the callback of {wait.callback.kind}", stopped),
             ],
             severity=_severity(robot, file.source, wait.how_long),

@@ -2,7 +2,7 @@
 
 ## What it finds
 Literal topic names that begin with the prefix that ROS itself adds to names in DDS (`rt/`, `rq/`, `rr/`), and names
-with a part that contains `__`.
+with a part that contains `__`. Names with a prefix that nothing else of the tree uses are a warning.
 
 ## Why it matters on a robot
 Both are legal. But `rt/scan` becomes `rt/rt/scan` in DDS: a name that is copied from a DDS tool creates a second
@@ -34,24 +34,33 @@ from bringup_lint.api import finding
 from bringup_lint.api import rule
 from bringup_lint.api import topics
 
+ROLES = ("publisher", "subscription")
 
-@rule("info", silent="both names are valid topics")
+
+@rule("warning", silent="both names are valid topics")
 def topic_reserved_style(robot: Robot) -> Iterator[Finding]:
-    for endpoint in robot.topics.endpoints:
-        if endpoint.role not in ("publisher", "subscription") or endpoint.name is None:
-            continue
-        prefix = re.match(r"/?(r[tqr]/)\w", endpoint.name)
+    named = [(each, each.name) for each in robot.topics.endpoints if each.role in ROLES and each.name is not None]
+    roles: dict[str, set[str]] = {}
+    for endpoint, name in named:
+        roles.setdefault(name.lstrip("/"), set()).add(endpoint.role)
+    for endpoint, name in named:
+        prefix = re.match(r"/?(r[tqr]/)\w", name)
+        related = topics.used_at(name, endpoint.span)
         if prefix:
+            is_joined = len(roles[name.lstrip("/")]) > 1
             yield finding(
-                endpoint.name,
-                f"'{endpoint.name}' becomes rt/{endpoint.name.lstrip('/')} in DDS, because ROS itself adds the prefix",
+                name,
+                f"'{name}' becomes rt/{name.lstrip('/')} in DDS, because ROS itself adds the prefix"
+                + ("" if is_joined else f": a DDS program that uses '{name.lstrip('/')}' never meets it"),
                 advice=f"remove '{prefix[1]}'",
-                related=topics.used_at(endpoint.name, endpoint.span),
+                related=related,
+                severity="info" if is_joined or robot.launch.workspace.is_vendored(endpoint.span.source) else None,
             )
-        elif re.search(r"__", endpoint.name):
+        elif "__" in name:
             yield finding(
-                endpoint.name,
-                f"'{endpoint.name}' contains '__', which is reserved for names that ROS and its tools generate",
+                name,
+                f"'{name}' contains '__', which is reserved for names that ROS and its tools generate",
                 advice="use a single underscore",
-                related=topics.used_at(endpoint.name, endpoint.span),
+                related=related,
+                severity="info",
             )

@@ -69,15 +69,11 @@ def _of_parameters(use: DeviceUse, holder: Node, device: Node, params: Params) -
     yield Edge("names", holder, device, use.path.span, "parameter")
     for file in params.judged:
         if file.source is use.path.span.source:
-            parameter = next((each for each in file.parameters if _holds(each.span, use.path.span)), None)
+            parameter = next((each for each in file.parameters if each.span.holds(use.path.span)), None)
             if parameter is None:
                 continue
             for load in params.effective(file, parameter):
                 yield Edge("opens", ros_node(load.node), device, use.path.span, str(parameter.name))
-
-
-def _holds(outer: Span, inner: Span) -> bool:
-    return outer.source is inner.source and outer.start <= inner.start and inner.end <= outer.end
 
 
 def device_units(nodes: Iterable[Node]) -> Iterator[Edge]:

@@ -11,6 +11,7 @@ from bringup_lint.graph.nodes.sources.stored_values import stored
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.python import is_own
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
 UNTIL_BYTE = "until a byte arrives"
@@ -37,8 +38,16 @@ _TIMEOUT = 5
 """The position of the time-out among the arguments of a serial port."""
 
 
-def device_read(ending: Ending, call: ast.Call, cls: NodeClass) -> tuple[str, str] | None:
-    """A call, in words, of a port, socket or process that has no time-out, and how long it waits."""
+class DeviceRead(NamedTuple):
+    what: str
+    """The call in words."""
+    how_long: str
+    made: ast.expr | None
+    """What opens the port, makes the socket or starts the program."""
+
+
+def device_read(ending: Ending, call: ast.Call, cls: NodeClass) -> DeviceRead | None:
+    """A call of a port, socket or process that has no time-out."""
     function = call.func
     if not isinstance(function, ast.Attribute) or function.attr not in _READS:
         return None
@@ -51,7 +60,7 @@ def device_read(ending: Ending, call: ast.Call, cls: NodeClass) -> tuple[str, st
     if not all(_waits(ending, kind, each) for each in made):
         return None
     owner = f"{kind}()" if isinstance(function.value, ast.Call) else ast.unparse(function.value)
-    return f"{owner}.{function.attr}()", how_long
+    return DeviceRead(f"{owner}.{function.attr}()", how_long, made[0])
 
 
 def _made(syntax: Syntax, cls: NodeClass, owner: ast.expr) -> list[ast.expr | None]:

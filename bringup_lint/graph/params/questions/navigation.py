@@ -36,7 +36,6 @@ if TYPE_CHECKING:
     from bringup_lint.model.params import Block
     from bringup_lint.model.params import Parameter
     from bringup_lint.model.params import ParameterFile
-    from bringup_lint.source import Span
 
 _OBSTACLE, _RAYTRACE = 2.5, 3.0
 """Default ranges of an observation source in metres (nav2_costmap_2d, obstacle_layer.cpp)."""
@@ -99,12 +98,8 @@ def _is_read(file: ParameterFile) -> bool:
 def _is_replaced(params: Params, file: ParameterFile, block: Block, problem: NavigationProblem) -> bool:
     """Whether every node that gets the file gets another value for one of the two sides."""
     places = [problem.where, *([problem.other] if problem.other is not None else [])]
-    named = (each for each in block.parameters if any(_covers(each.span, place) for place in places))
+    named = (each for each in block.parameters if any(each.span.holds(place) for place in places))
     return any(params.is_replaced(file, each) for each in named)
-
-
-def _covers(outer: Span, inner: Span) -> bool:
-    return outer.start <= inner.start and inner.end <= outer.end
 
 
 def _costmap(params: Params, file: ParameterFile, block: Block) -> Iterator[NavigationProblem]:

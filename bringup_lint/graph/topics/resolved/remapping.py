@@ -105,10 +105,6 @@ def refused_sides(started: Started) -> Iterator[Located]:
         if len(sides) < 2 or remapping(f"{sides[0]}:={sides[1]}") is not None:
             continue
         for side in sides:
-            own = started.by_default is True or _is_inside(side.span, started.span)
+            own = started.by_default is True or started.span.holds(side.span)
             if own and not is_remapped_name(_PREFIX.sub("", side)):
                 yield side
-
-
-def _is_inside(inner: Span, outer: Span) -> bool:
-    return inner.source is outer.source and outer.start <= inner.start and inner.end <= outer.end

@@ -34,6 +34,8 @@ class Blocking(NamedTuple):
     """What blocks in the method of another class that is called here: ``requests.post``."""
     where: Span | None = None
     """The place of that."""
+    made: ast.expr | None = None
+    """As in ``Blocked``."""
 
 
 def deadlocks(found: Blocking, threads: str) -> bool:
@@ -79,4 +81,4 @@ def _in_callback(
             return None
         groups = [waits.awaited.group] if waits.awaited.is_answer else [each.group for each in others]
         partner = next((each for each in groups if each != callback.group), callback.group)
-    return Blocking(callback, name, node, waits.what, waits.how_long, partner, nested)
+    return Blocking(callback, name, node, waits.what, waits.how_long, partner, nested, made=waits.made)

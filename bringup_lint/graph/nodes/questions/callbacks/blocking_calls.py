@@ -51,6 +51,8 @@ class Blocked(NamedTuple):
     """``for 2 s``, ``as long as the program runs``; empty when it waits for what the same executor must do."""
     awaited: Awaited | None = None
     """The callback whose work a loop waits for."""
+    made: ast.expr | None = None
+    """What opens the port, makes the socket or starts the program that a call waits for."""
 
 
 def blocked(ending: Ending, node: ast.Call | ast.While, cls: NodeClass) -> Blocked | None:
@@ -67,7 +69,7 @@ def blocked(ending: Ending, node: ast.Call | ast.While, cls: NodeClass) -> Block
     if found is not None:
         return found
     read = device_read(ending, node, cls)
-    return Blocked(*read) if read is not None else None
+    return Blocked(read.what, read.how_long, made=read.made) if read is not None else None
 
 
 def blocked_by_library(ending: Ending, call: ast.Call) -> Blocked | None:
