@@ -33,6 +33,7 @@ _PLACEHOLDERS = (
     ("configure", "@", regex(r"@[A-Za-z_][A-Za-z0-9_]*@")),
     ("empy", "@", regex(r"@\((?:(?!@\()[^)])*\)|^@\[", re.M, "@( @[")),
     ("erb", "<%", regex(r"<%(?:(?!<%|%>).)*%>")),
+    ("percent", "%", regex(r"%(?:%[A-Z][A-Z0-9_]{2,80}%|[A-Z][A-Z0-9_]{2,80})%")),
     ("template", "", regex(r"__[A-Z][A-Z0-9_]*__|<[A-Z][A-Z0-9_]*>")),
 )
 """Language, what is in every placeholder of it, and a placeholder: a search begins anew at each place where one could
@@ -40,7 +41,7 @@ begin, so that it must not run over the next such place."""
 _CONTROL = regex(r"\{%|^@\[|<%(?!=)|^(?:ifdef|ifelse|m4_)\b|^#(?:if|else|endif)\b", re.M)
 
 
-_MARK = regex(r"[{@<]|__")
+_MARK = regex(r"[{@<%]|__")
 """What every placeholder holds."""
 
 
@@ -121,6 +122,14 @@ def has_placeholder(text: str) -> bool:
     return any(mark in text and pattern.search(text) for _, mark, pattern in _PLACEHOLDERS)
 
 
+_WORD_TO_FILL = regex(r"[-@:+!|\"]{0,4}(?:[A-Z][A-Z0-9]*_)+(?:[A-Z][A-Z0-9]*)\"?(?:[/\s]|\Z)")
+
+
+def is_to_fill(value: str) -> bool:
+    """Whether a value begins with a word in capitals, which a script replaces: ``WorkingDirectory=ROVER_FOLDER``."""
+    return bool(_WORD_TO_FILL.match(value))
+
+
 def has_control_flow(text: str) -> bool:
     """Whether whole lines of the text may come and go."""
     return bool(_CONTROL.search(text))
@@ -135,6 +144,11 @@ _STAND_IN = regex(
 )
 _RUN_TOGETHER = regex(r"(?:[Yy]our|[Mm]y|[Ee]nter|[Ii]nsert|[Ss]ome)[A-Z][A-Za-z]{2,40}")
 """``YourNetworkPassword``: words that begin with capitals."""
+_NAME_AS_VALUE = regex(
+    r"(?:[A-Z][A-Z0-9]*_)+(?:PASS|PASSWD|PASSWORD|PASSPHRASE|PSK|KEY|SECRET|TOKEN|SSID|PLACEHOLDER)|.*\bTODO\b.*",
+    re.DOTALL,
+)
+"""``HOTSPOT_PASSWORD``: a word that a script replaces."""
 _TEMPLATE_NAME = regex(
     r"(?:^|[._-])(?:template|sample|example|placeholder)s?(?=[._-]|\d|$)|[.-](?:dist|tmpl|default)s?(?=$|\.)"
     r"|(?<=[a-z])(?-i:Template|Sample|Example)s?(?=[._-]|\d|$)",
@@ -146,7 +160,9 @@ _EXAMPLE_FOLDER = regex(r"(?:^|/)(?:examples?|docs?|documentation|samples?|demo)
 def is_stand_in(value: str) -> bool:
     """Whether a value only stands in for the real one: ``<your-password>``, ``${PSK}``, ``CHANGE_ME``."""
     text = value.strip()
-    return len(value) < 200 and bool(_STAND_IN.fullmatch(text) or _RUN_TOGETHER.fullmatch(text))
+    if len(value) >= 200:
+        return False
+    return bool(_STAND_IN.fullmatch(text) or _RUN_TOGETHER.fullmatch(text) or _NAME_AS_VALUE.fullmatch(text))
 
 
 def is_named_template(name: str) -> bool:

@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.commands.shells import shell_input
     from bringup_lint.graph.commands.wrappers import program_name
     from bringup_lint.graph.commands.wrappers import unwrapped
+    from bringup_lint.graph.image_builds import has_busybox
+    from bringup_lint.graph.image_builds import runs_in_image
     from bringup_lint.graph.installed.ansible.names import missing_names
     from bringup_lint.graph.installed.ansible.shells import sh_commands
     from bringup_lint.graph.installed.misnamed_files import Misnamed
@@ -62,6 +64,7 @@ __all__ = [
     "Written",
     "background_jobs",
     "commands",
+    "has_busybox",
     "in_tree",
     "may_fail",
     "misnamed_files",
@@ -70,6 +73,7 @@ __all__ = [
     "plays",
     "program_name",
     "run_options",
+    "runs_in_image",
     "sh_commands",
     "shell_blocks",
     "shell_commands",

@@ -82,7 +82,7 @@ class _Grammar(Words):
         ended = self.operator((";", "&"))
         self.skip_blanks()
         if ended and self.at < self.size and self.is_separator(";&|"):
-            if not self.text.startswith(_BETWEEN, self.at) or ended == ";":
+            if not self.text.startswith(_BETWEEN, self.at):
                 self.refuse_here()
         elif not ended and self.at < self.size and self.text[self.at] not in "\n)":
             self.refuse_here()

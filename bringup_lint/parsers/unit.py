@@ -20,8 +20,11 @@ from bringup_lint.source import Source
 from bringup_lint.templates import final_name
 from bringup_lint.templates import has_control_flow
 from bringup_lint.templates import has_placeholder
+from bringup_lint.templates import is_to_fill
 
 _LINE = regex(r"([^\r\n]*)(?:\r\n|[\r\n]|\Z)")
+_OF_PATHS = regex(r"Exec\w+|WorkingDirectory|RootDirectory|EnvironmentFile|PIDFile|User|Group")
+"""Settings whose values are no words in capitals, unless a script replaces these."""
 _BLANK = " \t\n\r"
 LONGEST = 1024 * 1024
 """Bytes of a line (LONG_LINE_MAX)."""
@@ -135,10 +138,11 @@ def _assignment(text: Located, section: Section, unit: UnitFile) -> None:
         unit.problems.append(Problem("missing-equals", text))
         return
     value = text.part(len(key) + 1, len(text)).strip_located(_BLANK)
-    opaque = bool(unit.source.template) and has_placeholder(value)
-    section.assignments.append(
-        Assignment(section.name, text.part(0, len(key)).strip_located(_BLANK), value, text.span, opaque)
+    name = text.part(0, len(key)).strip_located(_BLANK)
+    opaque = (bool(unit.source.template) and has_placeholder(value)) or (
+        is_to_fill(value) and bool(_OF_PATHS.fullmatch(name))
     )
+    section.assignments.append(Assignment(section.name, name, value, text.span, opaque))
 
 
 def unit_name(source: Source) -> tuple[str, bool]:

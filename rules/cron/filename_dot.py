@@ -32,6 +32,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.templates import final_name
 
 NAME = regex(r"[A-Za-z0-9_-]+")
 
@@ -39,9 +40,10 @@ NAME = regex(r"[A-Za-z0-9_-]+")
 @rule("error", silent="cron skips the file without a message")
 def filename_dot(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("cron"):
-        if "/cron.d/" in f"/{source.name}" and not NAME.fullmatch(source.basename):
+        name = final_name(source.basename)
+        if "/cron.d/" in f"/{source.name}" and not NAME.fullmatch(name):
             yield finding(
                 source,
-                f"cron ignores '{source.basename}': the name may contain only letters, digits, _ and -",
-                advice=f"rename it to {re.sub(r'[^A-Za-z0-9_-]+', '-', source.basename)}",
+                f"cron ignores '{name}': the name may contain only letters, digits, _ and -",
+                advice=f"rename it to {re.sub(r'[^A-Za-z0-9_-]+', '-', name)}",
             )

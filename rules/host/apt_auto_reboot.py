@@ -29,11 +29,14 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 
+IF = regex(r"\{%-?[ \t]*if\b")
+END = regex(r"\{%-?[ \t]*endif\b")
 REBOOT = regex(r"^[ \t]*Unattended-Upgrade::Automatic-Reboot[ \t]+\"?(\w+)\"?[ \t]*;", re.M | re.I)
 
 
@@ -48,4 +51,11 @@ def apt_auto_reboot(robot: Robot) -> Iterator[Finding]:
                     "Automatic updates can reboot a running robot",
                     advice='write "false", and reboot when the robot is parked',
                     fix=fix("write false", (value, "false")),
+                    severity="info" if _is_optional(source, match.start()) else None,
                 )
+
+
+def _is_optional(source: Source, at: int) -> bool:
+    """Whether a condition of a template is open before a line, so that the line may be left out."""
+    before = source.text[:at]
+    return len(IF.findall(before)) > len(END.findall(before))

@@ -121,6 +121,7 @@ def executable_missing(robot: Robot) -> Iterator[Finding]:
 def _of_launch_files(robot: Robot) -> Iterator[Start]:
     if not robot.has_launch_files:
         return
+    judged = set(robot.launch.judged)
     for node in robot.launch.nodes:
         package, executable = launch.literal_text(node.package), launch.literal_text(node.executable)
         if package is not None and executable is not None:
@@ -130,7 +131,7 @@ def _of_launch_files(robot: Robot) -> Iterator[Start]:
                 partial(robot.provenance.chain_to_node, node),
                 severity="warning" if node.by_default is not True else None,
                 distro=launch.distribution_of(robot.launch, node.file),
-                judged=node.file.source.judged and not launch.looks_at_distribution(node.file),
+                judged=node.file in judged and not launch.looks_at_distribution(node.file),
                 node=node.span,
             )
 

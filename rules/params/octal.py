@@ -46,6 +46,8 @@ def octal(robot: Robot) -> Iterator[Finding]:
             if item.type in ("integer", "double") and _OCTAL.match(item.text):
                 sign = item.text[0] if item.text[0] in "+-" else ""
                 plain = sign + item.text.lstrip("+-0")
+                if item.type == "integer" and int(plain) == item.data:
+                    continue
                 yield finding(
                     item.span,
                     f"'{item.text}' is read as the {item.type} {item.data}",

@@ -62,6 +62,7 @@ ALWAYS = frozenset(
     "apt apt_key apt_repository package dnf user group hostname timezone modprobe sysctl mount ufw".split()
 )
 SERVICES = frozenset({"systemd", "systemd_service", "service"})
+CHANGES = ("state", "enabled", "masked", "daemon_reload", "daemon_reexec")
 FILES = frozenset({"copy", "template", "file", "lineinfile", "blockinfile", "get_url", "unarchive", "replace"})
 OF_ROOT = regex(r"/(?:etc|usr|lib)/")
 LEAST = 2
@@ -143,12 +144,17 @@ def _module_of_root(task: Task) -> Located | None:
         name, settings = module.name, module.settings
         if not isinstance(settings, Mapping) or (settings.get("name") is None and name in ("user", "group")):
             continue
-        if name in ALWAYS or (name in SERVICES and _scope(settings) in ("", "system")):
+        if name in ALWAYS or (name in SERVICES and _changes(settings) and _scope(settings) in ("", "system")):
             return module.key
         path = settings.scalar("dest") or settings.scalar("path")
         if name in FILES and path is not None and OF_ROOT.match(path.value):
             return module.key
     return None
+
+
+def _changes(settings: Mapping) -> bool:
+    """Whether a service is changed: without these, the module only asks for its state."""
+    return any(settings.get(key) is not None for key in CHANGES)
 
 
 def _scope(settings: Mapping) -> str:

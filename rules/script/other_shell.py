@@ -47,6 +47,7 @@ from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.shell import SH_IS_BASH
 from bringup_lint.api.shell import Run
+from bringup_lint.api.shell import has_busybox
 from bringup_lint.api.shell import sh_commands
 from bringup_lint.api.shell import shell_blocks
 
@@ -170,7 +171,9 @@ def _is_read_otherwise(robot: Robot, source: Source) -> bool:
         rf"(?:\b(?:source|bash|zsh)|(?:^|[\s;&(])\.)(?:\s+|['\"]\s*,\s*)(?:-\w+\s+)*['\"]?[^\s'\"]*{name}", re.M
     )
     others = (each for each in robot.sources if each is not source)
-    if any(caller.search(each.text) for each in others) or _is_in_busybox(robot, source):
+    if any(caller.search(each.text) for each in others) or has_busybox(robot.tree, source):
+        return True
+    if _is_in_busybox(robot, source):
         return True
     return any(map(caller.search, robot.tree.pages(PAGE, MOST_OF_PAGE)))
 

@@ -35,6 +35,8 @@ from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.shell import Run
 
+COMMAND = regex(r"\$\(|`")
+"""In ``"$(ls *.conf)"`` the shell reads the command as if no quotes were around it."""
 EXPANSION = regex(r"\$\{[^{}]*\}")
 """In ``${NAME%.*}`` the asterisk is a pattern for the value, and the quotes do not matter."""
 PROGRAMS = ("cp", "mv", "rm", "ln", "install", "chmod", "chown")
@@ -61,5 +63,6 @@ def _quoted(run: Run) -> Iterator[Located]:
             and written[:1] in "\"'"
             and written[-1:] == written[:1]
             and written.count(written[0]) == 2
+            and not (written[0] == '"' and COMMAND.search(written))
         ):
             yield word

@@ -30,6 +30,7 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
@@ -37,7 +38,11 @@ from bringup_lint.api import rule
 
 @rule("warning", symptoms=["/etc/*: Permission denied"])
 def sudo_redirect(robot: Robot) -> Iterator[Finding]:
-    for _, (first, *others) in robot.scripts.refused():
+    refused = list(robot.scripts.refused())
+    of_root = set(_run_by_root(robot)) if refused else ()
+    for source, (first, *others) in refused:
+        if source in of_root:
+            continue
         more = f" (and {len(others)} more)" if others else ""
         yield finding(
             first.where,
@@ -45,3 +50,11 @@ def sudo_redirect(robot: Robot) -> Iterator[Finding]:
             advice=f"write ... | sudo tee {first.path}",
             related=[note(other.where, "not opened either") for other in others[:20]],
         )
+
+
+def _run_by_root(robot: Robot) -> Iterator[Source | None]:
+    """The scripts that units start without another user."""
+    for unit in robot.units.services:
+        if unit.get("User") in (None, "root", "0"):
+            for process in robot.units.processes(unit):
+                yield from (step.script for step in process.steps)

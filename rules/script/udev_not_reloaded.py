@@ -37,6 +37,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.shell import runs_in_image
 
 TOLD = regex(
     r"udevadm|udev\s+(?:restart|reload)|(?:restart|reload)\s+\S*udev|\breboot\b|\bchroot\b|shutdown\s+-r",
@@ -55,7 +56,7 @@ def udev_not_reloaded(robot: Robot) -> Iterator[Finding]:
             copied.setdefault(source, []).append(run.words[-1])
     telling = [each for each in robot.sources if each.kind == "dockerfile" or TOLD.search(each.said)] if copied else []
     for source, (first, *others) in copied.items():
-        if TOLD.search(source.said) or _is_called(telling, source):
+        if TOLD.search(source.said) or _is_called(telling, source) or runs_in_image(source):
             continue
         yield finding(
             first,

@@ -43,7 +43,8 @@ from bringup_lint.api import rule
 @rule("error", symptoms=["Where= setting doesn't match unit name"])
 def mount_name_mismatch(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.judged:
-        if unit.type not in ("mount", "automount") or unit.is_template or unit.instance:
+        is_named = not unit.is_template and not unit.instance and not robot.units.is_joined(unit)
+        if unit.type not in ("mount", "automount") or not is_named:
             continue
         where = unit.get("Where")
         if where is None or "%" in where or "$" in where or not where.startswith("/") or unit.is_opaque(where):

@@ -61,10 +61,16 @@ def sudo_in_exec(robot: Robot) -> Iterator[Finding]:
             (process, step, word)
             for process in robot.units.processes(unit)
             for step in process.steps
-            if (word := _sudo(step)) is not None and (locked or not step.script)
+            if (word := _sudo(step)) is not None and (locked or not (step.script or _lowers(unit, step)))
         ]
         if found:
             yield _finding(unit, locked, found)
+
+
+def _lowers(unit: Unit, step: Step) -> bool:
+    """Whether root runs the command as another user, for which sudo asks nothing."""
+    words = step.command.words
+    return unit.get("User") in (None, "root", "0") and any(word.startswith(("-u", "--user")) for word in words[1:3])
 
 
 def _sudo(step: Step) -> Located | None:

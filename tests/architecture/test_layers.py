@@ -58,6 +58,7 @@ LAYERS = (
         "graph.absence",
         "graph.components",
         "graph.graph",
+        "graph.image_builds",
         "graph.purpose",
         "graph.target",
         "graph.variants",

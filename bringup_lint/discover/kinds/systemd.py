@@ -19,6 +19,10 @@ _SECTION = regex(r"^\ufeff?[^\S\n]*\[(?:Unit|Service|Install|Socket|Timer|Path|M
 _CONF = regex(rf"\.conf{_TEMPLATE}$", 0, ".conf")
 _SERVICE = tuple(regex(rf"^[^\S\n]*{word}", re.M) for word in (r"\[Unit\]", r"\[Service\]", r"ExecStart\s*="))
 """What makes a service of a file with another name, in this order."""
+_CODE = regex(
+    r"^[ \t]*(?:function[ \t]+\w|[A-Za-z_][\w-]{0,80}[ \t]*\([ \t]*\)[ \t]*\{|if[ \t]+\[)|<<-?[ \t]*[\"']?[A-Z]", re.M
+)
+"""What only a script has, which may write a unit."""
 _BACKUP = regex(r"(?:~|\.(?:bak|orig|rej|swp|dpkg-\w+|rpm\w+|ucf-\w+))$")
 
 
@@ -30,7 +34,7 @@ def _is_dropin(path: str, head: Head) -> bool:
 def _is_unit(path: str, head: Head) -> bool:
     path = f"/{path}"
     if _CONF.search(path) and not _DROPIN.search(path):
-        return _is_service(head())
+        return _is_service(head()) and not _CODE.search(head())
     if not _UNIT.search(path) or "/dbus-1/" in path:
         return False
     if "/systemd/" in path or _LINK.search(path):

@@ -48,9 +48,14 @@ def program_name(word: str) -> str:
     return word.rpartition("/")[2]
 
 
+def _only_asks(words: tuple[Located, ...]) -> bool:
+    """Whether a shell is asked where a program is: ``command -v hostapd`` runs nothing."""
+    return words[0] == "command" and words[1:2] in (("-v",), ("-V",))
+
+
 def unwrapped(words: tuple[Located, ...]) -> tuple[Located, ...]:
     """The words without ``exec``, ``nice -n 5``, ``sudo -u rover``, ``env A=1`` and the like in front."""
-    while words and (wrapper := _WRAPPERS.get(program_name(words[0]))):
+    while words and (wrapper := _WRAPPERS.get(program_name(words[0]))) and not _only_asks(words):
         options, own = wrapper
         at = 1
         while at < len(words) and (words[at].startswith("-") or "=" in words[at]):

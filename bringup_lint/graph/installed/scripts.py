@@ -22,6 +22,8 @@ _SILENT = frozenset(
     "hostname".split()
 )
 _QUERIES = frozenset(("link", "cat", "is-enabled", "list-unit-files"))
+_AT_BOOT = regex(r"^### BEGIN INIT INFO(?:\n#[^\n]*){0,20}\n# *Default-Start: *\S", re.M, "BEGIN INIT INFO")
+"""The head of an init script (LSB 5.0, "Comment Conventions for Init Scripts") that has run levels."""
 _PART = regex(r"\{\{ [^{}]* \}\}|\$\{\w+\}|\$\w+")
 SIZE = 200_000
 """Characters of a script that is read for what it does."""
@@ -83,6 +85,8 @@ class Scripts:
         name of the script is that of an entry point."""
         name = source.basename
         if name in ("rc.local", "entrypoint.sh") or "entrypoint" in name or "/init.d/" in f"/{source.name}":
+            return True
+        if source.matches(_AT_BOOT):
             return True
         starters = (each for kind in STARTING if kind not in KINDS for each in self.files.of_kind(kind))
         return any(name in each.text for each in starters)

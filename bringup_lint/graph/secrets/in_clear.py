@@ -49,7 +49,10 @@ _NAME = regex(
     r"(?:api|access|secret|private|auth|account|encryption|signing|shared|license)[_-]?key)(?:[_-]?\d+|[_-]value)?$",
     re.I,
 )
-_NO_NAME = regex(r"^(?:old)?pwd$", re.I)
+_NO_NAME = regex(
+    r"^(?:(?:old)?pwd|(?:fastcgi|grpc|proxy|scgi|uwsgi)_pass|KAFKA_(?:SASL|SSL)_\w*CREDENTIALS|MINIO_ACCESS_KEY)$", re.I
+)
+"""Also the addresses of nginx, the names of the files that hold the passwords of Kafka, and a user of MinIO."""
 _KNOWN_VALUE = regex(
     r"\b(?:AKIA|ASIA)[0-9A-Z]{16}\b|\bgh[pousr]_[A-Za-z0-9]{30,}|\bgithub_pat_\w{30,}|\bglpat-[\w-]{20}"
     r"|\bsk[-_]live[-_]\w{16,}|\bxox[abprs]-[\w-]{20,}|-----BEGIN (?:[A-Z]+ )*PRIVATE KEY-----"
@@ -59,7 +62,7 @@ _KNOWN_VALUE = regex(
 )
 _USER_INFO = regex(r"\b[a-z][a-z0-9+.-]*://[^/\s:@]+:([^@/\s]+)@")
 _NO_VALUE = regex(
-    r"[/~]|\#\s|\$|%|file:|env:|true$|false$|yes$|no$|on$|off$|\d{1,5}$|.*\.(?:pem|key|crt|cer|p12|env|json|ya?ml|txt)$",
+    r"[/~]|\#\s|\$|%|[\"']{2}$|file:|env:|true$|false$|yes$|no$|on$|off$|\d{1,5}$|.*\.(?:pem|key|crt|cer|p12|env|json|ya?ml|txt)$",
     re.I,
 )
 _WEAK = regex(r"(?:change[-_ ]?me|password|passwd|secret|admin|default|test|example|xxx+|foo|bar|abc)\d*$", re.I)

@@ -6,6 +6,8 @@ UnsetEnvironment=.
 
 from __future__ import annotations
 
+import posixpath
+
 from bringup_lint.graph.commands.command_line import Step
 from bringup_lint.graph.commands.environment import SETUP_FILE
 from bringup_lint.graph.commands.environment import Environment
@@ -49,8 +51,16 @@ def environment_files(unit: Unit, files: Files) -> list[EnvironmentFile]:
         name = value.part(1, len(value)) if optional else value
         path = None if unit.is_opaque(value) or _GLOB.search(name) else expand(name, unit_specifiers(unit.name))
         source = files.find(path, value.span.source) if path else None
+        if path and source is not None and _is_program(source, path):
+            source = None
         found.append(EnvironmentFile(name, optional, path, source, _missing(path, source, files)))
     return found
+
+
+def _is_program(source: Source, path: str) -> bool:
+    """Whether a file only has the name of the environment file: ``/usr/lib/rover/rover`` for ``/etc/default/rover``."""
+    folder = posixpath.basename(posixpath.dirname(path))
+    return source.text.startswith("#!") and posixpath.basename(posixpath.dirname(source.name)) != folder
 
 
 def _missing(path: str | None, source: Source | None, files: Files) -> bool | None:

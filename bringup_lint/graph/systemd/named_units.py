@@ -10,6 +10,8 @@ from functools import cached_property
 from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.files import Files
 from bringup_lint.graph.graph import Node
+from bringup_lint.graph.image_builds import is_in_layer
+from bringup_lint.graph.image_builds import layers
 from bringup_lint.graph.memo import memo
 from bringup_lint.graph.systemd import shipped_units
 from bringup_lint.graph.systemd.provision import makes
@@ -122,9 +124,14 @@ class NamedUnits:
         provides it, no script makes it, and it looks like one of the robot's own."""
         if not is_unit_name(name):
             return False
-        if self.exists(name, near) is not False or self.is_distribution_unit(name):
+        if self.exists(name, near) is not False or self.is_distribution_unit(name) or self.is_joined(near):
             return False
         return self.files.tree.complete or (self.is_own(name, near) and not self.is_made_by_script(name))
+
+    @memo
+    def is_joined(self, unit: Unit) -> bool:
+        """Whether a unit is of a layer of Yocto: recipes of others bring units, make some and rename them."""
+        return unit.fragment is not None and is_in_layer(self.files.tree, unit.fragment.source)
 
     def is_own(self, name: str, near: Unit) -> bool:
         """Whether a name looks like the robot's own units: the same first word, or nearly the name of one."""
@@ -154,6 +161,8 @@ class NamedUnits:
         if not is_unit_name(name) or "%" in name or GENERATED.search(name) or self.is_distribution_unit(name):
             return False
         if self.candidates(name, manager) or (manager, name) in self.alias_links or self.is_made_by_script(name):
+            return False
+        if layers(self.files.tree):
             return False
         family = _family(name)
         related = len(family) > 2 and "-" in name and family in self._families(manager)
@@ -191,7 +200,8 @@ class NamedUnits:
         """Whether the unit of an [Install] setting is not there. Only few own units are targets, so that a target that
         nothing in the tree makes is missing whatever its name."""
         if name.endswith(".target") and not self.files.tree.complete:
-            return self.exists(name, unit) is False and not self.is_made_by_script(name)
+            is_there = self.exists(name, unit) is not False or self.is_made_by_script(name)
+            return not is_there and not self.is_joined(unit)
         return self.is_missing(name, unit)
 
     def install_targets(self, unit: Unit) -> list[str]:

@@ -80,8 +80,9 @@ class TaskFiles:
         if role is None and not self._is_project and not self._has_folder(here, folders, path):
             return False
         tree = self.files.tree
-        above = os.path.dirname(here)
-        tops = [here, *([above] if tree.holds(above) else []), *([role["role"]] if role is not None else [])]
+        above = os.path.dirname(here)  # of the role, or of the play that takes the tasks in
+        is_inside = tree.holds(os.path.join(above, os.path.basename(here)))
+        tops = [here, *([above] if is_inside else []), *([role["role"]] if role is not None else [])]
         if any(tree.exists(each) or tree.is_ignored(each) for each in _paths(tops, folders, path)):
             return False
         outer = _paths([f"{top}/../.." for top in tops], folders, path)

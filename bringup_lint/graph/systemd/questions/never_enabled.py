@@ -59,7 +59,8 @@ def _copied(text: str) -> Iterator[str]:
     """The units that a script puts into the folder of the system's units, by their names."""
     for match in _COPIES.finditer(text):
         if "/systemd/system" in match[0]:
-            yield from _UNIT_FILE.findall(match[0])
+            names = _UNIT_FILE.findall(match[0])
+            yield from names[-1:] if match[0].rstrip("\"' \t").endswith(tuple(names)) else names
 
 
 def _is_installed(unit: Unit, copied: set[str]) -> bool:
