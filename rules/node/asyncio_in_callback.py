@@ -40,7 +40,7 @@ from bringup_lint.api import rule
 
 @rule("error", symptoms=["RuntimeError: no running event loop"])
 def asyncio_in_callback(robot: Robot) -> Iterator[Finding]:
-    for file, node in robot.nodes.with_callbacks:
+    for file, node in robot.nodes.node_classes:
         for callback, name, call, function in nodes.awaits_asyncio(robot.nodes.ending(file), node):
             yield finding(
                 file.span_of(call),

@@ -43,7 +43,7 @@ from bringup_lint.api import rule
 
 @rule("warning", symptoms=["either rcl_init() was not called or rcl_shutdown() was called"])
 def constructor_after_shutdown(robot: Robot) -> Iterator[Finding]:
-    for file, node in robot.nodes.with_callbacks:
+    for file, node in robot.nodes.node_classes:
         for found in nodes.shut_constructors(robot.nodes.syntax(file), node):
             yield finding(
                 file.span_of(found.shutdown),

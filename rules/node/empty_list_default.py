@@ -37,7 +37,7 @@ from bringup_lint.api import rule
 
 @rule("warning", symptoms=["of type 'STRING_ARRAY', expecting type 'BYTE_ARRAY'", "InvalidParameterTypeException"])
 def empty_list_default(robot: Robot) -> Iterator[Finding]:
-    for file in robot.nodes.programs:
+    for file in robot.nodes.robot_sources:
         found = list(nodes.empty_defaults(robot.nodes.syntax(file)))
         for name, default in found[:1]:
             yield finding(

@@ -47,7 +47,7 @@ from bringup_lint.api import rule
 
 @rule("warning", silent="the node is active, and its loop has ended")
 def lifecycle_activate_once(robot: Robot) -> Iterator[Finding]:
-    for file, node in robot.nodes.with_callbacks:
+    for file, node in robot.nodes.node_classes:
         for found in nodes.stuck_switches(robot.nodes.syntax(file), node):
             yield finding(
                 file.span_of(found.switched),

@@ -45,7 +45,7 @@ from bringup_lint.api import rule
     "warning", fix="unsafe", symptoms=["Trying to publish message on the topic *, but the publisher is not activated"]
 )
 def lifecycle_publish_after_deactivate(robot: Robot) -> Iterator[Finding]:
-    for file, node in robot.nodes.with_callbacks:
+    for file, node in robot.nodes.node_classes:
         if not node.is_lifecycle:
             continue
         for found in nodes.publish_after_deactivate(robot.nodes.syntax(file), node):

@@ -68,7 +68,7 @@ ADVICE = {
 def log_refused(robot: Robot) -> Iterator[Finding]:
     if robot.target.ros in UNTRIED:
         return
-    for file in robot.nodes.programs:
+    for file in robot.nodes.robot_sources:
         groups: dict[str, list[nodes.RefusedLog]] = {}
         for each in nodes.refused_logs(robot.nodes.syntax(file)):
             groups.setdefault(each.kind, []).append(each)

@@ -65,7 +65,7 @@ def _in_callbacks(robot: Robot) -> Iterator[Finding]:
 
 
 def _in_handlers(robot: Robot) -> Iterator[Finding]:
-    for file in robot.nodes.programs:
+    for file in robot.nodes.robot_sources:
         syntax = robot.nodes.syntax(file)
         for node, raised, handler in nodes.mistaken_handlers(syntax):
             yield finding(

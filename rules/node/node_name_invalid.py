@@ -55,7 +55,7 @@ def node_name_invalid(robot: Robot) -> Iterator[Finding]:
 
 def _names(robot: Robot) -> Iterator[Located]:
     """The names that nodes in Python and C++ give themselves."""
-    for file, node in robot.nodes.with_callbacks:
+    for file, node in robot.nodes.node_classes:
         if node.node_name is not None and node.node_name.span.source is file.source:
             yield node.node_name
     for source in robot.nodes.cpp:

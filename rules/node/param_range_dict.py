@@ -37,7 +37,7 @@ from bringup_lint.api import rule
 
 @rule("error", fix="safe", symptoms=["AttributeError: 'dict' object has no attribute 'from_value'"])
 def param_range_dict(robot: Robot) -> Iterator[Finding]:
-    for file in robot.nodes.programs:
+    for file in robot.nodes.robot_sources:
         syntax = robot.nodes.syntax(file)
         for found in nodes.dict_ranges(syntax):
             place, better = file.span_of(found.place), nodes.range_text(syntax, found)

@@ -39,7 +39,7 @@ from bringup_lint.api import rule
 
 @rule("warning", silent="the process waits in its next write without a message")
 def pipe_unread(robot: Robot) -> Iterator[Finding]:
-    for file in robot.nodes.programs:
+    for file in robot.nodes.robot_sources:
         for found in nodes.unread_pipes(robot.nodes.syntax(file)):
             streams = " and ".join(found.streams)
             yield finding(

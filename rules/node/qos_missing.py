@@ -46,7 +46,7 @@ from bringup_lint.api.python import with_keyword
     symptoms=["missing 1 required positional argument: 'qos_profile'", "keyword argument 'queue_size'"],
 )
 def qos_missing(robot: Robot) -> Iterator[Finding]:
-    for file in robot.nodes.programs:
+    for file in robot.nodes.robot_sources:
         for first, *others in nodes.without_qos(robot.nodes.syntax(file)):
             function = first.call.func
             name = function.attr if isinstance(function, ast.Attribute) else "the call"

@@ -41,7 +41,7 @@ from bringup_lint.api import rule
 
 @rule("error", silent="the thread waits forever without a message", tags=["CWE-833"])
 def rate_without_spin(robot: Robot) -> Iterator[Finding]:
-    for file in robot.nodes.programs:
+    for file in robot.nodes.robot_sources:
         for rate, sleep in nodes.endless_rates(robot.nodes.syntax(file)):
             yield finding(
                 file.span_of(sleep),

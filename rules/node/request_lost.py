@@ -46,7 +46,7 @@ from bringup_lint.api import rule
 
 @rule("warning", silent="the node waits for the answer without a word", tags=["CWE-833"])
 def request_lost(robot: Robot) -> Iterator[Finding]:
-    for file in robot.nodes.programs:
+    for file in robot.nodes.robot_sources:
         for found in nodes.lost_requests(robot.nodes.ending(file)):
             service = f" to {found.client.name}" if found.client.name is not None else ""
             yield finding(

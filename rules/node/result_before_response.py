@@ -41,7 +41,7 @@ from bringup_lint.api import rule
 
 @rule("warning", symptoms=["AttributeError: 'NoneType' object has no attribute 'success'"])
 def result_before_response(robot: Robot) -> Iterator[Finding]:
-    for file in robot.nodes.programs:
+    for file in robot.nodes.robot_sources:
         found = sorted(nodes.early_results(robot.nodes.syntax(file)), key=lambda each: not each.is_used)
         if not found:
             continue

@@ -42,7 +42,7 @@ from bringup_lint.api.python import wait_in_loop
 
 @rule("warning", fix="unsafe", symptoms=["service not available, waiting again..."])
 def service_wait_no_timeout(robot: Robot) -> Iterator[Finding]:
-    for file, node in robot.nodes.with_callbacks:
+    for file, node in robot.nodes.node_classes:
         for call, service, where, logged in nodes.waits(robot.nodes.ending(file), node):
             at_start = where == "__init__"
             if logged and at_start:

@@ -48,7 +48,7 @@ ADVICE = "pass a list of arguments without shell=True, or accept only known valu
 @rule("warning", silent="the shell runs what it is given", tags=["CWE-78"])
 def shell_from_message(robot: Robot) -> Iterator[Finding]:
     seen = set()
-    for file, node in robot.nodes.with_callbacks:
+    for file, node in robot.nodes.node_classes:
         for found in nodes.shell_commands(robot.nodes, robot.nodes.syntax(file), node):
             if found.call in seen:
                 continue

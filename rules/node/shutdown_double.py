@@ -57,7 +57,7 @@ from bringup_lint.api import rule
 @rule("warning", fix="unsafe", symptoms=["failed to shutdown: rcl_shutdown already called on the given context"])
 def shutdown_double(robot: Robot) -> Iterator[Finding]:
     found: dict[tuple[object, bool], list[Late]] = {}
-    for file in robot.nodes.programs:
+    for file in robot.nodes.robot_sources:
         package = robot.launch.workspace.owner(file.source) or file
         found.setdefault((package, nodes.is_stopped(robot.nodes, file)), []).extend(late(robot, file))
     for (_, stopped), alike in found.items():

@@ -84,7 +84,7 @@ class Unhandled(NamedTuple):
 
 
 def unhandled(robot: Robot) -> Iterator[Unhandled]:
-    for file in robot.nodes.programs:
+    for file in robot.nodes.robot_sources:
         if nodes.stopped_by(robot.nodes, file) == {"SIGINT"}:
             continue
         ending = robot.nodes.ending(file)

@@ -65,7 +65,7 @@ WHY = {
 
 @rule("error", symptoms=["Failed to publish: publisher's context is invalid"], tags=["CWE-404"])
 def shutdown_publish_after_context(robot: Robot) -> Iterator[Finding]:
-    for file in robot.nodes.programs:
+    for file in robot.nodes.robot_sources:
         told = set()
         purpose = robot.nodes.purpose(file.source)
         for late in nodes.stop_after_shutdown(robot.nodes.ending(file)):

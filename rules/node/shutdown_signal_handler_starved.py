@@ -47,7 +47,7 @@ from bringup_lint.api.nodes import NodeSource
 
 @rule("error", symptoms=["State 'stop-sigterm' timed out. Killing."])
 def shutdown_signal_handler_starved(robot: Robot) -> Iterator[Finding]:
-    for file in robot.nodes.programs:
+    for file in robot.nodes.robot_sources:
         waiting = robot.nodes.without_timer(file)
         if not waiting:
             yield from _deaf(robot, file)

@@ -62,7 +62,7 @@ CPP = Language("tf2::TransformException", "the process aborts")
     symptoms=["tf2.LookupException", "tf2.ExtrapolationException: Lookup would require extrapolation into the future"],
 )
 def transform_unhandled(robot: Robot) -> Iterator[Finding]:
-    for file, node in robot.nodes.with_callbacks:
+    for file, node in robot.nodes.node_classes:
         found = list(nodes.unhandled_transforms(robot.nodes.ending(file), node))
         if found:
             spans = [file.span_of(each.call) for each in found]

@@ -54,7 +54,7 @@ from bringup_lint.api import rule
     ],
 )
 def unbound_local(robot: Robot) -> Iterator[Finding]:
-    for file in robot.nodes.programs:
+    for file in robot.nodes.robot_sources:
         for found in nodes.unbound_locals(robot.nodes.syntax(file)):
             name, severity = found.name.id, "error"
             end = nodes.end_of(robot.nodes.syntax(file), found.name, caught=found.caught)

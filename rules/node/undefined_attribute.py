@@ -133,7 +133,7 @@ def _half_made(robot: Robot) -> Iterator[Finding]:
 
 
 def _untyped(robot: Robot) -> Iterator[Finding]:
-    for file in robot.nodes.programs:
+    for file in robot.nodes.robot_sources:
         reads = list(nodes.untyped_reads(robot.nodes.syntax(file)))
         for read in reads[:1]:
             end = nodes.end_of(robot.nodes.syntax(file), read)

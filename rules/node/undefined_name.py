@@ -42,7 +42,7 @@ from bringup_lint.api import rule
 
 @rule("error", fix="unsafe", symptoms=["NameError: name '*' is not defined"])
 def undefined_name(robot: Robot) -> Iterator[Finding]:
-    for file in robot.nodes.programs:
+    for file in robot.nodes.robot_sources:
         for found in nodes.undefined(robot.nodes.syntax(file)):
             name, module = found.name.id, found.module
             when = f"when {found.function}() is called" if found.function else "when the file is loaded"

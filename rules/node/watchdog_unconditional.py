@@ -39,7 +39,7 @@ from bringup_lint.api import rule
 
 @rule("info", confidence="medium", silent="the watchdog is fed, so it reports nothing")
 def watchdog_unconditional(robot: Robot) -> Iterator[Finding]:
-    for file, node in robot.nodes.with_callbacks:
+    for file, node in robot.nodes.node_classes:
         for call, callback in nodes.fed_without_condition(robot.nodes.syntax(file), node):
             yield finding(
                 file.span_of(call),

@@ -129,6 +129,6 @@ def waiting_for_sigint(robot: Robot, unit: Unit) -> Iterator[Span]:
     """Where the programs that a unit launches handle SIGINT alone."""
     if not robot.of_kind("python-node"):
         return
-    for file in robot.nodes.programs:
+    for file in robot.nodes.robot_sources:
         if any(runner.unit is unit for runner in nodes.runners_of(robot.nodes, file)):
             yield from (file.span_of(caught) for caught, _ in nodes.unhandled_shutdown(robot.nodes.ending(file)))

@@ -250,14 +250,14 @@ class Nodes:
         return found
 
     @cached_property
-    def programs(self) -> list[NodeSource]:
+    def robot_sources(self) -> list[NodeSource]:
         """The judged sources but tests: those whose ends are looked at."""
         return [file for file in self.judged if self.purpose(file.source) not in _UNJUDGED]
 
     @property
-    def with_callbacks(self) -> Iterator[tuple[NodeSource, NodeClass]]:
+    def node_classes(self) -> Iterator[tuple[NodeSource, NodeClass]]:
         """The classes of nodes in the judged sources but tests, each with its file."""
-        for file in self.programs:
+        for file in self.robot_sources:
             yield from ((file, node) for node in file.classes if node.is_node is True)
 
     def threads(self, node: NodeClass) -> str:
@@ -288,7 +288,7 @@ class Nodes:
         from bringup_lint.graph.nodes.sources.message_types import types_of
 
         interfaces = InterfaceFields(self.files.tree, self.launch.workspace)
-        found = (types_of(file, self.syntax(file), interfaces) for file in self.programs)
+        found = (types_of(file, self.syntax(file), interfaces) for file in self.robot_sources)
         return [types for types in found if types is not None]
 
     @cached_property

@@ -28,7 +28,7 @@ def too_reliable(nodes: Nodes) -> Iterator[tuple[Source, list[Endpoint]]]:
 
 
 def _endpoints(nodes: Nodes) -> Iterator[tuple[Source, list[Endpoint]]]:
-    for _, node in nodes.with_callbacks:
+    for _, node in nodes.node_classes:
         yield node.source, node.endpoints
     for source in nodes.cpp:
         yield source.source, source.endpoints

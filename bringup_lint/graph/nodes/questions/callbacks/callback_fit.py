@@ -49,7 +49,7 @@ class UnfitCallback(NamedTuple):
 def unfit_callbacks(nodes: Nodes) -> Iterator[UnfitCallback]:
     """Each callback once, whatever else it is registered for."""
     overridden = _overridden(nodes)
-    for file, node in nodes.with_callbacks:
+    for file, node in nodes.node_classes:
         seen: set[tuple[str, str]] = set()
         for callback in node.callbacks:
             for found in _unfit(nodes, file, node, callback):

@@ -28,7 +28,7 @@ class CanceledGoal(NamedTuple):
 
 
 def canceled_goals(nodes: Nodes) -> Iterator[CanceledGoal]:
-    for file in nodes.programs:
+    for file in nodes.robot_sources:
         if _ASKS in file.source.text:
             syntax = nodes.syntax(file)
             for call in syntax.calls:

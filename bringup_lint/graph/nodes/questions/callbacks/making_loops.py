@@ -29,7 +29,7 @@ _INTERRUPTS = frozenset({"KeyboardInterrupt", "ExternalShutdownException"})
 def making_loops(nodes: Nodes) -> Iterator[list[MakingLoop]]:
     """Those of one source together, without the loops by which callbacks of the node never run."""
     told = {each.loop.loop for each in never_run(nodes)}
-    for file in nodes.programs:
+    for file in nodes.robot_sources:
         if "while" not in file.source.text:
             continue
         syntax = nodes.syntax(file)

@@ -36,7 +36,7 @@ class Taken(NamedTuple):
 
 
 def nested_spins(nodes: Nodes) -> Iterator[Taken]:
-    for file, node in nodes.with_callbacks:
+    for file, node in nodes.node_classes:
         ending = nodes.ending(file)
         for call, callback in taking_spins(nodes, ending, node).items():
             yield Taken(file, call, str(ending.syntax.qualified(call)), callback)

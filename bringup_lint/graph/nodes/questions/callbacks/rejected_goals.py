@@ -41,7 +41,7 @@ class StuckFlag(NamedTuple):
 
 def stuck_flags(nodes: Nodes) -> Iterator[StuckFlag]:
     """Flags that are set for a goal, reset only by what follows its acceptance, and asked before the next one."""
-    for file, node in nodes.with_callbacks:
+    for file, node in nodes.node_classes:
         if "send_goal_async" in file.source.text and ".accepted" in file.source.text:
             yield from _in_class(nodes, file, node)
 

@@ -31,7 +31,7 @@ class StaleRead(NamedTuple):
 def stale_reads(nodes: Nodes) -> Iterator[StaleRead]:
     """The first parameter that each callback of ``add_on_set_parameters_callback`` asks the node for, if it never looks
     at the values that it is handed."""
-    for file, node in nodes.with_callbacks:
+    for file, node in nodes.node_classes:
         for callback in node.callbacks:
             read = _read(node, callback) if callback.role == "parameters" else None
             if read is not None and callback.name is not None:

@@ -71,7 +71,7 @@ class StoppedInCpp(NamedTuple):
 
 
 def stopped_callbacks(nodes: Nodes) -> Iterator[Stopped]:
-    for file, node in nodes.with_callbacks:
+    for file, node in nodes.node_classes:
         threads = nodes.threads(node)
         taken = set(taking_spins(nodes, nodes.ending(file), node))
         own = list(blocking(nodes.ending(file), node))
@@ -123,7 +123,7 @@ def _missed(node: NodeClass, wait: Blocking) -> float | None:
 
 def never_run(nodes: Nodes) -> Iterator[NeverRun]:
     """The nodes whose constructors never end, so that no executor gets them."""
-    for file, node in nodes.with_callbacks:
+    for file, node in nodes.node_classes:
         callbacks = [each for each in node.callbacks if each.role in _WORK]
         loop = next(endless_constructors(nodes.ending(file), node), None) if callbacks else None
         if loop is not None:

@@ -42,7 +42,7 @@ class StarvedWait(NamedTuple):
 
 def starved_waits(nodes: Nodes) -> Iterator[StarvedWait]:
     """The lookups with a timeout in callbacks of one executor with one thread, which alone hears the transforms."""
-    for file, cls in nodes.with_callbacks:
+    for file, cls in nodes.node_classes:
         ending = nodes.ending(file)
         if nodes.threads(cls) == "one" and hears_by_own_executor(ending, cls):
             yield from _starved(ending, cls)

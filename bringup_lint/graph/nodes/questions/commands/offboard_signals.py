@@ -34,7 +34,7 @@ class RareSignal(NamedTuple):
 def rare_signals(nodes: Nodes) -> Iterator[RareSignal]:
     """The signals of nodes that a single timer sends, and nothing else."""
     published: dict[int, dict[str | None, list[ast.Call]]] = {}
-    for file, node in nodes.with_callbacks:
+    for file, node in nodes.node_classes:
         kept = [each.attribute for each in node.all_endpoints if each.role == "publisher" and each.type == _SIGNAL]
         if len(kept) != 1:
             continue

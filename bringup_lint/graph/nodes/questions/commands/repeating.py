@@ -95,7 +95,7 @@ class Repeated(NamedTuple):
 
 def repeated(nodes: Nodes) -> Iterator[Repeated]:
     """The commands that are sent again and again, in sources that look at no time."""
-    for file in nodes.programs:
+    for file in nodes.robot_sources:
         fed = [(node, found) for node in file.classes if node.is_node is True and (found := _fed(node))]
         files = nodes.imported(file) if fed else None
         if files is not None:
@@ -216,7 +216,7 @@ class Held(NamedTuple):
 
 def held(nodes: Nodes) -> Iterator[Held]:
     """Nodes that take velocities to pins or to a bus without a controller of its own, and look at no time."""
-    for file in nodes.programs:
+    for file in nodes.robot_sources:
         if not any(
             is_held(each) for each in (*file.strays, *(each for node in file.classes for each in node.endpoints))
         ):

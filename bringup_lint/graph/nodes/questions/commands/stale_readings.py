@@ -63,7 +63,7 @@ class StaleReading(NamedTuple):
 def stale_readings(nodes: Nodes) -> Iterator[StaleReading]:
     """The readings that one callback keeps, and that another one which publishes velocities uses, in sources that look
     at no time."""
-    for file, node in nodes.with_callbacks:
+    for file, node in nodes.node_classes:
         readings = [each for each in node.endpoints if _is_reading(each)]
         if readings and any(_is_motion(each) for each in node.all_endpoints) and ignores_time(nodes, file):
             yield from _in_class(nodes, file, node, readings)

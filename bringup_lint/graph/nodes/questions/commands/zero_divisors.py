@@ -29,7 +29,7 @@ class ZeroDivisor(NamedTuple):
 
 
 def zero_divisors(nodes: Nodes) -> Iterator[ZeroDivisor]:
-    for file in nodes.programs:
+    for file in nodes.robot_sources:
         if "angular.z" in file.source.text or "linear.x" in file.source.text:
             syntax = nodes.syntax(file)
             for node in file.nodes:

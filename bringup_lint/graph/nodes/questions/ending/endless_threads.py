@@ -48,7 +48,7 @@ class EndlessThread(NamedTuple):
 
 def endless_threads(nodes: Nodes) -> Iterator[EndlessThread]:
     """The threads, not daemons, of programs that spin, whose loops have no end that a shutdown could reach."""
-    for file in nodes.programs:
+    for file in nodes.robot_sources:
         text = file.source.text
         if "Thread(" not in text or "spin" not in text or _ENDS.search(text):
             continue

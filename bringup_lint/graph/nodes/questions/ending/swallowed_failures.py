@@ -24,7 +24,7 @@ _ALL = frozenset({"Exception", "BaseException"})
 
 def swallowed_failures(nodes: Nodes) -> Iterator[list[Swallowed]]:
     """Those of one source together, where only ``main`` spins and returns nothing but 0."""
-    for file in nodes.programs:
+    for file in nodes.robot_sources:
         if not is_tool(nodes, file) and not _FAILS.search(COMMENTS.sub("", file.source.text)):
             found = list(_in_file(nodes.ending(file)))
             if found:

@@ -56,7 +56,7 @@ class UnreachedStop(NamedTuple):
 
 def unreached_stops(nodes: Nodes) -> Iterator[UnreachedStop]:
     """The first stop command after each spin that no ``try`` surrounds, where rclpy handles the signals."""
-    for file in nodes.programs:
+    for file in nodes.robot_sources:
         ending = nodes.ending(file)
         if not ending.spins or not default_signals(ending) or file.source.matches(_LATER):
             continue

@@ -44,7 +44,7 @@ class UnsafeEnd(NamedTuple):
 
 def unsafe_ends(nodes: Nodes) -> Iterator[UnsafeEnd]:
     """The programs whose spin ends without a stop command, as far as their end is known."""
-    for file in nodes.programs:
+    for file in nodes.robot_sources:
         ending = nodes.ending(file)
         made = [node for node in nodes.made(file) if _sent(nodes, node)]
         if not made or not ending.spins or ending.signals is None:

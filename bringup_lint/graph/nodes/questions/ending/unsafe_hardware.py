@@ -42,7 +42,7 @@ class UnsafeHardware(NamedTuple):
 
 
 def unsafe_hardware(nodes: Nodes) -> Iterator[UnsafeHardware]:
-    for file in nodes.programs:
+    for file in nodes.robot_sources:
         ending = nodes.ending(file)
         if not ending.spins or ending.signals is None:
             continue

@@ -31,7 +31,7 @@ class WindowSpin(NamedTuple):
 
 def window_spins(nodes: Nodes) -> Iterator[WindowSpin]:
     """The spins in threads, not daemons, of a function that shows a window after it has started them."""
-    for file in nodes.programs:
+    for file in nodes.robot_sources:
         text = file.source.text
         has_window = any((name or "").startswith(_TOOLKITS) for name in file.imports.values())
         if not has_window or "Thread(" not in text or _ENDS.search(text):

@@ -47,7 +47,7 @@ class HomeFile(NamedTuple):
 
 def home_files(nodes: Nodes) -> Iterator[HomeFile]:
     homes = _Homes(nodes)
-    for file in nodes.programs:
+    for file in nodes.robot_sources:
         if "/home/" in file.source.text:
             syntax = nodes.syntax(file)
             for call in syntax.calls:

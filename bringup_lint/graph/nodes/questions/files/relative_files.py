@@ -37,7 +37,7 @@ class RelativeFile(NamedTuple):
 
 def relative_files(nodes: Nodes) -> Iterator[list[RelativeFile]]:
     """Those of programs and modules of packages, all of a source together."""
-    for file in nodes.programs:
+    for file in nodes.robot_sources:
         if nodes.launch.workspace.owner(file.source) is None or _MOVES.search(file.source.text):
             continue
         found = list(_in_file(nodes, file, nodes.syntax(file)))

@@ -103,7 +103,7 @@ def web_servers(nodes: Nodes) -> Iterator[tuple[str, str, Span, Span | None]]:
     """``debugger`` or ``web``, the name of the server, its place and that of the setting whose default is its address,
     for the robot's own nodes."""
     settings = Settings(nodes.files)
-    for file in nodes.programs:
+    for file in nodes.robot_sources:
         if not file.source.matches(_MENTIONED):
             continue
         if nodes.purpose(file.source) is not Purpose.ROBOT or nodes.launch.workspace.is_vendored(file.source):

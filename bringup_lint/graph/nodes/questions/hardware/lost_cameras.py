@@ -45,7 +45,7 @@ class LostCamera(NamedTuple):
 
 def lost_cameras(nodes: Nodes) -> Iterator[LostCamera]:
     """The reads that are tried again and again after a camera is gone, where nothing opens it anew."""
-    for file in nodes.programs:
+    for file in nodes.robot_sources:
         if "VideoCapture" in file.source.text and not file.source.matches(_LOOKED_AFTER):
             ending = nodes.ending(file)
             found = (_lost(ending, call) for call in ending.syntax.calls)

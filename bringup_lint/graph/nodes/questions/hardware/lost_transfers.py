@@ -67,7 +67,7 @@ _Transfer = tuple[ast.expr, "Span | None"]
 
 def lost_transfers(nodes: Nodes) -> Iterator[Lost]:
     """For each node the first transfer in a callback or thread where nothing takes its exception."""
-    for file, cls in nodes.with_callbacks:
+    for file, cls in nodes.node_classes:
         if not file.source.matches(_IMPORTED):
             continue
         syntax = nodes.syntax(file)

@@ -23,7 +23,7 @@ _ELSEWHERE = ("setmode", "import board", "adafruit_")
 
 def without_pin_mode(nodes: Nodes) -> Iterator[tuple[NodeSource, ast.Call]]:
     """The first ``GPIO.setup`` of the nodes whose package calls ``GPIO.setmode`` nowhere."""
-    for file in nodes.programs:
+    for file in nodes.robot_sources:
         named = nodes.syntax(file).named
         calls = [call for module in _MODULES for call in named.get(f"{module}.setup", [])]
         if not calls:

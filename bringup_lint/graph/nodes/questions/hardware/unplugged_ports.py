@@ -47,7 +47,7 @@ class Unplugged(NamedTuple):
 
 def unplugged_ports(nodes: Nodes) -> Iterator[Unplugged]:
     """For each node the first use of a serial port in a callback or thread where nothing takes its exception."""
-    for file, cls in nodes.with_callbacks:
+    for file, cls in nodes.node_classes:
         if not file.source.matches(_IMPORTED) or _is_on_board(file):
             continue
         syntax = nodes.syntax(file)

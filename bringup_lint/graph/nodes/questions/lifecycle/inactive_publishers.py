@@ -39,7 +39,7 @@ class InactivePublisher(NamedTuple):
 
 def inactive_publishers(nodes: Nodes) -> Iterator[InactivePublisher]:
     """The lifecycle nodes whose own ``on_activate`` neither calls that of rclpy or rclcpp nor those of publishers."""
-    for file, node in nodes.with_callbacks:
+    for file, node in nodes.node_classes:
         method = node.methods.get("on_activate") if node.is_lifecycle else None
         sent = [each for each in node.all_endpoints if each.role == "publisher" and each.lifecycle]
         if method is not None and sent and not any(".on_activate(" in each.source.text for each in node.lineage):

@@ -33,7 +33,7 @@ class Replaced(NamedTuple):
 
 
 def restamped(nodes: Nodes) -> Iterator[Replaced]:
-    for file in nodes.programs:
+    for file in nodes.robot_sources:
         if "frame_id" in file.source.text and not INTENDED.search(file.source.text):
             yield from _in_python(file)
     for node in nodes.cpp:

@@ -32,7 +32,7 @@ _Uses = dict[ast.AST, dict[str, list["ast.Name | ast.Attribute"]]]
 
 def unstamped(nodes: Nodes) -> Iterator[list[Unstamped]]:
     """The readings without a stamp, those of one source together."""
-    for file in nodes.programs:
+    for file in nodes.robot_sources:
         if any(send in file.source.text for send in _SENDS):
             found = list(_in_file(nodes, nodes.syntax(file)))
             if found:

@@ -22,7 +22,7 @@ _ANY_TYPE = ("dynamic_typing", "automatically_declare_parameters_from_overrides"
 
 def misread_parameters(nodes: Nodes) -> Iterator[list[Misread]]:
     """Those of one source together. In Python the field of another type is empty, and in C++ the call throws."""
-    for file in nodes.programs:
+    for file in nodes.robot_sources:
         if _VALUE not in file.source.text or any(word in file.source.text for word in _ANY_TYPE):
             continue
         found = list(_in_file(nodes.syntax(file)))

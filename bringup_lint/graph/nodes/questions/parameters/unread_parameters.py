@@ -37,7 +37,7 @@ class UnreadParameter(NamedTuple):
 def unread_parameters(nodes: Nodes, params: Params) -> Iterator[UnreadParameter]:
     """The parameters of Python programs whose names appear in the declaration alone."""
     values = _Given(nodes, params)
-    for file in nodes.programs:
+    for file in nodes.robot_sources:
         if ".declare_parameter(" not in file.source.text or nodes.launch.workspace.is_vendored(file.source):
             continue
         imported = nodes.imported(file)

@@ -52,7 +52,7 @@ def unfinished_classes(nodes: Nodes) -> Iterator[Unfinished]:
     if not any("abstract" in file.source.text for file in nodes.with_modules):
         return
     known = _Classes(nodes)
-    for file in nodes.programs:
+    for file in nodes.robot_sources:
         syntax = nodes.syntax(file)
         for call in syntax.calls:
             for named in (call.func, *(call.args if _takes_classes(known, file, call) else ())):

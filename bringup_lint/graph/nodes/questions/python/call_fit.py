@@ -41,7 +41,7 @@ class UnfitCall(NamedTuple):
 
 def unfit_calls(nodes: Nodes) -> Iterator[UnfitCall]:
     overridden = _overridden(nodes)
-    for file in nodes.programs:
+    for file in nodes.robot_sources:
         yield from _in_file(file, nodes.syntax(file), overridden)
 
 

@@ -45,7 +45,7 @@ def early_reads(nodes: Nodes) -> Iterator[list[EarlyRead]]:
     of_ros = {row["name"] for row in table("ros/node_attributes")} | set(dir(object))
     foreign = nodes.set_elsewhere
     heirs = heirs_of(nodes)
-    for file, node in nodes.with_callbacks:
+    for file, node in nodes.node_classes:
         family = family_of(nodes, node, heirs)
         if node.node is None or family is None or len(set(family)) != 1:
             continue

@@ -39,7 +39,7 @@ class HalfMade(NamedTuple):
 def half_made(nodes: Nodes) -> Iterator[HalfMade]:
     foreign = nodes.set_elsewhere
     heirs = heirs_of(nodes)
-    for file, node in nodes.with_callbacks:
+    for file, node in nodes.node_classes:
         init = node.methods.get("__init__")
         family = family_of(nodes, node, heirs) if init is not None and node.node is not None else None
         if init is None or node.node is None or family is None or len(set(family)) != 1:

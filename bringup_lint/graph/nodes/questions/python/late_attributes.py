@@ -46,7 +46,7 @@ def late_attributes(nodes: Nodes) -> Iterator[list[LateAttribute]]:
     """Those of one method together, the first use of each attribute."""
     foreign = nodes.set_elsewhere
     heirs = heirs_of(nodes)
-    for file, node in nodes.with_callbacks:
+    for file, node in nodes.node_classes:
         family = family_of(nodes, node, heirs)
         if node.node is None or family is None or len(set(family)) != 1:
             continue

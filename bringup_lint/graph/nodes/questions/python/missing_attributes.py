@@ -60,7 +60,7 @@ def missing_attributes(nodes: Nodes) -> Iterator[list[MissingAttribute]]:
     of_ros = {row["name"] for row in table("ros/node_attributes")} | set(dir(object))
     foreign = nodes.set_elsewhere
     heirs = heirs_of(nodes)
-    for file, node in nodes.with_callbacks:
+    for file, node in nodes.node_classes:
         family = family_of(nodes, node, heirs)
         if node.node is None or family is None:
             continue
@@ -102,7 +102,7 @@ def asked_for(file: NodeSource) -> set[str]:
 
 def taken_attributes(nodes: Nodes) -> Iterator[TakenAttribute]:
     read_only = {row["name"] for row in table("ros/node_attributes") if row["kind"] == "read-only"}
-    for file, node in nodes.with_callbacks:
+    for file, node in nodes.node_classes:
         if node.node is None:
             continue
         own = {name for each in node.lineage if each.node is not None for name in set_in_body(each.node)}

@@ -38,7 +38,7 @@ class MissingModule(NamedTuple):
 
 def missing_modules(nodes: Nodes) -> Iterator[MissingModule]:
     """Those of packages that setup.py installs as they are."""
-    for file in nodes.programs:
+    for file in nodes.robot_sources:
         owner = nodes.launch.workspace.owner(file.source)
         if owner is None or not _is_plain(nodes.files.tree, owner) or nodes.launch.workspace.is_vendored(file.source):
             continue

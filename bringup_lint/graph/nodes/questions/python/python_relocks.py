@@ -33,7 +33,7 @@ class PythonRelock(NamedTuple):
 
 def python_relocks(nodes: Nodes) -> Iterator[list[PythonRelock]]:
     """Those of one lock of a class together."""
-    for file in nodes.programs:
+    for file in nodes.robot_sources:
         if "Lock" in file.source.text:
             for each in file.nodes:
                 if isinstance(each, ast.ClassDef):
