@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from bringup_lint.graph.purpose import Purpose
 from bringup_lint.on_demand import on_demand
 from bringup_lint.pattern import regex
 from bringup_lint.type_names import TYPE_CHECKING
@@ -149,7 +148,6 @@ __all__ = [
     "NoField",
     "NodeSource",
     "NotThere",
-    "Purpose",
     "RefusedLog",
     "Swallowed",
     "Timer",
@@ -201,7 +199,6 @@ __all__ = [
     "lost_cameras",
     "lost_requests",
     "lost_transfers",
-    "lowered",
     "making_loops",
     "misordered_quaternions",
     "misread_parameters",
@@ -283,8 +280,3 @@ _NODE_NAME = regex(r"[A-Za-z_][A-Za-z0-9_]{0,254}\Z")
 def valid_node_name(name: str) -> bool:
     """Whether rcl takes a node name (rmw, validate_node_name.c)."""
     return bool(_NODE_NAME.match(name))
-
-
-def lowered(purpose: Purpose, severity: str) -> str:
-    """The severity of a finding in code that is only an example."""
-    return severity if purpose is Purpose.ROBOT else "info"

@@ -56,5 +56,5 @@ def abstract_method(robot: Robot) -> Iterator[Finding]:
                 note(found.of.span_of(found.cls), "does not define it"),
                 note(found.base.span_of(found.method), "is abstract"),
             ],
-            severity=robot.nodes.graded(found.file.source, "error"),
+            severity=robot.nodes.lowered_if_vendored(found.file.source, "error"),
         )

@@ -52,5 +52,5 @@ def answer_awaited_forever(robot: Robot) -> Iterator[Finding]:
             f"While the server of {first.client} is not running, the request is lost and this waits forever",
             advice=f"call {looks}() with a timeout before, and wait_for() with one instead",
             related=[note(first.asked, "asked here"), *(note(each.waiting, "the same here") for each in others)],
-            severity=robot.nodes.graded(first.waiting.source, "warning"),
+            severity=robot.nodes.lowered_if_vendored(first.waiting.source, "warning"),
         )

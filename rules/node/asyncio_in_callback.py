@@ -48,5 +48,5 @@ def asyncio_in_callback(robot: Robot) -> Iterator[Finding]:
                 f"{function} raises",
                 advice="await an rclpy Future that a timer completes, or use a Rate in another callback group",
                 related=[note(callback.span, f"{name} is the callback of {callback.kind}")],
-                severity=nodes.lowered(robot.nodes.purpose(file.source), "error"),
+                severity=robot.nodes.lowered(file.source, "error"),
             )

@@ -104,7 +104,7 @@ def _in_constructors(robot: Robot) -> Iterator[Finding]:
             f"'while {found.test}' in the constructor never ends: none of the node's callbacks ever runs",
             advice="do the work of the loop in the callback of a timer",
             related=[note(each.span, "never runs") for each in callbacks[:3]],
-            severity=nodes.lowered(robot.nodes.purpose(file.source), "warning"),
+            severity=robot.nodes.lowered(file.source, "warning"),
         )
 
 
@@ -136,4 +136,4 @@ def _severity(robot: Robot, source: Source, how_long: str = "") -> str:
     """Info in examples and in packages of others, and where a timeout of unknown length ends the wait."""
     if robot.launch.workspace.is_vendored(source) or how_long == nodes.UNTIL_TIMEOUT:
         return "info"
-    return nodes.lowered(robot.nodes.purpose(source), "warning")
+    return robot.nodes.lowered(source, "warning")

@@ -33,7 +33,6 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
-from bringup_lint.api import nodes
 from bringup_lint.api import rule
 
 MEANS_NO = frozenset({"", "0", "false", "no", "off"})
@@ -49,5 +48,5 @@ def bool_from_text(robot: Robot) -> Iterator[Finding]:
                     text,
                     f'"{text}" is a text, and its address converts to true: without the parameter this is on',
                     advice="write false without quotes",
-                    severity=nodes.lowered(robot.nodes.purpose(source.source), "warning" if is_given else "error"),
+                    severity=robot.nodes.lowered(source.source, "warning" if is_given else "error"),
                 )

@@ -62,5 +62,5 @@ def call_misfit(robot: Robot) -> Iterator[Finding]:
             f"TypeError {where}: {found.called}() {found.wrong}, and {end}",
             advice="hand over what the function takes",
             related=[note(found.file.span_of(each), f"'{each.arg}'") for each in taken if each.arg != "self"],
-            severity="info" if idle else robot.nodes.graded(found.file.source, "error"),
+            severity="info" if idle else robot.nodes.lowered_if_vendored(found.file.source, "error"),
         )

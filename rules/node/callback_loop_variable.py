@@ -58,5 +58,5 @@ def callback_loop_variable(robot: Robot) -> Iterator[Finding]:
                 note(file.span_of(first.loop), f"each turn gives '{name}' another value"),
                 *(note(file.span_of(each.use), "here, too") for each in others[:10]),
             ],
-            severity="info" if first.is_logged else nodes.lowered(robot.nodes.purpose(file.source), "error"),
+            severity="info" if first.is_logged else robot.nodes.lowered(file.source, "error"),
         )

@@ -72,7 +72,7 @@ def callback_misfit(robot: Robot) -> Iterator[Finding]:
             _message(unfit, _end(robot, unfit)),
             advice=_advice(unfit),
             related=[] if unfit.place == unfit.callback.span else [note(unfit.callback.span, "it is handed over here")],
-            severity=robot.nodes.graded(unfit.file.source, severity),
+            severity=robot.nodes.lowered_if_vendored(unfit.file.source, severity),
         )
 
 

@@ -47,5 +47,5 @@ def can_interface_unchecked(robot: Robot) -> Iterator[Finding]:
                 f"Nothing notices that the CAN interface does not exist: bind() takes {taken}",
                 advice="check the result of ioctl(), and report errno with the name of the interface",
                 related=[note(found.bound, "bound with the index")],
-                severity=robot.nodes.graded(driver.source, "warning"),
+                severity=robot.nodes.lowered_if_vendored(driver.source, "warning"),
             )

@@ -61,6 +61,6 @@ def clocks_mixed(robot: Robot) -> Iterator[Finding]:
                 *set_later,
                 *(note(each.use.place, f"'{each.use.name}' has the same mistake") for each in others),
             ],
-            severity=nodes.lowered(robot.nodes.purpose(use.place.source), "error"),
+            severity=robot.nodes.lowered(use.place.source, "error"),
             confidence="medium" if use.set_later is not None else None,
         )

@@ -65,7 +65,7 @@ def command_no_timeout(robot: Robot) -> Iterator[Finding]:
                 found.where,
                 f"{found.timer} sends {found.kept} however old it is: without new commands the robot drives on",
                 advice=ADVICE,
-                severity=nodes.lowered(robot.nodes.purpose(found.source), "warning"),
+                severity=robot.nodes.lowered(found.source, "warning"),
                 related=[
                     note(found.subscription.span, f"fills {found.kept}"),
                     *([note(found.sender, "sends it")] if found.sender is not None else []),
@@ -81,5 +81,5 @@ def command_no_timeout(robot: Robot) -> Iterator[Finding]:
             related=[note(held.writer, "writes them")] if held.writer is not None else [],
             severity="info"
             if held.is_board and not nodes.has_firmware(robot.nodes)
-            else nodes.lowered(robot.nodes.purpose(held.source), "warning"),
+            else robot.nodes.lowered(held.source, "warning"),
         )

@@ -50,5 +50,5 @@ def constructor_after_shutdown(robot: Robot) -> Iterator[Finding]:
                 f"The constructor goes on after this: {found.name}() raises, because the context is shut down",
                 advice="raise an exception instead, and let launch or systemd start the node again",
                 related=[note(file.span_of(found.made), "raises")],
-                severity=robot.nodes.graded(file.source, "warning"),
+                severity=robot.nodes.lowered_if_vendored(file.source, "warning"),
             )

@@ -53,5 +53,5 @@ def constructor_endless(robot: Robot) -> Iterator[Finding]:
             "service or parameter request of it runs",
             advice="do one step of it in the callback of a timer, and spin the node",
             related=[*through, *(note(each.span, "nor from this one") for each in others)],
-            severity=nodes.lowered(robot.nodes.purpose(first.span.source), "warning"),
+            severity=robot.nodes.lowered(first.span.source, "warning"),
         )

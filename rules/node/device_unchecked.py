@@ -53,5 +53,5 @@ def device_unchecked(robot: Robot) -> Iterator[Finding]:
             f"When it cannot be opened, {found.function}() returns {end}",
             advice=f"write {test} below, and report errno with the name of what was to be opened",
             related=[note(found.used, "used here")],
-            severity=robot.nodes.graded(found.opened.source, "warning"),
+            severity=robot.nodes.lowered_if_vendored(found.opened.source, "warning"),
         )

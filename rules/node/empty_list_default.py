@@ -45,5 +45,5 @@ def empty_list_default(robot: Robot) -> Iterator[Finding]:
                 f"'{name}' becomes a byte array: the node exits when a file or launch file gives it a list",
                 advice="write a default with one value of its type, such as [''] or [0.0]",
                 related=[note(file.span_of(each.default), f"'{each.name}' as well") for each in found[1:]],
-                severity=nodes.lowered(robot.nodes.purpose(file.source), "warning"),
+                severity=robot.nodes.lowered(file.source, "warning"),
             )

@@ -37,7 +37,6 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
-from bringup_lint.api import nodes
 from bringup_lint.api import note
 from bringup_lint.api import rule
 
@@ -61,5 +60,5 @@ def entity_dropped(robot: Robot) -> Iterator[Finding]:
             f"The {first.kind} is destroyed {when}: {LOST[first.kind]}",
             advice="keep the returned pointer in a member of the class",
             related=[note(each.made, f"this {each.kind} is not kept either") for each in others],
-            severity=nodes.lowered(robot.nodes.purpose(node.source), "error"),
+            severity=robot.nodes.lowered(node.source, "error"),
         )

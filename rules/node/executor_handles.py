@@ -33,7 +33,6 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
-from bringup_lint.api import nodes
 from bringup_lint.api import note
 from bringup_lint.api import rule
 
@@ -50,5 +49,5 @@ def executor_handles(robot: Robot) -> Iterator[Finding]:
                 "the callbacks of the rest never run",
                 advice=f"initialise it with at least {each.added}",
                 related=[note(each.refused, "this one is refused")],
-                severity=nodes.lowered(robot.nodes.purpose(node.source), "error"),
+                severity=robot.nodes.lowered(node.source, "error"),
             )

@@ -62,5 +62,5 @@ def failure_exits_zero(robot: Robot) -> Iterator[Finding]:
                 note(first.spin, "what a callback throws comes out here"),
                 *(note(each.place, "this handler does the same") for each in others),
             ],
-            severity=nodes.lowered(robot.nodes.purpose(source), "warning") if is_supervised else "info",
+            severity=robot.nodes.lowered(source, "warning") if is_supervised else "info",
         )

@@ -53,7 +53,7 @@ def fraction_zero(robot: Robot) -> Iterator[Finding]:
             f"{first} is 0: C++ drops the fraction of a quotient of integers",
             advice=f"write {f'std::chrono::duration<double>({double})' if _is_duration(first) else double}",
             related=[note(each, "the same here") for each in others],
-            severity=robot.nodes.graded(first.span.source, "warning"),
+            severity=robot.nodes.lowered_if_vendored(first.span.source, "warning"),
             fix=fix("divide as doubles", *edits, safe=False) if edits else None,
         )
 

@@ -65,5 +65,5 @@ def _finding(robot: Robot, source: Source, place: Span, asked: Span) -> Finding:
         "Nobody asked to cancel the goal here: the call throws, because a goal that is executed can't become canceled",
         advice="end it with abort()",
         related=related,
-        severity=nodes.lowered(robot.nodes.purpose(source), "warning"),
+        severity=robot.nodes.lowered(source, "warning"),
     )

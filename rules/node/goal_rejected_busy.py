@@ -56,5 +56,5 @@ def goal_rejected_busy(robot: Robot) -> Iterator[Finding]:
                 note(found.file.span_of(found.set_at), "set here"),
                 note(found.file.span_of(found.asked), "asked here"),
             ],
-            severity=nodes.lowered(robot.nodes.purpose(found.file.source), "warning"),
+            severity=robot.nodes.lowered(found.file.source, "warning"),
         )

@@ -47,5 +47,5 @@ def hardware_command_zero(robot: Robot) -> Iterator[Finding]:
             "write() moves all joints there at once",
             advice="read the positions in on_activate, and start with them as commands",
             related=[note(found.exported, "exported as position commands")],
-            severity=nodes.lowered(robot.nodes.purpose(found.source), "warning"),
+            severity=robot.nodes.lowered(found.source, "warning"),
         )

@@ -60,5 +60,5 @@ def hardware_failure_hidden(robot: Robot) -> Iterator[Finding]:
                 note(first.answer, "returned all the same"),
                 *(note(each.place, f"the same in {each.method}()") for each in others),
             ],
-            severity=nodes.lowered(robot.nodes.purpose(first.source), "warning") if found.is_described else "info",
+            severity=robot.nodes.lowered(first.source, "warning") if found.is_described else "info",
         )

@@ -49,5 +49,5 @@ def hardware_read_blocks(robot: Robot) -> Iterator[Finding]:
             f"{found.call}() waits until a packet arrives: with a silent bus the whole controller manager hangs",
             advice="open the socket with O_NONBLOCK, or set SO_RCVTIMEO to less than a cycle",
             related=[note(found.opened, "opened here, without a time-out")],
-            severity=nodes.lowered(robot.nodes.purpose(found.source), "warning"),
+            severity=robot.nodes.lowered(found.source, "warning"),
         )

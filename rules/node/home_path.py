@@ -53,5 +53,5 @@ def home_path(robot: Robot) -> Iterator[Finding]:
             found.file.span_of(found.place),
             message,
             advice="install the file with its package, and find it with get_package_share_directory()",
-            severity="info" if idle else nodes.lowered(robot.nodes.purpose(found.file.source), "warning"),
+            severity="info" if idle else robot.nodes.lowered(found.file.source, "warning"),
         )

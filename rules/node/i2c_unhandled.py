@@ -59,5 +59,5 @@ def i2c_unhandled(robot: Robot) -> Iterator[Finding]:
             f"One disturbed I2C transfer raises OSError, which {each.name}() does not catch: {end}{stays}",
             advice="catch OSError, leave this reading out, and go on",
             related=[note(each.where, "the transfer")] if each.where is not None else [],
-            severity=robot.nodes.graded(each.file.source, "warning"),
+            severity=robot.nodes.lowered_if_vendored(each.file.source, "warning"),
         )

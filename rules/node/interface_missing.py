@@ -34,7 +34,6 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
-from bringup_lint.api import nodes
 from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.spelling import nearest
@@ -53,7 +52,7 @@ def interface_missing(robot: Robot) -> Iterator[Finding]:
             advice=_advice(near, each.file),
             related=[note(each.owner.place, f"the package {each.owner.name}")],
             fix=fix(f"import {near[0]}", (each.name, near[0]), safe=False) if len(near) == 1 else None,
-            severity=nodes.lowered(robot.nodes.purpose(source), "error"),
+            severity=robot.nodes.lowered(source, "error"),
         )
 
 

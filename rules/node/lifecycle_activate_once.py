@@ -57,5 +57,5 @@ def lifecycle_activate_once(robot: Robot) -> Iterator[Finding]:
                     note(file.span_of(found.loop.test), "does not run any more"),
                     *([note(file.span_of(found.back), "does not run in between")] if found.back is not None else []),
                 ],
-                severity=robot.nodes.graded(file.source, "warning"),
+                severity=robot.nodes.lowered_if_vendored(file.source, "warning"),
             )

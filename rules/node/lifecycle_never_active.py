@@ -55,5 +55,5 @@ def lifecycle_never_active(robot: Robot) -> Iterator[Finding]:
             f"on_activate() does not activate the publishers of the node: each message on {what} is dropped",
             advice="call on_activate() of the base class with the state, and return what it returns",
             related=[note(each.span, "stays inactive") for each in publishers],
-            severity=nodes.lowered(robot.nodes.purpose(source), "error"),
+            severity=robot.nodes.lowered(source, "error"),
         )

@@ -61,5 +61,5 @@ def lifecycle_publish_after_deactivate(robot: Robot) -> Iterator[Finding]:
                     note(found.endpoint.span, "a lifecycle publisher"),
                 ],
                 fix=nodes.swap(file, found.deactivate, found.publish),
-                severity=nodes.lowered(robot.nodes.purpose(file.source), "warning"),
+                severity=robot.nodes.lowered(file.source, "warning"),
             )

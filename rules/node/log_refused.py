@@ -83,7 +83,7 @@ def log_refused(robot: Robot) -> Iterator[Finding]:
                 advice=ADVICE[kind],
                 related=[note(file.span_of(each.what), "likewise here") for each in others],
                 fix=_written_well(file, [first, *others]),
-                severity=nodes.lowered(robot.nodes.purpose(file.source), "error" if ends else "warning"),
+                severity=robot.nodes.lowered(file.source, "error" if ends else "warning"),
             )
 
 

@@ -38,7 +38,6 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
-from bringup_lint.api import nodes
 from bringup_lint.api import note
 from bringup_lint.api import rule
 
@@ -56,5 +55,5 @@ def loop_ignores_shutdown(robot: Robot) -> Iterator[Finding]:
             f"SIGINT and SIGTERM do not end this loop in {where}{until}: launch and systemd have to kill the process",
             advice="ask rclcpp::ok() in its condition",
             related=[note(each.span, "nor this one") for each in others],
-            severity=nodes.lowered(robot.nodes.purpose(node.source), "warning"),
+            severity=robot.nodes.lowered(node.source, "warning"),
         )

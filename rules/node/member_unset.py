@@ -53,5 +53,5 @@ def member_unset(robot: Robot) -> Iterator[Finding]:
                 *([note(first.set_later, "set here, in another callback")] if first.set_later is not None else []),
                 *(note(each.read, f"'{each.name}' has the same mistake") for each in others),
             ],
-            severity=robot.nodes.graded(source, "warning"),
+            severity=robot.nodes.lowered_if_vendored(source, "warning"),
         )

@@ -60,8 +60,9 @@ from bringup_lint.api import rule
 )
 def message_field(robot: Robot) -> Iterator[Finding]:
     for types in robot.nodes.message_types:
-        severity = robot.nodes.graded(types.file.source, "error")
-        of_values = severity if nodes.is_checked(robot.target.ros) else robot.nodes.graded(types.file.source, "warning")
+        severity = robot.nodes.lowered_if_vendored(types.file.source, "error")
+        usual = "error" if nodes.is_checked(robot.target.ros) else "warning"
+        of_values = robot.nodes.lowered_if_vendored(types.file.source, usual)
         for lacking, *rest in nodes.missing_fields(types):
             yield finding(
                 types.file.span_of(lacking.place),

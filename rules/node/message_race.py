@@ -56,5 +56,5 @@ def message_race(robot: Robot) -> Iterator[Finding]:
                 note(first.read, f"read here, by {first.reader}()"),
                 *(note(each.replaced, f"'{each.name}' has the same mistake") for each in others),
             ],
-            severity=robot.nodes.graded(first.replaced.source, "warning"),
+            severity=robot.nodes.lowered_if_vendored(first.replaced.source, "warning"),
         )

@@ -73,7 +73,7 @@ def _in_handlers(robot: Robot) -> Iterator[Finding]:
                 f"{raised.what}, and this try does not take it: {nodes.end_of(syntax, node)}",
                 advice=raised.advice,
                 related=[note(file.span_of(handler), "takes another exception")],
-                severity=robot.nodes.graded(file.source, "warning"),
+                severity=robot.nodes.lowered_if_vendored(file.source, "warning"),
             )
 
 
@@ -89,5 +89,5 @@ def _finding(robot: Robot, file: nodes.NodeSource, first: nodes.Unchecked, *othe
             note(first.endpoint.span, f"{first.name}() is the callback of this {first.endpoint.role}"),
             *(note(file.span_of(each.fault.node), f"the same in {each.name}()") for each in others),
         ],
-        severity=robot.nodes.graded(file.source, "warning"),
+        severity=robot.nodes.lowered_if_vendored(file.source, "warning"),
     )

@@ -51,7 +51,7 @@ def message_unit(robot: Robot) -> Iterator[Finding]:
             _message(found),
             advice="convert it to radians" if found.got == "degrees" else "use the range from 0 to 1",
             related=[note(found.declared, "the limit is the default of this parameter")] if found.declared else [],
-            severity=nodes.lowered(robot.nodes.purpose(found.place.source), "warning"),
+            severity=robot.nodes.lowered(found.place.source, "warning"),
         )
 
 

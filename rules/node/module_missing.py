@@ -45,5 +45,5 @@ def module_missing(robot: Robot) -> Iterator[Finding]:
             found.file.span_of(found.statement),
             f"ModuleNotFoundError {when}: the package has no {found.path}",
             advice=f"add the module, or correct the name in 'from {found.module} import'",
-            severity=nodes.lowered(robot.nodes.purpose(found.file.source), "error") if is_run else "info",
+            severity=robot.nodes.lowered(found.file.source, "error") if is_run else "info",
         )

@@ -51,5 +51,5 @@ def mutex_left_locked(robot: Robot) -> Iterator[Finding]:
                 f"This return leaves {found.mutex} locked: whatever locks it next waits forever",
                 advice=f"lock it with std::lock_guard, or unlock {found.mutex} before",
                 related=[note(found.locked, "locked here")],
-                severity=robot.nodes.graded(driver.source, "error"),
+                severity=robot.nodes.lowered_if_vendored(driver.source, "error"),
             )

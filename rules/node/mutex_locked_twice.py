@@ -59,7 +59,7 @@ def mutex_locked_twice(robot: Robot) -> Iterator[Finding]:
                 *([note(first.again, "locked here again")] if first.through is not None else []),
                 *(note(each.place, "the same here") for each in others),
             ],
-            severity=robot.nodes.graded(first.place.source, "error"),
+            severity=robot.nodes.lowered_if_vendored(first.place.source, "error"),
         )
     for top, *more in nodes.python_relocks(robot.nodes):
         file = top.file
@@ -72,7 +72,7 @@ def mutex_locked_twice(robot: Robot) -> Iterator[Finding]:
                 *([note(file.span_of(top.again), "locked here again")] if top.through is not None else []),
                 *(note(file.span_of(each.place), "the same here") for each in more),
             ],
-            severity=robot.nodes.graded(file.source, "error"),
+            severity=robot.nodes.lowered_if_vendored(file.source, "error"),
         )
 
 

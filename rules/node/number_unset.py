@@ -33,7 +33,6 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
-from bringup_lint.api import nodes
 from bringup_lint.api import note
 from bringup_lint.api import rule
 
@@ -52,5 +51,5 @@ def number_unset(robot: Robot) -> Iterator[Finding]:
                 advice=f"write {begun} where it is declared",
                 related=[note(unset.declared, "declared without a value")],
                 fix=fix(f"begin {unset.name} with 0", (unset.declared, begun)) if not is_array else None,
-                severity=nodes.lowered(robot.nodes.purpose(node.source), "warning"),
+                severity=robot.nodes.lowered(node.source, "warning"),
             )

@@ -45,5 +45,5 @@ def offboard_signal_rare(robot: Robot) -> Iterator[Finding]:
             "it refuses or leaves offboard mode",
             advice="send it every 0.1 s",
             related=[note(each.file.span_of(each.sent), "sent here alone")],
-            severity=nodes.lowered(robot.nodes.purpose(each.file.source), "warning"),
+            severity=robot.nodes.lowered(each.file.source, "warning"),
         )

@@ -51,5 +51,5 @@ def param_range_dict(robot: Robot) -> Iterator[Finding]:
                 "and the node does not start",
                 advice=f"write {better or f'{found.type}(from_value=..., to_value=..., step=...)'}",
                 fix=change,
-                severity=nodes.lowered(robot.nodes.purpose(file.source), "error"),
+                severity=robot.nodes.lowered(file.source, "error"),
             )

@@ -52,5 +52,5 @@ def parameter_callback_stale(robot: Robot) -> Iterator[Finding]:
             "effect one change too late",
             advice=f"read the values from the list that {stale.function}() is handed",
             related=[note(stale.callback.span, "handed over here")],
-            severity=nodes.lowered(robot.nodes.purpose(stale.file.source), "warning"),
+            severity=robot.nodes.lowered(stale.file.source, "warning"),
         )

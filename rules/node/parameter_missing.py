@@ -41,7 +41,6 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.nodes import asked_in_vain
 from bringup_lint.api.nodes import is_called_nowhere
-from bringup_lint.api.nodes import lowered
 from bringup_lint.api.nodes import switchless
 from bringup_lint.api.nodes import unset
 
@@ -63,7 +62,7 @@ def parameter_missing(robot: Robot) -> Iterator[Finding]:
             advice="declare the parameter with a default before it is asked for",
             severity="info"
             if is_called_nowhere(robot.topics, name.span)
-            else lowered(robot.nodes.purpose(name.span.source), "error"),
+            else robot.nodes.lowered(name.span.source, "error"),
             confidence="medium",
         )
     for found in unset(robot.topics):

@@ -58,5 +58,5 @@ def parameter_type(robot: Robot) -> Iterator[Finding]:
                 note(first.name, "declared here"),
                 *(note(each.place, f"'{each.name}' is {each.declared}, too") for each in others),
             ],
-            severity=nodes.lowered(robot.nodes.purpose(first.place.source), "error"),
+            severity=robot.nodes.lowered(first.place.source, "error"),
         )

@@ -48,7 +48,7 @@ def parameter_unread(robot: Robot) -> Iterator[Finding]:
             f"The node never reads '{found.name}': what the parameter file sets has no effect",
             advice=f"use get_parameter('{found.name}').value, or remove the parameter",
             related=[note(each.span, "set here") for each in found.given[:5]],
-            severity=nodes.lowered(robot.nodes.purpose(found.file.source), "warning"),
+            severity=robot.nodes.lowered(found.file.source, "warning"),
         )
     for source, parameter in nodes.heard_parameters(robot.nodes):
         yield finding(
@@ -56,5 +56,5 @@ def parameter_unread(robot: Robot) -> Iterator[Finding]:
             f"The node hears of changes of '{parameter.name}', and never reads the value that it starts with: what a "
             "file or launch sets has no effect",
             advice="register the callback before the declaration, or call get_parameter() once",
-            severity=nodes.lowered(robot.nodes.purpose(source.source), "warning"),
+            severity=robot.nodes.lowered(source.source, "warning"),
         )

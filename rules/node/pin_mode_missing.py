@@ -42,5 +42,5 @@ def pin_mode_missing(robot: Robot) -> Iterator[Finding]:
             file.span_of(call),
             "GPIO.setmode() is never called before setup(), which raises RuntimeError: the node does not start",
             advice="call GPIO.setmode(GPIO.BCM) or GPIO.setmode(GPIO.BOARD) first, as the program numbers its pins",
-            severity=nodes.lowered(robot.nodes.purpose(file.source), "error"),
+            severity=robot.nodes.lowered(file.source, "error"),
         )

@@ -46,5 +46,5 @@ def pipe_unread(robot: Robot) -> Iterator[Finding]:
                 file.span_of(found.call),
                 f"Nothing reads the {streams} of '{found.command}': it blocks after 64 KiB of output",
                 advice="leave the output to the log of this node, or send it to subprocess.DEVNULL or to a file",
-                severity=nodes.lowered(robot.nodes.purpose(file.source), "warning"),
+                severity=robot.nodes.lowered(file.source, "warning"),
             )

@@ -63,5 +63,5 @@ def port_unplugged(robot: Robot) -> Iterator[Finding]:
             f"An unplugged adapter raises {raised} in {each.name}(), and nothing catches it: {end}{stays}",
             advice="catch OSError, which is also SerialException, close the port and open it again",
             related=[note(each.file.span_of(each.opened), "the port")],
-            severity=robot.nodes.graded(each.file.source, "warning"),
+            severity=robot.nodes.lowered_if_vendored(each.file.source, "warning"),
         )

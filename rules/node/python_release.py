@@ -63,9 +63,7 @@ def python_release(robot: Robot) -> Iterator[Finding]:
             f"{first.what}, and {distribution.capitalize()} {first.present}: {where}{_ends(robot, file, first)}",
             advice="use what both releases have, or a backport such as typing_extensions",
             related=[note(file.span_of(each.node), each.what) for each in others[:5]],
-            severity=nodes.lowered(
-                robot.nodes.purpose(file.source), "warning" if brought is not None or first.late else "error"
-            ),
+            severity=robot.nodes.lowered(file.source, "warning" if brought is not None or first.late else "error"),
         )
 
 

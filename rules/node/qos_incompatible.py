@@ -42,7 +42,6 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
-from bringup_lint.api import nodes
 from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api import topics
@@ -103,5 +102,5 @@ def of_autopilot(robot: Robot) -> Iterator[Finding]:
             "no message ever arrives",
             advice="subscribe with qos_profile_sensor_data, or rclcpp::SensorDataQoS()",
             related=[note(each.span, f"nor any of {each.name}") for each in others[:10]],
-            severity=nodes.lowered(robot.nodes.purpose(source), "error"),
+            severity=robot.nodes.lowered(source, "error"),
         )

@@ -60,6 +60,6 @@ def qos_missing(robot: Robot) -> Iterator[Finding]:
                 f"{name}() {first.wrong}: it raises a TypeError, and {end}",
                 advice="give it a depth such as 10, or a QoSProfile, as the last argument",
                 related=[note(span, f"{each.wrong}, too") for each, span in zip(others, spans[1:], strict=True)],
-                severity=robot.nodes.graded(file.source, "error"),
+                severity=robot.nodes.lowered_if_vendored(file.source, "error"),
                 fix=fix("give it a quality of service", codemod=change, safe=None not in renamed) if change else None,
             )

@@ -53,5 +53,5 @@ def quaternion_order(robot: Robot) -> Iterator[Finding]:
             "this is another orientation",
             advice=f"write the numbers in the order {', '.join(first.order)}",
             related=[note(file.span_of(each.place), "here, too") for each in others[:10]],
-            severity=nodes.lowered(robot.nodes.purpose(file.source), "error"),
+            severity=robot.nodes.lowered(file.source, "error"),
         )

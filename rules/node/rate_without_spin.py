@@ -48,5 +48,5 @@ def rate_without_spin(robot: Robot) -> Iterator[Finding]:
                 "The rate never wakes up: its timer needs an executor, and this is the only thread",
                 advice="use create_timer and spin, or spin the node in a thread of its own",
                 related=[note(file.span_of(rate), "the rate is made here")],
-                severity=nodes.lowered(robot.nodes.purpose(file.source), "error"),
+                severity=robot.nodes.lowered(file.source, "error"),
             )

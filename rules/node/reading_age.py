@@ -58,5 +58,5 @@ def reading_age(robot: Robot) -> Iterator[Finding]:
             f"at its last value{first}",
             advice="keep the time of the reading, and stop when it is older than a few of its periods",
             related=[note(found.subscription.span, f"fills {found.kept}")],
-            severity=nodes.lowered(robot.nodes.purpose(found.source), "warning"),
+            severity=robot.nodes.lowered(found.source, "warning"),
         )

@@ -54,5 +54,5 @@ def relative_path(robot: Robot) -> Iterator[Finding]:
             "elsewhere, as under systemd, it fails",
             advice="install the file, and begin with get_package_share_directory()",
             related=[note(each.file.span_of(each.place), f"{each.path} likewise") for each in others],
-            severity="info" if idle else nodes.lowered(robot.nodes.purpose(found.file.source), "warning"),
+            severity="info" if idle else robot.nodes.lowered(found.file.source, "warning"),
         )

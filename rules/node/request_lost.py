@@ -57,7 +57,7 @@ def request_lost(robot: Robot) -> Iterator[Finding]:
                     note(found.client.span, "makes the client"),
                     note(file.span_of(found.sent), "sends the request"),
                 ],
-                severity=robot.nodes.graded(file.source, "warning"),
+                severity=robot.nodes.lowered_if_vendored(file.source, "warning"),
             )
         for vain in nodes.sent_in_vain(robot.nodes.syntax(file)):
             server = "service" if vain.kind == "request" else "server"
@@ -67,5 +67,5 @@ def request_lost(robot: Robot) -> Iterator[Finding]:
                 f"The {vain.kind} is sent even when the {server} is not there: it is lost then, and {end}",
                 advice=f"return where the {server} is not there",
                 related=[note(file.span_of(vain.asked), "only logs that it is not there, and goes on")],
-                severity=robot.nodes.graded(file.source, "warning"),
+                severity=robot.nodes.lowered_if_vendored(file.source, "warning"),
             )

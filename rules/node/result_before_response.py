@@ -54,5 +54,5 @@ def result_before_response(robot: Robot) -> Iterator[Finding]:
                 note(file.span_of(first.asked), "the request is sent here"),
                 *(note(file.span_of(each.read), "here, too") for each in others[:10]),
             ],
-            severity=nodes.lowered(robot.nodes.purpose(file.source), "warning") if first.is_used else "info",
+            severity=robot.nodes.lowered(file.source, "warning") if first.is_used else "info",
         )

@@ -58,5 +58,5 @@ def return_missing(robot: Robot) -> Iterator[Finding]:
             f"{found.function}() ends without a return{when}: undefined behaviour, with -O2 it runs into other code",
             advice="return a value at the end of the function, or throw",
             related=[note(found.left, "left without a return")] if found.left is not None else [],
-            severity=nodes.lowered(robot.nodes.purpose(source), severity),
+            severity=robot.nodes.lowered(source, severity),
         )

@@ -54,5 +54,5 @@ def serial_loss_unnoticed(robot: Robot) -> Iterator[Finding]:
                 "data comes until the node is restarted",
                 advice="open the port again, or end the node, after POLLHUP or an error of read()",
                 related=[note(found.loop, "goes on whatever read() returns")],
-                severity=robot.nodes.graded(driver.source, "warning"),
+                severity=robot.nodes.lowered_if_vendored(driver.source, "warning"),
             )

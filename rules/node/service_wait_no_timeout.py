@@ -55,6 +55,6 @@ def service_wait_no_timeout(robot: Robot) -> Iterator[Finding]:
                 f"If {what} never appears, the node hangs {'at start' if at_start else f'in {where}()'}{silently}",
                 advice="wait with timeout_sec= in a loop that logs what it waits for",
                 related=[note(service, "declared here")] if isinstance(service, Located) else [],
-                severity=nodes.lowered(robot.nodes.purpose(file.source), "warning"),
+                severity=robot.nodes.lowered(file.source, "warning"),
                 fix=fix("wait in a loop that logs", codemod=loop, safe=False) if loop else None,
             )

@@ -36,7 +36,6 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
-from bringup_lint.api import nodes
 from bringup_lint.api import note
 from bringup_lint.api import rule
 
@@ -58,7 +57,7 @@ def shared_from_constructor(robot: Robot) -> Iterator[Finding]:
             f"shared_from_this() throws bad_weak_ptr in the constructor of {first.owner}: nothing owns the object yet",
             advice="give 'this' instead, or do it in a method that runs after std::make_shared",
             related=[*through, *(note(each.asked, "so does this one") for each in others)],
-            severity=nodes.lowered(robot.nodes.purpose(node.source), "error"),
+            severity=robot.nodes.lowered(node.source, "error"),
         )
     for node in robot.nodes.cpp:
         for owner in node.second_owners:
@@ -66,5 +65,5 @@ def shared_from_constructor(robot: Robot) -> Iterator[Finding]:
                 owner,
                 "This pointer deletes a node that another owns and deletes, too: a double free, at the latest at exit",
                 advice="give '*this' where a reference does, or call shared_from_this() after the constructor",
-                severity=robot.nodes.graded(node.source, "error"),
+                severity=robot.nodes.lowered_if_vendored(node.source, "error"),
             )

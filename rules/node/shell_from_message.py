@@ -58,5 +58,5 @@ def shell_from_message(robot: Robot) -> Iterator[Finding]:
                 PROGRAM.format(found.what) if found.is_program else COMMAND.format(found.what),
                 advice="call what known names mean" if found.is_program else ADVICE,
                 related=[note(found.callback.span, f"the callback of a {found.callback.role}")],
-                severity=nodes.lowered(robot.nodes.purpose(file.source), "warning"),
+                severity=robot.nodes.lowered(file.source, "warning"),
             )

@@ -83,7 +83,7 @@ def _without_stop_command(robot: Robot) -> Iterator[Finding]:
                 *(note(runner.where, f"{runner.name} stops it") for runner in nodes.runners_of(robot.nodes, file)),
             ],
             chain=nodes.chain_to(robot.nodes, file, note(place, "no stop command")),
-            severity="info" if is_caught else nodes.lowered(robot.nodes.purpose(file.source), "warning"),
+            severity="info" if is_caught else robot.nodes.lowered(file.source, "warning"),
         )
 
 
@@ -96,7 +96,7 @@ def _with_hardware(robot: Robot) -> Iterator[Finding]:
             advice="spin in a try that takes KeyboardInterrupt and ExternalShutdownException, and stop in its finally",
             related=[note(command.span, f"the commands of {command.name or 'this topic'} stay in force")],
             chain=nodes.chain_to(robot.nodes, file, note(place, "no stop command")),
-            severity=nodes.lowered(robot.nodes.purpose(file.source), "warning"),
+            severity=robot.nodes.lowered(file.source, "warning"),
         )
 
 
@@ -107,7 +107,7 @@ def _with_hardware_in_cpp(robot: Robot) -> Iterator[Finding]:
             f"The node exits without stopping what it drives: {each.bus} keeps the last value that was written",
             advice="stop it in the destructor of the node, which runs after the spin",
             related=[note(each.command.span, f"the commands of {each.command.name or 'this topic'} stay in force")],
-            severity=nodes.lowered(robot.nodes.purpose(each.source), "warning"),
+            severity=robot.nodes.lowered(each.source, "warning"),
         )
 
 
@@ -118,5 +118,5 @@ def _with_publishers(robot: Robot) -> Iterator[Finding]:
             f"The node exits without a stop command: {KEEPS}",
             advice="publish zero in a callback of the context's add_pre_shutdown_callback(): after it nothing is sent",
             related=[note(sent.command.span, f"publishes {sent.command.name}")],
-            severity="info" if sent.is_caught else nodes.lowered(robot.nodes.purpose(sent.source), "warning"),
+            severity="info" if sent.is_caught else robot.nodes.lowered(sent.source, "warning"),
         )

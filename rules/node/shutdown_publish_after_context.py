@@ -67,7 +67,6 @@ WHY = {
 def shutdown_publish_after_context(robot: Robot) -> Iterator[Finding]:
     for file in robot.nodes.robot_sources:
         told = set()
-        purpose = robot.nodes.purpose(file.source)
         for late in nodes.stop_after_shutdown(robot.nodes.ending(file)):
             endpoint, place = late.sending.endpoint, file.span_of(late.place)
             if late.how not in WHY or place in told:
@@ -85,13 +84,13 @@ def shutdown_publish_after_context(robot: Robot) -> Iterator[Finding]:
                 "signal.signal(signal.SIGTERM, signal.default_int_handler), and give the node a timer",
                 related=steps,
                 chain=nodes.chain_to(robot.nodes, file, note(place, f"the {what} comes too late")),
-                severity=_severity(robot, file, purpose, moves),
+                severity=_severity(robot, file, moves),
             )
 
 
-def _severity(robot: Robot, file: nodes.NodeSource, purpose: nodes.Purpose, moves: bool) -> str:
+def _severity(robot: Robot, file: nodes.NodeSource, moves: bool) -> str:
     """In a raw terminal Ctrl-C is not a signal: the message is sent then, and lost only on SIGTERM. A message that
     moves nothing matters where something of the robot stops the program."""
     if robot.nodes.ending(file).is_raw_terminal or not (moves or nodes.is_stopped(robot.nodes, file)):
         return "info"
-    return nodes.lowered(purpose, "error" if moves else "warning")
+    return robot.nodes.lowered(file.source, "error" if moves else "warning")

@@ -70,7 +70,7 @@ def shutdown_signal_handler_starved(robot: Robot) -> Iterator[Finding]:
                     *(note(node.name or node.span, "this node has no timer") for node in waiting[:3]),
                 ],
                 chain=nodes.chain_to(robot.nodes, file, note(file.span_of(found.place), "the signal is not noticed")),
-                severity=nodes.lowered(robot.nodes.purpose(file.source), "warning" if found.wakers else "error"),
+                severity=robot.nodes.lowered(file.source, "warning" if found.wakers else "error"),
             )
 
 
@@ -82,5 +82,5 @@ def _deaf(robot: Robot, file: NodeSource) -> Iterator[Finding]:
             "rclpy, and ends nothing",
             advice="raise SystemExit at the end of the handler",
             related=[note(file.span_of(deaf.spin), "this spin goes on")],
-            severity=nodes.lowered(robot.nodes.purpose(file.source), "warning"),
+            severity=robot.nodes.lowered(file.source, "warning"),
         )

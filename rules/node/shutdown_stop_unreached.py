@@ -57,5 +57,5 @@ def shutdown_stop_unreached(robot: Robot) -> Iterator[Finding]:
             advice=OF_MESSAGE if is_motion else OF_HARDWARE,
             related=[note(file.span_of(spin.call), "raises KeyboardInterrupt or ExternalShutdownException")],
             chain=nodes.chain_to(robot.nodes, file, note(place, "the stop is not reached")),
-            severity=nodes.lowered(robot.nodes.purpose(file.source), "warning"),
+            severity=robot.nodes.lowered(file.source, "warning"),
         )

@@ -51,12 +51,12 @@ def spin_in_callback(robot: Robot) -> Iterator[Finding]:
                 spin.span,
                 f"{spin.call}() in {spin.callback} throws, as the executor that runs it has the node: {end}",
                 advice="give the client a callback for its answer, and let the executor that runs do its work",
-                severity=nodes.lowered(robot.nodes.purpose(node.source), "error"),
+                severity=robot.nodes.lowered(node.source, "error"),
             )
     for taken in nodes.nested_spins(robot.nodes):
         yield finding(
             taken.file.span_of(taken.call),
             f"{taken.name}(self) in {taken.callback} takes the node from its executor: no callback of it runs any more",
             advice="use call_async() with add_done_callback(), or await the future",
-            severity=nodes.lowered(robot.nodes.purpose(taken.file.source), "error"),
+            severity=robot.nodes.lowered(taken.file.source, "error"),
         )

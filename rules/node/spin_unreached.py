@@ -47,5 +47,5 @@ def spin_unreached(robot: Robot) -> Iterator[Finding]:
                 "This spin starts when the server above it ends: until then no callback of the node runs",
                 advice="spin in a thread that is started before",
                 related=[note(file.span_of(each.server), "runs until it is stopped")],
-                severity=nodes.lowered(robot.nodes.purpose(file.source), "error"),
+                severity=robot.nodes.lowered(file.source, "error"),
             )

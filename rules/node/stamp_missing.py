@@ -69,7 +69,7 @@ def stamp_missing(robot: Robot) -> Iterator[Finding]:
                 note(first.sent, "published here"),
                 *(note(each.made, f"no stamp in this {each.type.rpartition('/')[2]} either") for each in others),
             ],
-            severity=nodes.lowered(robot.nodes.purpose(first.made.source), "warning"),
+            severity=robot.nodes.lowered(first.made.source, "warning"),
         )
 
 

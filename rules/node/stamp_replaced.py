@@ -54,5 +54,5 @@ def stamp_replaced(robot: Robot) -> Iterator[Finding]:
             "placed where the sensor is now",
             advice=f"take the whole header of {found.message}",
             related=[note(found.frame, f"takes the frame of {found.message}")],
-            severity=robot.nodes.graded(found.source, "warning"),
+            severity=robot.nodes.lowered_if_vendored(found.source, "warning"),
         )

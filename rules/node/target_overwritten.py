@@ -47,5 +47,5 @@ def target_overwritten(robot: Robot) -> Iterator[Finding]:
                 f"Each packet that comes in sets {found.name} to its sender, and what is sent goes there from then on",
                 advice="receive into an endpoint of its own, and compare it with the one that is expected",
                 related=[note(found.sent, "sends to it")],
-                severity=robot.nodes.graded(driver.source, "warning"),
+                severity=robot.nodes.lowered_if_vendored(driver.source, "warning"),
             )

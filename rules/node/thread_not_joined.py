@@ -54,7 +54,7 @@ def thread_not_joined(robot: Robot) -> Iterator[Finding]:
             f"The thread of {found.function}() never ends: after SIGINT or SIGTERM the process hangs until SIGKILL",
             advice="make it a daemon (daemon=True), or let its loop ask rclpy.ok()",
             related=[note(found.file.span_of(found.loop.test), "this loop has no end")],
-            severity=nodes.lowered(robot.nodes.purpose(found.file.source), "warning"),
+            severity=robot.nodes.lowered(found.file.source, "warning"),
         )
     for each in nodes.window_spins(robot.nodes):
         yield finding(
@@ -62,14 +62,14 @@ def thread_not_joined(robot: Robot) -> Iterator[Finding]:
             "This thread spins on when the window is closed: the process never ends",
             advice="call rclpy.shutdown() after the window, and join the thread",
             related=[note(each.file.span_of(each.window), "returns when the window is closed")],
-            severity=nodes.lowered(robot.nodes.purpose(each.file.source), "warning"),
+            severity=robot.nodes.lowered(each.file.source, "warning"),
         )
 
 
 def _in_cpp(robot: Robot) -> Iterator[Finding]:
     for source in robot.nodes.cpp:
         vendored = robot.launch.workspace.is_vendored(source.source)
-        severity = "info" if vendored else nodes.lowered(robot.nodes.purpose(source.source), "warning")
+        severity = "info" if vendored else robot.nodes.lowered(source.source, "warning")
         for thread in source.threads:
             late = nodes.late_join(robot.nodes, source, str(thread))
             if late is None and nodes.ends_thread(robot.nodes, source.source, str(thread)):

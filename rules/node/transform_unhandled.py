@@ -73,7 +73,7 @@ def transform_unhandled(robot: Robot) -> Iterator[Finding]:
                 file.span_of(call),
                 "The constructor looks up a transform before anything spins the node: none has arrived, at any start",
                 advice="look it up in the callback of a timer, and try again until it is there",
-                severity=nodes.lowered(robot.nodes.purpose(file.source), "error"),
+                severity=robot.nodes.lowered(file.source, "error"),
             )
     for source in robot.nodes.cpp:
         if source.lookups:
@@ -92,5 +92,5 @@ def _finding(robot: Robot, language: Language, spans: list[Span], callback: node
             note(callback.span, f"{callback.name or 'a lambda'} is the callback of {callback.kind}"),
             *(note(each, "the same") for each in others),
         ],
-        severity=nodes.lowered(robot.nodes.purpose(first.source), "warning"),
+        severity=robot.nodes.lowered(first.source, "warning"),
     )

@@ -56,5 +56,5 @@ def transform_wait_starved(robot: Robot) -> Iterator[Finding]:
             "it blocks is the one that receives them",
             advice="look it up without a timeout and leave this message out, or spin with a MultiThreadedExecutor",
             related=[note(wait.callback.span, f"{name} is the callback of {wait.callback.kind}")],
-            severity=nodes.lowered(robot.nodes.purpose(source), severity),
+            severity=robot.nodes.lowered(source, severity),
         )

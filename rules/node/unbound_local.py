@@ -81,5 +81,5 @@ def unbound_local(robot: Robot) -> Iterator[Finding]:
                 message,
                 advice=advice,
                 related=related,
-                severity="info" if found.idle else robot.nodes.graded(file.source, severity),
+                severity="info" if found.idle else robot.nodes.lowered_if_vendored(file.source, severity),
             )

@@ -71,7 +71,7 @@ def _missing(robot: Robot) -> Iterator[Finding]:
             f"AttributeError when {first.function}() runs: nothing sets self.{name}, and {end}",
             advice=f"write self.{first.like}" if first.like else f"set self.{name} in __init__()",
             related=[note(each.file.span_of(each.place), f"nothing sets self.{each.place.attr}") for each in others],
-            severity="info" if first.idle else robot.nodes.graded(first.file.source, "error"),
+            severity="info" if first.idle else robot.nodes.lowered_if_vendored(first.file.source, "error"),
         )
 
 
@@ -82,7 +82,7 @@ def _taken(robot: Robot) -> Iterator[Finding]:
             taken.file.span_of(taken.place),
             f"AttributeError: '{name}' is a property of rclpy's Node that cannot be set so, and {end}",
             advice=f"choose another name, such as self.own_{name}",
-            severity=robot.nodes.graded(taken.file.source, "error"),
+            severity=robot.nodes.lowered_if_vendored(taken.file.source, "error"),
         )
 
 
@@ -97,7 +97,7 @@ def _late(robot: Robot) -> Iterator[Finding]:
                 note(late.file.span_of(late.set_at), "only here is it set, when a message comes"),
                 *(note(each.file.span_of(each.place), f"self.{each.place.attr} likewise") for each in more),
             ],
-            severity=robot.nodes.graded(late.file.source, "warning"),
+            severity=robot.nodes.lowered_if_vendored(late.file.source, "warning"),
         )
 
 
@@ -112,7 +112,7 @@ def _early(robot: Robot) -> Iterator[Finding]:
                 note(early.file.span_of(early.set_at), "set only behind a use of it"),
                 *(note(each.file.span_of(each.place), f"self.{each.place.attr} likewise") for each in more),
             ],
-            severity="info" if early.idle else robot.nodes.graded(early.file.source, "error"),
+            severity="info" if early.idle else robot.nodes.lowered_if_vendored(early.file.source, "error"),
         )
 
 
@@ -128,7 +128,7 @@ def _half_made(robot: Robot) -> Iterator[Finding]:
                 note(file.span_of(set_at), "not set when this fails"),
                 note(file.span_of(place), "used all the same"),
             ],
-            severity=robot.nodes.graded(file.source, "warning"),
+            severity=robot.nodes.lowered_if_vendored(file.source, "warning"),
         )
 
 
@@ -142,5 +142,5 @@ def _untyped(robot: Robot) -> Iterator[Finding]:
                 f"AttributeError: get_parameter() returns a Parameter, which has no '{read.attr}', and {end}",
                 advice="write .value",
                 related=[note(file.span_of(each), f"nor '{each.attr}'") for each in reads[1:]],
-                severity=robot.nodes.graded(file.source, "error"),
+                severity=robot.nodes.lowered_if_vendored(file.source, "error"),
             )

@@ -60,5 +60,5 @@ def undefined_name(robot: Robot) -> Iterator[Finding]:
                 f"NameError {when}: {name} is never {'defined' if module is None else 'imported'}, and {end}",
                 advice=f"add '{line}'" if module is not None else f"define {name} where {where} sees it",
                 fix=fix(f"add '{line}'", *edits) if edits else None,
-                severity="info" if found.idle else robot.nodes.graded(file.source, severity),
+                severity="info" if found.idle else robot.nodes.lowered_if_vendored(file.source, severity),
             )

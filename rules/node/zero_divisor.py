@@ -47,7 +47,7 @@ def zero_divisor(robot: Robot) -> Iterator[Finding]:
             f"{found.name} is 0 in the command {_WHEN[found.name[-1]]}: the division raises, and "
             f"{nodes.end_of(robot.nodes.syntax(found.file), found.divisor)}",
             advice=ADVICE,
-            severity=nodes.lowered(robot.nodes.purpose(found.file.source), "warning"),
+            severity=robot.nodes.lowered(found.file.source, "warning"),
         )
     for node in robot.nodes.cpp:
         for divisor in node.divisors:
@@ -55,5 +55,5 @@ def zero_divisor(robot: Robot) -> Iterator[Finding]:
                 divisor,
                 f"{divisor} is 0 in the command {_WHEN[divisor[-1]]}: the quotient is infinite, or no number at all",
                 advice=ADVICE,
-                severity=nodes.lowered(robot.nodes.purpose(node.source), "warning"),
+                severity=robot.nodes.lowered(node.source, "warning"),
             )

@@ -156,11 +156,14 @@ class Nodes:
             return False
         return not any(map(self._unused.makes, classes))
 
-    def graded(self, source: Source, severity: str) -> str:
-        """The severity of a finding in a source: less in an example, and in what others wrote, as its package or a
-        folder of it says."""
-        is_vendored = self.launch.workspace.is_vendored(source)
-        return severity if self.is_for_robot(source) and not is_vendored else "info"
+    def lowered(self, source: Source, severity: str) -> str:
+        """The severity of a finding in a source: info in code that is only an example. In packages that others wrote it
+        stays, other than with ``lowered_if_vendored``."""
+        return severity if self.is_for_robot(source) else "info"
+
+    def lowered_if_vendored(self, source: Source, severity: str) -> str:
+        """As ``lowered``, and info in what others wrote, as its package or a folder of it says."""
+        return "info" if self.launch.workspace.is_vendored(source) else self.lowered(source, severity)
 
     @cached_property
     def _unused(self) -> Unused:
