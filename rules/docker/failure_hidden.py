@@ -10,7 +10,8 @@ A command of a `RUN` that installs packages or builds the workspace, and whose f
 
 A fallback directly after another command that installs something is taken for meant, and so is one that does more than
 print a message. So is one that is followed, with `&&`, by commands that need what was installed: they end the build.
-Loops are not judged, nor is a step that asks for `$?` or has a trap for ERR.
+Loops are not judged, nor is a step that asks for `$?` or has a trap for ERR. `apt-get update || true` is an info: what
+is installed next mostly tells.
 
 ## Why it matters on a robot
 A mirror that does not answer for a moment, or a package that does not compile, gives an image that looks well and lacks
@@ -111,6 +112,7 @@ def failure_hidden(robot: Robot) -> Iterator[Finding]:
                     f"When this fails, {hidden.hiding.how}: {hidden.hiding.result}",
                     advice=hidden.hiding.advice,
                     related=[note(hidden.hiding.by, hidden.hiding.does)],
+                    severity="info" if hidden.hiding.result == OLD_LISTS else None,
                 )
 
 

@@ -2,7 +2,8 @@
 
 ## What it finds
 A `RUN` that does nothing but `source` a file, `export` variables, `cd` or define an `alias`, and one that ends with an
-`export`. One finding for each stage.
+`export`. One finding for each stage. A file that is sourced for nothing is an info where no later step of the stage
+calls anything of ROS without a setup file of its own.
 
 ## Why it matters on a robot
 Every RUN has a shell of its own, and nothing of its environment is in the image: the next step builds without the
@@ -33,12 +34,17 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.docker import Stage
 from bringup_lint.api.docker import commands_of_run
 from bringup_lint.api.shell import Command
 
 OF_THE_SHELL = ("source", ".", "export", "cd", "alias", "unset")
+OF_ROS = regex(r"\b(?:colcon|ros2|ament_\w+|cmake|rosdep[ \t]+install|ROS_DISTRO)\b")
+"""What a step needs the environment of a workspace for."""
+BUILDS = regex(r"\b(?:colcon|ros2|ament_\w+|cmake)\b")
+"""The same where the image knows ROS_DISTRO by itself."""
 ADVICE = {
     "source": "join it with the step that needs it: RUN . FILE && ...",
     ".": "join it with the step that needs it: RUN . FILE && ...",
@@ -60,6 +66,7 @@ def run_without_effect(robot: Robot) -> Iterator[Finding]:
                 f"'{first.name}' changes only the shell of this step: nothing of it is left in the next one",
                 advice=ADVICE.get(first.name, "join it with the step that needs it"),
                 related=[note(other.words[0], "this step too") for other in found[1:]],
+                severity="info" if all(_is_idle(stage, command) for command in found) else None,
             )
 
 
@@ -71,6 +78,16 @@ def _lost(stage: Stage) -> Iterator[Command]:
             yield commands[0]
         elif commands and commands[-1].name == "export" and len(commands[-1].words) > 1:
             yield commands[-1]
+
+
+def _is_idle(stage: Stage, lost: Command) -> bool:
+    """Whether a file is sourced, and no step after it would find anything of ROS in its environment."""
+    if lost.name not in ("source", "."):
+        return False
+    needs = BUILDS if "ROS_DISTRO" in " ".join(lost.words) else OF_ROS
+    later = (run for run in stage.all("RUN") if run.keyword.span.start > lost.words[0].span.start)
+    steps = ("\n".join([run.value, *run.heredocs]) for run in later)
+    return not any(needs.search(step) and "setup." not in step for step in steps)
 
 
 def _only_of_shell(command: Command) -> bool:

@@ -6,7 +6,7 @@ ROS 1, or one of ROS 2 whose end of life is before today, and names no other. Wh
 distribution of ROS 2 only, env/ros-distro-eol reports it.
 
 Silent for files that are for that distribution by their name or folder, and for those of tests, simulation and
-development.
+development. Info where all of the files are in folders for a release of Ubuntu, such as `20.04`.
 
 ## Why it matters on a robot
 Security holes stay open, the Ubuntu release that the distribution is built for ends with it, and the package server
@@ -63,6 +63,8 @@ TAKES = regex(
 WORDS = regex(rf"(?<![a-z])(?:{NAMES})(?![a-z])", re.I)
 REMARK = regex(r"(?:^|[ \t])#")
 KINDS = ("shell-script", "systemd-unit", "dockerfile")
+VERSION = regex(r"(?:^|[/._-])(?:1[4-9]|2\d)\.(?:04|10)/")
+"""A folder for one release of Ubuntu, kept beside those for others."""
 
 
 @rule("warning", tags=["CWE-1104"], symptoms=['Skip end-of-life distro "*"'])
@@ -82,6 +84,7 @@ def ended_distro_installed(robot: Robot) -> Iterator[Finding]:
                 "not even security fixes",
                 advice="plan the migration to a supported distribution",
                 related=[note(other, "here too") for other in others[:20]],
+                severity="info" if all(VERSION.search(each.span.source.name) for each in (first, *others)) else None,
             )
 
 

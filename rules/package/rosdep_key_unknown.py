@@ -5,8 +5,8 @@ Dependencies of packages of ROS 2 that are neither rosdep keys nor packages: `am
 names of pip such as `pyserial`, keys of Python 2 such as `python-serial`, Debian packages of ROS
 (`ros-humble-cv-bridge`), packages of ROS 1, and names that are one letter away from a common package (`geometry_msg`).
 It is info when a script, an image or the documentation of the tree runs `rosdep install` so that it goes on (`-r`), and
-nothing is meant, or something else installs it; and when the tree names it in `--skip-keys`. A Debian package of ROS is
-a warning wherever nothing skips it.
+nothing is meant, or something else installs it; when the tree names it in `--skip-keys`; and when the tree names
+rosdep in other words only. A Debian package of ROS is a warning wherever nothing skips it.
 
 ## Why it matters on a robot
 `rosdep install` ends with "Cannot locate rosdep definition for [ament_python]" and installs nothing at all: the robot
@@ -79,7 +79,7 @@ def _effect(robot: Robot, name: str, instead: str | None) -> tuple[str, str | No
     error = f'"Cannot locate rosdep definition for [{name}]"'
     stops = robot.dependencies.stops_rosdep(name)
     if stops or not robot.dependencies.uses_rosdep:
-        return f"rosdep install stops with {error}: no dependency is installed", None
+        return f"rosdep install stops with {error}: no dependency is installed", None if stops else "info"
     goes_on = f"rosdep install says {error} and goes on"
     if instead and robot.dependencies.rosdep_goes_on_without(name, instead):
         return f"{goes_on}: {instead} is not installed", None

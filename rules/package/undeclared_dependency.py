@@ -10,10 +10,12 @@ declares, in one finding for each package. It needs
 - the modules that its installed nodes and launch files import at their top, where they are packages of ROS or rosdep
   has a key for them;
 - the packages and libraries that its CMakeLists.txt finds with REQUIRED under no condition, where they are packages of
-  ROS or rosdep has a key for them. Build tools come with any that is declared.
+  ROS or rosdep has a key for them. Build tools come with any that is declared. One that CMake looks for and does not
+  use is named with others only.
 
 What a comment in the package.xml names is left out on purpose, unless it is a dependency that is only commented out
-and launch files start. Packages of a simulation, of tests and what others wrote are not looked at.
+and launch files start. Of two packages that need each other, the first one is to declare the other. Packages of a
+simulation, of tests and what others wrote are not looked at.
 
 The message says what follows for the worst of them: a clean build stops at a package of the same workspace; nothing of
 the tree declares or installs it; rosdep and colcon do not know of it; it is there as far as others bring it.
@@ -108,12 +110,21 @@ ASKED = {
     ],
 )
 def undeclared_dependency(robot: Robot) -> Iterator[Finding]:
+    advised: set[tuple[str, str]] = set()
     for package in robot.launch.workspace.packages.values():
         found = (
             undeclared(robot.dependencies, robot.launch, package) if robot.dependencies.must_declare(package) else None
         )
+        found = _without_cycles(package, found, advised) if found is not None else None
         if found is not None:
+            advised.update((package.name, str(need.name)) for need in found.needs)
             yield _finding(robot, package, found)
+
+
+def _without_cycles(package: launch.Package, found: Undeclared, advised: set[tuple[str, str]]) -> Undeclared | None:
+    """What is to be declared without a package that shall declare this one: colcon builds no circle."""
+    needs = [need for need in found.needs if (str(need.name), package.name) not in advised]
+    return found._replace(needs=needs) if needs else None
 
 
 def _finding(robot: Robot, package: launch.Package, found: Undeclared) -> Finding:
@@ -165,7 +176,7 @@ def _why(robot: Robot, package: launch.Package, found: Undeclared) -> str:
         return f"{unknown}, and where {first.name} is not there {_end(first)}"
     if found.lack is Lack.BASE:
         is_there = "they are" if len(needs) > 1 else "it is"
-        return f"{unknown}, and {is_there} there only as far as other packages bring {_them(needs)}, as ros-base does"
+        return f"{unknown}, and {is_there} there only as far as other packages bring {_them(needs)}"
     return unknown
 
 

@@ -59,7 +59,9 @@ ERROR = regex(
     hints="ERROR Error FATAL ailed ailure ould annot an't nable",
 )
 HARMLESS = regex(
-    r"\b(?:skip\w*|already|ignor\w*|nothing|optional|not needed|warn\w*|no errors?|later|continu\w*)\b", re.I
+    r"\b(?:[Ii]nvalid|[Uu]nknown)[ \t]{1,4}(?:\w{1,20}[ \t]{1,4})?(?:flag|option|argument)"
+    r"|\b(?:skip\w*|already|ignor\w*|nothing|optional|not needed|warn\w*|no errors?|later|continu\w*)\b",
+    re.I,
 )
 
 

@@ -5,8 +5,8 @@ A script without `set -e` in which two or more steps bring something - `apt-get 
 `rosdep install`, `vcs import`, `git clone`, `wget`, `curl`, `dpkg -i`, `make`, `colcon build` - and nobody looks at
 their results, and that ends with `echo`, `printf` or `rm`.
 
-Silent if the script asks for `$?` or has a trap for ERR, and where all the steps are builds with colcon, which
-script/build-unchecked judges.
+Silent if the script asks for `$?` or has a trap for ERR, if another one sources it, and where all the steps are builds
+with colcon, which script/build-unchecked judges.
 
 ## Why it matters on a robot
 A download that breaks off, or a package that is not found, does not end the installation. The last command succeeds,
@@ -86,6 +86,8 @@ def failure_unseen(robot: Robot) -> Iterator[Finding]:
         if len(ignored) < LEAST or all(run.name == "colcon" for run in ignored):
             continue
         last = runs[-1]
+        if _is_sourced(robot, source):
+            continue
         if last.certain and last.name in SUCCEED and not last.command.depth:
             yield finding(
                 ignored[0].words[0],
@@ -97,6 +99,12 @@ def failure_unseen(robot: Robot) -> Iterator[Finding]:
                     note(last.words[0], "this succeeds in any case"),
                 ],
             )
+
+
+def _is_sourced(robot: Robot, source: Source) -> bool:
+    """Whether a file of the tree reads the script into its own shell, for which `set -e` would count, too."""
+    reads = re.compile(rf"(?:^|[\s;&(])(?:source|\.)[ \t]+[^\s;&|]{{0,200}}{re.escape(source.basename)}\b", re.M)
+    return any(source.basename in each.text and reads.search(each.text) for each in robot.sources)
 
 
 def _first_line(source: Source) -> Span:

@@ -56,6 +56,7 @@ from bringup_lint.api.systemd import Units
 from bringup_lint.api.systemd import only_connects
 
 TOOLS = "cli"
+OF_ROS = " (ros2 launch often exits with status 0)"
 SETS_UP = regex(
     r"set-?up|init|conf|once|boot|load|prepar|fix|updat|install|reset|clean|bind|mount|sync|generat|creat|enabl|check"
     r"|start-?up|provision|resize|expand|migrat|restore|permission|governor|-up$",
@@ -83,7 +84,7 @@ def restart_missing(robot: Robot) -> Iterator[Finding]:
         yield finding(
             policy.restart_at or unit.where,
             f"When the process of {unit.name} exits, nothing restarts it",
-            advice="set Restart=always (ros2 launch often exits with status 0) and a start limit",
+            advice=f"set Restart=always{OF_ROS if unit in ros else ''} and a start limit",
             related=[note(process.line, "this process") for process in units.started(unit)[:1]],
             fix=_restart(unit) if unit.editable and not chosen else None,
             severity="info" if chosen or (unit in units.presumed_ros and not _is_daemon(robot, unit)) else "warning",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from enum import IntEnum
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -141,6 +142,7 @@ class _Needed:
             return Lack.PACKAGE
         if (
             self._may_come(need)
+            or not self._is_used(need)
             or self._dependencies.is_installed(need)
             or (need.use == "module" and COMMON.get(str(need.name)) in of_ros_base())
         ):
@@ -188,6 +190,14 @@ class _Needed:
         needed = self._launch.workspace.packages.get(name)
         return needed is not None and self._package.name in self._launch.workspace.required(needed)
 
+    def _is_used(self, need: Need) -> bool:
+        """Whether CMake does more with a library than to look for it: a line that is left over needs no dependency."""
+        if need.use != "library" or need.name.startswith("rosidl_"):
+            return True
+        before, after = r"(?<!find_package\()(?<!find_package\( )(?<![\w-])", r"(?:(?![\w-])|_(?:DEF|INCL|LIB|TARG))"
+        word = re.compile(f"{before}{re.escape(need.name)}{after}", re.I)
+        return any(word.search(build.source.text) for build in self._package.builds)
+
     def _is_in_base(self, need: Need) -> bool:
         name = str(need.name)
         return name in base() or (need.use in ("module", "library") and COMMON.get(name, "") in of_ros_base())
@@ -195,7 +205,7 @@ class _Needed:
     def _may_come(self, need: Need) -> bool:
         """Whether something that is declared may bring a package, by the tables or by its name."""
         name = str(need.name)
-        if need.use != "library" and name in self._brought:
+        if name in self._brought:
             return True
         if need.fact is not None:
             return any(map(need.fact.comes_with, self._declared))
