@@ -26,7 +26,6 @@ from bringup_lint.model.launch_values import PackageShare
 from bringup_lint.model.launch_values import Value
 from bringup_lint.model.launch_values import walk
 from bringup_lint.named_tuple import NamedTuple
-from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
@@ -34,9 +33,6 @@ if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
     from bringup_lint.graph.launch.launch import Launch
     from bringup_lint.graph.workspace import Package
-
-_OF_ROS1 = regex(r"<rosparam\b|<node\b[^<>]{0,400}[ \t\n]type[ \t]{0,4}=", hints="<rosparam <node")
-"""What makes ROS 2 refuse a launch file as a whole."""
 
 
 class Need(NamedTuple):
@@ -113,8 +109,7 @@ def _programs(values: Iterable[Value]) -> Iterator[Located]:
 def _is_of_robot(files: Files, launch: Launch, file: LaunchFile, owner: Package) -> bool:
     """Installed, and neither for a simulation nor for tests."""
     is_kept = not owner.installs_known or _is_installed(owner, file.source)
-    is_read = file.source.kind != "launch-xml" or not file.source.matches(_OF_ROS1)
-    return is_kept and is_read and is_meant(files, file.source, owner) and not _simulates(launch, file)
+    return is_kept and not file.ros1 and is_meant(files, file.source, owner) and not _simulates(launch, file)
 
 
 def _simulates(launch: Launch, file: LaunchFile) -> bool:
