@@ -31,6 +31,8 @@ _STARTING = regex(
 )
 """Words of a line that has to do with the start of a unit that it names."""
 _COPIES = regex(r"^[ \t]*(?:[\w$]*sudo\w*[ \t]+)?(?:cp|install|ln|mv|rsync)[ \t][^\n]*", re.M)
+_NEXT = regex(r"[ \t](?:\|\|?|&&|#)|;")
+"""What ends a command."""
 _UNIT_FILE = regex(r"(?<![\w@.-])[\w.-]+\.(?:service|timer|socket|path)(?![\w.-])")
 _GUIDE = regex(r"\.(?:md|rst|txt|adoc|ipynb|html)$")
 _SIZE = 512 * 1024
@@ -59,8 +61,9 @@ def _copied(text: str) -> Iterator[str]:
     """The units that a script puts into the folder of the system's units, by their names."""
     for match in _COPIES.finditer(text):
         if "/systemd/system" in match[0]:
-            names = _UNIT_FILE.findall(match[0])
-            yield from names[-1:] if match[0].rstrip("\"' \t").endswith(tuple(names)) else names
+            command = _NEXT.split(match[0], maxsplit=1)[0]
+            names = _UNIT_FILE.findall(command)
+            yield from names[-1:] if command.rstrip("\"' \t").endswith(tuple(names)) else names
 
 
 def _is_installed(unit: Unit, copied: set[str]) -> bool:
