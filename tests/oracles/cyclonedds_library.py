@@ -71,7 +71,7 @@ def _read(output: str) -> dict[int, Verdict]:
     for part in re.split(rf"^{MARK} (?=\d)", output, flags=re.M)[1:]:
         number, _, rest = part.partition("\n")
         message, _, verdict = rest.partition(f"\n{MARK} ")
-        words = re.sub(r"\d{8,}\.\d+ \[\d*\] +\w+: ", "", message)
+        words = re.sub(r"\d{8,}\.\d+ \[\d*\] +[\w.+-]+: ", "", message)
         lines = [line.strip() for line in words.splitlines() if line.strip()]
         found[int(number)] = Verdict(verdict.startswith("accepted"), "; ".join(lines) or verdict.strip() or "crash")
     return found

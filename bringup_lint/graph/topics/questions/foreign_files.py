@@ -49,7 +49,13 @@ class _Foreign:
                 beside.setdefault((_folder(file), _tail(block)), []).append(block)
         for file in self.params.judged:
             loads = self.params.loads(file)
-            if not loads or file.problems or file.uncertain or any("*" in block.name for block in file.blocks):
+            if (
+                not loads
+                or not file.blocks
+                or file.problems
+                or file.uncertain
+                or any("*" in block.name for block in file.blocks)
+            ):
                 continue
             own = [_words(_tail(block)) for block in file.blocks]
             by_file: dict[int, list[Load]] = {}
