@@ -122,7 +122,10 @@ def undeclared_dependency(robot: Robot) -> Iterator[Finding]:
 
 
 def _without_cycles(package: launch.Package, found: Undeclared, advised: set[tuple[str, str]]) -> Undeclared | None:
-    """What is to be declared without a package that shall declare this one: colcon builds no circle."""
+    """What is to be declared without a package that shall declare this one: colcon builds no circle. That a build stops
+    is said in any case."""
+    if found.lack is Lack.BUILD:
+        return found
     needs = [need for need in found.needs if (str(need.name), package.name) not in advised]
     return found._replace(needs=needs) if needs else None
 

@@ -63,7 +63,7 @@ class Lack(IntEnum):
     OPTIONAL = 4
     """Launch files start it when an argument is passed."""
     LIKELY = 5
-    """It may come with something that is declared, or the tree installs it otherwise."""
+    """It may come with something that is declared, the tree installs it otherwise, or CMake only looks for it."""
 
 
 class Undeclared(NamedTuple):
@@ -130,7 +130,7 @@ class _Needed:
             return Lack.BUILD
         if self._dependencies.is_lacking(need):
             return Lack.NOWHERE
-        if need.always and _is_plain(need):
+        if need.always and _is_named_itself(need):
             return self._of_always(need)
         is_optional = need.use in _STARTED and need.is_of_robot and not is_simulation(name)
         return Lack.OPTIONAL if is_optional and not self._may_come(need) else None
@@ -174,8 +174,8 @@ class _Needed:
         """Whether a dependency of another name is the same library, or brings it as far as its name tells."""
         key = COMMON.get(str(need.name), "") if need.use in ("module", "library") else ""
         if key:
-            begin = _plain(key)
-            return any(_plain(each).startswith(begin) for each in self._declared)
+            begin = _bare(key)
+            return any(_bare(each).startswith(begin) for each in self._declared)
         if need.fact is None or need.fact.is_package:
             return False
         return any(map(need.fact.comes_with, self._declared))
@@ -217,12 +217,12 @@ class _Needed:
         return name.endswith(_MESSAGES) and not self._declared.isdisjoint((family, f"{family}_msgs"))
 
 
-def _plain(key: str) -> str:
+def _bare(key: str) -> str:
     """A rosdep key without what differs between its spellings."""
     return _DECORATION.sub("", key).replace("_", "-")
 
 
-def _is_plain(need: Need) -> bool:
+def _is_named_itself(need: Need) -> bool:
     """Whether a launch file for more than a trial names a package itself: the default of an argument is a choice."""
     if need.use not in _NAMED:
         return True
