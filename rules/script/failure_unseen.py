@@ -86,9 +86,8 @@ def failure_unseen(robot: Robot) -> Iterator[Finding]:
         if len(ignored) < LEAST or all(run.name == "colcon" for run in ignored):
             continue
         last = runs[-1]
-        if _is_sourced(robot, source):
-            continue
-        if last.certain and last.name in SUCCEED and not last.command.depth:
+        is_told = last.certain and last.name in SUCCEED and not last.command.depth
+        if is_told and not _is_sourced(robot, source):
             yield finding(
                 ignored[0].words[0],
                 f"When this fails, the script goes on and ends with the success of '{last.name}'",

@@ -71,7 +71,7 @@ def untyped_controllers(launch: Launch, params: Params) -> Iterator[UntypedContr
 def unnamed_controllers(launch: Launch, files: Files) -> Iterator[tuple[Located, Started, Located]]:
     """Controllers that launch files without a manager of their own spawn, as for a simulator, and that nothing of the
     tree names, with the spawner and another controller of the launch that a parameter file of the tree names."""
-    texts: dict[str, str] | None = None
+    texts: list[tuple[str, str]] | None = None
     given: list[str] = []
     seen: set[str] = set()
     for expansion in launch.entries:
@@ -81,23 +81,22 @@ def unnamed_controllers(launch: Launch, files: Files) -> Iterator[tuple[Located,
         if texts is None:
             paths = [path for path in files.tree.paths if path.endswith(_NAMING) and ".launch." not in path][:_MOST]
             sources = (files.tree.read(path, judged=False) for path in paths)
-            texts = {source.basename: source.text for source in sources if source is not None}
+            texts = [(source.basename, source.text) for source in sources if source is not None]
             given = list(_given_in_simulation(texts))
         named = [name for _, name in spawns if any(name in text for text in given)]
         for spawner, name in spawns:
-            if not named or str(name) in seen or any(name in text for text in texts.values()):
+            if not named or str(name) in seen or any(name in text for _, text in texts):
                 continue
             if sum(name in each.text for each in files.sources) == 1 and spawner.file.source.judged:
                 seen.add(str(name))
                 yield name, spawner, named[0]
 
 
-def _given_in_simulation(texts: dict[str, str]) -> Iterator[str]:
+def _given_in_simulation(texts: list[tuple[str, str]]) -> Iterator[str]:
     """The parameter files that the plugins of a simulator in the descriptions of a tree give to their managers."""
-    for path, text in texts.items():
-        if path.endswith(_DESCRIPTIONS) and _SIMULATED.search(text) is not None:
-            names = {match[0] for match in _PARAMETER_FILE.finditer(text)}
-            yield from (texts[name] for name in sorted(names & texts.keys()))
+    descriptions = (text for name, text in texts if name.endswith(_DESCRIPTIONS) and _SIMULATED.search(text))
+    given = {match[0] for text in descriptions for match in _PARAMETER_FILE.finditer(text)}
+    return (text for name, text in texts if name in given)
 
 
 def _is(node: Started, *executables: str) -> bool:
