@@ -43,7 +43,11 @@ def nearest(word: str, known: Iterable[Word], farthest: int = 2) -> list[Word]:
 
 def numbered(one: str, other: str) -> bool:
     """Whether two names differ in their digits only: ``camera_1`` and ``camera_2`` are two names, not one misspelt."""
-    return one != other and one.translate(_NO_DIGITS) == other.translate(_NO_DIGITS)
+    return one != other and without_digits(one) == without_digits(other)
+
+
+def without_digits(name: str) -> str:
+    return name.translate(_NO_DIGITS)
 
 
 _NO_DIGITS = dict.fromkeys(map(ord, "0123456789"))

@@ -39,7 +39,7 @@ class Put(NamedTuple):
 
 def puts(source: Source) -> Iterator[Put]:
     """The files that the tasks or the user data put on the machine."""
-    nodes = [node for node in parse(source).nodes if isinstance(node, Mapping)]
+    nodes = [node for node in source.once(parse, lambda: parse(source)).nodes if isinstance(node, Mapping)]
     variables = variables_of(nodes)
     for node in nodes:
         yield from puts_of(node, variables)

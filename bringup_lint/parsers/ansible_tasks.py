@@ -70,20 +70,25 @@ def modules(task: Mapping) -> Iterator[Module]:
     return (Module(key.value, settings) for key, settings in task.entries if key.value != "name")
 
 
-def tasks(source: Source) -> Iterator[Task]:
+def tasks(source: Source) -> tuple[Task, ...]:
     """The tasks of a playbook or of a role's file, those in blocks included."""
-    for document in parse(source).documents:
-        if isinstance(document.root, Sequence):
-            for item in document.root:
-                if isinstance(item, Mapping):
-                    yield from _of_play(item) if item.get("hosts") is not None else _of_task(item, _Around(), 0)
+    return source.once(tasks, lambda: tuple(_tasks(source)))
 
 
-def plays(source: Source) -> Iterator[Mapping]:
+def plays(source: Source) -> tuple[Mapping, ...]:
     """The plays of a file."""
-    for document in parse(source).documents:
+    return source.once(plays, lambda: tuple(item for item in _items(source) if item.get("hosts") is not None))
+
+
+def _tasks(source: Source) -> Iterator[Task]:
+    for item in _items(source):
+        yield from _of_play(item) if item.get("hosts") is not None else _of_task(item, _Around(), 0)
+
+
+def _items(source: Source) -> Iterator[Mapping]:
+    for document in source.once(parse, lambda: parse(source)).documents:
         if isinstance(document.root, Sequence):
-            yield from (item for item in document.root if isinstance(item, Mapping) and item.get("hosts") is not None)
+            yield from (item for item in document.root if isinstance(item, Mapping))
 
 
 def _of_play(play: Mapping) -> Iterator[Task]:

@@ -7,6 +7,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.graph.memo import memo
 from bringup_lint.model.yaml_node import Scalar
 from bringup_lint.model.yaml_node import Sequence
 from bringup_lint.parsers.ansible_tasks import plays
@@ -14,7 +15,7 @@ from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.spelling import nearest
-from bringup_lint.spelling import numbered
+from bringup_lint.spelling import without_digits
 
 if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
@@ -44,10 +45,13 @@ class PlayHosts:
                 if like is not None:
                     yield scalar.value, like
 
+    @memo
     def _like(self, name: str) -> str | None:
+        """The one group that is nearly called so; None for a name that an inventory has, and for one that differs from
+        it in its number."""
         if name in _BUILT_IN or not _NAME.fullmatch(name) or name in self._words:
             return None
-        if any(numbered(name, each) for each in self._words):
+        if without_digits(name) in self._unnumbered:
             return None
         near = nearest(name, self._groups)
         return near[0] if len(near) == 1 else None
@@ -59,6 +63,10 @@ class PlayHosts:
     @cached_property
     def _words(self) -> frozenset[str]:
         return frozenset(word for source in self._inventories for word in _NAME.findall(source.text))
+
+    @cached_property
+    def _unnumbered(self) -> frozenset[str]:
+        return frozenset(map(without_digits, self._words))
 
     @cached_property
     def _groups(self) -> list[str]:
