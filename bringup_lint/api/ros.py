@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from bringup_lint.facts.ros.distros import codename_of
     from bringup_lint.facts.ros.distros import distro_end
     from bringup_lint.facts.ros.distros import distros_since
+    from bringup_lint.facts.ros.distros import ros1
     from bringup_lint.facts.ros.needed import COMMON
     from bringup_lint.facts.ros.needed import instead_of
     from bringup_lint.facts.ros.needed import is_debian_package
@@ -52,6 +53,7 @@ __all__ = [
     "is_simulation",
     "json5",
     "pip_names",
+    "ros1",
     "ros_arguments",
     "variables",
 ]

@@ -32,7 +32,6 @@ When you get security updates from a vendor with extended support, or the robot 
 
 import re
 from collections.abc import Iterator
-from datetime import date
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
@@ -44,15 +43,9 @@ from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.ros import distro_end
 from bringup_lint.api.ros import distros_since
+from bringup_lint.api.ros import ros1
 
-FIRST = {
-    "indigo": date(2019, 4, 30),
-    "kinetic": date(2021, 4, 30),
-    "lunar": date(2019, 5, 31),
-    "melodic": date(2023, 5, 31),
-    "noetic": date(2025, 5, 31),
-}
-"""The distributions of ROS 1 and the last day of each."""
+FIRST = ros1()
 SECOND = distros_since("foxy")
 NAMES = "|".join((*FIRST, *SECOND))
 TAKES = regex(
@@ -76,7 +69,7 @@ def ended_distro_installed(robot: Robot) -> Iterator[Finding]:
             if taken is not None and taken[0] != robot.target.ros:
                 found.setdefault(taken[0], []).append(taken[1])
     for name, (first, *others) in found.items():
-        end = FIRST.get(name) or distro_end(name)
+        end = distro_end(name)
         if end is not None and end < robot.today:
             yield finding(
                 first,

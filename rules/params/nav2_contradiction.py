@@ -81,7 +81,7 @@ _TEXTS: dict[str, tuple[str, str, str | None]] = {
     ),
     "inflation-logged": (
         "The inflation radius is below the inscribed radius of {detail} m: Nav2 logs an error",
-        "write {detail}",
+        "inflate by {detail} m or more",
         None,
     ),
     "ranges": (

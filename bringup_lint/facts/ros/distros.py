@@ -43,6 +43,12 @@ def every() -> dict[str, Distro]:
 
 
 @cache
+def ros1() -> dict[str, str]:
+    """The distributions of ROS 1 that robots still install, oldest first, each with its last day (``2025-05-31``)."""
+    return {row["name"]: row["end"] for row in table("ros/ros1")}
+
+
+@cache
 def supported() -> tuple[str, ...]:
     """The distributions that can be a target, oldest first."""
     return tuple(distro.name for distro in every().values() if distro.systemd is not None)
@@ -79,8 +85,9 @@ def at_least(distro: str | None, first: str) -> bool | None:
 
 
 def distro_end(distro: str | None) -> date | None:
-    """The last day on which a distribution gets updates; None when it has no end or is not known."""
+    """The last day on which a distribution of ROS 2 or 1 gets updates; None when it has no end or is not known."""
     from datetime import date
 
     found = every().get(distro or "")
-    return date.fromisoformat(found.end) if found and found.end else None
+    end = found.end if found is not None else ros1().get(distro or "")
+    return date.fromisoformat(end) if end else None
