@@ -4,7 +4,8 @@
 A step, or another instruction of a stage, with a variable whose `ARG` is above the first FROM, or in an earlier stage
 on which it does not build, and that neither the stage nor the images below it declare. Images of Ubuntu and Debian are
 known to set no such variable, those of ROS set `ROS_DISTRO` alone, and those of CUDA what begins with `CUDA` or `NV`;
-what other images set is not known. Silent for the proxies that Docker declares itself, and in steps that source or
+what other images set is not known, but an `ARG` above the first FROM that no FROM and no stage asks for is of no use
+whatever they set. Silent for the proxies that Docker declares itself, and in steps that source or
 evaluate something, which may set the variable.
 
 ## Why it matters on a robot
@@ -87,7 +88,10 @@ def _of_others(stage: Stage, before: list[Stage]) -> dict[str, Located]:
 def _of_stage(file: Dockerfile, stage: Stage, elsewhere: dict[str, Located]) -> Iterator[Finding]:
     declared = {name for one in stage.chain for name in _declared(one)}
     for name in (*file.arguments, *(each for each in elsewhere if each not in file.arguments)):
-        if name in declared or name in OF_SHELL or OF_DOCKER.fullmatch(name) or may_set(stage.origin, name):
+        if name in declared or name in OF_SHELL or OF_DOCKER.fullmatch(name):
+            continue
+        of_image = may_set(stage.origin, name)
+        if of_image and not _is_idle(file, name):
             continue
         uses = list(_uses(stage, name))
         if uses:
@@ -96,13 +100,24 @@ def _of_stage(file: Dockerfile, stage: Stage, elsewhere: dict[str, Located]) -> 
             why = "the ARG above the first FROM is there for FROM only" if is_global else "its ARG is in another stage"
             yield finding(
                 first,
-                f"{name} is empty here: {why}",
+                f"{name} is empty here{', unless the image below sets it' if of_image else ''}: {why}",
                 advice=f"write ARG {name}{'' if is_global else '=...'} after this FROM, too",
+                confidence="medium" if of_image else None,
                 related=[
                     note(_declaration(file, name) if is_global else elsewhere[name], "declared here"),
                     *(note(other, "empty here, too") for other in others[:9]),
                 ],
             )
+
+
+def _is_idle(file: Dockerfile, name: str) -> bool:
+    """Whether an ARG above the first FROM is there for no FROM, no other such ARG and no stage."""
+    if file.arguments.get(name) is None:
+        return False
+    named = re.compile(rf"\$\{{?{re.escape(name)}\b")
+    texts = [stage.start.value for stage in file.stages] + [text for text in file.arguments.values() if text]
+    texts += [flag for stage in file.stages for flag in stage.start.flags]
+    return not any(map(named.search, texts)) and all(name not in _declared(stage) for stage in file.stages)
 
 
 def _declaration(file: Dockerfile, name: str) -> Located:
