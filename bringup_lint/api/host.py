@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.host.dhcp import LostRange
     from bringup_lint.graph.host.dhcp import lost_ranges
     from bringup_lint.graph.host.options import option_of
+    from bringup_lint.graph.host.serial_consoles import taken_consoles
     from bringup_lint.model.fstab import Mount
     from bringup_lint.parsers.sysctl import KernelParameter
 else:
@@ -27,4 +28,5 @@ __all__ = [
     "option_of",
     "own_addresses",
     "removed_package",
+    "taken_consoles",
 ]

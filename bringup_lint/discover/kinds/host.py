@@ -1,4 +1,4 @@
-"""Files of the host that no other family reads: fstab, crontabs, audit rules, apt, fail2ban, limits."""
+"""Files of the host that no other family reads: fstab, crontabs, audit rules, apt, fail2ban, limits, boot loaders."""
 
 from __future__ import annotations
 
@@ -23,6 +23,7 @@ _LIMIT_LINE = regex(r"^[^\S\n]*[@*%\w][\w@:.*%-]*\s+(?:soft|hard|-)\s+\w+\s+\S+"
 _TMPFILES = regex(r"(?:^|/)(?:user-)?tmpfiles\.d/[^/]+\.conf$|(?:^|[/._-])tmpfiles(?:\.conf)?$")
 _WATCHDOG = regex(r"(?:^|/)watchdog\.conf$(?<!\.conf\.d/watchdog\.conf)")
 _OVERLAYROOT = regex(r"(?:^|/)overlayroot(?:\.local)?\.conf$")
+_BOOT = regex(r"(?:^|/)(?:cmdline\.txt|extlinux\.conf|default/grub(?:\.d/[^/]+\.cfg)?)$")
 
 
 def _named(pattern: re.Pattern[str]) -> Callable[[str, Head], bool]:
@@ -62,6 +63,7 @@ KINDS = (
     Kind("limits-conf", _is_limits, "limits"),
     Kind("overlayroot", _named(_OVERLAYROOT), "overlayroot"),
     Kind("tmpfiles", _named(_TMPFILES), "tmpfiles"),
+    Kind("kernel-command-line", _named(_BOOT)),
     Kind("watchdog-conf", _named(_WATCHDOG), "watchdog"),
     Kind("os-release", _is_os_release, "os-release"),
 )
