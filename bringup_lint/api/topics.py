@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 from bringup_lint.on_demand import on_demand
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.topics.questions.apart import UnservedApart
+    from bringup_lint.graph.topics.questions.apart import unserved_apart
     from bringup_lint.graph.topics.questions.autopilot import too_reliable
     from bringup_lint.graph.topics.questions.bonds import Bonds
     from bringup_lint.graph.topics.questions.command_sources import is_gate
@@ -42,6 +44,7 @@ __all__ = [
     "LaunchedNode",
     "Pair",
     "Unheard",
+    "UnservedApart",
     "Use",
     "conflicts_of",
     "dead_remappings",
@@ -61,6 +64,7 @@ __all__ = [
     "unheard_commands",
     "unmonitored",
     "unserved",
+    "unserved_apart",
     "used_at",
     "without_publisher",
 ]

@@ -10,6 +10,10 @@ The profiles come from Python and C++ sources, `qos_overrides` in parameters, RV
 common drivers. A subscription of RViz is a warning, because only a person misses the data. Silent where any part is
 not known.
 
+Also subscriptions in the sources of nodes that are started apart from each other, by several launch files, by scripts
+or by hand, when every publisher of the topic in the tree offers less than they request. Left out are topics that a
+public driver publishes by default, and those that a launch file remaps.
+
 Also reliable subscriptions to `/fmu/out/...` that no node of the tree publishes: PX4 publishes all of them best effort.
 
 ## Why it matters on a robot
@@ -84,7 +88,28 @@ def qos_incompatible(robot: Robot) -> Iterator[Finding]:
                 *topics.used_at(other.qos_place, other.where),
             ],
         )
+    for each in topics.unserved_apart(robot.topics):
+        yield apart(robot, each)
     yield from of_autopilot(robot)
+
+
+def apart(robot: Robot, each: topics.UnservedApart) -> Finding:
+    """A subscription that no publisher of the tree serves, whatever starts them."""
+    publisher, *more = each.publishers
+    subscription, conflict = each.subscription, each.conflict
+    return finding(
+        subscription.where,
+        f"{publisher.label} publishes {publisher.topic} with {conflict.policy} '{conflict.offered}', but "
+        f"{subscription.label} requests '{conflict.asked}': no message ever arrives",
+        severity=robot.nodes.lowered(subscription.where.source, "error"),
+        advice=f"give both sides the same {conflict.policy}, or let the subscription request less",
+        related=[
+            note(publisher.where, f"{publisher.label} publishes it"),
+            *[note(end.qos.span, f"the profile of {end.label}") for end in (publisher, subscription) if end.qos],
+            *[note(other.where, f"{other.label} publishes it like that, too") for other in more[:10]],
+            *[note(other.where, f"the same goes for {other.topic}") for other in each.others[:10]],
+        ],
+    )
 
 
 def _lost(others: set[str]) -> str:

@@ -83,6 +83,90 @@ def test_qos() -> None:
     assert goal.qos is not None and (goal.qos.durability, goal.qos.depth) == ("TRANSIENT_LOCAL", 1)
 
 
+def test_qos_that_calls_change() -> None:
+    """What statements call on a local variable counts up to where it is used; a condition or a loop leaves it open."""
+    text = """
+#include "rclcpp/rclcpp.hpp"
+rclcpp::QoS shared = rclcpp::QoS(1).best_effort();
+Mower::Mower() : rclcpp::Node("mower"), out_(create_publisher<std_msgs::msg::Bool>("a", shared)) {
+  auto qos = rclcpp::QoS(rclcpp::KeepLast(1));
+  qos.best_effort();
+  b_ = create_publisher<std_msgs::msg::Bool>("b", qos);
+  qos.reliable().transient_local();
+  c_ = create_publisher<std_msgs::msg::Bool>("c", qos);
+  d_ = create_publisher<std_msgs::msg::Bool>("d", qos.best_effort());
+  auto profile = qos.get_rmw_qos_profile();
+}
+void Mower::open(rclcpp::QoS qos) {
+  e_ = create_publisher<std_msgs::msg::Bool>("e", qos);
+  rclcpp::QoS own(10);
+  if (late_) { own.best_effort(); }
+  f_ = create_publisher<std_msgs::msg::Bool>("f", own);
+  for (int i = 0; i < 2; i++) {
+    auto each = rclcpp::QoS(1);
+    each.best_effort();
+    g_ = create_publisher<std_msgs::msg::Bool>("g", each);
+  }
+  auto late = [this]() { auto qos = rclcpp::SensorDataQoS(); h_ = create_publisher<std_msgs::msg::Bool>("h", qos); };
+}
+"""
+    found = {str(each.name): each.qos for each in parse(Source("mower.cpp", text)).endpoints}
+    assert {name: qos and (qos.reliability, qos.durability) for name, qos in found.items()} == {
+        "a": ("BEST_EFFORT", "VOLATILE"),
+        "b": ("BEST_EFFORT", "VOLATILE"),
+        "c": ("RELIABLE", "TRANSIENT_LOCAL"),
+        "d": ("BEST_EFFORT", "TRANSIENT_LOCAL"),
+        "e": None,
+        "f": None,
+        "g": None,
+        "h": ("BEST_EFFORT", "VOLATILE"),
+    }
+
+
+@pytest.mark.parametrize(
+    "written, policies",
+    [
+        ("rclcpp::QoS(rclcpp::KeepLast(5), rmw_qos_profile_sensor_data)", ("BEST_EFFORT", "VOLATILE")),
+        (
+            "rclcpp::QoS(rclcpp::QoSInitialization::from_rmw(rmw_qos_profile_default), rmw_qos_profile_default)",
+            ("RELIABLE", "VOLATILE"),
+        ),
+        ("rclcpp::QoS(rclcpp::KeepAll(), rmw_qos_profile_of_others)", None),
+        ("rclcpp::QoS(rclcpp::KeepAll())", ("RELIABLE", "VOLATILE")),
+        ("rclcpp::QoS(1).reliability(rclcpp::ReliabilityPolicy::BestEffort)", ("BEST_EFFORT", "VOLATILE")),
+        ("rclcpp::QoS(1).durability(RMW_QOS_POLICY_DURABILITY_TRANSIENT_LOCAL)", ("RELIABLE", "TRANSIENT_LOCAL")),
+        ("rclcpp::QoS(1).reliability(asked_)", (None, "VOLATILE")),
+    ],
+)
+def test_qos_of_rmw(written: str, policies: tuple[str | None, str] | None) -> None:
+    text = f'#include "rclcpp/rclcpp.hpp"\nvoid f() {{ create_publisher<std_msgs::msg::Bool>("a", {written}); }}\n'
+    (made,) = parse(Source("mower.cpp", text)).endpoints
+    assert (made.qos and (made.qos.reliability, made.qos.durability)) == policies
+
+
+def test_names_of_macros() -> None:
+    text = """
+#include "rclcpp/rclcpp.hpp"
+#define PREFIX "mower/"
+#define TOPIC(name) PREFIX name
+#define TWICE "a"
+#define TWICE "b"
+#define NUMBER 5
+void f() {
+  create_publisher<std_msgs::msg::Bool>(PREFIX "state", 1);
+  create_publisher<std_msgs::msg::Bool>(TOPIC("blade"), 1);
+  create_publisher<std_msgs::msg::Bool>(PREFIX, 1);
+  create_publisher<std_msgs::msg::Bool>("left" "_wheel", 1);
+  create_publisher<std_msgs::msg::Bool>(TWICE, 1);
+  create_publisher<std_msgs::msg::Bool>(NUMBER, 1);
+  create_publisher<std_msgs::msg::Bool>(PREFIX("x"), 1);
+  create_publisher<std_msgs::msg::Bool>(named("x"), 1);
+}
+"""
+    found = [each.name for each in parse(Source("mower.cpp", text)).endpoints]
+    assert found == ["mower/state", "mower/blade", "mower/", "left_wheel", None, None, None, None]
+
+
 def test_an_error_costs_its_construct() -> None:
     text = NODE.replace('declare_parameter("rate", 12.5);', "declare_parameter(((;")
     assert len(parse(Source("relay.cpp", text)).endpoints) == 3

@@ -11,11 +11,11 @@ from bringup_lint.model.node_source import Qos
 from bringup_lint.model.node_source import Timer
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.cpp_node.qos import quality
+from bringup_lint.parsers.cpp_node.syntax import FUNCTIONS
 from bringup_lint.parsers.cpp_node.syntax import Call
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.parsers.cpp_node.values import Names
 from bringup_lint.pattern import regex
-from bringup_lint.source import Span
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -42,6 +42,10 @@ _UNITS = {"nanoseconds": 1e-9, "microseconds": 1e-6, "milliseconds": 1e-3, "seco
 _SUFFIXES = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0, "min": 60.0, "h": 3600.0}
 _DURATION = regex(r"(?:std::)?(?:chrono::)?(?P<unit>\w+)[({](?P<number>[\d.']+)[uUlLfF]*[)}]\Z")
 _LITERAL = regex(r"(?P<number>[\d.']+)(?P<unit>ns|us|ms|s|min|h)\Z")
+_CHANGED = regex(r"(?P<name>[A-Za-z_]\w*)\s*\.\s*\w+\s*\(")
+"""A call on a variable."""
+_READING = regex(r"\s*(?:\.|->)\s*(?:get_rmw_qos_profile|\w+\s*\(\s*\)\s*(?:==|!=))")
+_LOOPS = frozenset({"for_statement", "for_range_loop", "while_statement", "do_statement"})
 _SECONDS = regex(r"(?:std::)?(?:chrono::)?duration<(?:double|float)>[({](?P<number>[\d.]+)[fF]?[)}]\Z")
 
 
@@ -133,33 +137,81 @@ def callback_of(code: Code, node: Node, role: str) -> Callback | None:
 
 
 def profile(code: Code, node: Node) -> Qos | None:
-    """The quality of service of an argument: written there, or kept in one variable that is not changed."""
-    span, text = code.span(node), code.text(node)
+    """The quality of service of an argument: written there, or kept in a variable, also with what is called on it."""
+    text = code.text(node)
     if node.type == "identifier":
-        return _variable(code, text, span)
-    return quality(text, span)
+        made = _variable(code, text, node)
+        return quality(made, code.span(node)) if made is not None else None
+    changed = _CHANGED.match(text) if node.type == "call_expression" else None
+    made = _variable(code, changed["name"], node) if changed is not None else None
+    if changed is not None and made is not None:
+        return quality(made + text[changed.end("name") :], code.span(node))
+    return quality(text, code.span(node))
 
 
-def _variable(code: Code, name: str, span: Span) -> Qos | None:
+def _variable(code: Code, name: str, use: Node) -> str | None:
+    """The expression that makes the profile which a variable holds where it is used; None when that is not known."""
+    scope = _scope(code, name, use)
     made = [node for node in code.written.get("declaration", ()) if _declares(code, node, name)]
-    fields = [node for node in code.written.get("field", ()) if _is_field(code, node, name)]
-    changed = [node for node in code.written.get("call", ()) if code.text(node).startswith((f"{name}.", f"{name}->"))]
+    made = [node for node in made if code.body_of(node) == scope]
+    fields = [node for node in code.written.get("field", ()) if scope is None and _is_field(code, node, name)]
     written = [
         node
         for node in code.written.get("assignment", ())
-        if re.match(rf"{re.escape(name)}\b", code.text(node.child_by_field_name("left")))
+        if _is_in(node, scope) and re.match(rf"{re.escape(name)}\b", code.text(node.child_by_field_name("left")))
     ]
-    if len(made) + len(fields) != 1 or changed or written:
+    changes = _changes(code, name, use, scope)
+    if len(made) + len(fields) != 1 or changes is None or written:
         return None
     if fields:
-        return quality(code.text(fields[0].child_by_field_name("default_value")), span)
+        return code.text(fields[0].child_by_field_name("default_value"))
     declarator = made[0].child_by_field_name("declarator")
     value = declarator.child_by_field_name("value") if declarator is not None else None
     kind = code.text(made[0].child_by_field_name("type"))
-    if value is None:
-        return None
     text = code.text(value)
-    return quality(f"{kind}{text}" if value.type in ("argument_list", "initializer_list") else text, span)
+    if value is not None and value.type in ("argument_list", "initializer_list"):
+        text = f"{kind}{text}"
+    return text + changes
+
+
+def _scope(code: Code, name: str, use: Node) -> Node | None:
+    """The innermost function around the use of a variable that declares it; None for one of the file or class."""
+    word = re.compile(rf"\b{re.escape(name)}\b")
+    for outer in code.above(use):
+        if outer.type in FUNCTIONS:
+            own = (node for node in code.written.get("declaration", ()) if _declares(code, node, name))
+            if any(code.body_of(node) == outer for node in own):
+                return outer
+            if word.search(code.text(outer.child_by_field_name("declarator"))):
+                return outer
+    return None
+
+
+def _is_in(node: Node, scope: Node | None) -> bool:
+    return scope is None or (scope.start_byte <= node.start_byte and node.end_byte <= scope.end_byte)
+
+
+def _changes(code: Code, name: str, use: Node, scope: Node | None) -> str | None:
+    """What statements before the use of a local variable call on it, in the order of the text; None where one does so
+    under a condition, or elsewhere."""
+    found = []
+    for node in code.written.get("call", ()):
+        text = code.text(node)
+        if not text.startswith((f"{name}.", f"{name}->")) or not _is_in(node, scope) or node == use:
+            continue
+        statement = node.parent
+        if statement is not None and statement.type in ("field_expression", "call_expression"):
+            continue  # a part of a chain, of which the whole is another call
+        if _READING.match(text[len(name) :]):
+            continue
+        if scope is None or any(outer.type in _LOOPS for outer in code.above(use) if _is_in(outer, scope)):
+            return None
+        if node.start_byte > use.start_byte:
+            continue
+        if statement is None or statement.type != "expression_statement" or not _is_in(use, statement.parent):
+            return None
+        found.append(text[len(name) :])
+    return "".join(found)
 
 
 def _is_field(code: Code, node: Node, name: str) -> bool:

@@ -23,6 +23,28 @@ _PRESETS = {
     "ParameterEventsQoS": ("RELIABLE", "VOLATILE", 1000),
     "BestAvailableQoS": ("BEST_AVAILABLE", "BEST_AVAILABLE", None),
 }
+_RMW = {
+    "sensor_data": ("BEST_EFFORT", "VOLATILE", 5),
+    "default": ("RELIABLE", "VOLATILE", 10),
+    "system_default": ("SYSTEM_DEFAULT", "SYSTEM_DEFAULT", None),
+    "services_default": ("RELIABLE", "VOLATILE", 10),
+    "parameters": ("RELIABLE", "VOLATILE", 1000),
+}
+"""The profiles of rmw that ``rclcpp::QoS`` takes as its second argument."""
+_INITIAL = regex(r"(?:rclcpp::)?(?:KeepLast|KeepAll|QoSInitialization)\b")
+_RMW_PROFILE = "rmw_qos_profile_"
+_POLICIES = {
+    "besteffort": "BEST_EFFORT",
+    "reliable": "RELIABLE",
+    "transientlocal": "TRANSIENT_LOCAL",
+    "volatile": "VOLATILE",
+    "systemdefault": "SYSTEM_DEFAULT",
+}
+"""The last words of the constants of rclcpp and rmw, without underscores."""
+_POLICY = regex(
+    r"(?:rclcpp::)?(?:Reliability|Durability)Policy::(?P<name>\w+)\Z"
+    r"|RMW_QOS_POLICY_(?:RELIABILITY|DURABILITY)_(?P<constant>\w+)\Z"
+)
 _CHANGES: dict[str, QosChange] = {
     "reliable": {"reliability": "RELIABLE"},
     "best_effort": {"reliability": "BEST_EFFORT"},
@@ -57,9 +79,18 @@ def quality(text: str, span: Span) -> Qos | None:
         call = _CALL.match(text, at)
         if call is None or call["name"] not in _CHANGES:
             return None
-        found = replace(found, **_CHANGES[call["name"]])
+        found = replace(found, **_changed(call["name"], call["inner"].strip()))
         at = call.end()
     return found
+
+
+def _changed(name: str, given: str) -> QosChange:
+    """What a call changes; a constant of rclcpp or rmw says to what."""
+    policy = _POLICY.match(given)
+    if policy is not None and name in ("reliability", "durability"):
+        value = _POLICIES.get((policy["name"] or policy["constant"]).replace("_", "").lower())
+        return {"reliability": value} if name == "reliability" else {"durability": value}
+    return _CHANGES[name]
 
 
 def _profile(name: str, inner: str, span: Span) -> Qos | None:
@@ -72,7 +103,11 @@ def _profile(name: str, inner: str, span: Span) -> Qos | None:
     number = _DEPTH.match(inner)
     if number:
         return _made(span, "RELIABLE", "VOLATILE", int(number["depth"]))
-    if re.match(r"(?:rclcpp::)?KeepAll\s*[({]", inner):
+    _, _, last = inner.rpartition(",")
+    if _INITIAL.match(inner) and last.strip().startswith(_RMW_PROFILE):
+        known = _RMW.get(last.strip().removeprefix(_RMW_PROFILE))
+        return _made(span, known[0], known[1], None) if known is not None else None
+    if re.match(r"(?:rclcpp::)?KeepAll\s*[({]\s*[)}]\Z", inner):
         return replace(_made(span, "RELIABLE", "VOLATILE", None), history="KEEP_ALL")
     return None
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -19,6 +20,23 @@ _IDENTIFIER = regex(r"[A-Za-z_]\w*\Z")
 _DECLARING = ("declare_parameter", "declare_parameter_if_not_declared")
 _TEXT = regex(r"\)(?:\.get_parameter_value\(\))?\.(?:as_string|(?:get_value|get)<std::string>)\(\)\Z", hints=")")
 """How a call ends that gives the text of the parameter that it begins with."""
+
+
+_DEFINE = regex(
+    r"^[ \t]*#[ \t]*define[ \t]+(?P<name>[A-Za-z_]\w*)(?:\([ \t]*(?P<parameter>[A-Za-z_]\w*)[ \t]*\))?[ \t]+"
+    r"(?P<body>[\w\"][^\n\\]*)$",
+    re.M,
+    hints="define",
+)
+_MACRO_CALL = regex(r"(?P<name>[A-Za-z_]\w*)\s*\(\s*(?P<given>\"[^\"\\\n]*\")\s*\)\Z")
+_PART = regex(r"\"[^\"\\\n]*\"|\w+")
+
+
+class Macro(NamedTuple):
+    """``parameter``: the only one of a macro that takes some."""
+
+    parameter: str | None
+    body: str
 
 
 class FromParameter(NamedTuple):
@@ -123,7 +141,7 @@ class Names:
 
     def of_name(self, node: Node | None) -> tuple[Located | None, Located | None]:
         """The name that an argument gives, and the parameter that it comes from."""
-        literal = self.code.literal(node)
+        literal = self.code.literal(node) or self._joined(node)
         if literal is not None:
             return literal, None
         variable = self.code.text(node).removeprefix("this->")
@@ -135,6 +153,36 @@ class Names:
         if found is not None:
             return found.default, found.parameter
         return self.constant(variable), None
+
+    def _joined(self, node: Node | None) -> Located | None:
+        """The text of literals side by side, and of macros that stand for such: ``PREFIX "state"``, ``TOPIC("state")``,
+        placed at the whole."""
+        if node is None or node.type not in ("concatenated_string", "call_expression", "identifier"):
+            return None
+        written = self.code.text(node)
+        call = _MACRO_CALL.match(written)
+        name = call["name"] if call is not None else written
+        macro = self._macros.get(name)
+        if macro is not None and (call is not None) == (macro.parameter is not None):
+            given = call["given"] if call is not None else ""
+            written = macro.body.replace(macro.parameter, given) if macro.parameter else macro.body
+        elif node.type != "concatenated_string":
+            return None
+        parts = []
+        for part in _PART.findall(written):
+            inner = self._macros.get(part)
+            parts += _PART.findall(inner.body) if inner is not None and inner.parameter is None else [part]
+        if _PART.sub("", written).strip() or any(not part.startswith('"') for part in parts):
+            return None
+        return Located("".join(part[1:-1] for part in parts), self.code.span(node))
+
+    @cached_property
+    def _macros(self) -> dict[str, Macro]:
+        """The macros of the file with a name of one meaning whose text may be one of literals."""
+        found: dict[str, list[Macro]] = {}
+        for each in _DEFINE.finditer(self.code.source.text):
+            found.setdefault(each["name"], []).append(Macro(each["parameter"], each["body"].strip()))
+        return {name: macros[0] for name, macros in found.items() if len(macros) == 1}
 
     @cached_property
     def _reads(self) -> dict[int, Located]:

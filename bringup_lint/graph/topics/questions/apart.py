@@ -1,0 +1,131 @@
+"""Subscriptions to which no publisher of the tree can send, in nodes that are started apart from each other."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.facts import table
+from bringup_lint.graph.launch.resolve import text_of
+from bringup_lint.graph.purpose import Purpose
+from bringup_lint.graph.topics.questions.compatibility import Conflict
+from bringup_lint.graph.topics.questions.compatibility import conflicts
+from bringup_lint.graph.topics.resolved.names import tail
+from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.source import Source
+from bringup_lint.source import Span
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.topics.topics import Topics
+    from bringup_lint.model.node_source import Endpoint
+    from bringup_lint.model.node_source import Qos
+
+
+class End(NamedTuple):
+    """One side of a topic, as a source of the tree makes it."""
+
+    role: str
+    topic: str
+    """As a launch file makes it of the name; the name itself where none starts the node."""
+    type: str | None
+    qos: Qos | None
+    where: Span
+    label: str
+    """What to call its node in a message."""
+
+
+class UnservedApart(NamedTuple):
+    """A subscription that asks for more than each publisher of its topic offers."""
+
+    subscription: End
+    publishers: list[End]
+    conflict: Conflict
+    """With the first of the publishers."""
+    others: list[End]
+    """More subscriptions of the file, to other topics with the same profile."""
+
+
+def unserved_apart(topics: Topics) -> Iterator[UnservedApart]:
+    """Subscriptions of a source that ask all publishers of the tree for too much, those with one cause together. Left
+    out are topics that a driver of others may publish as well, and those that anything remaps."""
+    found: dict[tuple[Source, tuple[Span, ...]], UnservedApart] = {}
+    for each in _all(topics):
+        profiles = tuple(end.qos.span for end in each.publishers if end.qos is not None)
+        key = (each.subscription.where.source, profiles[:1])
+        if key in found:
+            found[key].others.append(each.subscription)
+        else:
+            found[key] = each
+    yield from found.values()
+
+
+def _all(topics: Topics) -> Iterator[UnservedApart]:
+    met = {(pair.publisher.where, pair.subscription.where) for pair in topics.pairs}
+    for ends in _by_topic(topics).values():
+        publishers = [each for each in ends if each.role == "publisher"]
+        for subscription in ends:
+            if subscription.role == "publisher" or any((each.where, subscription.where) in met for each in publishers):
+                continue
+            found = [_conflict(topics, each, subscription) for each in publishers]
+            conflict = found[0] if found and None not in found else None
+            if conflict is not None:
+                yield UnservedApart(subscription, publishers, conflict, [])
+
+
+def _conflict(topics: Topics, publisher: End, subscription: End) -> Conflict | None:
+    if publisher.qos is None or subscription.qos is None or publisher.type != subscription.type:
+        return None
+    if not _are_together(topics, publisher.where.source, subscription.where.source):
+        return None
+    return next(conflicts(publisher.qos, subscription.qos), None)
+
+
+def _are_together(topics: Topics, one: Source, other: Source) -> bool:
+    """Whether two files are for the same robot: packages of one workspace are, of which there is one each."""
+    workspace = topics.launch.workspace
+    owners = [workspace.owner(each) for each in (one, other)]
+    if all(each is not None and each.name not in workspace.ambiguous for each in owners):
+        return True
+    return topics.files.same_robot(one, other)
+
+
+def _by_topic(topics: Topics) -> dict[str, list[End]]:
+    """The ends by full name. Of nodes that no launch file starts, relative names count as without a namespace."""
+    found: dict[str, list[End]] = {}
+    public = {row["name"].lstrip("/") for row in table("ros/node_topics") if row["role"] == "pub"}
+    rules = (pair for node in topics.launch.nodes for pair in node.remappings)
+    remapped = {tail(text) for pair in rules for side in pair if (text := text_of(side))}
+    for end in _ends(topics):
+        if end.topic.lstrip("/") not in public and tail(end.topic) not in remapped:
+            found.setdefault(end.topic, []).append(end)
+    return found
+
+
+def _ends(topics: Topics) -> Iterator[End]:
+    seen: set[Span] = set()
+    for running in topics.runs:
+        for use in running.uses:
+            if use.where in seen or use.of_table or use.shown or use.implied:
+                continue
+            seen.add(use.where)
+            if not running.simulated and _is_for_robot(topics, use.where.source):
+                yield End(use.role, use.topic, use.type, use.qos, use.where, use.node.label())
+    for source, label, endpoint in _of_sources(topics):
+        name = endpoint.name
+        if endpoint.span in seen or name is None or endpoint.parameter is not None or str(name).startswith("~"):
+            continue
+        if endpoint.role in ("publisher", "subscription") and _is_for_robot(topics, source):
+            yield End(endpoint.role, f"/{name.lstrip('/')}", endpoint.type, endpoint.qos, endpoint.span, label)
+
+
+def _of_sources(topics: Topics) -> Iterator[tuple[Source, str, Endpoint]]:
+    for node in topics.nodes.classes:
+        for endpoint in node.endpoints:
+            yield node.source, str(node.node_name or node.name or node.source.basename), endpoint
+    for found in topics.nodes.cpp:
+        for endpoint in found.endpoints:
+            yield found.source, found.source.basename, endpoint
+
+
+def _is_for_robot(topics: Topics, source: Source) -> bool:
+    return topics.nodes.purpose(source) in (Purpose.ROBOT, Purpose.DEVELOPMENT)
