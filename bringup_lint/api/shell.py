@@ -24,11 +24,13 @@ if TYPE_CHECKING:
     from bringup_lint.graph.installed.misnamed_files import Misnamed
     from bringup_lint.graph.installed.misnamed_files import misnamed_files
     from bringup_lint.graph.installed.paths import in_tree
+    from bringup_lint.graph.installed.plain_modes import plain_modes
     from bringup_lint.graph.installed.script import Run
     from bringup_lint.graph.installed.script import Written
     from bringup_lint.graph.installed.script_arguments import short_calls
     from bringup_lint.graph.installed.script_files import missing_files
     from bringup_lint.graph.installed.without_sudo import without_sudo
+    from bringup_lint.graph.runners.questions.edits_without_effect import lost_edits
     from bringup_lint.model.shell import Block
     from bringup_lint.model.shell import Command
     from bringup_lint.model.shell import Redirect
@@ -66,10 +68,12 @@ __all__ = [
     "commands",
     "has_busybox",
     "in_tree",
+    "lost_edits",
     "may_fail",
     "misnamed_files",
     "missing_files",
     "missing_names",
+    "plain_modes",
     "plays",
     "program_name",
     "run_options",

@@ -14,6 +14,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.commands.open_access import Offer
     from bringup_lint.graph.commands.open_access import open_access
     from bringup_lint.graph.commands.ros_command import Ros
+    from bringup_lint.graph.runners.questions.refused_writes import RefusedWrite
+    from bringup_lint.graph.runners.questions.refused_writes import refused_writes
     from bringup_lint.graph.systemd.cycles import Cycle
     from bringup_lint.graph.systemd.directories import line_to_create
     from bringup_lint.graph.systemd.directories import paths
@@ -103,6 +105,7 @@ __all__ = [
     "Offer",
     "Outcome",
     "Process",
+    "RefusedWrite",
     "RestartPolicy",
     "Ros",
     "Sandbox",
@@ -146,6 +149,7 @@ __all__ = [
     "open_access",
     "paths",
     "reads_display_of_root",
+    "refused_writes",
     "set_up",
     "sets_priority",
     "sufficient_limit",

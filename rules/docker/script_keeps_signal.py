@@ -2,9 +2,9 @@
 
 ## What it finds
 A script of the tree that a container starts and that runs ROS in the foreground without `exec`, or in the background
-while it keeps the container running with `sleep infinity` or `tail -f`; and one that ends with `"$@"` without `exec`,
-where a service or image of the tree starts ROS. Silent if the script sets a `trap`, and under an init program that
-signals the whole group (`dumb-init`, `tini -g`).
+while it keeps the container running with `sleep infinity` or `tail -f`; one that ends with `"$@"` without `exec` and is
+given a command that starts ROS, also one in shell form; and one that ends so where a service of the tree starts ROS.
+Silent if the script sets a `trap`, and under an init program that signals the whole group (`dumb-init`, `tini -g`).
 
 ## Why it matters on a robot
 docker stop signals the first process only. That is the shell, which waits for ROS and does not pass the signal on:
@@ -43,6 +43,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.docker import CommandLine
 from bringup_lint.api.docker import Runner
 from bringup_lint.api.systemd import Ros
 from bringup_lint.api.systemd import Step
@@ -114,8 +115,16 @@ def _kept(runner: Runner) -> Iterator[tuple[Step, Ros]]:
         if GROUP.search(" ".join(line.argv)) or GROUP.search(str(line.line)):
             continue
         for step, ros in line.ros:
-            if step.script is not None and ros.kind in ("launch", "run") and not _is_handed_on(step):
-                yield step, ros
+            starter = step if step.script is not None else _starter(line, step)
+            if starter is not None and ros.kind in ("launch", "run") and not _is_handed_on(starter):
+                yield starter, ros
+
+
+def _starter(line: CommandLine, step: Step) -> Step | None:
+    """The command of a script that starts the shell in which ROS runs: what the script is given in shell form."""
+    before = line.steps[: line.steps.index(step)]
+    outer = next((each for each in reversed(before) if each.depth < step.depth), None)
+    return outer if outer is not None and outer.script is not None else None
 
 
 def _is_handed_on(step: Step) -> bool:

@@ -2,8 +2,9 @@
 
 ## What it finds
 `EnvironmentFile=` with a file that does not exist in a complete root file system; in a repository, a file that nothing
-of it ships or makes, in a folder for which it ships a file of nearly the same name (a warning). Paths with a leading
-`-` or wildcards are exempt, and so are files below `/run` and `/tmp`, which are created at run time.
+of it ships or makes, in a folder for which it ships a file of nearly the same name, or that it installs in another
+folder (a warning). Paths with a leading `-` or wildcards are exempt, and so are files below `/run` and `/tmp`, which
+are created at run time.
 
 ## Why it matters on a robot
 The service does not start: "Failed to load environment files: No such file or directory", result `resources`.

@@ -1,8 +1,11 @@
-"""A command line names a configuration file that is called otherwise.
+"""A command line names a file that is called otherwise, or that lies elsewhere.
 
 ## What it finds
-A path of a settings file (`.yaml`, `.json`, `.xml`, `.conf` and the like) among the arguments of an Exec line, for
-which the tree ships no file and makes none, in a folder of the robot for which it ships a file of nearly the same name.
+- A path of a settings file (`.yaml`, `.json`, `.xml`, `.conf` and the like) among the arguments of an Exec line, for
+  which the tree ships no file and makes none, in a folder of the robot for which it ships a file of nearly the same
+  name.
+- A path of any file below /usr, /opt, /etc or /srv that a script of the tree installs in another folder there, and
+  nowhere else.
 
 ## Why it matters on a robot
 The program exits when it cannot open the file, or runs with its defaults: a bridge without its allow list, a driver
@@ -39,6 +42,8 @@ SETTINGS = regex(
     r"\.(?:ya?ml|json5?|xml|conf|cfg|ini|toml|rviz|urdf|lua))"
 )
 
+FILE = regex(r"/[\w./@-]+\.\w+")
+
 
 @rule(
     "warning",
@@ -50,11 +55,19 @@ def exec_file_missing(robot: Robot) -> Iterator[Finding]:
         for process in robot.units.processes(unit):
             for word in (word for step in process.steps for word in step.command.words[1:]):
                 found = SETTINGS.fullmatch(word)
-                sibling = robot.filesystem.shipped_sibling(found["path"]) if found else None
-                if found and sibling and word.span.source in (file.source for file in unit.files):
+                path = word.part(found.start("path"), found.end("path")) if found else word
+                sibling = _other(robot, path, is_setting=found is not None)
+                if sibling and word.span.source in (file.source for file in unit.files):
                     yield finding(
-                        word.part(found.start("path"), found.end("path")),
-                        f"The tree has {sibling} but not {found['path']}: {process.key}= of {unit.name} names a file "
+                        path,
+                        f"The tree has {sibling} but not {path}: {process.key}= of {unit.name} names a file "
                         "that is missing unless something else installs it",
                         advice=f"name {sibling}, or ship the file",
                     )
+
+
+def _other(robot: Robot, path: str, *, is_setting: bool) -> str | None:
+    """The file that the tree has instead of the one that is named."""
+    if is_setting:
+        return robot.filesystem.shipped_sibling(path)
+    return robot.filesystem.installed_elsewhere(path) if FILE.fullmatch(path) else None

@@ -8,10 +8,12 @@ A program in Exec*= that belongs to the robot (below /usr/local, /opt, /etc, /ho
 - error: it is not executable there;
 - error: it is a script without a `#!` line, also in a repository;
 - error: a script or user data of the tree writes it, and nothing makes it executable, also in a repository;
+- error: `install -m` of a script of the tree gives it a mode that lets nobody execute it, and nothing changes it;
 - warning, with medium confidence: its mode in the repository lets nobody execute it, where other scripts have the mode
   and nothing of the tree changes it;
 - warning, with medium confidence: a repository ships other files for the same folder, or its units start other
-  files from the same folder of the checkout, but it does not have this one, and no step creates it.
+  files from the same folder of the checkout, but it does not have this one, and no step creates it; or a script of the
+  tree installs the file in another folder of the system, and nowhere else.
 
 Commands with the prefix `-` may fail and are exempt.
 
@@ -49,6 +51,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.shell import plain_modes
 from bringup_lint.api.systemd import Defect
 from bringup_lint.api.systemd import is_own_program
 from bringup_lint.api.systemd import unstartable
@@ -82,6 +85,7 @@ TEXTS = {
     ],
 )
 def execstartpre_missing_script(robot: Robot) -> Iterator[Finding]:
+    modes = plain_modes(robot.scripts) if robot.of_kind("shell-script") else {}
     for unit in robot.units.services:
         for process in robot.units.processes(unit):
             if not is_own_program(process):
@@ -98,13 +102,21 @@ def execstartpre_missing_script(robot: Robot) -> Iterator[Finding]:
                     confidence="medium" if defect is Defect.PLAIN else None,
                     related=[note(source, "the script")] if source else (),
                 )
+            if program in modes:
+                yield finding(
+                    program,
+                    f"{program} is installed with mode {modes[program]}, which lets nobody execute it: "
+                    f"{process.key}= of {unit.name} fails with 203/EXEC",
+                    advice="install it with mode 0755",
+                    related=[note(modes[program], "installed here")],
+                )
             sibling = robot.filesystem.shipped_sibling(program)
             if sibling:
                 yield finding(
                     program,
                     f"The tree has {sibling} but not {program}: {process.key}= of {unit.name} fails "
                     "with 203/EXEC unless something else installs it",
-                    advice="ship it with mode 0755",
+                    advice=f"ship it with mode 0755, or name {sibling}",
                     severity="warning",
                     confidence="medium",
                 )

@@ -248,7 +248,7 @@ class Devices:
     @property
     def unmade(self) -> Iterator[tuple[list[DeviceUse], Link]]:
         """Links in /dev itself that a file of the robot names and no rule makes, where its rules make another one there
-        that such a file names, which is given too."""
+        that such a file names, or that nothing names and whose name begins with the same word; it is given too."""
         if not self.uses or not self.files.of_kind("udev-rules"):
             return
         known = {use.path.span for use, _ in (*self.undefined, *self.not_handed)}
@@ -260,9 +260,21 @@ class Devices:
             if use.path.span not in known and self._is_made_by_nobody(use):
                 found.setdefault(use.path.span.source, []).append(use)
         for uses in found.values():
-            made = next((link for link in links if self._is_near(link, uses[0])), None)
+            made = next((link for link in links if self._is_near(link, uses[0])), None) or self._unused_like(uses)
             if made is not None:
                 yield uses, made
+
+    def _unused_like(self, uses: Iterable[DeviceUse]) -> Link | None:
+        """A link in /dev itself that nothing names, and whose name has the first of several words with one that is
+        used."""
+        words = {_first_word(use.path) for use in uses} - {""}
+        opened = {str(use.path) for use in self.uses}
+        for link in self.udev().links:
+            is_like = link.is_fixed and link.path.count("/") == 2 and _first_word(link.path) in words
+            if is_like and link.path not in opened and not self.names(link.path):
+                if any(self._is_near(link, use) for use in uses):
+                    return link
+        return None
 
     def _is_made_by_nobody(self, use: DeviceUse) -> bool:
         """Whether a name in /dev is a link, by its form, and no rule may make it."""
@@ -325,6 +337,12 @@ class Devices:
             parts = use.path.split("/")
             if len(parts) > 3 and parts[2] not in _OF_KERNEL:
                 yield use
+
+
+def _first_word(path: str) -> str:
+    """The first of several words of a name in /dev; empty for a name of one word."""
+    first, *others = _SEPARATORS.split(path.removeprefix("/dev/"))
+    return first if others else ""
 
 
 def _is_nearly(name: str, other: str) -> bool:

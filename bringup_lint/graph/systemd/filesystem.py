@@ -19,6 +19,7 @@ from bringup_lint.graph.commands.wrappers import unwrapped
 from bringup_lint.graph.files import Files
 from bringup_lint.graph.systemd.directories import directories
 from bringup_lint.graph.systemd.provision import makes
+from bringup_lint.graph.systemd.provision import makes_at
 from bringup_lint.graph.systemd.provision import may_make
 from bringup_lint.graph.systemd.provision import mentions
 from bringup_lint.graph.systemd.unit import Unit
@@ -49,6 +50,7 @@ _OF_PACKAGES = frozenset(
     "telegraf tftpboot udisks2 www zerotier-one journal user".split()
 )
 """Folders below /var/lib and the like that packages of the distribution and of vendors bring."""
+_OF_SYSTEM = regex(r"/(?:usr|opt|etc|srv|var/lib)/")
 _VOLATILE = ("/run/", "/var/run/", "/tmp/", "/dev/", "/proc/", "/sys/")
 
 
@@ -99,7 +101,10 @@ class Filesystem:
     def shipped_sibling(self, path: str) -> str | None:
         """A file of one's own that the repository has for the same folder of the robot, when it ships and makes
         nothing at ``path``. Names that share their first word or a longer beginning, and scripts, are one's own;
-        the rest may come from elsewhere."""
+        the rest may come from elsewhere. A file of the same name that it puts into another folder goes before."""
+        elsewhere = self.installed_elsewhere(path)
+        if elsewhere is not None:
+            return elsewhere
         tree = self.files.tree
         if tree.root is not None or tree.find(path) is not None or path.startswith(_VOLATILE):
             return None
@@ -114,6 +119,25 @@ class Filesystem:
         if sibling is None or any(True for _ in tree.named(name)) or makes(tree, name) or mentions(tree, path):
             return None
         return sibling
+
+    def installed_elsewhere(self, path: str) -> str | None:
+        """Where the scripts of the repository put the file of this name, when it is one folder of the system, and
+        nothing puts it at ``path``, which is another."""
+        tree = self.files.tree
+        if not _OF_SYSTEM.match(path) or tree.root is not None:
+            return None
+        folder, _, name = path.rpartition("/")
+        places = {each for each in self.files.installed if _basename(each) == name}
+        if len(places) != 1 or path in places or not all(map(_OF_SYSTEM.match, places)):
+            return None
+        file = tree.find(path)
+        if file is not None and file.robot_path not in (None, *places):
+            return None
+        if file is not None and _basename(os.path.dirname(file.name)) == _basename(folder):
+            return None
+        if makes_at(tree, folder, name) or mentions(tree, path) or may_make(tree, path):
+            return None
+        return next(iter(places))
 
     @cached_property
     def _shipped_in(self) -> dict[str, list[str]]:

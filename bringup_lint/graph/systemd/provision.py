@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from bringup_lint.folders import above
 from bringup_lint.pattern import regex
 from bringup_lint.type_names import TYPE_CHECKING
 
@@ -21,6 +22,12 @@ _LOOKS = (
 )
 """How lines begin that take for granted that a path is there."""
 _GUIDE = regex(r"(?:\.(?:md|rst|dirs|install|tmpfiles?)|(?:^|/)(?:dirs|README))$")
+_BUILD = regex(
+    r"(?:\.(?:cmake|mk|bb|bbappend|install|nix|spec|toml)|(?:^|/)(?:Makefile|CMakeLists\.txt|setup\.(?:py|cfg)|justfile|rules"
+    r"|Dockerfile[^/]*|Containerfile))$"
+)
+_OPEN = regex(r"[*$]|\{\{|[ \t]-\w{0,5}[rRa]|\b(?:rsync|tar|unzip|git|scp)\b|\bdest[\"']?:")
+"""Lines whose files are not all named."""
 _SIZE = 512 * 1024
 _COUNT = 3000
 """Bytes of a script and scripts of a tree that are looked at, at most."""
@@ -30,6 +37,16 @@ def makes(tree: Tree, name: str) -> bool:
     """Whether a script or recipe of the tree names a file of that name by a path, or redirects into it."""
     written = re.compile(rf"(?:[/>]\s*|\b(?:tee|cat|touch)\s+(?:-\S+\s+)*[\"']?){re.escape(name)}(?![\w.-])")
     return any(name in text and written.search(text) for text in scripts_of(tree))
+
+
+def makes_at(tree: Tree, folder: str, name: str) -> bool:
+    """Whether the tree may put a file of that name into a folder of the robot without the whole path: a build that
+    names it, or a line that fills the folder, or one above, with what it does not name."""
+    if any(name in tree.head(path, _SIZE) for path in tree.like(_BUILD)):
+        return True
+    places = "|".join(re.escape(each) for each in (folder, *above(folder)) if each.count("/") > 1 or each == folder)
+    line = rf"^(?![ \t]*#)[^\n]*(?<![\w.}}/-])(?:{places})/?(?![\w./-])[^\n]*"
+    return any(_OPEN.search(found) for text in scripts_of(tree) for found in re.findall(line, text, re.M))
 
 
 def mentions(tree: Tree, path: str) -> bool:
@@ -62,6 +79,11 @@ def starts(tree: Tree, unit: str) -> bool:
     task = rf"\bname:\s*[\"']?{name}[\"']?[ \t]*\n(?:[ \t]+\w+:.*\n){{0,6}}?[ \t]+state:\s*[\"']?(?:re)?started\b"
     written = re.compile(f"{command}|{task}")
     return any(unit.removesuffix(".service") in text and written.search(text) for text in scripts_of(tree))
+
+
+def naming(tree: Tree, pattern: re.Pattern[str]) -> Iterator[str]:
+    """The paths of the scripts, recipes and plays that a pattern fits."""
+    yield from (path for path in tree.like(_SCRIPT)[:_COUNT] if pattern.search(tree.head(path, _SIZE)))
 
 
 def scripts_of(tree: Tree) -> Iterator[str]:

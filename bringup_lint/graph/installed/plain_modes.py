@@ -1,0 +1,63 @@
+"""Files that scripts install with a mode that lets nobody execute them."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Iterator
+
+from bringup_lint.graph.installed.paths import destination
+from bringup_lint.graph.installed.script import Run
+from bringup_lint.graph.installed.scripts import Scripts
+from bringup_lint.pattern import regex
+from bringup_lint.source import Located
+
+_MODE = regex(r"(?:--mode=|-[bcCDpsTv]*m)(?P<mode>[0-7]*)")
+_PLAIN = regex(r"[0-7]?[0246]{3}")
+_VALUED = ("-o", "-g", "-S", "--owner", "--group")
+_CHANGES = ("chmod", "setfacl")
+
+
+def plain_modes(scripts: Scripts) -> dict[str, Located]:
+    """The word with the mode, by the path on the robot; none for a file that another command may make executable."""
+    found: dict[str, Located] = {}
+    executable = set()
+    for _, run in scripts.run("install"):
+        mode, files = _words(run)
+        for path in _targets(files):
+            if mode is not None and _PLAIN.fullmatch(mode):
+                found[path] = mode
+            else:
+                executable.add(path)
+    changed = [word for _, run in scripts.run(*_CHANGES) for word in run.arguments]
+    return {path: mode for path, mode in found.items() if path not in executable and not _is_changed(path, changed)}
+
+
+def _words(run: Run) -> tuple[Located | None, list[str]]:
+    """The mode that ``install`` gives, and the files that it names, without its other options; no files for folders."""
+    mode: Located | None = None
+    files: list[str] = []
+    words = iter(run.words[1:])
+    for word in words:
+        given = _MODE.fullmatch(word)
+        if given is not None:
+            mode = word.part(*given.span("mode")) if given["mode"] else next(words, None)
+        elif word in _VALUED:
+            next(words, None)
+        elif re.fullmatch(r"-\w*[dt]\w*|--(?:directory|target-directory.*)", word):
+            return mode, []
+        elif not word.startswith("-"):
+            files.append(run.text(word))
+    return mode, files
+
+
+def _targets(files: list[str]) -> Iterator[str]:
+    for source in files[:-1]:
+        path = destination(files[-1], posixpath.basename(source), several=len(files) > 2)
+        if path is not None and "*" not in path:
+            yield path
+
+
+def _is_changed(path: str, changed: list[str]) -> bool:
+    name = posixpath.basename(path)
+    return any(name in word or "*" in word or "{{" in word or path.startswith(f"{word}/") for word in changed)

@@ -1,0 +1,156 @@
+"""``sed -i`` of scripts and Dockerfiles on files of the tree that lack what it looks for."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Iterable
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.graph.commands.wrappers import unwrapped
+from bringup_lint.graph.installed.paths import in_tree
+from bringup_lint.graph.installed.script import Written
+from bringup_lint.graph.runners.containers import copied
+from bringup_lint.graph.runners.containers import in_image
+from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.parsers.dockerfile import commands_of_run
+from bringup_lint.pattern import regex
+from bringup_lint.source import Located
+from bringup_lint.source import Source
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.files import Files
+    from bringup_lint.graph.installed.scripts import Scripts
+    from bringup_lint.model.dockerfile import Dockerfile
+    from bringup_lint.model.dockerfile import Stage
+    from bringup_lint.model.shell import Command
+
+_REPLACES = regex(
+    r"s(?P<mark>[|/#,:;!@])(?P<old>(?:\\.|(?!(?P=mark))[^\\\n])+)(?P=mark)(?P<new>(?:\\.|(?!(?P=mark))[^\\\n])*)(?P=mark)[gIi0-9]*"
+)
+_IN_PLACE = regex(r"-[nErsz]*i.*|--in-place.*")
+_LEAST = 3
+_SIMPLE = regex(r"[\w \-@%<>:/=,_\"';!#&~]")
+_FETCHES = regex(
+    r"\b(?:curl|wget|clone|scp|rsync|unzip|tar|git|popd|pushd|mktemp)\b|^[ \t]*cd[ \t]+(?!.*dirname)", re.M
+)
+"""What says that a script may work on files that are not those of the tree, or elsewhere."""
+
+
+class LostEdit(NamedTuple):
+    old: Located
+    """What is looked for."""
+    file: Source
+
+
+def lost_edits(files: Files, scripts: Scripts, dockerfiles: Iterable[Dockerfile]) -> Iterator[LostEdit]:
+    """The replacements in files of the tree that find nothing there, though nothing else changes these files first."""
+    for source, run in scripts.run("sed"):
+        if source.origin is None and run.certain:
+            for old, paths in _replacements(run.words[1:]):
+                for path in paths:
+                    file = _named(files, source, run.text(path))
+                    if file is None or _is_written(scripts, source, file) or source.text.count(str(old)) > 1:
+                        continue
+                    if _lacks(file, old):
+                        yield LostEdit(old, file)
+    for dockerfile in dockerfiles:
+        if dockerfile.source.judged:
+            for stage in dockerfile.stages:
+                yield from _of_stage(files, stage)
+
+
+def _of_stage(files: Files, stage: Stage) -> Iterator[LostEdit]:
+    commands = [command for each in stage.all("RUN") for command in commands_of_run(each)]
+    for command in commands:
+        words = unwrapped(command.words)
+        if not words or words[0] != "sed":
+            continue
+        for old, paths in _replacements(words[1:]):
+            for path in paths:
+                place = in_image(stage, path) if "$" not in path else None
+                file = copied(files, stage, place) if place else None
+                if file is None or _is_changed(commands, file, old) or not _lacks(file, old):
+                    continue
+                yield LostEdit(old, file)
+
+
+def _is_changed(commands: Iterable[Command], file: Source, old: str) -> bool:
+    """Whether another command that names the file knows the text, too, or writes what is not known."""
+    known = 0
+    for command in commands:
+        targets = [str(each.target) for each in command.redirects if each.writes and each.target is not None]
+        if any(file.basename in target for target in targets):
+            return True
+        if any(file.basename in word for word in command.words):
+            known += " ".join(command.words).count(old)
+    return known > 1
+
+
+def _replacements(words: Iterable[Located]) -> Iterator[tuple[Located, list[Located]]]:
+    """The texts that ``sed -i`` looks for, each with the files that it changes."""
+    plain: list[Located] = []
+    scripts: list[Located] = []
+    is_in_place = False
+    rest = iter(words)
+    for word in rest:
+        if word in ("-e", "--expression"):
+            scripts += [each for each in [next(rest, None)] if each is not None]
+        elif word.startswith("-"):
+            is_in_place |= _IN_PLACE.fullmatch(word) is not None
+        else:
+            plain.append(word)
+    if not is_in_place:
+        return
+    if not scripts:
+        scripts, plain = plain[:1], plain[1:]
+    for script in scripts:
+        found = _REPLACES.fullmatch(script)
+        if found is not None:
+            yield script.part(*found.span("old")), plain
+
+
+def _named(files: Files, script: Source, path: str) -> Source | None:
+    """The file of the tree that a path in a script means."""
+    if path.startswith("/"):
+        file = _in_overlay(files, script, path) or files.find(path, script)
+        return file if file is not None and file.origin is None and not file.template else None
+    if script.matches(_FETCHES) or "*" in path:
+        return None
+    found = list(in_tree(files.tree, path, script))
+    return files.tree.at(found[0]) if len(found) == 1 else None
+
+
+def _in_overlay(files: Files, script: Source, path: str) -> Source | None:
+    """The file at a path of the same overlay: of the folder that holds the script where it will be on the robot."""
+    place = files.tree.robot_path(script.absolute) or ""
+    beside = script.absolute.removesuffix(place) + path
+    return files.tree.at(beside) if place and script.absolute.endswith(place) and files.tree.is_file(beside) else None
+
+
+def _is_written(scripts: Scripts, script: Source, file: Source) -> bool:
+    """Whether the script writes a file of this name."""
+    done = (did for did in scripts.done(script) if isinstance(did, Written))
+    return any(posixpath.basename(did.path) == file.basename for did in done)
+
+
+def _lacks(file: Source, old: str) -> bool:
+    """Whether a file has no line that a replacement is for."""
+    pattern = _pattern(old)
+    return pattern is not None and bool(file.text) and re.search(pattern, file.text, re.M) is None
+
+
+def _pattern(old: str) -> str | None:
+    """The expression of Python for one of sed that holds little more than plain text."""
+    parts = []
+    for token in re.findall(r"\\.|\.\*|.", old):
+        if _SIMPLE.fullmatch(token):
+            parts.append(re.escape(token))
+        elif re.fullmatch(r"\\[./|#,:;!@\"'-]", token):
+            parts.append(re.escape(token[1:]))
+        elif token in (".", ".*", "^"):
+            parts.append(token)
+        else:
+            return None
+    return "".join(parts) if len(re.sub(r"\W", "", old)) >= _LEAST else None
