@@ -113,6 +113,12 @@ class Build:
     plugins_known: bool = True
     targets: dict[str, list[str]] = field(default_factory=dict)
     """The source files of executables and libraries, relative to the folder, as far as they are known."""
+    open_targets: set[str] = field(default_factory=set)
+    """Executables and libraries some of whose sources are not known."""
+    libraries: dict[str, Located] = field(default_factory=dict)
+    """Libraries, by the place where they are named."""
+    output_names: dict[str, Located] = field(default_factory=dict)
+    """Target -> the name of its file, where ``OUTPUT_NAME`` gives it another one."""
     links: dict[str, list[str]] = field(default_factory=dict)
     """What targets link."""
     components: dict[str, str] = field(default_factory=dict)

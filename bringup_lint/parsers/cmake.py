@@ -58,8 +58,6 @@ class Reader:
         """A command before may have left the turn of the loop, or the file."""
         self.sure = False
         """The installation that is read happens in any case."""
-        self.output_names: dict[str, Located] = {}
-        """Target -> the name of its file, where ``OUTPUT_NAME`` gives it another one."""
 
     def expand(self, text: Located) -> Located | None:
         """The text with known variables filled in; None when one is not known."""
@@ -255,8 +253,18 @@ class Reader:
         if words and given[0] is not None:
             files = [str(word) for word in words[1:] if _CPP.search(word)]
             self.build.targets.setdefault(str(words[0]), []).extend(files)
+            if None in given or {"DIRECTORY", "GLOB"} & set(words):
+                self.build.open_targets.add(str(words[0]))
 
-    do_add_library = do_ament_auto_add_library = do_target_sources = target
+    do_target_sources = target
+
+    def do_add_library(self, command: Command) -> None:
+        names = [word for word in self.words(command.arguments[:1]) if word is not None]
+        if not {"IMPORTED", "ALIAS"} & set(command.arguments):
+            self.build.libraries.update((str(name), name) for name in names)
+        self.target(command)
+
+    do_ament_auto_add_library = do_add_library
 
     def do_add_executable(self, command: Command) -> None:
         names = [word for word in self.words(command.arguments[:1]) if word is not None]
@@ -282,11 +290,11 @@ class Reader:
         if len(names) != 1 or names[0] is None or None in known:
             self.build.executables_known = False
             return
-        self.output_names |= {str(target): names[0] for target in known}
+        self.build.output_names |= {str(target): names[0] for target in known}
 
     def rename(self) -> None:
         """Give the installed targets the names of their files."""
-        for target, name in self.output_names.items():
+        for target, name in self.build.output_names.items():
             if self.build.executables.pop(target, None) is not None:
                 self.build.executables[str(name)] = name
                 self.build.targets[str(name)] = self.build.targets.get(target, [])

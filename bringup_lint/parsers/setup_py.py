@@ -24,6 +24,7 @@ from bringup_lint.parsers.launch_python.expressions import condition
 from bringup_lint.parsers.launch_python.expressions import evaluate
 from bringup_lint.parsers.launch_python.objects import Frame
 from bringup_lint.parsers.launch_python.objects import Mapping
+from bringup_lint.parsers.launch_python.objects import Options
 from bringup_lint.parsers.launch_python.objects import Sequence
 from bringup_lint.parsers.launch_python.objects import Symbol
 from bringup_lint.parsers.launch_python.state import Evaluator
@@ -60,7 +61,7 @@ def parse(source: Source) -> Build:
             found.append(keywords)
             return Unknown("setup", span)
         if isinstance(function, Symbol) and function.name in _GLOB and positional:
-            return Operation("glob", (positional[0],), span)
+            return Sequence([((), Operation("glob", (positional[0],), span))], span, state.guards)
         if isinstance(function, Symbol) and function.name in _FIND and not positional and "where" not in keywords:
             return Operation("find_packages", (), span)
         return call(state, function, positional, keywords, more, span)
@@ -144,14 +145,10 @@ def _data_files(build: Build, thing: Any) -> None:
 
 
 def _install(build: Build, destination: str, files: Any) -> None:
-    if isinstance(files, Operation) and files.name == "glob":
-        items = [files]
-    elif isinstance(files, Sequence) and not files.open:
-        items = [item for _, item in files.items]
-    else:
+    items = _flat(files)
+    if items is None:
         build.installs_known = False
-        return
-    for item in items:
+    for item in items or ():
         computed = isinstance(item, Operation)
         pattern = item.operands[0] if isinstance(item, Operation) and item.operands else item
         source = path_text(pattern)
@@ -159,6 +156,20 @@ def _install(build: Build, destination: str, files: Any) -> None:
             build.installs_known = False
         else:
             build.installs.append(Install(destination, source, False, pattern.span, sure=not computed))
+
+
+def _flat(thing: Any) -> list[Any] | None:
+    """The items of a list with those of lists in it, or of the lists that a condition chooses from; None when these
+    are not known."""
+    if isinstance(thing, Sequence):
+        parts = [_flat(item) if isinstance(item, Sequence) else [item] for _, item in thing.items]
+        parts += [None] if thing.open else []
+    elif isinstance(thing, Options):
+        parts = [_flat(option) for _, option in thing.options]
+    else:
+        return None
+    known = [part for part in parts if part is not None]
+    return [item for part in known for item in part] if len(known) == len(parts) else None
 
 
 def path_text(value: Any) -> str | None:

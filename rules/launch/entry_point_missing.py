@@ -3,8 +3,9 @@
 ## What it finds
 Entries of `console_scripts` in setup.py or setup.cfg whose module is not in the package, or whose function the module
 does not define or import, and entries without a colon between the module and the function, unless the module itself
-does the work when it is imported. Packages of other names, modules that git ignores, compiled modules and modules with
-`from x import *` are not judged. A script that no launch file starts is a warning.
+does the work when it is imported. Where `find_packages` finds only other folders than the one called like the package,
+its scripts are found, too. Packages of other names, modules that git ignores, compiled modules and modules with
+`from x import *` are not judged. A script that nothing starts is a warning.
 
 ## Why it matters on a robot
 The build succeeds and installs the executable. It ends at its start with `ModuleNotFoundError` or `ImportError`, and so
@@ -51,6 +52,7 @@ from bringup_lint.api.launch import missing_entries
 def entry_point_missing(robot: Robot) -> Iterator[Finding]:
     workspace = robot.launch.workspace
     started = {(literal_text(node.package), literal_text(node.executable)) for node in robot.launch.nodes}
+    started |= {(ros.package, ros.target) for _, ros in robot.runners.run}
     for package in workspace.packages.values():
         for entry in missing_entries(robot.tree, package):
             if not entry.script.span.source.judged:

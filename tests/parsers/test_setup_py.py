@@ -44,9 +44,27 @@ def test_data_files() -> None:
 
 
 @pytest.mark.parametrize(
+    ("files", "known"),
+    [
+        ("glob('a/*.py') + glob('a/*.xml') + ['a/b.yaml']", ["a/*.py", "a/*.xml", "a/b.yaml"]),
+        ("['a/b.yaml', *glob('a/*.py')]", ["a/b.yaml", "a/*.py"]),
+        ("glob('a/*.py') if os.path.exists('a') else []", ["a/*.py"]),
+        ("[each for each in glob('a/*')]", ["a/*"]),
+    ],
+)
+def test_lists_that_are_put_together(files: str, known: list[str]) -> None:
+    build = setup(f"data_files=[('share/base', {files})]")
+    assert [source for _, source in installs(build)] == known
+    assert build.installs_known
+    assert not any(install.sure for install in build.installs if "*" in install.source)
+
+
+@pytest.mark.parametrize(
     "arguments",
     [
         "data_files=unheard_of()",
+        "data_files=[('share', glob('a/*') + unheard_of())]",
+        "data_files=[('share', glob('a/*') if os.path.exists('a') else unheard_of())]",
         "data_files=[unheard_of()]",
         "data_files=[(unheard_of(), ['a'])]",
         "data_files=[('share', unheard_of())]",

@@ -13,6 +13,8 @@ from bringup_lint.facts.ros.needed import instead_of
 from bringup_lint.facts.ros.needed import not_rosdep
 from bringup_lint.facts.ros.needed import of_key
 from bringup_lint.graph.dependencies.built_alone import Apart
+from bringup_lint.graph.dependencies.idle_globs import IdleGlob
+from bringup_lint.graph.dependencies.idle_globs import idle_globs
 from bringup_lint.graph.dependencies.installers import ROSDEP
 from bringup_lint.graph.dependencies.installers import Installers
 from bringup_lint.graph.dependencies.interfaces import MissingInterface
@@ -34,6 +36,8 @@ from bringup_lint.graph.dependencies.subpackages import LeftOut
 from bringup_lint.graph.dependencies.subpackages import left_out
 from bringup_lint.graph.dependencies.unexported import Unexported
 from bringup_lint.graph.dependencies.unexported import unexported
+from bringup_lint.graph.dependencies.unloadable import Unloadable
+from bringup_lint.graph.dependencies.unloadable import unloadable
 from bringup_lint.graph.dependencies.unregistered import Unregistered
 from bringup_lint.graph.dependencies.unregistered import unregistered
 from bringup_lint.graph.launch.started import literal_text
@@ -117,6 +121,10 @@ class Dependencies:
         """What a build installs in any case, and that is not in the tree."""
         return missing_files(self._files, package)
 
+    def idle_globs(self, package: Package) -> Iterator[IdleGlob]:
+        """The globs of a package that match nothing, where files are left out."""
+        return idle_globs(self._launch, package)
+
     def plain_programs(self, package: Package) -> Iterator[Install]:
         """The installed scripts of a package that do not say which interpreter they are for."""
         return plain_programs(self._files.tree, package, self.started_programs(package))
@@ -154,6 +162,10 @@ class Dependencies:
     def unexported(self, package: Package) -> Iterator[Unexported]:
         """The descriptions of plugins that a package builds and does not export."""
         return unexported(self._files, package)
+
+    def unloadable(self, package: Package) -> Iterator[Unloadable]:
+        """The plugins that pluginlib does not load, because their description and the build do not agree."""
+        return unloadable(self._files, self._launch.workspace, package)
 
     def unregistered(self, package: Package) -> Iterator[Unregistered]:
         """The components that the build of a package names as no source of it registers them."""

@@ -36,6 +36,8 @@ def missing_entries(tree: Tree, package: Package) -> Iterator[MissingEntry]:
         module, _, function = (part.strip() for part in target.partition(":"))
         stem = _stem(tree, package, module)
         if stem is None:
+            if _is_without_folder(tree, package, module.partition(".")[0]):
+                yield MissingEntry(package, package.executables[name], module, "", None)
             continue
         path = next((each for each in (f"{stem}.py", f"{stem}/__init__.py") if tree.exists(each)), None)
         if ":" not in target and (path is not None or tree.exists(f"{os.path.dirname(stem)}.py")):
@@ -61,6 +63,18 @@ def _stem(tree: Tree, package: Package, module: str) -> str | None:
         if tree.exists(os.path.join(folder, top, "__init__.py")):
             return os.path.join(folder, top, *inner)
     return None
+
+
+def _is_without_folder(tree: Tree, package: Package, top: str) -> bool:
+    """Whether a script means the Python package that is called like its package of ROS, and ``find_packages`` finds
+    others only."""
+    listed = [build.python_packages for build in package.builds if build.python_packages is not None]
+    if top != package.name or len(listed) != 1 or listed[0].names is not None:
+        return False
+    places = (os.path.join(package.folder, top), os.path.join(package.folder, "src", top))
+    if any(tree.exists(place) or tree.exists(f"{place}.py") or tree.is_ignored(place) for place in places):
+        return False
+    return any(os.path.basename(path) == "__init__.py" for path in tree.walked_below(package.folder))
 
 
 def _may_be_made(tree: Tree, stem: str) -> bool:
