@@ -142,7 +142,10 @@ def _lacks(file: Source, old: str) -> bool:
 
 
 def _pattern(old: str) -> str | None:
-    """The expression of Python for one of sed that holds little more than plain text."""
+    """The expression of Python for one of sed that holds little more than plain text; with several ``.*`` it could take
+    long on long lines."""
+    if old.count(".*") > 1:
+        return None
     parts = []
     for token in re.findall(r"\\.|\.\*|.", old):
         if _SIMPLE.fullmatch(token):
