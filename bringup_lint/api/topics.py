@@ -27,6 +27,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.topics.questions.monitored_velocities import unmonitored
     from bringup_lint.graph.topics.questions.namespaces import shared_by_namespaces
     from bringup_lint.graph.topics.questions.other_ends import used_at
+    from bringup_lint.graph.topics.questions.transform_files import rivals_in_files
+    from bringup_lint.graph.topics.questions.two_parents import two_parents
     from bringup_lint.graph.topics.questions.unmatched import without_publisher
     from bringup_lint.graph.topics.questions.unserved import unserved
     from bringup_lint.graph.topics.resolved.endpoint_use import LaunchedNode
@@ -56,9 +58,11 @@ __all__ = [
     "published_at_start",
     "refusal",
     "rivals",
+    "rivals_in_files",
     "shared_by_namespaces",
     "tail",
     "too_reliable",
+    "two_parents",
     "types_differ",
     "ungated",
     "unheard_commands",

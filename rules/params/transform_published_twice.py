@@ -5,6 +5,12 @@ A filter of robot_localization (`ekf_node`, `ukf_node`) and a diff_drive_control
 file starts and that both publish the transform from the odometry frame to the robot. Both do so by default
 (`publish_tf`, `enable_odom_tf`).
 
+The same where the parameter file of the controller says so, and the filter takes its odometry as an input, or starts
+beside its spawner. Silent where files for controllers of one name differ in this.
+
+Also a filter or a diff_drive_controller whose robot frame the robot description puts below another link by a fixed
+joint: every description of the tree that has the link does.
+
 Also a `static_transform_publisher` for a link that the `robot_state_publisher` of the same bring-up publishes as well,
 by a fixed joint that puts it elsewhere or below another link. The joints of macros are read with their calls.
 
@@ -55,11 +61,12 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api import topics
 
 
 @rule("warning", silent="tf2 takes transforms from everybody, and the newest one counts")
 def transform_published_twice(robot: Robot) -> Iterator[Finding]:
-    for one, other in dict.fromkeys(robot.topics.rival_transforms):
+    for one, other in dict.fromkeys((*robot.topics.rival_transforms, *topics.rivals_in_files(robot.topics))):
         yield finding(
             one.where,
             f"{one.name} and {other.name} both publish the transform {one.parent} -> {one.child}: "
@@ -68,6 +75,18 @@ def transform_published_twice(robot: Robot) -> Iterator[Finding]:
             related=[note(other.where, f"{other.name} publishes it, too")],
         )
     yield from _conflicts(robot)
+    yield from _two_parents(robot)
+
+
+def _two_parents(robot: Robot) -> Iterator[Finding]:
+    for source, where, parent in topics.two_parents(robot.topics):
+        yield finding(
+            where,
+            f"{source.name} publishes the transform {source.parent} -> {source.child}, and robot_state_publisher puts "
+            f"{source.child} below {parent}: a frame has one parent, and the robot falls out of one of the two trees",
+            advice=f"publish {source.parent} -> {parent}",
+            related=[note(parent, f"the link above {source.child} in the robot description")],
+        )
 
 
 def _conflicts(robot: Robot) -> Iterator[Finding]:

@@ -32,6 +32,9 @@ class End(NamedTuple):
     where: Span
     label: str
     """What to call its node in a message."""
+    name: Span
+    """Where its name is written, by a parameter, a remapping or the source."""
+    is_for_robot: bool
 
 
 class UnservedApart(NamedTuple):
@@ -75,12 +78,12 @@ def _all(topics: Topics) -> Iterator[UnservedApart]:
 def _conflict(topics: Topics, publisher: End, subscription: End) -> Conflict | None:
     if publisher.qos is None or subscription.qos is None or publisher.type != subscription.type:
         return None
-    if not _are_together(topics, publisher.where.source, subscription.where.source):
+    if not are_together(topics, publisher.where.source, subscription.where.source):
         return None
     return next(conflicts(publisher.qos, subscription.qos), None)
 
 
-def _are_together(topics: Topics, one: Source, other: Source) -> bool:
+def are_together(topics: Topics, one: Source, other: Source) -> bool:
     """Whether two files are for the same robot: packages of one workspace are, of which there is one each."""
     workspace = topics.launch.workspace
     owners = [workspace.owner(each) for each in (one, other)]
@@ -95,27 +98,34 @@ def _by_topic(topics: Topics) -> dict[str, list[End]]:
     public = {row["name"].lstrip("/") for row in table("ros/node_topics") if row["role"] == "pub"}
     rules = (pair for node in topics.launch.nodes for pair in node.remappings)
     remapped = {tail(text) for pair in rules for side in pair if (text := text_of(side))}
-    for end in _ends(topics):
+    for end in ends_of(topics):
         if end.topic.lstrip("/") not in public and tail(end.topic) not in remapped:
             found.setdefault(end.topic, []).append(end)
     return found
 
 
-def _ends(topics: Topics) -> Iterator[End]:
-    seen: set[Span] = set()
+def ends_of(topics: Topics, *, everything: bool = False) -> Iterator[End]:
+    """The ends in the sources of the robot; ``everything``: also those of public nodes, and for other purposes."""
+    seen: set[tuple[Span, str]] = set()
     for running in topics.runs:
         for use in running.uses:
-            if use.where in seen or use.of_table or use.shown or use.implied:
+            key = (use.where, use.topic)
+            if key in seen or use.shown or use.implied or (use.of_table and not everything):
                 continue
-            seen.add(use.where)
-            if not running.simulated and _is_for_robot(topics, use.where.source):
-                yield End(use.role, use.topic, use.type, use.qos, use.where, use.node.label())
-    for source, label, endpoint in _of_sources(topics):
-        name = endpoint.name
-        if endpoint.span in seen or name is None or endpoint.parameter is not None or str(name).startswith("~"):
+            seen.add(key)
+            place = use.name_place or use.where
+            is_for_robot = not running.simulated and _is_for_robot(topics, place.source)
+            if is_for_robot or everything:
+                yield End(use.role, use.topic, use.type, use.qos, use.where, use.node.label(), place, is_for_robot)
+    launched = {where for where, _ in seen}
+    for source, label, each in _of_sources(topics):
+        name = each.name
+        if each.span in launched or name is None or each.parameter is not None or str(name).startswith("~"):
             continue
-        if endpoint.role in ("publisher", "subscription") and _is_for_robot(topics, source):
-            yield End(endpoint.role, f"/{name.lstrip('/')}", endpoint.type, endpoint.qos, endpoint.span, label)
+        is_for_robot = _is_for_robot(topics, source)
+        if each.role in ("publisher", "subscription") and (is_for_robot or everything):
+            topic = f"/{name.lstrip('/')}"
+            yield End(each.role, topic, each.type, each.qos, each.span, label, name.span, is_for_robot)
 
 
 def _of_sources(topics: Topics) -> Iterator[tuple[Source, str, Endpoint]]:

@@ -59,12 +59,17 @@ def _filters(running: Running) -> Iterator[TransformSource]:
             continue
         if str(literal_text(node.started.executable)) not in FILTERS or node.given is None:
             continue
-        odometry = _value(node.given, "odom_frame", "odom")
-        base = _value(node.given, "base_link_frame", "base_link")
-        parent = _value(node.given, "world_frame", odometry)
-        child = _value(node.given, "base_link_frame_output", base)
-        if parent is not None and parent == odometry and child is not None:
-            yield from _source(node, node.given, node.label(), "publish_tf", (parent, child))
+        yield from filter_source(node, node.given, node.label())
+
+
+def filter_source(node: LaunchedNode, given: GivenParameters, name: str) -> Iterator[TransformSource]:
+    """What a filter publishes from its odometry frame to the robot."""
+    odometry = _value(given, "odom_frame", "odom")
+    base = _value(given, "base_link_frame", "base_link")
+    parent = _value(given, "world_frame", odometry)
+    child = _value(given, "base_link_frame_output", base)
+    if parent is not None and parent == odometry and child is not None:
+        yield from _source(node, given, name, "publish_tf", (parent, child))
 
 
 def _drives(running: Running, sources: ParameterSources) -> Iterator[TransformSource]:
