@@ -13,6 +13,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.containers.questions.health import unchecked_health
     from bringup_lint.graph.containers.questions.image_use import is_workplace
     from bringup_lint.graph.containers.questions.ports import taken_ports
+    from bringup_lint.graph.containers.questions.static_addresses import RefusedAddress
+    from bringup_lint.graph.containers.questions.static_addresses import refused_addresses
     from bringup_lint.graph.runners.questions.hidden_workspaces import HiddenWorkspace
     from bringup_lint.graph.runners.questions.hidden_workspaces import hidden_workspaces
     from bringup_lint.graph.runners.questions.listening import unserved_ports
@@ -30,6 +32,7 @@ __all__ = [
     "Device",
     "HiddenWorkspace",
     "MissingFile",
+    "RefusedAddress",
     "Service",
     "Volume",
     "closed_devices",
@@ -38,6 +41,7 @@ __all__ = [
     "is_workplace",
     "missing_files",
     "reach",
+    "refused_addresses",
     "taken_ports",
     "unchecked_health",
     "undefined_names",

@@ -14,6 +14,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.host.dhcp import lost_ranges
     from bringup_lint.graph.host.options import option_of
     from bringup_lint.graph.host.serial_consoles import taken_consoles
+    from bringup_lint.graph.host.ungiven_devices import Ungiven
+    from bringup_lint.graph.host.ungiven_devices import ungiven_devices
     from bringup_lint.model.fstab import Mount
     from bringup_lint.parsers.sysctl import KernelParameter
 else:
@@ -24,9 +26,11 @@ __all__ = [
     "KernelParameter",
     "LostRange",
     "Mount",
+    "Ungiven",
     "lost_ranges",
     "option_of",
     "own_addresses",
     "removed_package",
     "taken_consoles",
+    "ungiven_devices",
 ]

@@ -7,9 +7,11 @@ from bringup_lint.type_names import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from bringup_lint.spelling import nearest
+    from bringup_lint.spelling import numbered
 else:
     __getattr__ = on_demand(globals())
 
 __all__ = [
     "nearest",
+    "numbered",
 ]

@@ -9,12 +9,13 @@ Services of the robot itself that listen on all addresses and ask for no passwor
   debugger runs Python for whoever knows or guesses the PIN, and its reloader runs the program, and so a node in it,
   twice. With an option by which the program makes people acknowledge that (`--I-KNOW-THIS-IS-INSECURE`), a warning.
 - **warning**: `rosbridge_server` and `foxglove_bridge`, which publish for their clients, in a tree that mentions
-  `cmd_vel`; information in others. A mosquitto broker with `allow_anonymous true`, and a ser2net `accepter: tcp,PORT`
-  without an address. A compose service with the image of a database (`mongo`, `redis`, `influxdb:1`; `postgres`,
-  `mysql` and `elasticsearch` where a variable takes the password away), of Node-RED or of mosquitto 1 that is on the
-  host network or publishes its port, and sets no password. A server (Flask, uvicorn, websockets, aiohttp, NiceGUI,
-  `http.server`, a socket and others) on all addresses in a node that publishes velocities, goals or other commands, and
-  has no login. The address may be the default of a parameter, an option or a variable that nothing in the tree sets.
+  `cmd_vel`; information in others. A mosquitto broker with `allow_anonymous true`, a ser2net `accepter: tcp,PORT`
+  without an address, and the `[inet_http_server]` of supervisord on all addresses without a user. A compose service
+  with the image of a database (`mongo`, `redis`, `influxdb:1`; `postgres`, `mysql` and `elasticsearch` where a
+  variable takes the password away), of Node-RED or of mosquitto 1 that is on the host network or publishes its port,
+  and sets no password. A server (Flask, uvicorn, websockets, aiohttp, NiceGUI, `http.server`, a socket and others) on
+  all addresses in a node that publishes velocities, goals or other commands, and has no login. The address may be the
+  default of a parameter, an option or a variable that nothing in the tree sets.
 
 Not reported: a service on the loopback address, with a password, with limits of its own (`topics_glob`,
 `capabilities` without `clientPublish`, `acl_file`), with parameters that are not known, and services for simulation,
@@ -53,7 +54,7 @@ from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-WARNED = ("broker", "web", "serial", "database", "flows")
+WARNED = ("broker", "web", "serial", "database", "flows", "programs")
 DRIVES = regex(r"cmd_vel")
 TEXTS = {
     "shell": ("runs programs of everybody who reaches its port", "set a password, or listen on 127.0.0.1"),
@@ -73,6 +74,10 @@ TEXTS = {
     "serial": (
         "hands a serial port to everybody who reaches its port",
         "write the address too, as in 'accepter: tcp,127.0.0.1,2022', or close the port in the firewall",
+    ),
+    "programs": (
+        "lets everybody who reaches its port stop and start its programs",
+        "listen on 127.0.0.1, or set username and password",
     ),
     "database": (
         "lets everybody who reaches its port read, change and delete its data",

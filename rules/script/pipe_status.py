@@ -66,7 +66,8 @@ TESTS = ("[", "[[", "test")
 STATUS = regex(r"\$\?|\$\{\?\}")
 
 
-SOURCES = regex(r"(?m)(?:^|[;&])[ \t]*(?:source|\.)[ \t]")
+SOURCES = regex(r"(?m)(?:^|[;&])[ \t]*(?:source|\.)[ \t]+(?![\"']?(?:/etc/|/opt/ros/|~/\.|\$HOME/\.))")
+"""A file that may be one of the tree."""
 PIPEFAIL = regex(r"\bpipefail\b", hints="pipefail")
 
 
@@ -85,7 +86,7 @@ def _of(blocks: tuple[Block, ...], strict: bool) -> Iterator[Finding]:
         before, report = first.command if first is not None else None, last.command
         if status is None or asks is None or report is None:
             continue
-        if before is not None and before.ends == "|":
+        if before is not None and before.ends in ("|", "|&"):
             if not strict and _passes_on(before, report) and asks.name != "trap":
                 yield finding(
                     status,

@@ -47,6 +47,9 @@ _SEPARATORS = regex(r"[/_.-]")
 _PERHAPS = ("default", "argument", "script")
 _LEAST = 6
 """Characters of a name that is long enough to be a misspelt one."""
+_LEAST_WORD = 4
+"""Of what says which device a name is for, as in ``ttyUSB_lidar``."""
+_SERIAL = regex(r"^tty(?:USB|ACM|S|AMA|THS)?(?=[-_A-Z])")
 _UNTRACKED = frozenset({"video4linux", "hidraw", "input", "i2c-dev", "spidev", "gpio"})
 """Subsystems of which 99-systemd.rules tags no device."""
 _NUMBERED = regex(r"/dev/(?:input/)?[a-z0-9]+?-?\d+(?:\.\d+)?")
@@ -88,7 +91,7 @@ _SHARED = frozenset({"input", "serial", "usb"})
 
 _NODES = regex(
     r"(?:apex|autofs|btrfs|console|cpu_dma|cuse|dma|drm|dxg|fuse|galcore|gpio|hailo|hpet|i2c|iio|ion|kfd|kmsg|kvm"
-    r"|loop|mali|mei|mpp|msr|mwave|nv|ppp|ptmx|rfkill|rga|rknpu|rtc|spi|tegra|tpm|tty|tun|uhid|uinput|uio|vc|vcio|vhost"
+    r"|loop|mali|mei|mpp|msr|mwave|nv|ppp|ptmx|rfkill|rga|rknpu|rtc|spi|tegra|tpm|tty(?!(?:USB|ACM)[^\d])|tun|uhid|uinput|uio|vc|vcio|vhost"
     r"|vhci|vsock|watchdog|xdma|zram).*|full|hwrng|mem|ng\d.*|null|port|ram\d*|u?random|sg\d+|std(?:in|out|err)|zero"
 )
 """Begins the names that drivers and the kernel give to their nodes."""
@@ -278,9 +281,7 @@ class Devices:
 
     def _is_made_by_nobody(self, use: DeviceUse) -> bool:
         """Whether a name in /dev is a link, by its form, and no rule may make it."""
-        name = use.path.removeprefix("/dev/")
-        is_node = name in _OF_KERNEL or _NODES.fullmatch(name) is not None or subsystem_of_name(name) is not None
-        return not is_node and not self.udev().links_to(use.path)
+        return is_link_by_form(use.path) and not self.udev().links_to(use.path)
 
     def _is_near(self, link: Link, use: DeviceUse) -> bool:
         """Whether the rule that makes a link is for the robot on which it is used."""
@@ -349,7 +350,16 @@ def _is_nearly(name: str, other: str) -> bool:
     """Whether one name below /dev may be the other, misspelt. Those that differ in a number are two names."""
     if numbered(name, other):
         return False
-    return _SEPARATORS.sub("", name) == _SEPARATORS.sub("", other) or bool(nearest(name, [other]))
+    words = [_SEPARATORS.sub("", _SERIAL.sub("", each)).lower() for each in (name, other)]
+    same_word = words[0] == words[1] and len(words[0]) >= _LEAST_WORD
+    return same_word or _SEPARATORS.sub("", name) == _SEPARATORS.sub("", other) or bool(nearest(name, [other]))
+
+
+def is_link_by_form(path: str) -> bool:
+    """Whether a path in /dev itself has none of the names that the kernel gives to nodes."""
+    name = path.removeprefix("/dev/")
+    is_node = name in _OF_KERNEL or _NODES.fullmatch(name) is not None or subsystem_of_name(name) is not None
+    return "/" not in name and not is_node
 
 
 def _always_there(path: str) -> bool:

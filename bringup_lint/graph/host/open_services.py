@@ -41,12 +41,15 @@ _ANONYMOUS = regex(r"^[ \t]*allow_anonymous[ \t]+(?P<value>true|false)\b", re.M)
 _APART = regex(r"^[ \t]*per_listener_settings[ \t]+true\b", re.M)
 """Each listener has settings of its own; else the last one is for all."""
 _LIMITED = regex(r"^[ \t]*(?:acl_file|plugin|auth_plugin|bind_interface|require_certificate[ \t]+true)\b", re.M)
+_HTTP = regex(r"^\[inet_http_server\][^\n]*(?P<settings>(?:\n(?!\[)[^\n]*)*)", re.M)
+_HTTP_PORT = regex(r"^port[ \t]*[=:][ \t]*(?P<where>(?:(?P<address>[^\s:;]*):)?(?P<port>\d+))(?![^\s;])", re.M)
+_HTTP_LOGIN = regex(r"^(?:username|password)[ \t]*[=:]", re.M)
 
 
 class OpenService(NamedTuple):
     kind: str
     """``bridge``, ``shell`` (of Jupyter and terminals), ``desktop``, ``broker``, ``database``, ``flows`` (of Node-RED),
-    ``serial``, ``web`` or ``debugger``."""
+    ``serial``, ``programs`` (of supervisord), ``web`` or ``debugger``."""
     name: str
     where: Span
     default: Span | None = None
@@ -61,6 +64,7 @@ def open_services(files: Files, runners: Runners, launch: Callable[[], Launch]) 
         yield from (OpenService("bridge", *each) for each in launched_bridges(files, launch()))
     yield from _serial_ports(files)
     yield from _debuggers(files)
+    yield from _supervisors(files)
     named = Counter(_place(runner.service) for runner in runners.all if runner.service is not None)
     for runner in runners.all:
         if runner.purpose is Purpose.ROBOT and runner.source.judged:
@@ -112,6 +116,35 @@ def _serial_ports(files: Files) -> Iterator[OpenService]:
                 continue
             for accepter in _ACCEPTER.finditer(source.text):
                 yield OpenService("serial", "ser2net", source.span(*accepter.span("where")))
+
+
+def _supervisors(files: Files) -> Iterator[OpenService]:
+    """The web server of supervisord, where its section names no user, and a container hands it to the network."""
+    for source in files.of_kind("supervisord"):
+        if source.template or not source.judged or files.purpose(source) is not Purpose.ROBOT:
+            continue
+        for section in _HTTP.finditer(source.text):
+            port = _HTTP_PORT.search(section["settings"])
+            if port is None or _HTTP_LOGIN.search(section["settings"]):
+                continue
+            address = port["address"] or ""
+            if address in ("", "*") or is_wildcard(address):
+                begin = section.start("settings")
+                where = source.span(begin + port.start("where"), begin + port.end("where"))
+                if _leaves_container(files, source, port["port"]):
+                    yield OpenService("programs", "supervisord", where)
+
+
+def _leaves_container(files: Files, source: Source, port: str) -> bool:
+    """Whether supervisord runs on the robot itself, or in a container whose port others reach."""
+    images = files.of_kind("dockerfile")
+    if not any(source.basename in each.text for each in images if files.same_robot(source, each)):
+        return True
+    reached = re.compile(
+        rf"network_mode:[ \t]*[\"']?host|--net(?:work)?[= ]host|(?<![\d.:]){re.escape(port)}:{re.escape(port)}\b"
+    )
+    starting = files.of_kind("compose", "shell-script", "systemd-unit")
+    return any(reached.search(each.text) for each in starting if files.same_robot(source, each))
 
 
 def _debuggers(files: Files) -> Iterator[OpenService]:

@@ -227,6 +227,10 @@ class NamedUnits:
         included."""
         return shipped_units.is_shipped(name)
 
+    def shipped_type(self, name: str) -> str:
+        """The Type= of a service that Ubuntu or Debian ships with a command; else empty."""
+        return shipped_units.service_type(name)
+
     @cached_property
     def has_vendor_units(self) -> bool:
         """Whether the tree holds the distribution's own units, so that no table has to stand in for them."""

@@ -41,6 +41,18 @@ def is_shipped(name: str) -> bool:
     return "@" in stem and f"{stem.partition('@')[0]}@.{suffix}" in names()
 
 
+def service_type(name: str) -> str:
+    """The Type= of a service of Ubuntu or Debian that starts something; empty where they do not ship it."""
+    stem, _, suffix = name.rpartition(".")
+    template = f"{stem.partition('@')[0]}@.{suffix}"
+    return _service_types().get(name) or (_service_types().get(template, "") if "@" in stem else "")
+
+
+@lru_cache
+def _service_types() -> dict[str, str]:
+    return {unit: kind for unit, _, _, alias_of, kind, _ in _units() if not alias_of}
+
+
 @lru_cache
 def without_default_dependencies() -> frozenset[str]:
     """The units of the distribution that say DefaultDependencies=no."""

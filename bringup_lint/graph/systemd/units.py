@@ -282,7 +282,7 @@ class Units(NamedUnits):
 
     def same_robot_groups(self, chosen: Iterable[Unit]) -> list[list[Unit]]:
         """Units in groups that surely belong to one robot."""
-        return same_robot_groups(self, chosen)
+        return same_robot_groups(self, chosen, self.processes)
 
     @cached_property
     def running_together(self) -> list[list[Unit]]:

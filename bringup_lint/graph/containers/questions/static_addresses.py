@@ -1,0 +1,124 @@
+"""Fixed addresses of services, and the subnets of their networks."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.addresses import parse_address
+from bringup_lint.addresses import parse_network
+from bringup_lint.model.compose import ComposeFile
+from bringup_lint.model.compose import Service
+from bringup_lint.model.compose import is_variable
+from bringup_lint.model.yaml_node import Mapping
+from bringup_lint.model.yaml_node import Scalar
+from bringup_lint.named_tuple import NamedTuple
+
+if TYPE_CHECKING:
+    from bringup_lint.addresses import Network
+    from bringup_lint.graph.containers.compose import Compose
+    from bringup_lint.source import Located
+
+_KEYS = ("ipv4_address", "ipv6_address")
+
+
+class RefusedAddress(NamedTuple):
+    """A fixed address with which docker does not start the container of a service."""
+
+    why: str
+    """``outside`` (of each subnet), ``gateway``, ``taken`` or ``no subnet``."""
+    service: Service
+    address: Located
+    network: str
+    other: Located
+    """The subnet, the gateway, the same address of another service, or the name of the network."""
+
+
+def refused_addresses(compose: Compose) -> Iterator[RefusedAddress]:
+    """What docker refuses, as far as one file says it."""
+    for file in compose.files:
+        root = file.yaml.root
+        if file.source.judged and not file.source.template and isinstance(root, Mapping) and file.yaml.complete:
+            networks = root.mapping("networks")
+            if networks is not None:
+                yield from _of(compose, file, networks)
+
+
+def _of(compose: Compose, file: ComposeFile, networks: Mapping) -> Iterator[RefusedAddress]:
+    owners: dict[tuple[str, str], tuple[Service, Located]] = {}
+    for service in file.services:
+        for network, address in _given(service):
+            entry = networks.entry(network)
+            if entry is None or parse_address(address) is None:
+                continue
+            yield from _refused(compose, file, service, address, *entry)
+            first = owners.setdefault((network, str(address)), (service, address))
+            if first[0] is not service and not first[0].profiles and not service.profiles:
+                yield RefusedAddress("taken", service, address, network, first[1])
+
+
+def _given(service: Service) -> Iterator[tuple[str, Located]]:
+    """The networks of a service in which it has a fixed address, with that address."""
+    networks = service.get("networks")
+    if not isinstance(networks, Mapping):
+        return
+    for name, body in networks.merged:
+        if isinstance(body, Mapping):
+            found = (body.scalar(key) for key in _KEYS)
+            yield from ((str(name.value), address.value) for address in found if address is not None)
+
+
+def _refused(
+    compose: Compose, file: ComposeFile, service: Service, address: Located, name: Scalar, body: object
+) -> Iterator[RefusedAddress]:
+    network = str(name.value)
+    if isinstance(body, Mapping) and body.get("external") is not None:
+        return
+    configs = _configs(body)
+    if configs is None:
+        return
+    subnets = {text: parsed for each in configs for text, parsed in _subnet(each)}
+    if not subnets:
+        if not configs and not _is_defined_elsewhere(compose, file, network):
+            yield RefusedAddress("no subnet", service, address, network, name.value)
+        return
+    parsed_address = parse_address(address)
+    fitting = [parsed for parsed in subnets.values() if parsed is None or parsed_address in parsed]
+    if not fitting:
+        yield RefusedAddress("outside", service, address, network, next(iter(subnets)))
+    gateways = (each.scalar("gateway") for each in configs)
+    for gateway in gateways:
+        if gateway is not None and gateway.value == address:
+            yield RefusedAddress("gateway", service, address, network, gateway.value)
+
+
+def _configs(body: object) -> list[Mapping] | None:
+    """The entries of ``ipam: config:``; None where something else than these may give the addresses."""
+    if not isinstance(body, Mapping):
+        return []
+    ipam = body.get("ipam")
+    if ipam is None:
+        driver = body.scalar("driver")
+        return [] if driver is None or driver.value == "bridge" else None
+    if not isinstance(ipam, Mapping) or ipam.get("driver") is not None:
+        return None
+    config = ipam.sequence("config")
+    return [each for each in config if isinstance(each, Mapping)] if config is not None else None
+
+
+def _subnet(config: Mapping) -> Iterator[tuple[Located, Network | None]]:
+    """The subnet of an entry; None for one that a variable gives."""
+    subnet = config.scalar("subnet")
+    if subnet is not None:
+        yield subnet.value, None if is_variable(subnet.value) else parse_network(subnet.value)
+
+
+def _is_defined_elsewhere(compose: Compose, file: ComposeFile, network: str) -> bool:
+    """Whether another file of the folder speaks of the network, so that both may be put together."""
+    for other in compose.by_folder[os.path.dirname(file.source.name)]:
+        root = other.yaml.root
+        networks = root.mapping("networks") if isinstance(root, Mapping) and other is not file else None
+        if networks is not None and networks.entry(network) is not None:
+            return True
+    return False
