@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.runners.questions.image_distros import OtherDistro
     from bringup_lint.graph.runners.questions.image_distros import foreign_workspaces
     from bringup_lint.graph.runners.questions.image_distros import other_distros
+    from bringup_lint.graph.runners.questions.misplaced_mounts import misplaced_mounts
     from bringup_lint.graph.runners.questions.missing_programs import MissingProgram
     from bringup_lint.graph.runners.questions.missing_programs import missing_programs
     from bringup_lint.graph.runners.questions.missing_settings import missing_settings
@@ -89,6 +90,7 @@ __all__ = [
     "lacking_sources",
     "last_user",
     "may_set",
+    "misplaced_mounts",
     "missing_programs",
     "missing_settings",
     "other_distros",

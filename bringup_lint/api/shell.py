@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.image_builds import runs_in_image
     from bringup_lint.graph.installed.ansible.names import missing_names
     from bringup_lint.graph.installed.ansible.shells import sh_commands
+    from bringup_lint.graph.installed.masked import masked_units
     from bringup_lint.graph.installed.misnamed_files import Misnamed
     from bringup_lint.graph.installed.misnamed_files import misnamed_files
     from bringup_lint.graph.installed.paths import in_tree
@@ -69,6 +70,7 @@ __all__ = [
     "has_busybox",
     "in_tree",
     "lost_edits",
+    "masked_units",
     "may_fail",
     "misnamed_files",
     "missing_files",

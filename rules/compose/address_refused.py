@@ -2,7 +2,7 @@
 
 ## What it finds
 An `ipv4_address` or `ipv6_address` of a service that
-- lies in none of the subnets that `ipam:` gives to the network,
+- lies in none of the subnets that `ipam:` gives to the network, in the file or in one that includes it,
 - is the gateway of the network,
 - another service of the file has in the same network, where neither has `profiles`,
 - belongs to a network for which `ipam:` gives no subnet.

@@ -2,7 +2,8 @@
 
 ## What it finds
 `roslaunch`, `rosrun`, `roscore`, `rostopic`, `rosparam`, `rosservice`, `rosnode` and `catkin_make` in scripts of a
-tree all of whose packages are built with ament, in which no file names a distribution of ROS 1 or its libraries. Silent
+tree all of whose packages are built with ament, in which no file names a distribution of ROS 1 or its libraries; in
+any tree, in scripts and units that set up ROS 2 themselves and do not speak of ROS 1. Silent
 where the message is thrown away or the failure is handled, and where the script has an alias or a function of this
 name. A warning where nothing else of the tree names any of the scripts.
 
@@ -39,6 +40,8 @@ from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.shell import Run
+from bringup_lint.api.shell import program_name
+from bringup_lint.api.shell import unwrapped
 
 INSTEAD = {
     "roslaunch": "ros2 launch",
@@ -56,6 +59,9 @@ OF_ROS1 = regex(
 )
 
 
+OF_ROS2 = regex(
+    r"/opt/ros/(?:foxy|galactic|humble|iron|jazzy|kilted|lyrical|rolling)\b|\bRMW_IMPLEMENTATION\b|\bCYCLONEDDS_URI\b"
+)
 CALLING = regex(
     r"(?:\.(?:md|rst|txt|sh|bash|py|ya?ml|xml|service|desktop|rules)|CMakeLists\.txt|(?:Make|Docker|[jJ]ust)file[^/]*)$"
 )
@@ -68,17 +74,43 @@ def ros1_command(robot: Robot) -> Iterator[Finding]:
     for source, run in robot.scripts.run(*COMMANDS):
         if not run.command.hides_errors and run.command.ends != "||" and not _defines(source, run.name):
             found.setdefault((source, run.name), run)
-    if not found or not _is_ros2_only(robot):
-        return
-    first, *others = found.values()
-    instead = INSTEAD.get(first.name)
-    yield finding(
-        first.words[0],
-        f"ROS 2 has no {first.name}: the command is not found, and this script does not do what it is for",
-        advice=f"write {instead}" if instead else "remove it: ROS 2 has no master",
-        related=[note(other.words[0], f"{other.name} is not found either") for other in others[:20]],
-        severity=None if any(_is_called(robot, source) for source, _ in found) else "warning",
-    )
+    if found and not _is_ros2_only(robot):
+        found = {key: run for key, run in found.items() if _sets_up_ros2(key[0])}
+    if found:
+        first, *others = found.values()
+        yield finding(
+            first.words[0],
+            f"ROS 2 has no {first.name}: the command is not found, and this script does not do what it is for",
+            advice=_advice(first.name),
+            related=[note(other.words[0], f"{other.name} is not found either") for other in others[:20]],
+            severity=None if any(_is_called(robot, source) for source, _ in found) else "warning",
+        )
+    yield from _in_units(robot)
+
+
+def _in_units(robot: Robot) -> Iterator[Finding]:
+    for unit in robot.units.running("ros"):
+        for process in robot.units.processes(unit):
+            for step in process.steps:
+                words = unwrapped(step.command.words)
+                name = program_name(words[0]) if words else ""
+                if name in COMMANDS and step.script is None and _sets_up_ros2(words[0].span.source):
+                    yield finding(
+                        words[0],
+                        f"ROS 2 has no {name}: {unit.name} fails with status 127",
+                        advice=_advice(name),
+                    )
+
+
+def _advice(name: str) -> str:
+    instead = INSTEAD.get(name)
+    return f"write {instead}" if instead else "remove it: ROS 2 has no master"
+
+
+def _sets_up_ros2(source: Source) -> bool:
+    """Whether a file takes the setup file of a distribution of ROS 2, or chooses its middleware, and never speaks of
+    ROS 1."""
+    return source.says(OF_ROS2) and not source.says(OF_ROS1)
 
 
 def _is_called(robot: Robot, script: Source) -> bool:

@@ -4,6 +4,7 @@
 ProtectHome=yes or ProtectHome=tmpfs, when one of these is below /home, /root or /run/user:
 
 - the working directory, the program, a sourced workspace, or another argument;
+- a file of settings that a variable of the environment names;
 - a path in ReadWritePaths=, ReadOnlyPaths= or ExecPaths=, which cannot reopen a hidden directory.
 
 ## Why it matters on a robot

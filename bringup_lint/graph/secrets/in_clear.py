@@ -60,6 +60,10 @@ _KNOWN_VALUE = regex(
     r"|https://hooks\.slack\.com/services/T\w{5,}/B\w{5,}/\w{16,}|\b\d{8,10}:AA[\w-]{33}\b"
     r"|\beyJ[\w-]{10,}\.eyJ[\w-]{10,}\.[\w-]{10,}"
 )
+_TOKEN = regex(r"\b(?:AKIA[0-9A-Z]{16}|gh[pousr]_[A-Za-z0-9]{36}|github_pat_\w{80,}|glpat-[\w-]{20})(?![\w-])")
+"""Those that nothing else looks like, in a file of any kind."""
+_SETTINGS = regex(r"(?<!CMakeLists)\.(?:txt|conf|cfg|ini|properties)$")
+_MOST_OF_SETTINGS = 64 * 1024
 _USER_INFO = regex(r"\b[a-z][a-z0-9+.-]*://[^/\s:@]+:([^@/\s]+)@")
 _NO_VALUE = regex(
     r"[/~]|\#\s|\$|%|[\"']{2}$|file:|env:|true$|false$|yes$|no$|on$|off$|\d{1,5}$|.*\.(?:pem|key|crt|cer|p12|env|json|ya?ml|txt)$",
@@ -145,6 +149,15 @@ class Secrets:
             joined = {source.origin.whole for source in self.files.sources if source.origin is not None}
             yield from _of_written(self.scripts(), joined)
         yield from self._passwords()
+        yield from self._tokens()
+
+    def _tokens(self) -> Iterator[Secret]:
+        """The tokens of services in files of settings that are of no kind."""
+        tree = self.files.tree
+        for path in tree.like(_SETTINGS):
+            source = tree.at(path) if _TOKEN.search(tree.head(path, _MOST_OF_SETTINGS)) else None
+            if source is not None:
+                yield from _in_settings(source)
 
     def _passwords(self) -> Iterator[Secret]:
         for password in in_wifi_files(self.files):
@@ -275,6 +288,13 @@ def _of_images(dockerfiles: Iterable[Dockerfile]) -> Iterator[Secret]:
             if instruction.name in ("ENV", "ARG"):
                 for name, value in assignments(instruction):
                     yield from _one(secret(name, value, "image"))
+
+
+def _in_settings(source: Source) -> Iterator[Secret]:
+    for found in _TOKEN.finditer(source.text):
+        value = source.located(*found.span())
+        name, equals, _ = source.line_text(value.span.line).partition("=")
+        yield from _one(secret(name.strip(" \t#") if equals else "this token", value, "file"))
 
 
 def _of_programs(files: Files) -> Iterator[Secret]:

@@ -39,7 +39,7 @@ class Assigned(NamedTuple):
 
 def assigned(files: Files) -> Iterator[Assigned]:
     """What the judged programs set to a literal with letters and digits: words of a language are not secrets."""
-    for kind, found in (("python-node", _in_python), ("shell-script", _in_shell)):
+    for kind, found in (("python-node", _in_python), ("launch-python", _in_python), ("shell-script", _in_shell)):
         for source in files.of_kind(kind):
             if source.judged and not TEST.search(source.name):
                 yield from found(source)

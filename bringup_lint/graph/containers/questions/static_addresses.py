@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.addresses import parse_address
 from bringup_lint.addresses import parse_network
+from bringup_lint.graph.containers.questions.compose_projects import Projects
 from bringup_lint.model.compose import ComposeFile
 from bringup_lint.model.compose import Service
 from bringup_lint.model.compose import is_variable
@@ -36,26 +37,43 @@ class RefusedAddress(NamedTuple):
 
 
 def refused_addresses(compose: Compose) -> Iterator[RefusedAddress]:
-    """What docker refuses, as far as one file says it."""
+    """What docker refuses, as far as one file says it, or one that includes it."""
+    projects = Projects(compose)
     for file in compose.files:
-        root = file.yaml.root
-        if file.source.judged and not file.source.template and isinstance(root, Mapping) and file.yaml.complete:
-            networks = root.mapping("networks")
-            if networks is not None:
-                yield from _of(compose, file, networks)
+        if file.source.judged and not file.source.template and file.yaml.complete:
+            yield from _of(compose, file, projects)
 
 
-def _of(compose: Compose, file: ComposeFile, networks: Mapping) -> Iterator[RefusedAddress]:
+def _of(compose: Compose, file: ComposeFile, projects: Projects) -> Iterator[RefusedAddress]:
     owners: dict[tuple[str, str], tuple[Service, Located]] = {}
     for service in file.services:
         for network, address in _given(service):
-            entry = networks.entry(network)
-            if entry is None or parse_address(address) is None:
+            defined = _definition(file, network, projects) if parse_address(address) is not None else None
+            if defined is None:
                 continue
-            yield from _refused(compose, file, service, address, *entry)
+            owner, entry = defined
+            yield from _refused(compose, owner, service, address, *entry)
             first = owners.setdefault((network, str(address)), (service, address))
             if first[0] is not service and not first[0].profiles and not service.profiles:
                 yield RefusedAddress("taken", service, address, network, first[1])
+
+
+def _definition(
+    file: ComposeFile, network: str, projects: Projects
+) -> tuple[ComposeFile, tuple[Scalar, object]] | None:
+    """The entry of a network in the file, or in the one file of its project that has it."""
+    own = _entry(file, network)
+    if own is not None:
+        return file, own
+    others = [(each, _entry(each, network)) for each in projects.of(file) or ()]
+    found = [(each, entry) for each, entry in others if entry is not None]
+    return found[0] if len(found) == 1 else None
+
+
+def _entry(file: ComposeFile, network: str) -> tuple[Scalar, object] | None:
+    root = file.yaml.root
+    networks = root.mapping("networks") if isinstance(root, Mapping) else None
+    return networks.entry(network) if networks is not None else None
 
 
 def _given(service: Service) -> Iterator[tuple[str, Located]]:

@@ -14,6 +14,10 @@ from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
 _BELOW = regex(r"(?<![\w./])/(?:home/[\w.-]+|root)(?:/[\w.@+-]+)*")
+_FILE = regex(
+    r"(?:file://)?(?P<path>/(?:home/[\w.-]+|root)/[\w.@+/-]+\.(?:ya?ml|xml|json5?|toml|ini|conf|cfg|env|pem|key|crt))"
+)
+"""A value of the environment that is the path of a file of settings."""
 _REOPENING = ("ReadWritePaths", "ReadOnlyPaths", "ExecPaths")
 
 
@@ -61,7 +65,7 @@ def _is_hidden(box: Sandbox, path: str) -> bool:
 
 
 def _needed(unit: Unit, units: Units) -> Iterator[tuple[Located, str]]:
-    """The paths below the homes that the working directory and the command lines name."""
+    """The paths below the homes that the working directory, the environment and the command lines name."""
     folder = unit.get("WorkingDirectory")
     if folder == "~":
         home = unit.identity.home(units.users)
@@ -69,6 +73,10 @@ def _needed(unit: Unit, units: Units) -> Iterator[tuple[Located, str]]:
             yield folder, home.path
     elif folder and folder.startswith("/"):
         yield folder, str(folder)
+    for variable in units.environment(unit):
+        found = _FILE.fullmatch(variable.value)
+        if found is not None:
+            yield variable.value.part(*found.span("path")), found["path"]
     for process in units.processes(unit):
         for step in process.steps:
             if step.script is None and (step.depth or not process.shell):
