@@ -3,8 +3,9 @@
 ## What it finds
 `systemctl enable`, `reenable`, `start` and `restart`, and tasks of Ansible's systemd and service modules, of a unit
 that looks like one of the robot's own (the same first word as another unit of the tree, nearly the name or the end of
-one, or that of a template without an instance) and that neither a file of the tree nor a script provides. Also a
-template of the tree that is named without an instance (`rover@.service`) and has no `DefaultInstance=`.
+one, that of a template without an instance, or that of a package of the workspace where robot_upstart makes no unit of
+it) and that neither a file of the tree nor a script provides. Also a template of the tree that is named without an
+instance (`rover@.service`) and has no `DefaultInstance=`.
 
 Not reported: units of Debian and Ubuntu, names that a variable gives, and commands whose failure is expected (`||`,
 `2>/dev/null`, `if systemctl ...`).
@@ -56,6 +57,8 @@ PLAIN = regex(r"[\w.@:\\-]+")
 TYPED = regex(r"\.(?:service|target|timer|socket|path|mount|automount|slice|swap|device|scope)$")
 MODULES = ("systemd", "systemd_service", "service")
 MOST = 20
+MAKERS = regex(r"\brobot_upstart\b", hints="robot_upstart")
+"""Makes units of launch files, which have the names of their packages."""
 
 
 class Named(NamedTuple):
@@ -90,7 +93,8 @@ def unit_missing(robot: Robot) -> Iterator[Finding]:
                     advice=f"give the instance, for example {named.name.replace('@', '@1')}, or set DefaultInstance=",
                     related=[note(template.where, "the template")],
                 )
-            if robot.units.lacks(named.name, named.manager) and not robot.scripts.brings_unit(source, named.name):
+            is_lacking = robot.units.lacks(named.name, named.manager) or _is_of_package(robot, named)
+            if is_lacking and not robot.scripts.brings_unit(source, named.name):
                 found.setdefault((source, named.name), []).append(named)
     bringing: list[tuple[str, str]] | None = None
     for source, named in _of_plays(robot):
@@ -111,6 +115,18 @@ def unit_missing(robot: Robot) -> Iterator[Finding]:
                 *(note(unit.where, "a unit that the tree has") for unit in like[:2]),
             ],
         )
+
+
+def _is_of_package(robot: Robot, named: Named) -> bool:
+    """Whether a command names the unit of a package of the workspace, in a tree that has other units and not this."""
+    name = named.name.removesuffix(".service")
+    units = robot.units
+    if name == named.name or not robot.has_launch_files or name not in robot.launch.workspace.packages:
+        return False
+    if units.candidates(named.name, named.manager) or units.is_made_by_script(named.name):
+        return False
+    own = (unit for unit in units.all if unit.fragment is not None and unit.manager == named.manager)
+    return any(robot.same_robot(named.word, unit.where.source) for unit in own) and not robot.mentions(MAKERS)
 
 
 def _template(robot: Robot, named: Named) -> Unit | None:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Iterator
+from functools import lru_cache
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
@@ -10,6 +11,8 @@ from bringup_lint.graph.variants import overlay_of
 from bringup_lint.parsers.sysctl import KernelParameter
 from bringup_lint.parsers.sysctl import parse
 from bringup_lint.source import Source
+from bringup_lint.spelling import nearest
+from bringup_lint.type_names import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
@@ -41,6 +44,30 @@ class Sysctl:
 
     def mentions(self, name: str) -> bool:
         return any(each.name == name for each in self.settings)
+
+    @property
+    def unknown(self) -> Iterator[tuple[KernelParameter, str]]:
+        """The settings of a name that no kernel has, each with the one that is meant: misspelt, without its end, or of
+        another folder."""
+        folders = _folders() if self.settings else {}
+        for setting in self.settings:
+            folder, _, name = setting.name.rpartition(".")
+            known = folders.get(folder, frozenset((name,)))
+            if name in known:
+                continue
+            longer = [f"{folder}.{each}" for each in known if each.startswith(f"{name}_")]
+            elsewhere = [f"{other}.{name}" for other, names in folders.items() if name in names]
+            misspelt = [f"{folder}.{each}" for each in nearest(name, sorted(known))]
+            found = elsewhere or misspelt or longer
+            if len(found) == 1:
+                yield setting, found[0]
+
+
+@lru_cache
+def _folders() -> dict[str, frozenset[str]]:
+    from bringup_lint.facts import table
+
+    return {row["folder"]: frozenset(row["names"].split()) for row in table("host/sysctl")}
 
 
 def load_sysctl(files: Files) -> Sysctl:

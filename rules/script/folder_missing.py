@@ -1,0 +1,104 @@
+"""A script writes into a folder that nothing makes, where the scripts make one of nearly that name.
+
+## What it finds
+A redirection (`> FILE`, `&>> FILE`) into a folder that no `mkdir` or `install -d` of the tree's scripts makes and that
+nothing else of the tree names, where a script makes a folder beside it whose name differs in a letter, such as
+`/var/log/rover` and `/var/log/rovers`. Folders that differ in a number are two folders.
+
+## Why it matters on a robot
+The shell cannot open the file, and does not run the command: nothing is calibrated, started or logged. The only message
+is that of the shell, which at boot nobody sees.
+
+## Bad
+```sh
+mkdir -p "$HOME/heron/log"
+heron-calibrate &>> "$HOME/heron/logs/calibrate.log"
+```
+
+## Good
+```sh
+mkdir -p "$HOME/heron/log"
+heron-calibrate &>> "$HOME/heron/log/calibrate.log"
+```
+
+## When to ignore it
+When a program that is not in the tree makes the folder.
+
+## References
+- bash(1), "REDIRECTION"
+"""
+
+import posixpath
+import re
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Located
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import regex
+from bringup_lint.api import rule
+from bringup_lint.api.shell import Written
+from bringup_lint.api.spelling import nearest
+from bringup_lint.api.spelling import numbered
+
+HOME = regex(r"^(?:~|\$HOME|\$\{HOME\}|\{\{ ?HOME ?\}\})(?=/)")
+PLAIN = regex(r"~?(?:/[\w.-]+){2,}")
+
+
+@rule("error", confidence="medium", symptoms=["*.sh: line *: *: No such file or directory"])
+def folder_missing(robot: Robot) -> Iterator[Finding]:
+    made = _made(robot)
+    if not made:
+        return
+    for source in robot.of_kind("shell-script"):
+        if not source.judged or source.template or ">" not in source.text:
+            continue
+        for did in robot.scripts.done(source):
+            if not isinstance(did, Written) or not did.by_shell:
+                continue
+            folder = posixpath.dirname(_path(did.path))
+            if not PLAIN.fullmatch(folder) or any(f"{each}/".startswith(f"{folder}/") for each in made):
+                continue
+            meant = _meant(folder, made)
+            if meant and not _is_named(robot, folder, did.where):
+                yield finding(
+                    did.where,
+                    f"Nothing makes {folder}: the shell cannot open the file and does not run the command",
+                    advice=f"did you mean {meant}?",
+                    related=[note(made[meant], "this folder is made")],
+                )
+
+
+def _path(text: str) -> str:
+    return HOME.sub("~", text.strip("\"'"))
+
+
+def _made(robot: Robot) -> dict[str, Located]:
+    """The folders that scripts make."""
+    found: dict[str, Located] = {}
+    for _, run in robot.scripts.run("mkdir", "install"):
+        if run.name == "mkdir" or "-d" in run.words:
+            for word in run.words[1:]:
+                folder = _path(run.text(word)).rstrip("/")
+                if PLAIN.fullmatch(folder):
+                    found.setdefault(folder, word)
+    return found
+
+
+def _meant(folder: str, made: dict[str, Located]) -> str:
+    """The folder beside it that is nearly of this name; empty without one, or with several."""
+    above, name = posixpath.split(folder)
+    beside = [posixpath.basename(each) for each in made if posixpath.dirname(each) == above]
+    near = [each for each in nearest(name, beside) if not numbered(name, each)]
+    return f"{above}/{near[0]}" if len(near) == 1 else ""
+
+
+def _is_named(robot: Robot, folder: str, where: Located) -> bool:
+    """Whether the folder is named elsewhere in the tree, so that something may make it."""
+    above, name = posixpath.split(folder)
+    named = re.compile(rf"(?<![\w.-]){re.escape(posixpath.basename(above))}/{re.escape(name)}(?![\w.-])")
+    places = [(each, match.start()) for each in robot.sources for match in named.finditer(each.text)]
+    line = where.span.line
+    return any(each is not where.span.source or each.located(at, at).span.line != line for each, at in places)
