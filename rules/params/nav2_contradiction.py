@@ -12,9 +12,10 @@ lacks frames and speeds of it, or `default_bt_xml_filename`; a local costmap tha
 critics that DWB or MPPI do not have, and critics of which none looks at obstacles; limits of `velocity_smoother` below
 those that a controller of the same file plans with; a tree for `NavigateToPose` as that for `NavigateThroughPoses`, or
 the reverse; zones of the collision monitor inside of the robot; a `robot_radius` of the local costmap far from that of
-the global one; a `model_dt` of MPPI below the period of its server; a `data_type` that obstacle layers do not take; and
-from Jazzy on libraries in `plugin_lib_names` that bt_navigator loads by itself. Layers with `enabled: false` are left
-alone.
+the global one; a topic or `robot_base_frame` of one costmap, or the scan of amcl, that nothing else of the robot names,
+where the other costmap has another one that is named elsewhere; a `model_dt` of MPPI below the period of its server; a
+`data_type` that obstacle layers do not take; and from Jazzy on libraries in `plugin_lib_names` that bt_navigator loads
+by itself. Layers with `enabled: false` are left alone.
 
 ## Why it matters on a robot
 A footprint that is refused leaves the robot with its radius, and the costmap lets it drive into what the corners touch.
@@ -162,6 +163,16 @@ _TEXTS: dict[str, tuple[str, str, str | None]] = {
     "frame": (
         "The local costmap rolls in {detail}: each correction of amcl moves its obstacles off the robot",
         "write odom",
+        None,
+    ),
+    "beside": (
+        "Nothing else of the robot names the topic {name}: nothing arrives there (a costmap takes {detail})",
+        "write {detail}, or start what publishes {name}",
+        None,
+    ),
+    "base": (
+        "Nothing else of the robot names the frame {name}: the costmap waits for it (the other takes {detail})",
+        "write {detail}",
         None,
     ),
     "section": (

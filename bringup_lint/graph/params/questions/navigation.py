@@ -24,6 +24,8 @@ from bringup_lint.graph.params.questions.navigation_shapes import inscribed_radi
 from bringup_lint.graph.params.questions.navigation_shapes import points_of
 from bringup_lint.graph.params.questions.navigation_shapes import shape_of
 from bringup_lint.graph.params.questions.navigation_shapes import two_radii
+from bringup_lint.graph.params.questions.navigation_siblings import other_scan
+from bringup_lint.graph.params.questions.navigation_siblings import two_inputs
 from bringup_lint.graph.params.questions.navigation_speeds import short_steps
 from bringup_lint.graph.params.questions.navigation_speeds import slower_smoother
 from bringup_lint.graph.params.values import items
@@ -111,6 +113,7 @@ def _costmap(params: Params, file: ParameterFile, block: Block) -> Iterator[Navi
     yield from _jumping(params, file, block, named)
     if block.node_name == "local_costmap":
         yield from two_radii(file, block)
+        yield from two_inputs(params, file, block)
     for layer in _layers(named):
         yield from _observations(params, named, layer)
         yield from _never_cleared(named, layer)
@@ -326,6 +329,7 @@ def _controllers(params: Params, file: ParameterFile, block: Block) -> Iterator[
 
 def _amcl(params: Params, file: ParameterFile, block: Block) -> Iterator[NavigationProblem]:
     named = by_name(block)
+    yield from other_scan(params, file, block)
     pose = [named[name] for name in _COORDINATES if name in named and number_of(named[name])]
     if pose and "set_initial_pose" not in named and not params.named_elsewhere("set_initial_pose", {file.source}):
         yield NavigationProblem("pose", pose[0].span, str(pose[0].name), pose[0].text)

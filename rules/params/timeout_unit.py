@@ -1,0 +1,123 @@
+"""A timeout is given in milliseconds where seconds are read, or the reverse.
+
+## What it finds
+`cmd_vel_timeout` or `reference_timeout` of more than 10 s in the block of a drive controller of ros2_controllers, which
+reads seconds. Timeouts of velocities, deadman switches and joysticks whose name ends with `_s` or `_sec` and that are
+60 s or more; and times of commands, watchdogs and deadman switches whose name ends with `_ms` and that are less than
+one millisecond.
+
+Parameter files, launch files, and `-p name:=value` in units, compose files and scripts are read.
+
+## Why it matters on a robot
+The timeout stops the wheels when commands no longer arrive. With 500 s instead of 0.5 s the robot drives on with its
+last speed when the Wi-Fi is gone or navigation has crashed. With 0.5 ms each command is too old before the next one
+comes, and the robot does not move, or stutters.
+
+## Bad
+```yaml
+diff_drive_controller:
+  ros__parameters:
+    left_wheel_names: [left_wheel]
+    cmd_vel_timeout: 500.0
+```
+
+## Good
+```yaml
+diff_drive_controller:
+  ros__parameters:
+    left_wheel_names: [left_wheel]
+    cmd_vel_timeout: 0.5
+```
+
+## When to ignore it
+When something else stops the motors sooner.
+
+## References
+- https://control.ros.org/jazzy/doc/ros2_controllers/diff_drive_controller/doc/userdoc.html, `cmd_vel_timeout`
+- https://control.ros.org/jazzy/doc/ros2_controllers/mecanum_drive_controller/doc/userdoc.html, `reference_timeout`
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import Span
+from bringup_lint.api import finding
+from bringup_lint.api import launch
+from bringup_lint.api import regex
+from bringup_lint.api import rule
+
+_SECONDS = regex(r"(?:\w{1,40}_)?(?:cmd_vel|deadman|teleop|joy)\w{0,40}timeout_(?:s|secs?|seconds)\Z", hints="timeout")
+_MILLISECONDS = regex(
+    r"(?:\w{1,40}_)?(?:cmd|command|watchdog|deadman|heartbeat|teleop|joy)(?:_\w{1,40})?_(?:ms|msecs?|millis)\Z",
+    hints="_m",
+)
+_CONTROLLERS = ("cmd_vel_timeout", "reference_timeout")
+_OF_CONTROLLERS = (
+    "left_wheel_names",
+    "wheel_separation",
+    "wheelbase",
+    "kinematics.wheels_radius",
+    "traction_joint_name",
+)
+"""What only a drive controller has beside its timeout."""
+_ENDLESS, _LONG = 60.0, 10.0
+
+
+@rule("error", silent="the controller keeps the last speed, or zero, without a word")
+def timeout_unit(robot: Robot) -> Iterator[Finding]:
+    for file in robot.params.judged:
+        for block in file.blocks:
+            names = {str(each.name) for each in block.parameters}
+            is_drive = not names.isdisjoint(_OF_CONTROLLERS)
+            for each in block.parameters:
+                severity = None if robot.params.is_used(file) else "info"
+                yield from _judged(str(each.name), each.value.data, each.span, severity=severity, is_drive=is_drive)
+    given = {where: (name, value) for name, value, where in _given(robot)}
+    for where, (name, value) in given.items():
+        yield from _judged(name, value, where)
+
+
+def _given(robot: Robot) -> Iterator[tuple[str, object, Span]]:
+    """What launch files and command lines give."""
+    if robot.has_launch_files:
+        for node in robot.launch.nodes:
+            for key, value in node.given:
+                inner = value.value if isinstance(value, launch.TypedValue) else value
+                if isinstance(inner, launch.Literal):
+                    yield str(launch.literal(key)), inner.value, inner.span
+    for runner in robot.runners.ros:
+        for start in runner.starts:
+            for before, word in zip(start.ros.arguments, start.ros.arguments[1:]):
+                if before in ("-p", "--param"):
+                    name, _, text = word.partition(":=")
+                    yield name.rpartition(":")[2], _number(text), word.span
+
+
+def _number(text: str) -> float | None:
+    try:
+        return float(text)
+    except ValueError:
+        return None
+
+
+def _judged(
+    name: str, value: object, where: Span, *, severity: str | None = None, is_drive: bool = False
+) -> Iterator[Finding]:
+    if not isinstance(value, (int, float)) or isinstance(value, bool):
+        return
+    last = name.rpartition(".")[2]
+    if (is_drive and last in _CONTROLLERS and value > _LONG) or (_SECONDS.match(last) and value >= _ENDLESS):
+        yield finding(
+            where,
+            f"{last} is in seconds: after the last command the robot keeps its speed for {value:g} s",
+            advice=f"write seconds, such as {value / 1000:g}" if value >= 100 else "write a few tenths of a second",
+            severity=severity,
+        )
+    elif _MILLISECONDS.match(last) and 0 < value < 1:
+        yield finding(
+            where,
+            f"{last} is in milliseconds: after {value:g} ms each command is too old before the next one arrives",
+            advice=f"write milliseconds, such as {value * 1000:g}",
+            severity=severity,
+        )
