@@ -119,7 +119,10 @@ def _configs(body: object) -> list[Mapping] | None:
     if ipam is None:
         driver = body.scalar("driver")
         return [] if driver is None or driver.value == "bridge" else None
-    if not isinstance(ipam, Mapping) or ipam.get("driver") is not None:
+    if not isinstance(ipam, Mapping):
+        return None
+    driver = ipam.scalar("driver")
+    if ipam.get("driver") is not None and (driver is None or driver.value != "default"):
         return None
     config = ipam.sequence("config")
     return [each for each in config if isinstance(each, Mapping)] if config is not None else None
