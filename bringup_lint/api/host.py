@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from bringup_lint.facts.host.removed_packages import removed_package
     from bringup_lint.graph.host.device_addresses import own_addresses
     from bringup_lint.graph.host.device_uses import DeviceUse
+    from bringup_lint.graph.host.device_uses import device_path
     from bringup_lint.graph.host.dhcp import LostRange
     from bringup_lint.graph.host.dhcp import lost_ranges
     from bringup_lint.graph.host.options import option_of
@@ -27,6 +28,7 @@ __all__ = [
     "LostRange",
     "Mount",
     "Ungiven",
+    "device_path",
     "lost_ranges",
     "option_of",
     "own_addresses",
