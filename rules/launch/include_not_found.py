@@ -1,12 +1,12 @@
 """An included launch file does not exist.
 
 ## What it finds
-Includes of a file that does not exist in a package of this workspace or next to the launch file. An optional
-include is a warning. `ros2 launch` commands in units, scripts and compose services are checked in the same way, also
-where a script hands them to tmux, a terminal window or an alias; a service whose image is not built here is a
-warning, and needs another one with this image that launches a file of the tree.
-Also a package that is not in the tree, where its name is nearly that of one, or where it is one of a family of the tree
-and its service has the image of services that launch others of the family. Not reported: commands whose failure is
+Includes of a file that does not exist in a package of this workspace or next to the launch file. An optional include
+is a warning. `ros2 launch` commands in units, scripts and compose services are checked in the same way, also where a
+script hands them to tmux, a terminal window or an alias, or a variable of the unit names the file; a service whose
+image is not built here is a warning, and needs another one with this image that launches a file of the tree. Also a
+package that is not in the tree, where its name is nearly that of one, or where it is one of a family of the tree and
+its service has the image of services that launch others of the family. Not reported: commands whose failure is
 expected (`||`, `2>/dev/null`), and those of scripts that test what there is.
 
 ## Why it matters on a robot
@@ -46,6 +46,8 @@ from bringup_lint.api.shell import may_fail
 from bringup_lint.api.spelling import nearest
 
 PLAIN = regex(r"[a-z]\w*\Z")
+VARIABLE = regex(r"[\"']?\$(?:(?P<plain>\w+)|\{(?P<braced>\w+)(?::?-[^}]*)?\})[\"']?", hints="$")
+FILE = regex(r"[\w.-]+\.(?:py|xml|ya?ml|launch)")
 FAMILY = 6
 """Packages of the tree whose names begin alike, so that the family is here as a whole."""
 
@@ -75,12 +77,15 @@ def commands(robot: Robot) -> Iterator[Finding]:
 
 def _of_command(robot: Robot, command: Launching, effect: str, severity: str | None = None) -> Iterator[Finding]:
     package = robot.launch.workspace.packages.get(command.package or "")
+    if "$" in command.target:
+        yield from _of_variables(robot, command, effect)
+        return
     if package is None:
         yield from _without_package(robot, command, effect)
         return
     if command.file is not None or not package.installs_known:
         return
-    if any(sign in command.target for sign in "$%"):
+    if "%" in command.target:
         return
     if may_fail(command.start.ros.command, command.target) or _is_renamed(package, command.target):
         return
@@ -101,6 +106,32 @@ def _of_command(robot: Robot, command: Launching, effect: str, severity: str | N
         chain=robot.provenance.chain_to(command.target, f"{command.target} is launched"),
         severity=severity if command.runner.certain else "warning",
         confidence=None if command.runner.certain else "medium",
+    )
+
+
+def _of_variables(robot: Robot, command: Launching, effect: str) -> Iterator[Finding]:
+    """A launch file that variables of the environment name."""
+    environment = command.start.environment
+    if command.package is None:
+        return
+    name, owner = environment.expand(command.target), environment.expand(command.package)
+    package = robot.launch.workspace.packages.get(owner or "")
+    if name is None or package is None or not package.installs_known or not command.runner.certain:
+        return
+    known = [os.path.basename(each.source.name) for each in robot.launch.files_of(package)]
+    given = VARIABLE.fullmatch(command.target)
+    variable = environment.get(given["plain"] or given["braced"]) if given is not None else None
+    if name in known or not FILE.fullmatch(name) or may_fail(command.start.ros.command, command.target):
+        return
+    if variable is None or variable.text != name or _is_renamed(package, name):
+        return
+    near = nearest(name, known, 3)
+    yield finding(
+        variable.value,
+        f"{name} does not exist in {package.name}: {effect}",
+        advice=f"name {near[0]}" if near else "correct the name",
+        related=[note(command.target, "launched here"), note(package.place, f"the package {package.name}")],
+        confidence="medium",
     )
 
 
