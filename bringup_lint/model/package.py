@@ -108,6 +108,8 @@ class Build:
     """Names of targets are put together from variables that are not known."""
     installs_python: bool = False
     """CMake installs a Python package, with the scripts of the setup.cfg beside it."""
+    interfaces: list[Located] | None = None
+    """The words of ``rosidl_generate_interfaces`` behind the target; None when one of them is not known."""
     plugins: list[Located] = field(default_factory=list)
     """Component classes that are registered."""
     plugins_known: bool = True

@@ -29,6 +29,15 @@ def _names(use: str) -> frozenset[str]:
     return frozenset(name for each, name in facts.rows("ros/cmake")[1] if each == use)
 
 
+_HARMLESS = regex(
+    r"^(?:check_|find_|target_|get_|set_|enable_|export_|qt\d?_(?:wrap|add_resources|use|generate_moc)|ament_(?:lint|clang)_|try_)"
+    r"|_tests?$|_test_|^g?test_|_coverage$|_warnings$|_options$|_flags?$|_docs$|_dependencies$"
+)
+"""Names of commands that neither install nor make a program: they look for something, set something, or test."""
+_MAKING = regex(
+    r"install|^add_(?:executable|library|subdirectory)$|^ament_(?:auto_|python_)|^rclcpp_components_|^include$|_package$"
+)
+"""Commands for whose sake a function matters."""
 LOOPED = 2_000
 """Commands that the loops of one file run."""
 LONGEST = 20_000
@@ -36,10 +45,10 @@ LONGEST = 20_000
 
 
 def _end_of_loop(given: list[Command], at: int) -> int:
-    """The place of the ``endforeach`` of the loop at a place."""
-    depth = 0
+    """The place of the end of the loop, or the function, at a place."""
+    depth, name = 0, given[at].name
     for place in range(at, len(given)):
-        depth += {"foreach": 1, "endforeach": -1}.get(given[place].name, 0)
+        depth += {name: 1, f"end{name}": -1}.get(given[place].name, 0)
         if depth == 0:
             return place
     return len(given)
@@ -53,6 +62,8 @@ class Reader:
         self.variables = variables
         self.unknown: set[str] = set()
         """What was given a value that is not known."""
+        self.harmless: set[str] = set()
+        """Functions of the file that neither install nor make anything."""
         self.looped = 0
         self.skips = self.returns = False
         """A command before may have left the turn of the loop, or the file."""
@@ -97,16 +108,36 @@ class Reader:
                 end = _end_of_loop(given, at)
                 self.loop(command, given[at + 1 : end])
                 at = end
+            elif command.name in ("function", "macro") and self.is_harmless(given, at):
+                at = _end_of_loop(given, at)
             else:
                 self.one(command)
             at += 1
+
+    def is_harmless(self, given: list[Command], at: int) -> bool:
+        """Whether a function neither installs nor makes anything; keeps its name then."""
+        body, names = given[at + 1 : _end_of_loop(given, at)], given[at].arguments[:1]
+        known = _names("command") | _ENDS | self.harmless
+        is_known = all(each.name in known or _HARMLESS.search(each.name) for each in body)
+        is_making = any(_MAKING.search(each.name) or "PARENT_SCOPE" in each.arguments for each in body)
+        # What a macro sets stays set, and what it returns from is the file.
+        is_making |= given[at].name == "macro" and any(each.name in ("set", "list", "return") for each in body)
+        if not names or not is_known or is_making:
+            return False
+        self.harmless.add(str(names[0]).lower())
+        return True
 
     def one(self, command: Command) -> None:
         handler = getattr(self, f"do_{command.name}", None)
         if handler is not None:
             handler(command)
-        if command.name in ("function", "macro", "while") or command.name not in _names("command") | _ENDS:
+        if command.name in ("function", "macro", "while"):
             self.open()
+        elif command.name not in _names("command") | _ENDS | self.harmless:
+            if _HARMLESS.search(command.name):
+                self.do_string(command)
+            else:
+                self.open()
 
     def open(self) -> None:
         """Something is built or installed that is not known."""
@@ -225,6 +256,8 @@ class Reader:
         for word in command.arguments:
             self.give(str(word), None)
 
+    do_aux_source_directory = do_pkg_get_variable = do_cmake_host_system_information = do_string
+
     def do_file(self, command: Command) -> None:
         if len(command.arguments) > 1 and str(command.arguments[0]).upper() in ("GLOB", "GLOB_RECURSE"):
             self.give(str(command.arguments[1]), None)
@@ -325,6 +358,11 @@ class Reader:
         names, libraries = self.words([name]), self.words([library])
         if len(names) == len(libraries) == 1 and None not in (*names, *libraries):
             self.build.components[str(names[0])] = str(libraries[0])
+
+    def do_rosidl_generate_interfaces(self, command: Command) -> None:
+        given = self.words(command.arguments[1:])
+        words = [word for word in given if word is not None]
+        self.build.interfaces = words if len(words) == len(given) else None
 
     def plugin(self, value: Located) -> None:
         for word in self.words([value]):

@@ -4,8 +4,8 @@
 Packages with files in `msg`, `srv` or `action` that speak of their generation, in package.xml or CMakeLists.txt, and
 never call `rosidl_generate_interfaces`. Packages that call it without
 `<member_of_group>rosidl_interface_packages</member_of_group>` in package.xml, or without the packages whose types
-their interfaces have fields of in `DEPENDENCIES`, or with a file that does not exist. Definitions that the call does
-not name, and whose header a node of the tree includes.
+their interfaces have fields of in `DEPENDENCIES`, where nothing that is listed there brings them, or with a file that
+does not exist. Definitions that the call does not name, and whose header a node of the tree includes.
 
 ## Why it matters on a robot
 Without the call, no header and no Python module is made: what includes or imports the interface does not build, or ends
@@ -33,6 +33,7 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Related
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -54,8 +55,8 @@ _TEXTS = {
         "add {words} to rosidl_generate_interfaces",
     ),
     "dependency": (
-        "The interfaces of {name} have fields of {listed}, no DEPENDENCIES: its build stops",
-        "add DEPENDENCIES {words} to rosidl_generate_interfaces",
+        "The interfaces of {name} have fields of {listed}, which its DEPENDENCIES do not bring: its build stops",
+        "name {words} behind DEPENDENCIES in rosidl_generate_interfaces",
     ),
     "none": (
         "{name} defines {some} and generates no interface: nothing can include or import them",
@@ -78,9 +79,16 @@ def interface_not_generated(robot: Robot) -> Iterator[Finding]:
             each.where,
             message,
             advice=advice,
-            related=[note(each.package.place, f"the package {each.package.name}")] if each.kind != "group" else [],
+            related=_related(each),
             severity=_severity(robot, each),
         )
+
+
+def _related(each: Ungenerated) -> list[Related]:
+    if each.kind == "group":
+        return []
+    used = [note(each.used, "used here")] if each.used is not None else []
+    return [*used, note(each.package.place, f"the package {each.package.name}")]
 
 
 def _severity(robot: Robot, each: Ungenerated) -> str | None:

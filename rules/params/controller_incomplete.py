@@ -5,7 +5,8 @@ Blocks of controllers of ros2_controllers, in a parameter file that also gives t
 without a parameter that the controller needs to be configured: `wheel_separation`, `wheel_radius` and the names of the
 wheels for diff_drive_controller, `command_interfaces` and `state_interfaces` for joint_trajectory_controller, `joints`
 and `interface_name` for forward_command_controller, `sensor_name` and `frame_id` for imu_sensor_broadcaster, and the
-like. Also a radius or distance of wheels that is not above 0. Silent where another parameter file gives the controller
+like. Also a radius or distance of wheels that is not above 0, and a block with all that a controller needs whose name
+is that of no controller, while the controller has none. Silent where another parameter file gives the controller
 anything. A controller that nothing else of the tree names is an info.
 
 ## Why it matters on a robot
@@ -74,6 +75,8 @@ def controller_incomplete(robot: Robot) -> Iterator[Finding]:
 
 
 def _message(each: IncompleteController, others: int) -> str:
+    if each.stray:
+        return f"No controller is called {each.stray}: {each.name} gets no parameter and is not configured"
     if each.refused is not None:
         return f"{each.missing} of {each.name} is {each.refused.text}, not above 0: the controller is not configured"
     more = f" and {others} other{'s' if others > 1 else ''} that it needs" if others else ", which it needs"
@@ -81,6 +84,8 @@ def _message(each: IncompleteController, others: int) -> str:
 
 
 def _advice(each: IncompleteController) -> str:
+    if each.stray:
+        return f"call the block {each.name}, as the controller manager and the spawner do"
     if each.near is not None:
         return f"write {each.missing} in place of {each.near.name}"
     return f"add {each.missing}" if each.refused is None else "write the measure in metres"

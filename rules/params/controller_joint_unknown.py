@@ -2,10 +2,12 @@
 
 ## What it finds
 Joints in the parameters of controllers of ros2_control (`joints`, `left_wheel_names`, ...) that no description of the
-tree has; command interfaces of a controller that no `<ros2_control>` exports; and, from Jazzy on, joints in
-`<ros2_control>` that the robot does not have. Silent when a description includes a file that is not in the tree, when
-names are computed in a way that is not understood, and when a parameter file names no joint of the tree at all.
-It is an info for a controller that nothing of the tree names elsewhere, as no spawner starts it.
+tree has; joints, sensors (`sensor_name`) and GPIOs that no `<ros2_control>` has, whether the robot has them or not: of
+the package of the parameter file, where it has hardware, else of the tree; command interfaces of a controller that no
+`<ros2_control>` exports; hardware whose state at the start is set under a name that no `<ros2_control>` has; and, from
+Jazzy on, joints in `<ros2_control>` that the robot does not have. Silent when a description includes a file that is
+not in the tree, when names are computed in a way that is not understood, and when a parameter file names no joint of
+the tree at all. It is an info for a controller that nothing of the tree names elsewhere, as no spawner starts it.
 
 ## Why it matters on a robot
 The controller manager refuses to activate a controller whose interfaces do not exist: the spawner ends, the robot does
@@ -66,7 +68,7 @@ def controller_joint_unknown(robot: Robot) -> Iterator[Finding]:
             _message(each),
             advice=_advice(each),
             related=[note(other, "nor this one") for other in each.others[:10]],
-            severity=None if each.used else "info",
+            severity="warning" if each.kind == "component" else None if each.used else "info",
         )
 
 
@@ -75,6 +77,12 @@ def _message(each: UnknownJoint) -> str:
         return f"The robot has no joint '{each.name}': the controller manager refuses the whole description"
     if each.kind == "joint":
         return f"No robot description has a joint '{each.name}': {each.controller} is not activated"
+    if each.kind == "component":
+        return (
+            f"No <ros2_control> is called '{each.name}': the hardware that is meant starts in the state of all others"
+        )
+    if each.kind == "hardware":
+        return f"No <ros2_control> has '{each.name}': {each.controller} finds no interfaces and is not activated"
     return f"No hardware takes the command '{each.name}': {each.controller} is not activated"
 
 

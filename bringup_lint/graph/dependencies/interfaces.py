@@ -35,6 +35,14 @@ GENERATE = "rosidl_generate_interfaces"
 _GROUP = "rosidl_interface_packages"
 _IMPLICIT = frozenset(("builtin_interfaces", "action_msgs", "service_msgs", "unique_identifier_msgs"))
 """Packages that the command adds by itself, in some distributions."""
+_BRINGS = {
+    **{"builtin_interfaces": "", "unique_identifier_msgs": "", "std_srvs": "", "std_msgs": "builtin_interfaces"},
+    **{"geometry_msgs": "std_msgs", "sensor_msgs": "geometry_msgs", "nav_msgs": "geometry_msgs"},
+    **{"shape_msgs": "geometry_msgs", "diagnostic_msgs": "geometry_msgs", "trajectory_msgs": "geometry_msgs"},
+    **{"stereo_msgs": "sensor_msgs", "visualization_msgs": "geometry_msgs sensor_msgs", "service_msgs": ""},
+    **{"action_msgs": "unique_identifier_msgs service_msgs", "geographic_msgs": "geometry_msgs unique_identifier_msgs"},
+}
+"""Packages of interfaces -> what they depend on themselves, at most. Source: their package.xml, Humble to Kilted."""
 _OTHER_TYPE = regex(r"(?m)^[ \t]*(?P<package>[a-z][a-z0-9_]*)/(?:msg/)?[A-Z]\w*(?:\[[^\]\n]*\])?[ \t]+\w")
 
 
@@ -60,6 +68,8 @@ class Ungenerated(NamedTuple):
     where: Span
     names: tuple[str, ...]
     """The definitions, the packages whose types they use, or the files."""
+    used: Span | None = None
+    """Where a node includes the first of the definitions."""
 
 
 class PackageInterfaces:
@@ -84,6 +94,22 @@ class PackageInterfaces:
         return [each for each in self.commands if each.name == GENERATE]
 
     @cached_property
+    def words(self) -> list[Located] | None:
+        """What the command is given, with the values of variables; None when one of these is not known."""
+        builds = (each for each in self.package.builds if each.source.kind == "cmake")
+        build = next(builds, None)
+        return build.interfaces if build is not None else None
+
+    @cached_property
+    def dependencies(self) -> frozenset[str] | None:
+        """The packages that the command lists as dependencies; None when these are not known."""
+        if self.words is None:
+            return None
+        words = [str(each) for each in self.words]
+        behind = words[words.index("DEPENDENCIES") + 1 :] if "DEPENDENCIES" in words else []
+        return frozenset(word for word in behind if not word.isupper())
+
+    @cached_property
     def is_closed(self) -> bool:
         """Whether nothing but the one command of the CMakeLists.txt can generate an interface."""
         others = [each.name for each in self.commands if "idl" in each.name and each.name != GENERATE]
@@ -94,8 +120,8 @@ class PackageInterfaces:
     @cached_property
     def listed(self) -> frozenset[str] | None:
         """The names of the files that the command lists; None when they are computed."""
-        words = [str(each) for each in self.generators[0].arguments[1:]]
-        if any("$" in word for word in words) or not words:
+        words = self.words
+        if not words:
             return None
         return frozenset(os.path.basename(word).partition(".")[0] for word in words if "." in word)
 
@@ -173,10 +199,12 @@ def ungenerated(
     for package in workspace.packages.values():
         interfaces = interfaces_of(package)
         if package.manifest.build_type == "ament_cmake" and package.complete and interfaces.defined:
-            yield from _of_package(files, package, interfaces)
+            yield from _of_package(files, workspace, package, interfaces)
 
 
-def _of_package(files: Files, package: Package, interfaces: PackageInterfaces) -> Iterator[Ungenerated]:
+def _of_package(
+    files: Files, workspace: Workspace, package: Package, interfaces: PackageInterfaces
+) -> Iterator[Ungenerated]:
     if not interfaces.generators:
         own = tuple(sorted(name for (kind, name), path in interfaces.defined.items() if _is_place(package, kind, path)))
         is_meant = "rosidl" in package.manifest.source.text or any(_speaks(each) for each in interfaces.commands)
@@ -188,21 +216,42 @@ def _of_package(files: Files, package: Package, interfaces: PackageInterfaces) -
     command = interfaces.generators[0]
     if command.conditional or len(interfaces.generators) > 1 or not command.arguments:
         return
-    absent = sorted(str(word) for word in command.arguments[1:] if _is_absent(files.tree, package, word))
+    words = interfaces.words or command.arguments[1:]
+    absent = sorted(str(word) for word in words if _is_absent(files.tree, package, word))
     if absent:
         yield Ungenerated("file", package, command.arguments[0].span, tuple(absent))
-    skips = any(str(word).startswith("SKIP_") for word in command.arguments)
+    skips = any(str(word).startswith("SKIP_") for word in words)
     if not skips and _GROUP not in package.manifest.source.text and package.manifest.name is not None:
         last = next(reversed(package.manifest.places.values()), package.manifest.name.span)
         yield Ungenerated("group", package, last, ())
-    unlisted = sorted(_unlisted(files, package, interfaces))
+    unlisted = dict(sorted(_unlisted(files, package, interfaces)))
     if unlisted:
-        yield Ungenerated("unlisted", package, command.arguments[0].span, tuple(unlisted))
-    # What a dependency depends on is found through it, so that any list may do.
-    if not any("DEPENDENCIES" in word or "$" in word for word in command.arguments[1:]):
-        used = sorted(_used(files, package, interfaces) - _IMPLICIT)
+        used = next(iter(unlisted.values()))
+        yield Ungenerated("unlisted", package, command.arguments[0].span, tuple(unlisted), used)
+    brought = _brought(workspace, interfaces)
+    if brought is not None:
+        used = sorted(_used(files, package, interfaces) - _IMPLICIT - brought)
         if used:
             yield Ungenerated("dependency", package, command.arguments[0].span, tuple(used))
+
+
+def _brought(workspace: Workspace, interfaces: PackageInterfaces) -> set[str] | None:
+    """The dependencies of the command with what these depend on, which is found through them; None when that is not
+    known."""
+    todo = interfaces.dependencies
+    if todo is None:
+        return None
+    found: set[str] = set()
+    while todo - found:
+        name = min(todo - found)
+        found.add(name)
+        if name in workspace.packages:
+            found |= {str(each) for each in workspace.required(workspace.packages[name])}
+        elif name not in _BRINGS:
+            return None
+        else:
+            todo |= set(_BRINGS[name].split())
+    return found
 
 
 def _is_absent(tree: Tree, package: Package, word: str) -> bool:
@@ -213,15 +262,20 @@ def _is_absent(tree: Tree, package: Package, word: str) -> bool:
     return not tree.exists(path) and not tree.is_ignored(path)
 
 
-def _unlisted(files: Files, package: Package, interfaces: PackageInterfaces) -> Iterator[str]:
-    """The definitions that the command does not list, and whose code nodes in C++ use."""
+def _unlisted(files: Files, package: Package, interfaces: PackageInterfaces) -> Iterator[tuple[str, Span]]:
+    """The definitions that the command does not list, each with the first place where a node in C++ uses its code."""
     if not interfaces.is_closed or interfaces.listed is None:
         return
     for (kind, name), path in interfaces.defined.items():
         if name in interfaces.listed or not _is_place(package, kind, path) or files.tree.is_ignored(path):
             continue
-        if not _is_written(files.tree, package, kind, name) and files.mentions(_in_cpp(package.name, kind, name)):
-            yield f"{kind}/{os.path.basename(path)}"
+        if not _is_written(files.tree, package, kind, name):
+            used = _in_cpp(package.name, kind, name)
+            texts = (each for each in files.sources if each.judged and package.name in each.text)
+            found = ((each, match) for each in texts if (match := used.search(each.said)))
+            for source, match in found:
+                yield f"{kind}/{os.path.basename(path)}", source.span(*match.span())
+                break
 
 
 def _is_written(tree: Tree, package: Package, kind: str, name: str) -> bool:

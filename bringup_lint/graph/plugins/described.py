@@ -24,6 +24,11 @@ _QUOTED = regex(r"'([^'{}$]*)'|\"([^\"{}$]*)\"")
 _DEFAULT = regex(r":=\^?\|?(?P<quote>['\"]?)(?P<value>[^\s'\"]+)(?P=quote)")
 """The value that a parameter of a macro has when a call does not give it."""
 _FOUND = regex(r"\$\(find\s(?P<package>[^()$]+)\)/(?P<rest>[^$]+)\Z")
+_INCLUDED = regex(r"<xacro:include\s[^<>]{0,300}?\bfilename\s*=\s*[\"']([^\"'<>]{1,300})[\"']", hints="xacro:include")
+_SENSOR = regex(
+    r"(?i)realsense|camera|zed|velodyne|ouster|lidar|laser|hokuyo|sick|oak|depthai|_imu|kinect|astra|orbbec|livox|materials"
+)
+"""Packages and files that describe sensors."""
 _KNOWN_PART = 2
 """Characters of a value that must be literal for its pattern to say anything."""
 _FORMATS = (".urdf", ".xacro", ".sdf")
@@ -49,9 +54,17 @@ class Described:
     """The literal names of joints in ros2_control."""
     offered: set[str] = field(default_factory=set)
     """The literal names of joints, GPIOs and sensors in ros2_control."""
+    hardware: set[str] = field(default_factory=set)
+    """The names of joints, GPIOs and sensors in ros2_control, with what xacro makes of them."""
+    hardware_patterns: set[str] = field(default_factory=set)
+    components: dict[str, Located] = field(default_factory=dict)
+    """The names of ``<ros2_control>``."""
     is_open: bool = False
     """More joints may come from elsewhere, under any name."""
     is_open_interface: bool = False
+    is_open_hardware: bool = False
+    """More of ros2_control may come from elsewhere, under any name."""
+    is_open_component: bool = False
 
     def has(self, name: str) -> bool:
         """Whether the robot has a joint of this name, or may have one."""
@@ -65,12 +78,34 @@ class Described:
         """Whether a controller may find a joint: hardware offers its joints, whether the robot has them or not."""
         return name in self.offered or self.has(name)
 
+    def exports(self, name: str) -> bool:
+        """Whether hardware of ros2_control has interfaces under a name, or may have."""
+        return name in self.hardware or any(_fits(each, name) for each in self.hardware_patterns)
 
-def described(tree: Tree, packages: Container[str]) -> Described:
-    """``packages``: those of the tree, from which descriptions include others."""
+
+def descriptions(tree: Tree) -> list[str]:
+    """The paths of all descriptions of robots."""
+    return [path for path in tree.paths if path.endswith(_FORMATS) or ".urdf." in path.rpartition("/")[2]]
+
+
+def included_from(tree: Tree, paths: list[str]) -> list[str]:
+    """Descriptions with all of the tree that they include, directly or not."""
+    found, todo = dict.fromkeys(paths), list(paths)
+    while todo and len(found) <= _FILES:
+        source = tree.read(todo.pop())
+        for name in _INCLUDED.findall(source.text) if source is not None else ():
+            for path in tree.named(name.rpartition("/")[2]):
+                if path not in found:
+                    found[path] = None
+                    todo.append(path)
+    return list(found)
+
+
+def described(tree: Tree, packages: Container[str], paths: list[str] | None = None) -> Described:
+    """``packages``: those of the tree, from which descriptions include others; ``paths``: all when it is None."""
     found = Described()
-    paths = [path for path in tree.paths if path.endswith(_FORMATS) or ".urdf." in path.rpartition("/")[2]]
-    found.is_open = len(paths) > _FILES
+    paths = descriptions(tree) if paths is None else paths
+    found.is_open = found.is_open_hardware = len(paths) > _FILES
     roots: list[Element] = []
     values = XacroValues()
     for path in paths[:_FILES]:
@@ -78,6 +113,7 @@ def described(tree: Tree, packages: Container[str]) -> Described:
         root = parse(source).root if source is not None and not source.template else None
         if root is None:
             found.is_open = True
+            found.is_open_hardware |= source is None or "ros2_control" in source.text
             continue
         roots.append(root)
         values.take(root)
@@ -85,6 +121,7 @@ def described(tree: Tree, packages: Container[str]) -> Described:
         if element.name.startswith("xacro:"):
             _add_values(found, element)
             found.is_open = found.is_open or not _is_closed(tree, packages, element)
+            found.is_open_hardware |= _brings_hardware(tree, packages, element)
         else:
             _add(found, element, values)
     return found
@@ -97,6 +134,7 @@ def _add(found: Described, element: Element, values: XacroValues) -> None:
     if element.local == "link":
         _add_names(found, found.links, found.link_patterns, values.names(name, element))
         return
+    _add_hardware(found, element, values)
     is_controlled = _is_controlled(element)
     if element.local == "joint" and not is_controlled:
         _add_names(found, found.joints, found.patterns, values.names(name, element))
@@ -107,6 +145,26 @@ def _add(found: Described, element: Element, values: XacroValues) -> None:
     elif element.local == "command_interface":
         found.interfaces.add(str(name))
         found.is_open_interface = found.is_open_interface or "$" in name
+
+
+def _add_hardware(found: Described, element: Element, values: XacroValues) -> None:
+    """What hardware of ros2_control exports interfaces for: it lies in it, or a macro that is called in it has it."""
+    name = element.get("name")
+    if name is None:
+        return
+    if element.local == "ros2_control":
+        for each in values.names(name, element):
+            found.components.setdefault(each, name)
+            found.is_open_component |= "$" in each or HOLE in each
+    is_part = any(each.local in ("command_interface", "state_interface") for each in element.children)
+    if element.local in _HOLDERS and (is_part or _is_within(element, "ros2_control")):
+        for each in values.names(name, element):
+            if "$" in each or not each.strip(HOLE):
+                found.is_open_hardware = True
+            elif HOLE in each:
+                found.hardware_patterns.add(each)
+            else:
+                found.hardware.add(each)
 
 
 def _add_names(found: Described, plain: set[str], patterns: set[str], names: set[str]) -> None:
@@ -146,6 +204,18 @@ def _is_closed(tree: Tree, packages: Container[str], element: Element) -> bool:
     return not any("load_yaml" in attribute.value for attribute in element.attributes)
 
 
+def _brings_hardware(tree: Tree, packages: Container[str], element: Element) -> bool:
+    """Whether an element includes a file from outside of the tree that may hold ros2_control: those of sensors do
+    not."""
+    if element.local != "include":
+        return False
+    filename = str(element.get("filename") or "")
+    match = _FOUND.match(filename)
+    if _SENSOR.search(filename) or (match is not None and match["package"].strip() in packages):
+        return False
+    return not _is_there(tree, packages, filename)
+
+
 def _is_there(tree: Tree, packages: Container[str], filename: str) -> bool:
     match = _FOUND.match(filename)
     if match is not None and match["package"].strip() not in packages:
@@ -156,9 +226,13 @@ def _is_there(tree: Tree, packages: Container[str], filename: str) -> bool:
 
 
 def _is_controlled(element: Element) -> bool:
+    return _is_within(element, "ros2_control", "transmission", "gazebo", "state")
+
+
+def _is_within(element: Element, *names: str) -> bool:
     outer = element.parent
     while outer is not None:
-        if outer.local in ("ros2_control", "transmission", "gazebo", "state"):
+        if outer.local in names:
             return True
         outer = outer.parent
     return False

@@ -12,6 +12,7 @@ from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.spelling import nearest
 
 if TYPE_CHECKING:
+    from bringup_lint.facts.ros.controllers import ControllerNeeds
     from bringup_lint.graph.params.params import Params
     from bringup_lint.model.params import Block
     from bringup_lint.model.params import Parameter
@@ -33,6 +34,8 @@ class IncompleteController(NamedTuple):
     """A parameter of nearly the same name."""
     used: bool
     """Another file names the controller: something may spawn it."""
+    stray: str = ""
+    """The block that has its parameters, and is that of no controller."""
 
 
 def incomplete_controllers(params: Params, packages: Container[str]) -> Iterator[list[IncompleteController]]:
@@ -51,13 +54,21 @@ def _of_file(
     file: ParameterFile, given: dict[str, list[Parameter]], params: Params, packages: Container[str]
 ) -> Iterator[list[IncompleteController]]:
     blocks = {_tail(str(block.key)): block for block in file.blocks}
+    typed_names = {each.name.removesuffix(".type") for of_name in given.values() for each in of_name}
     for typed in file.parameters:
         name, kind = typed.name.removesuffix(".type"), str(typed.value.data)
         needs = controller_needs().get(kind) if typed.name.endswith(".type") else None
         block = blocks.get(name)
-        if needs is None or block is None or kind.partition("/")[0] in packages:
+        if needs is None or kind.partition("/")[0] in packages:
             continue
         own = given.get(name, [])
+        if block is None:
+            # A file that has the class of the controller, too, is there in place of this one.
+            instead = {each.span.source for of in given.values() for each in of if each.name == typed.name}
+            if all(each.span.source in instead for each in own) and not any(_is_wild(tail) for tail in blocks):
+                others = [blocks[tail] for tail in blocks if tail not in typed_names]
+                yield from _stray(name, typed, needs, others, file, params)
+            continue
         if any(each.span.source is not file.source for each in own):
             continue
         used = params.named_elsewhere(name, {file.source})
@@ -69,6 +80,25 @@ def _of_file(
         ]
         if lacking:
             yield lacking
+
+
+def _is_wild(tail: str) -> bool:
+    return "*" in tail or "$" in tail or "{" in tail
+
+
+def _stray(
+    name: str, typed: Parameter, needs: ControllerNeeds, others: list[Block], file: ParameterFile, params: Params
+) -> Iterator[list[IncompleteController]]:
+    """The one block that has all that a controller needs, and that no controller is called like."""
+    fitting = []
+    for block in others:
+        own = [each for each in file.parameters if each.block is block]
+        if all(any(fnmatchcase(each.name, one) for each in own for one in group) for group in needs.parameters):
+            fitting.append(block)
+    if len(fitting) == 1:
+        used = params.named_elsewhere(name, {file.source})
+        tail = _tail(str(fitting[0].key))
+        yield [IncompleteController(name, typed, fitting[0].key.span, "", None, None, used, tail)]
 
 
 def _lacking(
