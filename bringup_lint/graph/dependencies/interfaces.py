@@ -226,8 +226,8 @@ def _of_package(
         yield Ungenerated("group", package, last, ())
     unlisted = dict(sorted(_unlisted(files, package, interfaces)))
     if unlisted:
-        used = next(iter(unlisted.values()))
-        yield Ungenerated("unlisted", package, command.arguments[0].span, tuple(unlisted), used)
+        place = next(iter(unlisted.values()))
+        yield Ungenerated("unlisted", package, command.arguments[0].span, tuple(unlisted), place)
     brought = _brought(workspace, interfaces)
     if brought is not None:
         used = sorted(_used(files, package, interfaces) - _IMPLICIT - brought)

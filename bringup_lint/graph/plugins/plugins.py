@@ -33,6 +33,8 @@ from bringup_lint.graph.plugins.refused import Refused
 from bringup_lint.graph.plugins.refused import refused_descriptions
 from bringup_lint.graph.plugins.renamed import RenamedControllers
 from bringup_lint.graph.plugins.renamed import renamed_controllers
+from bringup_lint.graph.plugins.simulator_hardware import OtherSimulator
+from bringup_lint.graph.plugins.simulator_hardware import other_simulators
 from bringup_lint.graph.plugins.unknown import Named
 from bringup_lint.graph.plugins.unknown import UnknownPlugin
 from bringup_lint.graph.plugins.untyped import UntypedPlugin
@@ -112,6 +114,11 @@ class Plugins:
     def gone_simulator_plugins(self) -> list[list[GonePlugin]]:
         """Plugins of Gazebo Classic that descriptions name, and that only ROS 1 has: all of them together."""
         return list(filter(None, [list(gone_simulator_plugins(self._files, self._launch.workspace))]))
+
+    @cached_property
+    def other_simulators(self) -> list[OtherSimulator]:
+        """Hardware in descriptions that is of another simulator than the one whose plugin is loaded."""
+        return list(other_simulators(self._files, self._launch.workspace))
 
     @cached_property
     def unknown_arguments(self) -> list[UnknownArgument]:
