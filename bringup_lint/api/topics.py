@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.topics.questions.command_sources import ungated
     from bringup_lint.graph.topics.questions.compatibility import conflicts_of
     from bringup_lint.graph.topics.questions.compatibility import types_differ
+    from bringup_lint.graph.topics.questions.controller_topics import unheard_by_controllers
     from bringup_lint.graph.topics.questions.dead_remappings import DeadRemapping
     from bringup_lint.graph.topics.questions.dead_remappings import dead_remappings
     from bringup_lint.graph.topics.questions.drive_inputs import Unheard
@@ -65,6 +66,7 @@ __all__ = [
     "two_parents",
     "types_differ",
     "ungated",
+    "unheard_by_controllers",
     "unheard_commands",
     "unmonitored",
     "unserved",

@@ -93,11 +93,11 @@ def included_from(tree: Tree, paths: list[str]) -> list[str]:
     found, todo = dict.fromkeys(paths), list(paths)
     while todo and len(found) <= _FILES:
         source = tree.read(todo.pop())
-        for name in _INCLUDED.findall(source.text) if source is not None else ():
-            for path in tree.named(name.rpartition("/")[2]):
-                if path not in found:
-                    found[path] = None
-                    todo.append(path)
+        names = _INCLUDED.findall(source.text) if source is not None else []
+        for path in (each for name in names for each in tree.named(name.rpartition("/")[2])):
+            if path not in found:
+                found[path] = None
+                todo.append(path)
     return list(found)
 
 

@@ -78,8 +78,7 @@ def unknown_joints(files: Files, params: Params, packages: Mapping[str, Package]
         if not file.accepted or file.uncertain:
             continue
         said: set[Span] = set()
-        is_known = not known.is_open and known.joints
-        for found in _of_file(known, file, packages) if is_known else ():
+        for found in _of_file(known, file, packages):
             said |= {found.where, *found.others}
             yield found._replace(used=params.named_elsewhere(found.controller, {file.source}))
         scope = scopes.of(file.source)
@@ -163,6 +162,8 @@ def _is_in_code(files: Files, name: str) -> bool:
 
 
 def _of_file(known: Described, file: ParameterFile, packages: Container[str]) -> Iterator[UnknownJoint]:
+    if known.is_open or not known.joints:
+        return
     named = list(_named(file, packages))
     lists = [(each, controller) for each, controller in named if each.name in _JOINTS]
     if not any(known.offers(item.text) for each, _ in lists for item in items(each)):

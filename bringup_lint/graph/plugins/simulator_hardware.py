@@ -50,7 +50,8 @@ def other_simulators(files: Files, workspace: Workspace) -> Iterator[OtherSimula
     loaders: dict[str, list[_Loaded]] = {}
     for source in files.of_kind("urdf"):
         root = parse(source).root if "ros2_control" in source.text and not source.template else None
-        for element in root.walk() if root is not None else ():
+        elements = root.walk() if root is not None else iter(())
+        for element in elements:
             if element.local != "plugin":
                 continue
             name, text = element.get("filename"), str(element.text).strip()
