@@ -38,6 +38,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.commands.repeating import held
     from bringup_lint.graph.nodes.questions.commands.repeating import repeated
     from bringup_lint.graph.nodes.questions.commands.stale_readings import stale_readings
+    from bringup_lint.graph.nodes.questions.commands.unrun_checks import unrun_checks
     from bringup_lint.graph.nodes.questions.commands.zero_divisors import zero_divisors
     from bringup_lint.graph.nodes.questions.cpp.missing_returns import missing_returns
     from bringup_lint.graph.nodes.questions.cpp.relocks import relocks
@@ -254,6 +255,7 @@ __all__ = [
     "unreached_stops",
     "unread_parameters",
     "unread_pipes",
+    "unrun_checks",
     "unsafe_ends",
     "unsafe_hardware",
     "unsafe_in_cpp",

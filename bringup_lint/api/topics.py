@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.topics.questions.misspelt import probable_typos
     from bringup_lint.graph.topics.questions.monitored_velocities import unmonitored
     from bringup_lint.graph.topics.questions.namespaces import shared_by_namespaces
+    from bringup_lint.graph.topics.questions.orphans import orphans
     from bringup_lint.graph.topics.questions.other_ends import used_at
     from bringup_lint.graph.topics.questions.transform_files import rivals_in_files
     from bringup_lint.graph.topics.questions.two_parents import two_parents
@@ -55,6 +56,7 @@ __all__ = [
     "is_stop",
     "is_velocity",
     "misspelt",
+    "orphans",
     "probable_typos",
     "published_at_start",
     "refusal",

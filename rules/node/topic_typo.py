@@ -8,6 +8,10 @@ checked in the same way. Names that differ only in a number are different names.
 Where some nodes are not known: a subscription whose name nothing else in the tree mentions, while a source of the tree
 publishes the same type under nearly the same name, or a type of the tree's own that nothing else uses.
 
+Anywhere in the tree: a subscription that nobody publishes and a publisher that nobody takes, with one type and in one
+namespace, where each is the only one for the other, one name has all words of the other or the type is one of the
+tree's own, and no other file mentions either name: `imu/raw` and `imu/data_raw`.
+
 A client of a service or action that nobody offers, while all servers of its type, which is one of the tree's own, start
 beside it under the same name in another namespace, or under nearly the same name: `~/start` is `/mower/start`.
 
@@ -65,6 +69,18 @@ def topic_typo(robot: Robot) -> Iterator[Finding]:
                 use.node.started, note(use.name_place or use.where, f"{use.topic} is used here")
             ),
             fix=fix(f"use {near}", correction, safe=False) if correction else None,
+        )
+    said = {use.topic for use, *_ in topics.misspelt(robot.topics)}
+    for subscription, publisher in topics.orphans(robot.topics, said):
+        yield finding(
+            subscription.name,
+            f"Nobody publishes {subscription.topic}, which {subscription.label} subscribes to: {publisher.label} "
+            f"publishes {publisher.topic}, which nobody takes",
+            advice="write the same name on both sides, or remap one of them",
+            related=[
+                note(publisher.name, f"{publisher.topic} is named here"),
+                note(subscription.where, f"{subscription.label} subscribes here"),
+            ],
         )
     for use, meant in topics.unserved(robot.topics):
         yield finding(
