@@ -3,7 +3,8 @@
 ## What it finds
 ROS services of one compose file with `network_mode: host`, the same domain and Fast DDS with its default
 transports, that do not share an IPC namespace. They share one with `ipc: host` in all of them, with
-`shareable` and `service:...`, or with a common `/dev/shm`.
+`shareable` and `service:...`, or with a common `/dev/shm`. Also a service whose profile or `FASTDDS_BUILTIN_TRANSPORTS`
+leaves nothing but shared memory, without the `ipc: host` that another service of the file has.
 
 ## Why it matters on a robot
 On the host's network they take each other for processes of the same machine and send data through shared
@@ -33,11 +34,14 @@ compose file.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.compose import Service
+from bringup_lint.api.docker import Runner
 from bringup_lint.api.environment import RosProcess
 
 FASTDDS = ("rmw_fastrtps_cpp", "rmw_fastrtps_dynamic_cpp")
@@ -47,6 +51,13 @@ OTHERWISE = (
     "FASTDDS_BUILTIN_TRANSPORTS",
     "ROS_DISCOVERY_SERVER",
 )
+
+IN_MEMORY = regex(
+    r"<type>[ \t]*SHM[ \t]*</type>[\s\S]*<useBuiltinTransports>[ \t]*false"
+    r"|<useBuiltinTransports>[ \t]*false[\s\S]*<type>[ \t]*SHM[ \t]*</type>"
+)
+BY_NAME = regex(r"(?i)/shm[-_]?only[^/]*$")
+ELSEWHERE = regex(r"<type>[ \t]*(?:UDP|TCP)v[46][ \t]*</type>")
 
 
 @rule("warning", confidence="medium", symptoms=["topics are listed but no data arrives"])
@@ -70,6 +81,48 @@ def shm_docker(robot: Robot) -> Iterator[Finding]:
                     advice="add ipc: host to both, or give both a UDP-only profile",
                     related=[note(each.name, "has its own IPC namespace") for each in (first, *others[1:])],
                 )
+    yield from _only_in_memory(robot)
+
+
+def _only_in_memory(robot: Robot) -> Iterator[Finding]:
+    """Services that send through shared memory alone, and not the one of the host, which another service has."""
+    for runner in robot.runners.in_containers:
+        service = runner.service
+        if service is None or _space(service) != str(service.name) or _shares_folder(service):
+            continue
+        on_host = next((each for each in _beside(robot, service) if each.scalar("ipc") == "host"), None)
+        only = _memory_alone(runner) if on_host is not None else None
+        if on_host is not None and only is not None:
+            yield finding(
+                service.name,
+                f"{service.name} sends through shared memory alone, and not through that of {on_host.name}: nothing "
+                "of it leaves the container",
+                advice="add ipc: host",
+                related=[note(only, "no other transport"), note(on_host.name, "shares the memory of the host")],
+            )
+
+
+def _beside(robot: Robot, service: Service) -> Iterator[Service]:
+    return (each for each in robot.compose.services if each.source is service.source and each is not service)
+
+
+def _memory_alone(runner: Runner) -> Located | None:
+    """What says that a container has no other transport."""
+    environment = runner.environment
+    built_in = environment.get("FASTDDS_BUILTIN_TRANSPORTS")
+    if built_in is not None and built_in.text == "SHM":
+        return built_in.value
+    for name in OTHERWISE[:2]:
+        variable = environment.get(name)
+        path = variable.text if variable is not None else None
+        if variable is None or path is None:
+            continue
+        file = runner.reads(path)
+        if file is None and BY_NAME.search(path):
+            return variable.value
+        if file is not None and file.says(IN_MEMORY) and not file.says(ELSEWHERE):
+            return variable.value
+    return None
 
 
 def _shares_by_default(process: RosProcess) -> bool:
@@ -77,9 +130,13 @@ def _shares_by_default(process: RosProcess) -> bool:
     environment, service = process.environment, process.service
     if service is None or not service.is_on_host_network or any(name in environment for name in OTHERWISE):
         return False
-    if any(str(volume.target).rstrip("/") in ("/dev/shm", "/dev") for volume in service.volumes):
+    if _shares_folder(service):
         return False
     return environment.text("RMW_IMPLEMENTATION") in FASTDDS
+
+
+def _shares_folder(service: Service) -> bool:
+    return any(str(volume.target).rstrip("/") in ("/dev/shm", "/dev") for volume in service.volumes)
 
 
 def _space(service: Service) -> str:
