@@ -46,19 +46,19 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
+from bringup_lint.api import host
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api.host import device_path
 from bringup_lint.api.systemd import Unit
 
 
 @rule("warning", silent="systemd stops the service on purpose, and nothing starts it again")
 def device_return_ignored(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
-        word = next((word for word in unit.words("BindsTo") if device_path(word)), None)
+        word = next((word for word in unit.words("BindsTo") if host.device_path(word)), None)
         if word is None or unit.uncertain:
             continue
-        links = robot.udev.links_to(device_path(word) or "")
+        links = robot.udev.links_to(host.device_path(word) or "")
         own = [link for link in links if link.is_fixed and robot.same_robot(link.name, word)]
         if own and not robot.devices.untagged(word) and not _is_started(robot, unit, str(word)):
             yield finding(

@@ -35,7 +35,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api.shell import masked_units
+from bringup_lint.api import shell
 
 
 @rule("warning", silent="systemd reads drop-ins only for units that it loads")
@@ -63,7 +63,7 @@ def dropin_orphan(robot: Robot) -> Iterator[Finding]:
 
 def _of_masked(robot: Robot) -> Iterator[Finding]:
     dropins = [file for file in robot.units.unit_files if file.dropin and file.sections]
-    masked = masked_units(robot.scripts) if dropins and robot.of_kind("shell-script") else {}
+    masked = shell.masked_units(robot.scripts) if dropins and robot.of_kind("shell-script") else {}
     for file in dropins:
         word = masked.get(file.name)
         if word is not None and robot.same_robot(file.source, word):

@@ -51,7 +51,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api.shell import plain_modes
+from bringup_lint.api import shell
 from bringup_lint.api.systemd import Defect
 from bringup_lint.api.systemd import is_own_program
 from bringup_lint.api.systemd import unstartable
@@ -85,7 +85,7 @@ TEXTS = {
     ],
 )
 def execstartpre_missing_script(robot: Robot) -> Iterator[Finding]:
-    modes = plain_modes(robot.scripts) if robot.of_kind("shell-script") else {}
+    modes = shell.plain_modes(robot.scripts) if robot.of_kind("shell-script") else {}
     for unit in robot.units.services:
         for process in robot.units.processes(unit):
             if not is_own_program(process):

@@ -37,13 +37,13 @@ from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api.shell import masked_units
+from bringup_lint.api import shell
 
 
 @rule("error", symptoms=["is masked."])
 def requires_masked(robot: Robot) -> Iterator[Finding]:
     units = robot.units
-    scripts = masked_units(robot.scripts) if robot.of_kind("shell-script") else {}
+    scripts = shell.masked_units(robot.scripts) if robot.of_kind("shell-script") else {}
     for unit in units.judged:
         for key in ("Requires", "Requisite", "BindsTo"):
             for word in unit.words(key):

@@ -43,8 +43,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api.systemd import RefusedWrite
-from bringup_lint.api.systemd import refused_writes
+from bringup_lint.api import systemd
 
 
 @rule(
@@ -55,8 +54,8 @@ from bringup_lint.api.systemd import refused_writes
 def write_refused(robot: Robot) -> Iterator[Finding]:
     if not robot.of_kind("shell-script", "python-node"):
         return
-    found: dict[str, list[RefusedWrite]] = {}
-    for each in refused_writes(robot.filesystem, robot.scripts):
+    found: dict[str, list[systemd.RefusedWrite]] = {}
+    for each in systemd.refused_writes(robot.filesystem, robot.scripts):
         found.setdefault(each.unit.name, []).append(each)
     for name, (first, *others) in found.items():
         yield finding(

@@ -6,7 +6,6 @@ import posixpath
 import re
 from collections.abc import Iterable
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from bringup_lint.graph.commands.wrappers import unwrapped
 from bringup_lint.graph.installed.paths import in_tree
@@ -18,6 +17,7 @@ from bringup_lint.parsers.dockerfile import commands_of_run
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
+from bringup_lint.type_names import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from bringup_lint.graph.files import Files

@@ -1,0 +1,85 @@
+"""A script sets up one distribution of ROS and takes the setup file of another.
+
+## What it finds
+In a script that installs packages of one distribution only (`apt install ros-jazzy-...`) or assigns only one to
+`ROS_DISTRO`: `source /opt/ros/OTHER/setup.bash`, also in a line that it adds to a file, such as `~/.bashrc`.
+
+Silent where the script names the other distribution anywhere else, and where it looks whether the file is there.
+
+## Why it matters on a robot
+After an upgrade half of the lines still name the old release. The file does not exist on a new robot: no shell finds
+`ros2`, and what the script builds afterwards fails. On an old one, nodes start with the libraries of both releases.
+
+## Bad
+```sh
+sudo apt-get install -y ros-jazzy-ros-base
+echo "source /opt/ros/humble/setup.bash" >> ~/.bashrc
+```
+
+## Good
+```sh
+sudo apt-get install -y ros-jazzy-ros-base
+echo "source /opt/ros/jazzy/setup.bash" >> ~/.bashrc
+```
+
+## When to ignore it
+When another step installs the second distribution.
+
+## References
+- REP 2000, releases and target platforms
+"""
+
+import re
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import Source
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import regex
+from bringup_lint.api import rule
+
+DISTROS = r"foxy|galactic|humble|iron|jazzy|kilted|lyrical|rolling|noetic|melodic"
+SET_UP = regex(
+    rf"^[ \t]*(?:(?:export|readonly|local)[ \t]+)?ROS2?_DISTRO=[\"']?(?P<set>{DISTROS})[\"']?[ \t]*(?:#.*)?$"
+    rf"|^[^#\n]{{0,200}}\bapt(?:-get)?[ \t](?:[^\\\n]|\\\n){{0,2000}}?\bros-(?P<installed>{DISTROS})-",
+    re.M,
+)
+SOURCED = regex(
+    r"^(?P<before>[^#\n]{0,200}?)(?:\bsource|(?<![\w.])\.)[ \t]+[\"']?"
+    rf"/opt/ros/(?P<distro>{DISTROS})/[\w/]{{0,80}}setup\.\w+",
+    re.M,
+)
+TESTED = regex(r"\bif\b|\[|&&|\|\||\bcase\b|\btest\b|\)[ \t]")
+
+
+@rule("warning", symptoms=["/opt/ros/*/setup.bash: No such file or directory"])
+def ros_distro_mismatch(robot: Robot) -> Iterator[Finding]:
+    for source in robot.of_kind("shell-script"):
+        if source.judged and "/opt/ros/" in source.text and not source.template:
+            yield from _in_script(source)
+
+
+def _in_script(source: Source) -> Iterator[Finding]:
+    found = {match["set"] or match["installed"]: match for match in SET_UP.finditer(source.text)}
+    if len(found) != 1:
+        return
+    ((distro, setup),) = found.items()
+    others = [match for match in SOURCED.finditer(source.text) if match["distro"] != distro]
+    if not others or any(TESTED.search(match["before"]) for match in others):
+        return
+    names = {match["distro"] for match in others}
+    said = sum(len(re.findall(rf"\b{re.escape(name)}\b", source.uncommented)) for name in names)
+    if said == len(others):
+        first, *rest = (source.located(*match.span("distro")) for match in others)
+        where = setup.span("set") if setup["set"] else setup.span("installed")
+        yield finding(
+            first,
+            f"The script sets up {distro}, and takes the setup file of {first}: it does not exist on a new robot",
+            advice=f"write {distro}",
+            related=[
+                note(source.located(*where), f"{distro} is set up here"),
+                *(note(each, "here too") for each in rest),
+            ],
+        )
