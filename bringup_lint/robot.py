@@ -416,7 +416,7 @@ class Robot:
         """Maps whose image does not exist, where their folder has one that no map names."""
         from bringup_lint.graph.params.map_images import lost_images
 
-        return lost_images(self.tree)
+        return lost_images(self.files)
 
     @cached_property
     def plugins(self) -> Plugins:

@@ -1,8 +1,9 @@
 """Two controllers that are activated together command the same joint.
 
 ## What it finds
-Trajectory and forward command controllers of one parameter file with the same joint in `joints` and the same entry in
-`command_interfaces`, where a launch file spawns both without `--inactive`.
+Two controllers of one parameter file that claim the same interface of a joint, where a launch file spawns both without
+`--inactive`: trajectory, forward command, gripper and PID controllers, and the wheels of diff_drive_controller, which
+is given `pid_controller/wheel_joint` where a PID controller has the joint.
 
 ## Why it matters on a robot
 A command interface belongs to one controller. The controller manager refuses to activate the second one ("already

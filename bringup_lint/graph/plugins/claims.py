@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.params.values import items
-from bringup_lint.graph.plugins.controllers import spawned
+from bringup_lint.graph.plugins.controllers import spawned_by
 from bringup_lint.graph.plugins.moveit import controller_names
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
@@ -24,8 +24,19 @@ if TYPE_CHECKING:
     from bringup_lint.model.params import ParameterFile
 
 _PASSIVE = ("--inactive", "--stopped", "--load-only")
-_TYPES = ("joint_trajectory_controller/", "position_controllers/", "velocity_controllers/", "effort_controllers/")
-"""Controllers that claim the command interfaces of all joints in ``joints``."""
+_CLAIMS: dict[str, tuple[tuple[str, ...], str]] = {
+    "joint_trajectory_controller/JointTrajectoryController": (("joints",), "command_interfaces"),
+    "forward_command_controller/ForwardCommandController": (("joints",), "interface_name"),
+    "position_controllers/JointGroupPositionController": (("joints",), "=position"),
+    "velocity_controllers/JointGroupVelocityController": (("joints",), "=velocity"),
+    "effort_controllers/JointGroupEffortController": (("joints",), "=effort"),
+    "position_controllers/GripperActionController": (("joint",), "=position"),
+    "effort_controllers/GripperActionController": (("joint",), "=effort"),
+    "diff_drive_controller/DiffDriveController": (("left_wheel_names", "right_wheel_names"), "=velocity"),
+    "pid_controller/PidController": (("dof_names",), "command_interface"),
+}
+"""Class -> the parameters with its joints, and the one with the interfaces that it claims of them, or ``=`` and the
+interface. Source: ros2_controllers, Humble to Kilted."""
 _GENERATES = regex(r"\bgenerate_(?:demo|spawn_controllers)_launch\(", hints="generate_demo generate_spawn_controllers")
 _MOST = 200
 """Controllers of a file that are compared with each other."""
@@ -48,8 +59,8 @@ class Taken(NamedTuple):
     name: str
     joints: frozenset[str]
     interfaces: frozenset[str]
-    where: Span
-    """The list of joints."""
+    where: dict[str, Span]
+    """Joint -> the list that it is in."""
 
 
 def claims(tree: Tree, launch: Launch, params: Params) -> Iterator[Claim]:
@@ -85,7 +96,7 @@ def _generated(tree: Tree, launch: Launch) -> Iterator[tuple[str, dict[str, Loca
 
 def _active(expansion: Expansion) -> dict[str, Located]:
     found: dict[str, Located] = {}
-    for spawner, name in spawned(expansion.nodes):
+    for spawner, name in ((node, name) for node in expansion.nodes for name in spawned_by(node)):
         words = {str(literal_text(word)) for word in spawner.arguments}
         is_plain = spawner.by_default is True and not spawner.conditions and not spawner.context
         if is_plain and not words & set(_PASSIVE) and spawner.file.source.judged:
@@ -98,14 +109,19 @@ def _taken(file: ParameterFile) -> list[Taken]:
     types = {each.name.removesuffix(".type"): str(each.value.data) for each in file.parameters}
     own: dict[str, dict[str, Parameter]] = {}
     for each in file.parameters:
-        name = str(each.block.key).rpartition("/")[2]
-        if each.name in ("joints", "command_interfaces") and types.get(name, "").startswith(_TYPES):
-            own.setdefault(name, {})[each.name] = each
-    whole = ((name, given) for name, given in own.items() if len(given) == 2)
-    return [
-        Taken(name, _texts(given["joints"]), _texts(given["command_interfaces"]), given["joints"].span)
-        for name, given in whole
-    ]
+        own.setdefault(str(each.block.key).rpartition("/")[2], {})[each.name] = each
+    found = []
+    for name, given in own.items():
+        kind = str(given["type"].value.data) if "type" in given else types.get(name, "")
+        names, interface = _CLAIMS.get(kind, ((), ""))
+        lists = [given[each] for each in names if each in given]
+        claimed = (
+            {interface[1:]} if interface.startswith("=") else _texts(given[interface]) if interface in given else ()
+        )
+        if lists and claimed:
+            where = {joint: each.span for each in lists for joint in _texts(each)}
+            found.append(Taken(name, frozenset(where), frozenset(claimed), where))
+    return found
 
 
 def _texts(parameter: Parameter) -> frozenset[str]:
@@ -119,5 +135,6 @@ def _among(taken: list[Taken], active: dict[str, Located]) -> Iterator[Claim]:
         for first in known[:at]:
             joints = sorted(each.joints & first.joints)
             if joints and each.interfaces & first.interfaces:
-                yield Claim(joints[0], each.where, each.name, first.name, first.where, active[each.name])
+                joint = joints[0]
+                yield Claim(joint, each.where[joint], each.name, first.name, first.where[joint], active[each.name])
                 break

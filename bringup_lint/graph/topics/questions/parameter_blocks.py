@@ -14,6 +14,7 @@ from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.params.loads import PYYAML
 from bringup_lint.graph.params.loads import REWRITTEN
 from bringup_lint.graph.params.loads import Load
+from bringup_lint.graph.plugins.controllers import is_manager
 from bringup_lint.model.launch import Node
 from bringup_lint.model.params import Block
 from bringup_lint.model.params import ParameterFile
@@ -30,6 +31,8 @@ VALUES = ("nested-list", "mixed-list", "list-of-maps")
 """Problems of single values: the blocks around them are read all the same."""
 _MOST = 4_000
 """Pairs of a block and a node that gets its file; with more, a file is not looked at."""
+_MANAGER = "controller_manager"
+"""How ros2_control_node is called; its process has the controllers as further nodes (ros2_control_node.cpp)."""
 _TELLING = 2
 """Parameters that say together for which program a block is."""
 
@@ -109,6 +112,17 @@ class _Matching:
         for block in blocks:
             if _is_named_after(block, load, missed) or self._is_declared(block, load, loads):
                 yield Mismatch(file, block, load, name, True)
+        twins = [block for block in blocks if self._is_twin(file, block, load, loads)]
+        if len(twins) == 1 and all(each.node.action is load.node.action for each in missed):
+            yield Mismatch(file, twins[0], load, name, True)
+
+    def _is_twin(self, file: ParameterFile, block: Block, load: Load, loads: list[Load]) -> bool:
+        """Whether a block has the parameters of one that reaches another node of the same program."""
+        names = {str(each.name) for each in block.parameters}
+        program = _program(load)
+        others = [each for each in loads if each.node.action is not load.node.action and _program(each) == program]
+        same = [each for each in file.blocks if {str(one.name) for one in each.parameters} == names]
+        return len(names) >= _TELLING and any(self._reaches(each, other) for each in same for other in others)
 
     def _is_declared(self, block: Block, load: Load, loads: list[Load]) -> bool:
         """Whether the program of a node, and of no other one that gets the file, names all parameters of a block."""
@@ -147,7 +161,12 @@ class _Matching:
         """The full name of a node that gets a file: as launched, else the one that its program gives itself."""
         node = self.topics.node(load.node)
         space = node.namespace or load.node.usual_namespace
-        return f"{space.rstrip('/')}/{node.name}" if node.name and space is not None else None
+        called = node.name or (_MANAGER if load.node.name is None and is_manager(load.node) else None)
+        return f"{space.rstrip('/')}/{called}" if called and space is not None else None
+
+
+def _program(load: Load) -> tuple[str, str]:
+    return str(literal_text(load.node.package)), str(literal_text(load.node.plugin or load.node.executable))
 
 
 def _certain(params: Params) -> Iterator[tuple[ParameterFile, list[Load]]]:
