@@ -11,6 +11,7 @@ from bringup_lint.graph.installed.script import Run
 from bringup_lint.graph.installed.scripts import Scripts
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
+from bringup_lint.source import Source
 
 _MODE = regex(r"(?:--mode=|-[bcCDpsTv]*m)(?P<mode>[0-7]*)")
 _PLAIN = regex(r"[0-7]?[0246]{3}")
@@ -29,8 +30,10 @@ def plain_modes(scripts: Scripts) -> dict[str, Located]:
                 found[path] = mode
             else:
                 executable.add(path)
-    changed = [word for _, run in scripts.run(*_CHANGES) for word in run.arguments]
-    return {path: mode for path, mode in found.items() if path not in executable and not _is_changed(path, changed)}
+    changed = [(source, word) for source, run in scripts.run(*_CHANGES) for word in run.arguments]
+    return {
+        path: mode for path, mode in found.items() if path not in executable and not _is_changed(path, mode, changed)
+    }
 
 
 def _words(run: Run) -> tuple[Located | None, list[str]]:
@@ -58,6 +61,12 @@ def _targets(files: list[str]) -> Iterator[str]:
             yield path
 
 
-def _is_changed(path: str, changed: list[str]) -> bool:
+def _is_changed(path: str, mode: Located, changed: list[tuple[Source, str]]) -> bool:
+    """Whether a command may change the mode of a file; one on files that are not named, in the same script only."""
     name = posixpath.basename(path)
-    return any(name in word or "*" in word or "{{" in word or path.startswith(f"{word}/") for word in changed)
+    for source, word in changed:
+        if name in word or path.startswith(f"{word}/"):
+            return True
+        if source is mode.span.source and ("*" in word or "{{" in word):
+            return True
+    return False
