@@ -23,6 +23,7 @@ KINDS: dict[tuple[str, ...], tuple[str, ...]] = {
     ("launch", "expansions"): LAUNCH,
     ("launch", "judged"): LAUNCH,
     ("launch", "nodes"): LAUNCH,
+    ("sysctl", "unknown"): ("sysctl",),
 }
 """The lists that are empty in a tree without certain kinds of file, so that their layers need not be loaded."""
 

@@ -3,8 +3,8 @@
 ## What it finds
 A path below /dev in the parameters of a node that a service starts with `ros2 launch`, in any case, where neither
 `devices:` nor a volume has it:
-- the name of a link (that of a udev rule, `/dev/serial/by-id/...`, or one that is none of the kernel), also in a
-  privileged container: Docker gives it the device nodes of the host, and no links;
+- the name of a link (that of a udev rule of the tree, or `/dev/serial/by-id/...`), also in a privileged container:
+  Docker gives it the device nodes of the host, and no links;
 - a serial port, in a container that is not privileged.
 
 Silent for services of which several compose files speak, with paths from variables, and where an argument may replace

@@ -105,10 +105,8 @@ def _started(robot: Robot) -> Iterator[tuple[Stage, str, Located]]:
 
 def _written(robot: Robot) -> Iterator[tuple[Stage, str, Located]]:
     """The tools that images start, and those in scripts that their steps write."""
-    for file in robot.dockerfiles:
-        stage = file.final
-        if stage is None or not file.source.judged:
-            continue
+    judged = (file for file in robot.dockerfiles if file.source.judged)
+    for stage in (file.final for file in judged if file.final is not None):
         for start in filter(None, (stage.last("ENTRYPOINT"), stage.last("CMD"))):
             first = next(iter(start.exec_form or ()), "")
             if program_name(first) in TOOLS:

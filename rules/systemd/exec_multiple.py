@@ -46,8 +46,6 @@ from bringup_lint.api.systemd import Unit
 
 @rule("error", fix="unsafe", symptoms=["Service has more than one ExecStart= setting"])
 def exec_multiple(robot: Robot) -> Iterator[Finding]:
-    if "ExecStart" not in robot.units.keys:
-        return
     lines = {line.value.span: line for line in robot.units.lines if line.key == "ExecStart"}
     for unit in robot.units.services:
         added = _added(robot, unit) if unit.fragment is None else None

@@ -6,6 +6,7 @@ A system service with a `User=` other than root, or `DynamicUser=`, whose comman
 - loads a module, writes a kernel parameter (`modprobe`, `sysctl -w`), or writes below `/proc/sys`, `/sys/module`,
   `/sys/kernel` or `/sys/devices/system/cpu`,
 - changes the owner or mode of a node in /dev,
+- starts, stops or enables units (`systemctl restart rover`), in a tree without files of polkit,
 - sets the clocks of the board (`nvpmodel -m`, `jetson_clocks`, `cpufreq-set`, `cpupower frequency-set`).
 
 Silent for commands after `sudo`, with the prefix `+` or `!`, of services with `AmbientCapabilities=` or
@@ -56,8 +57,12 @@ OF_IP = regex(
     r"|ip (?:-\S+ )*(?:a|addr|address|r|ro|route|ru|rule) (?:add|del|delete|flush|replace|change) .*"
     r"|ifconfig \S+ \S.*|(?:slcand|slcan_attach) .*|tc qdisc (?:add|replace|del) .*"
     r"|(?:modprobe|insmod|rmmod) .*|sysctl (?:.* )?-w .*|nvpmodel (?:.* )?-m .*|jetson_clocks(?: --fan)?"
-    r"|cpufreq-set .*|cpupower (?:.* )?frequency-set .*|(?:chmod|chown|chgrp) (?:\S+ )+/dev/\S.*"
+    r"|cpufreq-set .*|cpupower (?:.* )?frequency-set .*|(?:chmod|chown|chgrp) (?:\S+ )+/dev/(?!shm/|mqueue/|pts/)\S.*"
 )
+OF_MANAGER = regex(
+    r"systemctl (?!(?:.* )?--user)(?:-\S+ )*(?:re)?(?:start|load|stop|enable|disable|mask|unmask|daemon-reload)(?: .*)?"
+)
+POLKIT = regex(r"(?:^|/)polkit(?:-1)?/|\.pkla$", hints="polkit .pkla")
 OF_ROOT = regex(r"/proc/sys/.*|/sys/(?:module|kernel|devices/system/cpu)/.*")
 RAISED = ("sudo", "doas", "pkexec", "su", "setpriv", "capsh", "docker", "podman", "ssh", "nsenter")
 
@@ -77,37 +82,40 @@ class Refused(NamedTuple):
         "modprobe: ERROR: could not insert '*': Operation not permitted",
         "tee: /sys/*: Permission denied",
         "sysctl: permission denied on key *",
+        "Failed to restart *: Interactive authentication required.",
     ],
 )
 def root_needed(robot: Robot) -> Iterator[Finding]:
+    asks = not any(True for _ in robot.tree.like(POLKIT))
     for unit in robot.units.services:
         if unit.manager != "system" or unit.identity.is_root is not False or not unit.complete:
             continue
         if unit.has("AmbientCapabilities") or unit.flag("PermissionsStartOnly") or unit.has("PAMName"):
             continue
-        found = list(_refused(robot, unit))
+        found = list(_refused(robot, unit, asks))
         if found:
             yield _finding(unit, *found)
 
 
-def _refused(robot: Robot, unit: Unit) -> Iterator[Refused]:
+def _refused(robot: Robot, unit: Unit, asks: bool) -> Iterator[Refused]:
     for process in robot.units.processes(unit):
         if any(prefix in process.prefixes for prefix in "+!-"):
             continue
         for step in process.steps:
-            refused = _of(step.command)
+            refused = _of(step.command, asks)
             if refused is not None:
                 yield Refused(process, step, refused, program_name(step.command.words[0]))
 
 
-def _of(command: Command) -> Located | None:
+def _of(command: Command, asks: bool) -> Located | None:
     """What of a command the kernel refuses to others than root."""
     words = command.words
     if not words or command.ends == "||" or command.depth or any(program_name(word) in RAISED for word in words[:3]):
         return None
     if any(each.target == "/dev/null" and each.descriptor == "2" for each in command.redirects):
         return None
-    if OF_IP.fullmatch(" ".join((program_name(words[0]), *words[1:]))):
+    line = " ".join((program_name(words[0]), *words[1:]))
+    if OF_IP.fullmatch(line) or (asks and OF_MANAGER.fullmatch(line)):
         return words[0]
     written = [each.target for each in command.redirects if each.writes and each.target is not None]
     written += words[1:] if program_name(words[0]) == "tee" else ()

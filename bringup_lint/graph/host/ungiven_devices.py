@@ -6,7 +6,6 @@ from collections.abc import Iterable
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from bringup_lint.graph.host.devices import is_link_by_form
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
@@ -82,7 +81,7 @@ def _ungiven(layers: _Layers, service: Service, path: Located, given: list[str])
     if any("$" in each or path == each or path.startswith(f"{each}/") for each in given):
         return None
     made = [link for link in layers.udev.links_to(path) if link.is_fixed and layers.files.same_robot(link.name, path)]
-    is_link = bool(made) or is_link_by_form(path) or _LINKS.fullmatch(path) is not None
+    is_link = bool(made) or _LINKS.fullmatch(path) is not None
     is_node = not service.is_privileged and _SERIAL.fullmatch(path) is not None
     if not is_link and not is_node:
         return None

@@ -23,7 +23,8 @@ _NAMING = (
     *("OnFailure", "OnSuccess", "PropagatesStopTo", "StopPropagatedFrom", "JoinsNamespaceOf"),
 )
 _INSTALLING = ("WantedBy", "RequiredBy", "UpheldBy", "Also")
-_VERBS = frozenset(("enable", "reenable", "start", "restart", "stop", "is-active", "try-restart"))
+_VERBS = frozenset(("enable", "reenable", "start", "restart", "try-restart", "is-active"))
+"""What is stopped may be another robot, or a simulation that never runs beside it."""
 
 
 def same_robot_groups(
@@ -80,7 +81,7 @@ def _named(unit: Unit) -> Iterator[str]:
 
 
 def _commanded(processes: list[Process]) -> Iterator[str]:
-    """The units that the processes of a unit start, stop or ask for."""
+    """The units that the processes of a unit start or ask for."""
     for process in processes:
         for step in process.steps:
             yield from _of_systemctl(step.command.words)

@@ -70,15 +70,18 @@ class Server(NamedTuple):
 
 @rule("warning", confidence="medium", silent="clients of a discovery server wait for it forever")
 def discovery_server_id(robot: Robot) -> Iterator[Finding]:
-    if at_least(robot.target.ros, "humble") is not True or at_least(robot.target.ros, "kilted") is not False:
-        return
     if not robot.mentions(STARTS):
+        return
+    if at_least(robot.target.ros, "humble") is not True or at_least(robot.target.ros, "kilted") is not False:
         return
     started = list(_started(robot))
     known = [each for each in started if each is not None]
     if not known or len(known) < len(started):
         return
-    for asked in (*_of_variables(robot), *_of_files(robot)):
+    lists = list(_of_variables(robot))
+    if robot.of_kind("fastdds"):
+        lists += [_of_list(each) for each in _lists(robot)]
+    for asked in lists:
         numbers = {each.number for each in known}
         first = next((one for one in known if any(one.port == other.port for other in asked)), None)
         if first is not None and numbers.isdisjoint(each.number for each in asked):
@@ -122,14 +125,15 @@ def _of_variables(robot: Robot) -> Iterator[list[Server]]:
         yield [Server(at, match["port"] or DEFAULT, value) for at, match in enumerate(matches) if match is not None]
 
 
-def _of_files(robot: Robot) -> Iterator[list[Server]]:
-    for profiles in robot.dds.profile_files:
-        if profiles.source.judged and not profiles.dropped:
-            for participant in profiles.default_participants:
-                for element in participant.walk():
-                    if element.local == "discoveryServersList":
-                        found = [_of_element(each) for each in element.find_all("RemoteServer")]
-                        yield [each for each in found if each is not None]
+def _lists(robot: Robot) -> Iterator[Element]:
+    files = (each for each in robot.dds.profile_files if each.source.judged)
+    elements = (each for file in files for one in file.default_participants for each in one.walk())
+    return (each for each in elements if each.local == "discoveryServersList")
+
+
+def _of_list(servers: Element) -> list[Server]:
+    found = (_of_element(each) for each in servers.find_all("RemoteServer"))
+    return [each for each in found if each is not None]
 
 
 def _of_element(server: Element) -> Server | None:
