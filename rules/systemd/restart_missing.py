@@ -9,6 +9,8 @@ its name, and it runs more than a command-line tool such as ros2 topic. It is an
 - Restart=no is set explicitly, which is a decision;
 - the start script of the service is not in the tree.
 
+Any service with Restart=no and RestartSec= in one file is a warning: one of the two lines is not what was meant.
+
 ## Why it matters on a robot
 The first segmentation fault or the first unplugged cable stops the robot's software until somebody logs in.
 On a robot in the field, that is the end of the mission.
@@ -72,7 +74,10 @@ def restart_missing(robot: Robot) -> Iterator[Finding]:
     agents = [unit for unit in units.services if unit not in ros and only_connects(unit, units)]
     known = {unit.name for unit in (*ros, *agents)}
     daemons = [unit for unit in units.services if unit.name not in known and _is_daemon(robot, unit)]
+    yield from (_waiting_in_vain(unit) for unit in units.services if _waits(units, unit))
     for unit in (*ros, *agents, *daemons):
+        if _waits(units, unit):
+            continue
         policy = units.restart(unit)
         if policy.restart != "no" or not unit.complete or unit.name in units.triggered:
             continue
@@ -90,6 +95,27 @@ def restart_missing(robot: Robot) -> Iterator[Finding]:
             severity="info" if chosen or (unit in units.presumed_ros and not _is_daemon(robot, unit)) else "warning",
             confidence="high" if sure else "medium",
         )
+
+
+def _waits(units: Units, unit: Unit) -> bool:
+    """Whether a unit says how long to wait before a restart, and that there is none."""
+    waits, policy = unit.get("RestartSec"), units.restart(unit)
+    if waits is None or policy.restart_at is None or policy.restart != "no" or unit.get("Type") == "oneshot":
+        return False
+    source = policy.restart_at.span.source
+    return waits.span.source is source and source.text.count("Restart=") == 1 and unit.name not in units.triggered
+
+
+def _waiting_in_vain(unit: Unit) -> Finding:
+    restart, waits = unit.get("Restart"), unit.get("RestartSec")
+    assert restart is not None
+    assert waits is not None
+    return finding(
+        restart,
+        f"Restart={restart} lets {unit.name} stay down when its process ends: RestartSec={waits} has no effect",
+        advice="set Restart=always, or remove RestartSec=",
+        related=[note(waits, "the time before a restart")],
+    )
 
 
 def _is_daemon(robot: Robot, unit: Unit) -> bool:
