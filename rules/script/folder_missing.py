@@ -52,6 +52,11 @@ def folder_missing(robot: Robot) -> Iterator[Finding]:
     made = _made(robot)
     if not made:
         return
+    known = set(_known(made))
+    beside: dict[str, list[str]] = {}
+    for each in made:
+        beside.setdefault(posixpath.dirname(each), []).append(posixpath.basename(each))
+    seen: dict[str, str] = {}
     for source in robot.of_kind("shell-script"):
         if not source.judged or source.template or ">" not in source.text:
             continue
@@ -59,9 +64,11 @@ def folder_missing(robot: Robot) -> Iterator[Finding]:
             if not isinstance(did, Written) or not did.by_shell:
                 continue
             folder = posixpath.dirname(_path(did.path))
-            if not PLAIN.fullmatch(folder) or any(f"{each}/".startswith(f"{folder}/") for each in made):
+            if folder in known or not PLAIN.fullmatch(folder):
                 continue
-            meant = _meant(folder, made)
+            if folder not in seen:
+                seen[folder] = _meant(folder, beside)
+            meant = seen[folder]
             if meant and not _is_named(robot, folder, did.where):
                 yield finding(
                     did.where,
@@ -87,18 +94,24 @@ def _made(robot: Robot) -> dict[str, Located]:
     return found
 
 
-def _meant(folder: str, made: dict[str, Located]) -> str:
+def _known(made: dict[str, Located]) -> Iterator[str]:
+    """The folders that are made, and those that they lie in."""
+    for folder in made:
+        parts = folder.split("/")
+        yield from ("/".join(parts[:count]) for count in range(2, len(parts) + 1))
+
+
+def _meant(folder: str, beside: dict[str, list[str]]) -> str:
     """The folder beside it that is nearly of this name; empty without one, or with several."""
-    above, name = posixpath.split(folder)
-    beside = [posixpath.basename(each) for each in made if posixpath.dirname(each) == above]
-    near = [each for each in nearest(name, beside) if not numbered(name, each)]
-    return f"{above}/{near[0]}" if len(near) == 1 else ""
+    parent, name = posixpath.split(folder)
+    near = [each for each in nearest(name, beside.get(parent, ())) if not numbered(name, each)]
+    return f"{parent}/{near[0]}" if len(near) == 1 else ""
 
 
 def _is_named(robot: Robot, folder: str, where: Located) -> bool:
     """Whether the folder is named elsewhere in the tree, so that something may make it."""
-    above, name = posixpath.split(folder)
-    named = re.compile(rf"(?<![\w.-]){re.escape(posixpath.basename(above))}/{re.escape(name)}(?![\w.-])")
+    parent, name = posixpath.split(folder)
+    named = re.compile(rf"(?<![\w.-]){re.escape(posixpath.basename(parent))}/{re.escape(name)}(?![\w.-])")
     places = [(each, match.start()) for each in robot.sources for match in named.finditer(each.text)]
     line = where.span.line
     return any(each is not where.span.source or each.located(at, at).span.line != line for each, at in places)

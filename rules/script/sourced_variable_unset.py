@@ -49,6 +49,7 @@ from bringup_lint.api.spelling import numbered
 SOURCES = ("source", ".")
 ASSIGNED = regex(r"[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+(?=\+?=)")
 USED = regex(r"\$(?:\{(?P<braced>[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+)\}|(?P<plain>[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+)(?!\w))")
+NAME = regex(r"\w+")
 DECLARES = ("export", "declare", "readonly", "typeset", "local")
 LEARNS = regex(r"\b(?:eval|mapfile|readarray|getopts|envsubst)\b|\bexport[ \t]+[\"']?[$`]|\bset[ \t]+-a\b")
 
@@ -81,14 +82,15 @@ def _sourced(robot: Robot, source: Source) -> list[Source]:
 def _unset(robot: Robot, source: Source, files: list[Source]) -> Iterator[Finding]:
     given = {name: place for file in files for name, place in _assigned(file)}
     own = {name for name, _ in _assigned(source)}
+    words = set(NAME.findall(source.text))
+    unread = [each for each in given if each not in words]
     seen = set()
     for word, name in _used(source):
         if name in given or name in own or name in seen:
             continue
         seen.add(name)
-        others = (each for each in given if not numbered(name, each))
-        unread = [each for each in others if not re.search(rf"\b{re.escape(each)}\b", source.text)]
-        meant = [each for each in unread if _differs_in_a_word(name, each)] or nearest(name, unread)
+        others = [each for each in unread if not numbered(name, each)]
+        meant = [each for each in others if _differs_in_a_word(name, each)] or nearest(name, others)
         if len(meant) == 1 and not _may_be_set(robot, source, name):
             yield finding(
                 word,
