@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.topics.questions.namespaces import shared_by_namespaces
     from bringup_lint.graph.topics.questions.orphans import orphans
     from bringup_lint.graph.topics.questions.other_ends import used_at
+    from bringup_lint.graph.topics.questions.recorded import misspelt_records
     from bringup_lint.graph.topics.questions.transform_files import rivals_in_files
     from bringup_lint.graph.topics.questions.two_parents import two_parents
     from bringup_lint.graph.topics.questions.unmatched import without_publisher
@@ -56,6 +57,7 @@ __all__ = [
     "is_stop",
     "is_velocity",
     "misspelt",
+    "misspelt_records",
     "orphans",
     "probable_typos",
     "published_at_start",

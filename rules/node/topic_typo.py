@@ -12,6 +12,9 @@ Anywhere in the tree: a subscription that nobody publishes and a publisher that 
 namespace, where each is the only one for the other, one name has all words of the other or the type is one of the
 tree's own, and no other file mentions either name: `imu/raw` and `imu/data_raw`.
 
+A topic in `ros2 bag record` of a launch file that nobody uses, while one with the same letters is published:
+`/wheel_state` and `/wheel/state`.
+
 A client of a service or action that nobody offers, while all servers of its type, which is one of the tree's own, start
 beside it under the same name in another namespace, or under nearly the same name: `~/start` is `/mower/start`.
 
@@ -81,6 +84,13 @@ def topic_typo(robot: Robot) -> Iterator[Finding]:
                 note(publisher.name, f"{publisher.topic} is named here"),
                 note(subscription.where, f"{subscription.label} subscribes here"),
             ],
+        )
+    for topic, publisher in topics.misspelt_records(robot.topics):
+        yield finding(
+            topic,
+            f"Nobody publishes {topic}: the recording is without it, and {publisher.label} publishes {publisher.topic}",
+            advice=f"record {publisher.topic}",
+            related=[note(publisher.name, f"{publisher.topic} is named here")],
         )
     for use, meant in topics.unserved(robot.topics):
         yield finding(

@@ -38,8 +38,11 @@ When something else stops the motors sooner.
 """
 
 from collections.abc import Iterator
+from collections.abc import Sequence
+from itertools import pairwise
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import Span
 from bringup_lint.api import finding
@@ -73,25 +76,26 @@ def timeout_unit(robot: Robot) -> Iterator[Finding]:
             for each in block.parameters:
                 severity = None if robot.params.is_used(file) else "info"
                 yield from _judged(str(each.name), each.value.data, each.span, severity=severity, is_drive=is_drive)
-    given = {where: (name, value) for name, value, where in _given(robot)}
-    for where, (name, value) in given.items():
-        yield from _judged(name, value, where)
-
-
-def _given(robot: Robot) -> Iterator[tuple[str, object, Span]]:
-    """What launch files and command lines give."""
     if robot.has_launch_files:
         for node in robot.launch.nodes:
-            for key, value in node.given:
-                inner = value.value if isinstance(value, launch.TypedValue) else value
-                if isinstance(inner, launch.Literal):
-                    yield str(launch.literal(key)), inner.value, inner.span
+            yield from _of_node(node)
     for runner in robot.runners.ros:
         for start in runner.starts:
-            for before, word in zip(start.ros.arguments, start.ros.arguments[1:]):
-                if before in ("-p", "--param"):
-                    name, _, text = word.partition(":=")
-                    yield name.rpartition(":")[2], _number(text), word.span
+            yield from _of_words(start.ros.arguments)
+
+
+def _of_node(node: launch.Started) -> Iterator[Finding]:
+    for key, value in node.given:
+        inner = value.value if isinstance(value, launch.TypedValue) else value
+        if isinstance(inner, launch.Literal):
+            yield from _judged(str(launch.literal(key)), inner.value, inner.span)
+
+
+def _of_words(words: Sequence[Located]) -> Iterator[Finding]:
+    for before, word in pairwise(words):
+        if before in ("-p", "--param"):
+            name, _, text = word.partition(":=")
+            yield from _judged(name.rpartition(":")[2], _number(text), word.span)
 
 
 def _number(text: str) -> float | None:
