@@ -5,7 +5,8 @@ Packages with files in `msg`, `srv` or `action` that speak of their generation, 
 never call `rosidl_generate_interfaces`. Packages that call it without
 `<member_of_group>rosidl_interface_packages</member_of_group>` in package.xml, or without the packages whose types
 their interfaces have fields of in `DEPENDENCIES`, where nothing that is listed there brings them, or with a file that
-does not exist. Definitions that the call does not name, and whose header a node of the tree includes.
+does not exist. Definitions that the call does not name, and whose header a node of the tree includes, or
+which a field of one that it names has as its type.
 
 ## Why it matters on a robot
 Without the call, no header and no Python module is made: what includes or imports the interface does not build, or ends
@@ -52,6 +53,10 @@ _TEXTS = {
     ),
     "unlisted": (
         "{name} does not generate {listed}, which a node includes: its build stops",
+        "add {words} to rosidl_generate_interfaces",
+    ),
+    "field": (
+        "{name} does not generate {listed}, which a field of its {user} has as its type: its build stops",
         "add {words} to rosidl_generate_interfaces",
     ),
     "dependency": (
@@ -107,5 +112,6 @@ def _said(each: Ungenerated) -> dict[str, str]:
         "name": each.package.name,
         "listed": ", ".join(each.names),
         "words": " ".join(each.names),
+        "user": each.used.source.basename if each.used is not None else "",
         "some": f"{next(iter(each.names), '')}{more}",
     }

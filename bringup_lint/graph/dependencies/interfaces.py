@@ -43,7 +43,11 @@ _BRINGS = {
     **{"action_msgs": "unique_identifier_msgs service_msgs", "geographic_msgs": "geometry_msgs unique_identifier_msgs"},
 }
 """Packages of interfaces -> what they depend on themselves, at most. Source: their package.xml, Humble to Kilted."""
-_OTHER_TYPE = regex(r"(?m)^[ \t]*(?P<package>[a-z][a-z0-9_]*)/(?:msg/)?[A-Z]\w*(?:\[[^\]\n]*\])?[ \t]+\w")
+_FIELD = regex(
+    r"(?m)^[ \t]*(?:(?P<package>[a-z][a-z0-9_]*)/(?:msg/)?)?(?P<name>[A-Z]\w*)(?:\[[^\]\n]*\])?"
+    r"[ \t]+[a-z]\w*[ \t]*(?:#|$)"
+)
+"""A field with the type of a message, of the same package where none is named."""
 
 
 class MissingInterface(NamedTuple):
@@ -63,13 +67,14 @@ class Ungenerated(NamedTuple):
 
     kind: str
     """``none`` of the definitions is generated, ``group`` of the manifest is missing, a ``dependency``, a ``file``
-    that is listed, or a definition is ``unlisted`` whose header a node includes."""
+    that is listed, or a definition is ``unlisted`` whose header a node includes, or a ``field`` of one that is
+    listed has the type of one that is not."""
     package: Package
     where: Span
     names: tuple[str, ...]
     """The definitions, the packages whose types they use, or the files."""
     used: Span | None = None
-    """Where a node includes the first of the definitions."""
+    """Where a node includes the first of the definitions, or another has it as a field."""
 
 
 class PackageInterfaces:
@@ -228,6 +233,9 @@ def _of_package(
     if unlisted:
         place = next(iter(unlisted.values()))
         yield Ungenerated("unlisted", package, command.arguments[0].span, tuple(unlisted), place)
+    fields = {name: span for name, span in _unlisted_fields(files, package, interfaces) if name not in unlisted}
+    if fields:
+        yield Ungenerated("field", package, command.arguments[0].span, tuple(fields), next(iter(fields.values())))
     brought = _brought(workspace, interfaces)
     if brought is not None:
         used = sorted(_used(files, package, interfaces) - _IMPLICIT - brought)
@@ -278,6 +286,20 @@ def _unlisted(files: Files, package: Package, interfaces: PackageInterfaces) -> 
                 break
 
 
+def _unlisted_fields(files: Files, package: Package, interfaces: PackageInterfaces) -> Iterator[tuple[str, Span]]:
+    """The messages that the command does not list, each with a field of this type in a definition that it lists."""
+    listed = interfaces.listed
+    if not interfaces.is_closed or listed is None:
+        return
+    messages = {name: path for (kind, name), path in interfaces.defined.items() if kind == "msg"}
+    lost = {name for name, path in messages.items() if name not in listed and _is_place(package, "msg", path)}
+    if not lost:
+        return
+    for source, match in _fields(files, package, interfaces):
+        if match["name"] in lost and match["package"] in (None, package.name):
+            yield f"msg/{os.path.basename(messages[match['name']])}", source.span(*match.span("name"))
+
+
 def _is_written(tree: Tree, package: Package, kind: str, name: str) -> bool:
     """Whether the package has a header of its own where that of an interface would be."""
     header = os.path.join(package.folder, "include", package.name, kind, _header(name))
@@ -313,10 +335,14 @@ def _speaks(command: Command) -> bool:
 
 def _used(files: Files, package: Package, interfaces: PackageInterfaces) -> set[str]:
     """The other packages whose types the listed definitions have fields of."""
-    found = set()
+    fields = _fields(files, package, interfaces)
+    return {match["package"] for _, match in fields if match["package"] is not None} - {package.name}
+
+
+def _fields(files: Files, package: Package, interfaces: PackageInterfaces) -> Iterator[tuple[Source, re.Match[str]]]:
+    """The fields of the listed definitions that have the type of a message."""
     listed = interfaces.listed
     for (kind, name), path in interfaces.defined.items():
         source = files.tree.read(path, judged=False) if kind in KINDS and not path.endswith(".idl") else None
         if source is not None and _is_place(package, kind, path) and (listed is None or name in listed):
-            found |= {match["package"] for match in _OTHER_TYPE.finditer(source.text)}
-    return found - {package.name}
+            yield from ((source, match) for match in _FIELD.finditer(source.text))

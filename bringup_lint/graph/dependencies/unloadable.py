@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+from collections import Counter
 from collections.abc import Iterable
 from collections.abc import Iterator
 from functools import cached_property
@@ -52,6 +53,7 @@ _LOADERS = {
 """The namespace of a public base class -> the package under whose name its plugins are looked for; empty where both are
 called alike. Source: the calls of ``pluginlib::ClassLoader`` in ros2_control, navigation2, rviz, image_common, MoveIt,
 rqt and gz_ros2_control, Humble to Kilted."""
+_TEST = regex(r"(?:ament|catkin)_add_\w*test\w*")
 _BUILD = ("cmake", "ros-package")
 """Kinds that name a class without loading it."""
 _DEEP = 20
@@ -211,11 +213,21 @@ class _Plugins:
         if base.endswith(_CODE[5:]) or sum(each.basename == base for each in self._sources) > 1:
             return None
         found = {target for target, paths in self._targets.items() if source.absolute in paths}
-        if sum(build.source.text.count(base) for build in self._builds) != len(found):
+        if self._namings[base] != len(found):
             return None
         is_included = any(re.search(rf"#\s*include[^\n]*[/\"<]{re.escape(base)}", each.text) for each in self._sources)
         libraries = {name for build in self._builds for name in build.libraries}
         return None if is_included or not found <= libraries else found
+
+    @cached_property
+    def _namings(self) -> Counter[str]:
+        """The last names of sources -> how many commands have them, besides those that compile tests."""
+        found: Counter[str] = Counter()
+        for build in self._builds:
+            for command in commands(build.source):
+                if not _TEST.fullmatch(command.name):
+                    found.update({os.path.basename(word) for word in command.arguments if word.endswith(_CODE)})
+        return found
 
     def _links(self, target: str, holders: set[str]) -> bool:
         """Whether a library brings another one with it, or may hold anything."""
