@@ -64,9 +64,7 @@ class Absence:
         """Whether no file is called so, with whatever ending, and no build description has the word."""
         if self._is_open or name.partition(".")[0] in self._programs:
             return False
-        if name not in self._descriptions:
-            return True
-        return not re.search(rf"(?<![\w.-]){re.escape(name)}(?![\w-])", self._descriptions)
+        return not self._says(name)
 
     def of_file(self, path: str) -> bool:
         """Whether nothing below the package, and nothing else of the tree, has the name of a file to be installed."""
@@ -74,4 +72,10 @@ class Absence:
         stem = name.partition(".")[0]
         if not name or self._is_open or stem in self._stems or self._tree.is_ignored(os.path.join(self._folder, path)):
             return False
-        return stem not in self._descriptions and not any(True for _ in self._tree.named(name))
+        return not self._says(stem) and not any(True for _ in self._tree.named(name))
+
+    def _says(self, word: str) -> bool:
+        """Whether a build description has a word."""
+        return word in self._descriptions and bool(
+            re.search(rf"(?<![\w.-]){re.escape(word)}(?![\w-])", self._descriptions)
+        )

@@ -363,6 +363,10 @@ class Workspace:
             return False
         return package.executables_known or self._absence(package).of_executable(executable)
 
+    def lacks_file(self, package: Package, name: str) -> bool:
+        """Whether a package certainly installs no file of a name: what it installs is known, or nothing is called so."""
+        return package.installs_known or self._absence(package).of_file(name)
+
     @memo
     def _absence(self, package: Package) -> Absence:
         return Absence(self.tree, package.folder, package.builds)

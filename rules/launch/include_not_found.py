@@ -83,9 +83,9 @@ def _of_command(robot: Robot, command: Launching, effect: str, severity: str | N
     if package is None:
         yield from _without_package(robot, command, effect)
         return
-    if command.file is not None or not package.installs_known:
+    if command.file is not None or "%" in command.target:
         return
-    if "%" in command.target:
+    if not robot.launch.workspace.lacks_file(package, command.target):
         return
     if may_fail(command.start.ros.command, command.target) or _is_renamed(package, command.target):
         return

@@ -14,7 +14,7 @@ _TESTS = regex(
 )
 """Whether there is a file, or a program, or what a command ends with."""
 _ASKS = regex(
-    r"\bros2[ \t]+pkg[ \t][^\n|&>]*[|&>]|\b(?:if|elif|while|until)\b[^\n]{0,80}\bros2[ \t]+pkg[ \t]", hints="ros2"
+    r"\bros2[ \t]+pkg[ \t][^\n|&>)]*[|&>]|\b(?:if|elif|while|until)\b[^\n]{0,80}\bros2[ \t]+pkg[ \t]", hints="ros2"
 )
 """A line that asks for a package, and does something else where it is not there."""
 
