@@ -364,7 +364,7 @@ class Workspace:
         return package.executables_known or self._absence(package).of_executable(executable)
 
     def lacks_file(self, package: Package, name: str) -> bool:
-        """Whether a package certainly installs no file of a name: what it installs is known, or nothing is called so."""
+        """Whether a package surely installs no file of a name: what it installs is known, or nothing is called so."""
         return package.installs_known or self._absence(package).of_file(name)
 
     @memo
