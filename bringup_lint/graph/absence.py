@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.model.package import Build
 from bringup_lint.pattern import regex
+from bringup_lint.source import Source
 
 if TYPE_CHECKING:
     from bringup_lint.discover.tree import Tree
@@ -17,6 +18,9 @@ DESCRIPTIONS = 200
 """Build descriptions of one package that are searched."""
 _DESCRIBES = regex(r"(?:CMakeLists\.txt|\.cmake(?:\.in)?|setup\.py|setup\.cfg|pyproject\.toml|package\.xml)\Z")
 _FETCHES = regex(r"(?i)\b(?:ExternalProject_Add|FetchContent\w*|file\s*\(\s*DOWNLOAD|urlretrieve|git\s+clone)")
+_TAKES_IN = regex(
+    r"(?i)\b(?:add_subdirectory[ \t]*\(\s*(?P<folder>[\w./-]+)|include[ \t]*\(\s*(?P<file>[\w./-]+\.cmake)\b)"
+)
 _NO_PROGRAM = regex(
     r"\.(?:ya?ml|xml|md|rst|txt|urdf|xacro|sdf|srdf|rviz|png|jpe?g|svg|stl|dae|obj|lua)\Z|[._]launch\.(?:py|xml|ya?ml)\Z"
 )
@@ -33,11 +37,15 @@ class Absence:
         self._builds = builds
 
     @cached_property
-    def _descriptions(self) -> str:
-        """The text of everything that may say what is built."""
+    def _sources(self) -> list[Source]:
+        """Everything that may say what is built."""
         below = [path for path in self._tree.walked_below(self._folder) if _DESCRIBES.search(path)]
-        sources = [self._tree.read(path, judged=False) for path in below[:DESCRIPTIONS]]
-        return "\n".join(source.text for source in sources if source is not None)
+        sources = (self._tree.read(path, judged=False) for path in below[:DESCRIPTIONS])
+        return [source for source in sources if source is not None]
+
+    @cached_property
+    def _descriptions(self) -> str:
+        return "\n".join(source.text for source in self._sources)
 
     @cached_property
     def _names(self) -> frozenset[str]:
@@ -58,7 +66,15 @@ class Absence:
         """Whether the build makes things under names that are written nowhere, or takes them from elsewhere, as where
         only the manifest of a package is in the tree."""
         computed = any(build.names_computed for build in self._builds)
-        return computed or not self._builds or not self._descriptions or bool(_FETCHES.search(self._descriptions))
+        if computed or not self._builds or not self._descriptions or _FETCHES.search(self._descriptions):
+            return True
+        return any(self._takes_in_absent(source) for source in self._sources)
+
+    def _takes_in_absent(self, source: Source) -> bool:
+        """Whether a CMakeLists.txt takes in a folder or a file that is not in the tree."""
+        here = os.path.dirname(source.absolute)
+        taken = (match["file"] or f"{match['folder']}/CMakeLists.txt" for match in _TAKES_IN.finditer(source.said))
+        return any(not self._tree.exists(os.path.normpath(os.path.join(here, path))) for path in taken)
 
     def of_executable(self, name: str) -> bool:
         """Whether no file is called so, with whatever ending, and no build description has the word."""

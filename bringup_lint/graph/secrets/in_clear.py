@@ -294,7 +294,7 @@ def _in_settings(source: Source) -> Iterator[Secret]:
     for found in _TOKEN.finditer(source.text):
         value = source.located(*found.span())
         name, equals, _ = source.line_text(value.span.line).partition("=")
-        yield from _one(secret(name.strip(" \t#") if equals else "this token", value, "file"))
+        yield from _one(secret(name.strip(" \t#") if equals else "This token", value, "file"))
 
 
 def _of_programs(files: Files) -> Iterator[Secret]:

@@ -213,7 +213,25 @@ def test_what_is_not_understood_proves_nothing(tmp_path: Path, line: str) -> Non
     files = {"c/package.xml": CMAKE_PACKAGE.format("c"), "c/CMakeLists.txt": f"project(c)\n{line}\n"}
     launch = tree(tmp_path, files | {"c/launch/a.launch.xml": "<launch/>"})
     assert found(launch, "c", "launch/a.launch.xml") == ("a.launch.xml", None)
-    assert found(launch, "c", "launch/b.launch.xml") is None
+
+
+@pytest.mark.parametrize(
+    ("line", "expected"),
+    [
+        ("install(DIRECTORY ${unknown} DESTINATION share/${PROJECT_NAME})", (None, False)),
+        ("my_macro(launch/a)", (None, False)),
+        ("my_macro(launch/b)", None),
+        ("add_subdirectory(missing)", None),
+        ("include(cmake/install.cmake)", None),
+        ("include(CTest)", (None, False)),
+        ("add_subdirectory(extra)", (None, False)),
+        ("file(DOWNLOAD https://example.com/launch.tar launch.tar)", None),
+    ],
+)
+def test_a_file_that_nothing_is_called_is_absent(tmp_path: Path, line: str, expected: object) -> None:
+    files = {"c/package.xml": CMAKE_PACKAGE.format("c"), "c/CMakeLists.txt": f"project(c)\nmy_macro()\n{line}\n"}
+    launch = tree(tmp_path, files | {"c/launch/a.launch.xml": "<launch/>", "c/extra/CMakeLists.txt": "\n"})
+    assert found(launch, "c", "launch/b.launch.xml") == expected
 
 
 @pytest.mark.parametrize(
