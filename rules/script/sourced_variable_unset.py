@@ -66,14 +66,13 @@ def sourced_variable_unset(robot: Robot) -> Iterator[Finding]:
 
 def _sourced(robot: Robot, source: Source) -> list[Source]:
     """The files of the folder that a script sources; none where one of them is not known."""
-    beside = {each.basename: each for each in robot.files.beside(source)}
     found = []
     for command in shell_commands(source):
         if command.name in SOURCES and len(command.words) > 1:
-            file = beside.get(command.words[1].rpartition("/")[2])
-            if file is None or file.kind != "shell-script" or file.template or LEARNS.search(file.text):
+            file = robot.tree.beside(source, command.words[1].rpartition("/")[2])
+            if file is None or file is source or file.kind != "shell-script" or file.template:
                 return []
-            if any(each.name in SOURCES for each in shell_commands(file)):
+            if LEARNS.search(file.text) or any(each.name in SOURCES for each in shell_commands(file)):
                 return []
             found.append(file)
     return found

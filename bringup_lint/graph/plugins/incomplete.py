@@ -45,16 +45,20 @@ def incomplete_controllers(params: Params, packages: Container[str]) -> Iterator
     for file in params.parameter_files:
         for each in file.parameters:
             given.setdefault(_tail(str(each.block.key)), []).append(each)
+    typed = {each.name.removesuffix(".type") for of_name in given.values() for each in of_name}
     for file in params.judged:
         if file.accepted and not file.uncertain:
-            yield from _of_file(file, given, params, packages)
+            yield from _of_file(file, given, typed, params, packages)
 
 
 def _of_file(
-    file: ParameterFile, given: dict[str, list[Parameter]], params: Params, packages: Container[str]
+    file: ParameterFile,
+    given: dict[str, list[Parameter]],
+    typed_names: set[str],
+    params: Params,
+    packages: Container[str],
 ) -> Iterator[list[IncompleteController]]:
     blocks = {_tail(str(block.key)): block for block in file.blocks}
-    typed_names = {each.name.removesuffix(".type") for of_name in given.values() for each in of_name}
     for typed in file.parameters:
         name, kind = typed.name.removesuffix(".type"), str(typed.value.data)
         needs = controller_needs().get(kind) if typed.name.endswith(".type") else None
