@@ -5,7 +5,7 @@ Descriptions of pluginlib that name a library which the package does not build, 
 classes that no source exports with `PLUGINLIB_EXPORT_CLASS` under this name, or whose source is in no library; and
 descriptions that are exported for another package than the one under whose name the plugins are looked for. Classes
 that are exported by macros of one's own, and libraries whose sources are computed, are not judged. A class that no
-other file of the tree names is a warning.
+other file of the tree names is information.
 
 ## Why it matters on a robot
 The build succeeds. pluginlib finds the description and not the class: controller_manager loads no hardware and no
@@ -56,7 +56,7 @@ def plugin_not_loadable(robot: Robot) -> Iterator[Finding]:
                 message,
                 advice=advice,
                 related=[note(each.related, said)] if each.related is not None else [],
-                severity=None if each.is_named else "warning",
+                severity=None if each.is_named else "info",
             )
 
 
