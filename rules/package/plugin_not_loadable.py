@@ -4,8 +4,8 @@
 Descriptions of pluginlib that name a library which the package does not build, or one that does not hold the class;
 classes that no source exports with `PLUGINLIB_EXPORT_CLASS` under this name, or whose source is in no library; and
 descriptions that are exported for another package than the one under whose name the plugins are looked for. Classes
-that are exported by macros of one's own, and libraries whose sources are computed, are not judged. A class that no
-other file of the tree names is information.
+that are exported by macros of one's own, and libraries whose sources are computed, are not judged. What no
+other file of the tree names is a warning, and information where no source has the class.
 
 ## Why it matters on a robot
 The build succeeds. pluginlib finds the description and not the class: controller_manager loads no hardware and no
@@ -56,8 +56,13 @@ def plugin_not_loadable(robot: Robot) -> Iterator[Finding]:
                 message,
                 advice=advice,
                 related=[note(each.related, said)] if each.related is not None else [],
-                severity=None if each.is_named else "info",
+                severity=None if each.is_named else _of_unnamed(each.kind),
             )
+
+
+def _of_unnamed(kind: str) -> str:
+    """A description without a class is left over where nothing names it; a class without a description is not."""
+    return "info" if kind == "class" else "warning"
 
 
 def _words(kind: str, name: str, where: str, meant: str) -> tuple[str, str, str]:
