@@ -1,10 +1,11 @@
 """A timeout is given in milliseconds where seconds are read, or the reverse.
 
 ## What it finds
-`cmd_vel_timeout` or `reference_timeout` of more than 10 s in the block of a drive controller of ros2_controllers, which
-reads seconds. Timeouts of velocities, deadman switches and joysticks whose name ends with `_s` or `_sec` and that are
-60 s or more; and times of commands, watchdogs and deadman switches whose name ends with `_ms` and that are less than
-one millisecond.
+`cmd_vel_timeout` or `reference_timeout` of more than 10 s in the block of a controller whose type is a drive controller
+of ros2_controllers, which reads seconds. Timeouts of velocities, deadman switches and joysticks whose name ends with
+`_s` or `_sec` and that are 60 s or more; and timeouts of commands, watchdogs and deadman switches whose name ends with
+`_ms` and that are less than one millisecond. Times after which a robot that nobody drives goes to sleep or ends a
+session are left out.
 
 Parameter files, launch files, and `-p name:=value` in units, compose files and scripts are read.
 
@@ -15,7 +16,10 @@ comes, and the robot does not move, or stutters.
 
 ## Bad
 ```yaml
-diff_drive_controller:
+controller_manager:
+  ros__parameters:
+    wheels: {type: diff_drive_controller/DiffDriveController}
+wheels:
   ros__parameters:
     left_wheel_names: [left_wheel]
     cmd_vel_timeout: 500.0
@@ -23,7 +27,10 @@ diff_drive_controller:
 
 ## Good
 ```yaml
-diff_drive_controller:
+controller_manager:
+  ros__parameters:
+    wheels: {type: diff_drive_controller/DiffDriveController}
+wheels:
   ros__parameters:
     left_wheel_names: [left_wheel]
     cmd_vel_timeout: 0.5
@@ -52,27 +59,32 @@ from bringup_lint.api import rule
 
 _SECONDS = regex(r"(?:\w{1,40}_)?(?:cmd_vel|deadman|teleop|joy)\w{0,40}timeout_(?:s|secs?|seconds)\Z", hints="timeout")
 _MILLISECONDS = regex(
-    r"(?:\w{1,40}_)?(?:cmd|command|watchdog|deadman|heartbeat|teleop|joy)(?:_\w{1,40})?_(?:ms|msecs?|millis)\Z",
+    r"(?:\w{1,40}_)?(?:(?:cmd|command|watchdog|deadman|heartbeat|teleop|joy)_(?:\w{1,40}_)?(?:timeout|max_age|deadline)"
+    r"|watchdog|deadman|heartbeat)_(?:ms|msecs?|millis)\Z",
     hints="_m",
 )
+_UNHURRIED = regex(r"idle|shutdown|session|sleep|standby|disconnect|pair")
+"""Timeouts that have nothing to do with a robot that moves."""
 _CONTROLLERS = ("cmd_vel_timeout", "reference_timeout")
-_OF_CONTROLLERS = (
-    "left_wheel_names",
-    "wheel_separation",
-    "wheelbase",
-    "kinematics.wheels_radius",
-    "traction_joint_name",
+_DRIVES = (
+    "diff_drive_controller/DiffDriveController",
+    "mecanum_drive_controller/MecanumDriveController",
+    "omni_wheel_drive_controller/OmniWheelDriveController",
+    "tricycle_controller/TricycleController",
+    "ackermann_steering_controller/AckermannSteeringController",
+    "bicycle_steering_controller/BicycleSteeringController",
+    "tricycle_steering_controller/TricycleSteeringController",
 )
-"""What only a drive controller has beside its timeout."""
+"""Types of the drive controllers of ros2_controllers."""
 _ENDLESS, _LONG = 60.0, 10.0
 
 
 @rule("error", silent="the controller keeps the last speed, or zero, without a word")
 def timeout_unit(robot: Robot) -> Iterator[Finding]:
+    drives = set(_drives(robot))
     for file in robot.params.judged:
         for block in file.blocks:
-            names = {str(each.name) for each in block.parameters}
-            is_drive = not names.isdisjoint(_OF_CONTROLLERS)
+            is_drive = block.node_name in drives
             for each in block.parameters:
                 severity = None if robot.params.is_used(file) else "info"
                 yield from _judged(str(each.name), each.value.data, each.span, severity=severity, is_drive=is_drive)
@@ -82,6 +94,14 @@ def timeout_unit(robot: Robot) -> Iterator[Finding]:
     for runner in robot.runners.ros:
         for start in runner.starts:
             yield from _of_words(start.ros.arguments)
+
+
+def _drives(robot: Robot) -> Iterator[str]:
+    """The names of controllers that have the type of a drive controller."""
+    for file in robot.params.parameter_files:
+        for each in file.parameters:
+            if str(each.value.data) in _DRIVES:
+                yield each.block.node_name if each.name == "type" else each.name.removesuffix(".type")
 
 
 def _of_node(node: launch.Started) -> Iterator[Finding]:
@@ -111,10 +131,12 @@ def _judged(
     if not isinstance(value, (int, float)) or isinstance(value, bool):
         return
     last = name.rpartition(".")[2]
+    if _UNHURRIED.search(last):
+        return
     if (is_drive and last in _CONTROLLERS and value > _LONG) or (_SECONDS.match(last) and value >= _ENDLESS):
         yield finding(
             where,
-            f"{last} is in seconds: after the last command the robot keeps its speed for {value:g} s",
+            f"{last} is in seconds: after the last command the robot may keep its speed for {value:g} s",
             advice=f"write seconds, such as {value / 1000:g}" if value >= 100 else "write a few tenths of a second",
             severity=severity,
         )

@@ -26,7 +26,8 @@ _DEFAULT = regex(r":=\^?\|?(?P<quote>['\"]?)(?P<value>[^\s'\"]+)(?P=quote)")
 _FOUND = regex(r"\$\(find\s(?P<package>[^()$]+)\)/(?P<rest>[^$]+)\Z")
 _INCLUDED = regex(r"<xacro:include\s[^<>]{0,300}?\bfilename\s*=\s*[\"']([^\"'<>]{1,300})[\"']", hints="xacro:include")
 _SENSOR = regex(
-    r"(?i)realsense|camera|zed|velodyne|ouster|lidar|laser|hokuyo|sick|oak|depthai|_imu|kinect|astra|orbbec|livox|materials"
+    r"(?i)realsense|camera|velodyne|ouster|lidar|laser|hokuyo|depthai|_imu|kinect|orbbec|livox|materials"
+    r"|(?<![a-z])(?:zed[mx]?|sick|oak|astra)(?![a-z])"
 )
 """Packages and files that describe sensors."""
 _KNOWN_PART = 2
@@ -211,7 +212,8 @@ def _brings_hardware(tree: Tree, packages: Container[str], element: Element) -> 
         return False
     filename = str(element.get("filename") or "")
     match = _FOUND.match(filename)
-    if _SENSOR.search(filename) or (match is not None and match["package"].strip() in packages):
+    is_of_sensor = _SENSOR.search(filename) and "control" not in filename.rpartition("/")[2]
+    if is_of_sensor or (match is not None and match["package"].strip() in packages):
         return False
     return not _is_there(tree, packages, filename)
 
