@@ -5,7 +5,8 @@
 which the tree brings the file, by its path in the repository, or by the path of the image to which `COPY` brings it.
 Only what is little more than plain text is compared.
 
-Silent where the script names the text a second time, writes the file itself, or works in folders that it fetches.
+Silent where the file has the new text already, as with a script that switches something on beside one that switches it
+off, and where the script names the text a second time, writes the file itself, or works in folders that it fetches.
 
 ## Why it matters on a robot
 sed changes nothing and ends with success. The file keeps the placeholder or the old value: all robots have the same

@@ -48,12 +48,12 @@ def lost_edits(files: Files, scripts: Scripts, dockerfiles: Iterable[Dockerfile]
     """The replacements in files of the tree that find nothing there, though nothing else changes these files first."""
     for source, run in scripts.run("sed"):
         if source.origin is None and run.certain:
-            for old, paths in _replacements(run.words[1:]):
+            for old, new, paths in _replacements(run.words[1:]):
                 for path in paths:
                     file = _named(files, source, run.text(path))
                     if file is None or _is_written(scripts, source, file) or source.text.count(str(old)) > 1:
                         continue
-                    if _lacks(file, old):
+                    if _lacks(file, old, run.text(new)):
                         yield LostEdit(old, file)
     for dockerfile in dockerfiles:
         if dockerfile.source.judged:
@@ -67,11 +67,11 @@ def _of_stage(files: Files, stage: Stage) -> Iterator[LostEdit]:
         words = unwrapped(command.words)
         if not words or words[0] != "sed":
             continue
-        for old, paths in _replacements(words[1:]):
+        for old, new, paths in _replacements(words[1:]):
             for path in paths:
                 place = in_image(stage, path) if "$" not in path else None
                 file = copied(files, stage, place) if place else None
-                if file is None or _is_changed(commands, file, old) or not _lacks(file, old):
+                if file is None or _is_changed(commands, file, old) or not _lacks(file, old, new):
                     continue
                 yield LostEdit(old, file)
 
@@ -88,8 +88,8 @@ def _is_changed(commands: Iterable[Command], file: Source, old: str) -> bool:
     return known > 1
 
 
-def _replacements(words: Iterable[Located]) -> Iterator[tuple[Located, list[Located]]]:
-    """The texts that ``sed -i`` looks for, each with the files that it changes."""
+def _replacements(words: Iterable[Located]) -> Iterator[tuple[Located, Located, list[Located]]]:
+    """The texts that ``sed -i`` looks for, each with what it puts there, and the files that it changes."""
     plain: list[Located] = []
     scripts: list[Located] = []
     is_in_place = False
@@ -108,7 +108,7 @@ def _replacements(words: Iterable[Located]) -> Iterator[tuple[Located, list[Loca
     for script in scripts:
         found = _REPLACES.fullmatch(script)
         if found is not None:
-            yield script.part(*found.span("old")), plain
+            yield script.part(*found.span("old")), script.part(*found.span("new")), plain
 
 
 def _named(files: Files, script: Source, path: str) -> Source | None:
@@ -135,10 +135,18 @@ def _is_written(scripts: Scripts, script: Source, file: Source) -> bool:
     return any(posixpath.basename(did.path) == file.basename for did in done)
 
 
-def _lacks(file: Source, old: str) -> bool:
-    """Whether a file has no line that a replacement is for."""
+def _lacks(file: Source, old: str, new: str) -> bool:
+    """Whether a file has no line that a replacement is for, and none as it is afterwards."""
     pattern = _pattern(old)
-    return pattern is not None and bool(file.text) and re.search(pattern, file.text, re.M) is None
+    if pattern is None or not file.text or re.search(pattern, file.text, re.M):
+        return False
+    done = re.sub(r"\\(\W)", r"\1", new)
+    return _is_short(done) or re.search(rf"(?:\b|(?=\W)){re.escape(done)}(?:\b|(?<=\W))", file.text) is None
+
+
+def _is_short(text: str) -> bool:
+    """Whether a text has too few letters to say that it is found."""
+    return len(re.sub(r"\W", "", text)) < _LEAST
 
 
 def _pattern(old: str) -> str | None:
@@ -156,4 +164,4 @@ def _pattern(old: str) -> str | None:
             parts.append(token)
         else:
             return None
-    return "".join(parts) if len(re.sub(r"\W", "", old)) >= _LEAST else None
+    return None if _is_short(old) else "".join(parts)
