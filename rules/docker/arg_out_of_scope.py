@@ -111,8 +111,9 @@ def _of_stage(file: Dockerfile, stage: Stage, elsewhere: dict[str, Located]) -> 
 
 
 def _is_idle(file: Dockerfile, name: str) -> bool:
-    """Whether an ARG above the first FROM is there for no FROM, no other such ARG and no stage."""
-    if file.arguments.get(name) is None:
+    """Whether an ARG above the first FROM is there for no FROM, no other such ARG and no stage. Images with ROS set
+    its distribution."""
+    if file.arguments.get(name) is None or name == "ROS_DISTRO":
         return False
     named = re.compile(rf"\$\{{?{re.escape(name)}\b")
     texts = [stage.start.value for stage in file.stages] + [text for text in file.arguments.values() if text]

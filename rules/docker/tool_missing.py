@@ -60,8 +60,11 @@ TOOLS = {
 }
 """Programs -> their packages in Debian and Ubuntu."""
 PLAIN = regex(r"(?:docker\.io/)?(?:library/)?(?:ros|osrf/ros|ubuntu|debian)(?::.*)?")
+ALSO = {"sshd": ("ssh", "task-ssh-server")}
+"""Packages that bring these packages."""
 LISTS = regex(
-    r"\bxargs\b|\$\((?:cat|<)|\b(?:curl|wget)\b[^\n|]{0,400}\|[ \t]*(?:sudo[ \t]+)?(?:ba|da)?sh\b|\bansible-playbook\b"
+    r"\b(?:xargs|make|just|ansible-playbook)\b|\$\((?:cat|<)"
+    r"|\b(?:curl|wget)\b[^\n|]{0,400}\|[ \t]*(?:sudo[ \t]+)?(?:ba|da)?sh\b"
 )
 """Installs what the step does not name."""
 STARTED = regex(r"\bexec[ \t]+(?P<tool>gosu|tini|dumb-init|su-exec|supervisord)\b", hints="exec")
@@ -119,7 +122,8 @@ def _written(robot: Robot) -> Iterator[tuple[Stage, str, Located]]:
 
 def _is_brought(robot: Robot, stage: Stage, tool: str, where: Located) -> bool:
     """Whether a step installs it, or anything else of the tree may."""
-    named = re.compile(rf"(?<![\w-])(?:{re.escape(tool)}|{re.escape(TOOLS[tool])})(?![\w])")
+    names = "|".join(map(re.escape, (tool, TOOLS[tool], *ALSO.get(tool, ()))))
+    named = re.compile(rf"(?<![\w-])(?:{names})(?![\w])")
     steps = [step for one in stage.chain for step in one.all(*READS)]
     if any(LISTS.search(step.value) or _names(step, named) for step in steps):
         return True

@@ -99,7 +99,8 @@ def _in_scripts(robot: Robot) -> Iterator[Finding]:
             fast = next((place[name] for name in FASTDDS if name in place), None)
             cyclone = place.get("CYCLONEDDS_URI")
             other = {"rmw_fastrtps_cpp": cyclone, "rmw_cyclonedds_cpp": fast}.get(str(rmw))
-            if rmw is not None and other is not None and not (fast and cyclone):
+            read = FASTDDS if other is cyclone else ("CYCLONEDDS_URI",)
+            if rmw is not None and other is not None and not any(name in source.text for name in read):
                 yield finding(
                     other,
                     f"{rmw} does not read {'CYCLONEDDS_URI' if other is cyclone else 'this profile'}: it runs with the "

@@ -35,13 +35,15 @@ def taken_consoles(files: Files, devices: Devices) -> Iterator[TakenConsole]:
         return
     for source in files.of_kind("kernel-command-line"):
         for words in files.parsed(parse, [source]):
-            yield from (each for word in words if word.name == "console" for each in _taken(word.value, devices))
+            for word in words:
+                if word.name == "console":
+                    yield from _taken(word.value, files, devices)
 
 
-def _taken(value: Located, devices: Devices) -> Iterator[TakenConsole]:
+def _taken(value: Located, files: Files, devices: Devices) -> Iterator[TakenConsole]:
     line = value.part(0, len(value.partition(",")[0]))
     names = [line, _OF_KERNEL.get(line, line)]
-    uses = [use for use in devices.uses if use.path.removeprefix("/dev/") in names]
+    uses = [use for use in devices.uses if use.path.removeprefix("/dev/") in names and files.same_robot(use.path, line)]
     if uses:
         same = [use for use in uses if use.path == f"/dev/{line}" and use.certainty not in ("default", "argument")]
         yield TakenConsole(line, same or uses, bool(same))

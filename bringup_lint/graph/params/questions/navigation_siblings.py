@@ -23,15 +23,22 @@ _PARTS = 3
 
 
 def two_inputs(params: Params, file: ParameterFile, costmap: Block) -> Iterator[NavigationProblem]:
-    """A source of the local costmap, or the frame of the robot, for which the global one has another name."""
+    """A source of the local costmap with data of the same type, or the frame of the robot, for which the global one has
+    another name. Frames are known only where the tree describes the robot."""
     others = [each for each in file.blocks if each.node_name == "global_costmap"]
     if len(others) != 1:
         return
-    theirs = {_source(name): each for name, each in by_name(others[0]).items() if _source(name)}
-    for name, own in by_name(costmap).items():
+    named, given = by_name(costmap), by_name(others[0])
+    theirs = {_source(name): name for name in given if _source(name)}
+    for name, own in named.items():
         other = theirs.get(_source(name))
-        if other is not None:
-            yield from _one_unknown(params, file, own, other, "beside" if _source(name) != _FRAME else "base")
+        if other is None:
+            continue
+        if _source(name) != _FRAME:
+            if _data(named, name) == _data(given, other):
+                yield from _one_unknown(params, file, own, given[other], "beside")
+        elif params.files.of_kind("urdf"):
+            yield from _one_unknown(params, file, own, given[other], "base")
 
 
 def other_scan(params: Params, file: ParameterFile, localization: Block) -> Iterator[NavigationProblem]:
@@ -51,6 +58,12 @@ def other_scan(params: Params, file: ParameterFile, localization: Block) -> Iter
         if found and found[0].where == own.span:
             yield from found
             return
+
+
+def _data(named: dict[str, Parameter], topic: str) -> object:
+    """The type of the data of a source, which is LaserScan where none is given."""
+    kind = named.get(f"{topic.removesuffix('topic')}data_type")
+    return kind.value.data if kind is not None else "LaserScan"
 
 
 def _source(name: str) -> str:

@@ -20,6 +20,9 @@ if TYPE_CHECKING:
     from bringup_lint.model.node_source import Endpoint
     from bringup_lint.model.node_source import Qos
 
+_OF_FIRMWARE = (".ino", ".c", ".cpp", ".h", ".hpp")
+_SIZE = 100_000
+
 
 class End(NamedTuple):
     """One side of a topic, as a source of the tree makes it."""
@@ -53,6 +56,8 @@ def unserved_apart(topics: Topics) -> Iterator[UnservedApart]:
     out are topics that a driver of others may publish as well, and those that anything remaps."""
     found: dict[tuple[Source, tuple[Span, ...]], UnservedApart] = {}
     for each in _all(topics):
+        if _is_in_firmware(topics, each.subscription.topic):
+            continue
         profiles = tuple(end.qos.span for end in each.publishers if end.qos is not None)
         key = (each.subscription.where.source, profiles[:1])
         if key in found:
@@ -60,6 +65,13 @@ def unserved_apart(topics: Topics) -> Iterator[UnservedApart]:
         else:
             found[key] = each
     yield from found.values()
+
+
+def _is_in_firmware(topics: Topics, topic: str) -> bool:
+    """Whether firmware with micro-ROS names a topic: it may publish it with another profile."""
+    tree, name = topics.files.tree, topic.rpartition("/")[2]
+    heads = (tree.head(path, _SIZE) for path in tree.paths if path.endswith(_OF_FIRMWARE))
+    return any(name in text and ("rclc_" in text or "rclc/" in text) for text in heads)
 
 
 def _all(topics: Topics) -> Iterator[UnservedApart]:

@@ -20,6 +20,10 @@ if TYPE_CHECKING:
     from bringup_lint.source import Source
 
 _UNJUDGED = (Purpose.TEST, Purpose.CI, Purpose.ARCHIVE, Purpose.EXAMPLE)
+_ANOTHER = frozenset(
+    "is state status done request response command cmd desired target current measured feedback filtered".split()
+)
+"""Words that make another topic of one: a command, and what came of it."""
 _NAMESPACED = 2
 """Slashes of a name in a namespace: what stands at the root may be of anybody."""
 _MOST = 300
@@ -69,9 +73,8 @@ def _belong(topics: Topics, publisher: End, subscription: End) -> bool:
         return False
     is_own = publisher.type.partition("/")[0] in topics.launch.workspace.packages
     words, others = {*ours[2].split("_")}, {*theirs[2].split("_")}
-    return (is_own or words <= others or others <= words) and are_together(
-        topics, publisher.name.source, subscription.name.source
-    )
+    is_more = (words <= others or others <= words) and not (words ^ others) & _ANOTHER
+    return (is_own or is_more) and are_together(topics, publisher.name.source, subscription.name.source)
 
 
 def _is_mentioned(topics: Topics, end: End, ends: tuple[End, End]) -> bool:

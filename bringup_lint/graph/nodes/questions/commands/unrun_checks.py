@@ -22,7 +22,10 @@ _CHECKS = regex(
     r"|(?:\w{1,40}_)?time_?out_(?:check|cb|callback|timer)\Z|_?check_(?:\w{1,40}_)?time_?outs?\Z",
     re.I,
 )
-_OTHERS = regex(r"_{0,2}(?:get|set|is|has|feed|kick|pet|reset|enable|disable|start|stop|make|create|init|setup)_")
+_OTHERS = regex(
+    r"_{0,2}(?:get|set|is|has|feed|kick|pet|reset|enable|disable|start|stop|make|create|init|setup"
+    r"|trigger|engage|activate|clear|release|exit|enter|cancel|arm|disarm|on|handle)_"
+)
 """How methods begin that look for nothing."""
 
 
