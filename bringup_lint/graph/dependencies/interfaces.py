@@ -43,6 +43,7 @@ _BRINGS = {
     **{"action_msgs": "unique_identifier_msgs service_msgs", "geographic_msgs": "geometry_msgs unique_identifier_msgs"},
 }
 """Packages of interfaces -> what they depend on themselves, at most. Source: their package.xml, Humble to Kilted."""
+_OF_INTERFACES = ("_msgs", "_interfaces", "_srvs")
 _FIELD = regex(
     r"(?m)^[ \t]*(?:(?P<package>[a-z][a-z0-9_]*)/(?:msg/)?)?(?P<name>[A-Z]\w*)(?:\[[^\]\n]*\])?"
     r"[ \t]+[a-z]\w*[ \t]*(?:#|$)"
@@ -254,7 +255,9 @@ def _brought(workspace: Workspace, interfaces: PackageInterfaces) -> set[str] | 
         name = min(todo - found)
         found.add(name)
         if name in workspace.packages:
-            found |= {str(each) for each in workspace.required(workspace.packages[name])}
+            required = {str(each) for each in workspace.required(workspace.packages[name])}
+            todo |= {each for each in required if each in _BRINGS or each.endswith(_OF_INTERFACES)}
+            found |= required - todo
         elif name not in _BRINGS:
             return None
         else:
