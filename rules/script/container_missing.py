@@ -3,7 +3,7 @@
 ## What it finds
 `docker exec`, `attach`, `logs`, `stop`, `restart` and `start` of a name, in a script that runs `docker compose up`,
 where no service of the tree has that name as its `container_name` or as the one that compose makes of its own name, no
-`--name` gives it, and nothing else in the tree holds the word.
+`--name` of a script gives it, also by a variable, and nothing else in the tree holds the word.
 
 Silent for names with a part that is not known, for commands whose failure is expected (`||`, `if`, `2>/dev/null`), and
 where the compose files of the tree name no container, or name one with a variable.
@@ -60,11 +60,17 @@ def container_missing(robot: Robot) -> Iterator[Finding]:
     given = [name for _, name in names if name is not None]
     if not given or any("$" in name for name in given):
         return
-    for source, runs in _by_script(robot).items():
+    scripts = _by_script(robot)
+    given_by_scripts = {name for runs in scripts.values() for run in runs for name in _own(run)}
+    for source, runs in scripts.items():
         if not any(map(_brings_up, runs)):
             continue
         asked = [(word, run.text(word)) for run in runs if (word := _container(run)) is not None]
-        wrong = [(word, name) for word, name in asked if not _is_known(robot, source, name, names)]
+        wrong = [
+            (word, name)
+            for word, name in asked
+            if not _is_known(robot, source, name, names) and not any(_fits(each, name) for each in given_by_scripts)
+        ]
         near = next((name for name in given if robot.same_robot(name, source)), None)
         if wrong and near is not None:
             (first, called), *others = wrong
@@ -109,3 +115,19 @@ def _is_known(robot: Robot, source: Source, name: str, names: list[tuple[Located
     own = re.search(rf"--name[= ][\"']?{re.escape(name)}(?![\w-])", source.text)
     word = re.compile(rf"(?<![\w-]){re.escape(name)}(?![\w-])")
     return own is not None or any(word.search(each.text) for each in robot.sources if each is not source)
+
+
+def _own(run: Run) -> Iterator[str]:
+    """The names that a command gives to containers of its own."""
+    words = run.arguments
+    for option, value in zip(words, (*words[1:], "")):
+        if option == "--name":
+            yield value
+        elif option.startswith("--name="):
+            yield option.removeprefix("--name=")
+
+
+def _fits(given: str, name: str) -> bool:
+    """Whether a name of which some may not be known can be this one."""
+    parts = re.split(r"\{\{.*?\}\}", given)
+    return re.fullmatch(".+".join(map(re.escape, parts)), name) is not None
