@@ -6,11 +6,12 @@ A system service with a `User=` other than root, or `DynamicUser=`, whose comman
 - loads a module, writes a kernel parameter (`modprobe`, `sysctl -w`), or writes below `/proc/sys`, `/sys/module`,
   `/sys/kernel` or `/sys/devices/system/cpu`,
 - changes the owner or mode of a node in /dev,
-- starts, stops or enables units (`systemctl restart rover`), in a tree without files of polkit,
+- starts, stops or enables units (`systemctl restart rover`), in a tree that has and writes no files of polkit,
 - sets the clocks of the board (`nvpmodel -m`, `jetson_clocks`, `cpufreq-set`, `cpupower frequency-set`).
 
-Silent for commands after `sudo`, with the prefix `+` or `!`, of services with `AmbientCapabilities=` or
-`PermissionsStartOnly=`, and where a failure is expected (`||`, `2>/dev/null`, `-`).
+Silent for commands after `sudo`, in scripts that start themselves again with `sudo`, with the prefix `+` or `!`, of
+services with `AmbientCapabilities=` or `PermissionsStartOnly=`, and where a failure is expected (`||`, `2>/dev/null`,
+`-`).
 
 ## Why it matters on a robot
 It works in the shell of whoever is root, or types `sudo`. In the service it ends with "Operation not permitted": the
@@ -63,6 +64,7 @@ OF_MANAGER = regex(
     r"systemctl (?!(?:.* )?--user)(?:-\S+ )*(?:re)?(?:start|load|stop|enable|disable|mask|unmask|daemon-reload)(?: .*)?"
 )
 POLKIT = regex(r"(?:^|/)polkit(?:-1)?/|\.pkla$", hints="polkit .pkla")
+POLKIT_WRITTEN = regex(r"/polkit-1/|\.pkla\b", hints="polkit-1 .pkla")
 OF_ROOT = regex(r"/proc/sys/.*|/sys/(?:module|kernel|devices/system/cpu)/.*")
 RAISED = ("sudo", "doas", "pkexec", "su", "setpriv", "capsh", "docker", "podman", "ssh", "nsenter")
 
@@ -86,7 +88,7 @@ class Refused(NamedTuple):
     ],
 )
 def root_needed(robot: Robot) -> Iterator[Finding]:
-    asks = not any(True for _ in robot.tree.like(POLKIT))
+    asks = not any(True for _ in robot.tree.like(POLKIT)) and not robot.mentions(POLKIT_WRITTEN)
     for unit in robot.units.services:
         if unit.manager != "system" or unit.identity.is_root is not False or not unit.complete:
             continue
@@ -103,7 +105,7 @@ def _refused(robot: Robot, unit: Unit, asks: bool) -> Iterator[Refused]:
             continue
         for step in process.steps:
             refused = _of(step.command, asks)
-            if refused is not None:
+            if refused is not None and not (step.script and robot.scripts.raises_itself(step.script)):
                 yield Refused(process, step, refused, program_name(step.command.words[0]))
 
 

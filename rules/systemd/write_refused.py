@@ -3,7 +3,7 @@
 ## What it finds
 A service with `User=` whose script or Python program, as it starts, writes or changes a file below /etc, /boot or /usr,
 or makes a folder or a log file below /var/log, /var/lib and the like: commands that surely run, without `sudo`, and
-calls outside of any `try`.
+calls outside of any `try`. Not `rm -f`, and nothing in a script that starts itself again with `sudo`.
 
 Silent where another file of the same robot names the folder below /var or gives the file to somebody, where a unit has
 `StateDirectory=`, `LogsDirectory=` or the like for it, and where the service has capabilities or the line has `+`

@@ -140,8 +140,10 @@ def _without_sudo(words: tuple[Located, ...]) -> tuple[tuple[Located, ...], bool
     """The words of the program that runs in the end, without those that start it, and whether it runs as root."""
     by_root = False
     while words and (_AS_ROOT.fullmatch(words[0]) or unwrapped(words) != words):
-        by_root |= bool(_AS_ROOT.fullmatch(words[0])) or program_name(words[0]) == "sudo"
-        words = words[1:] if _AS_ROOT.fullmatch(words[0]) else unwrapped(words)
+        rest = words[1:] if _AS_ROOT.fullmatch(words[0]) else unwrapped(words)
+        before = words[: len(words) - len(rest)]
+        by_root |= any(_AS_ROOT.fullmatch(word) or program_name(word) == "sudo" for word in before)
+        words = rest
     return words, by_root
 
 

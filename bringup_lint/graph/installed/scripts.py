@@ -25,6 +25,7 @@ _QUERIES = frozenset(("link", "cat", "is-enabled", "list-unit-files"))
 _AT_BOOT = regex(r"^### BEGIN INIT INFO(?:\n#[^\n]*){0,20}\n# *Default-Start: *\S", re.M, "BEGIN INIT INFO")
 """The head of an init script (LSB 5.0, "Comment Conventions for Init Scripts") that has run levels."""
 _PART = regex(r"\{\{ [^{}]* \}\}|\$\{\w+\}|\$\w+")
+_ITSELF = regex(r"\$\{?(?:0|BASH_SOURCE)\b")
 SIZE = 200_000
 """Characters of a script that is read for what it does."""
 
@@ -79,6 +80,11 @@ class Scripts:
             if any(stem in word.replace("_", "-") or _fits(word, name) for word in words):
                 return True
         return False
+
+    def raises_itself(self, source: Source) -> bool:
+        """Whether a script may start itself again as root: ``exec sudo "$0"``."""
+        runs_of_root = (did for did in self.done(source) if isinstance(did, Run) and did.by_root)
+        return any(_ITSELF.search(word) for run in runs_of_root for word in run.words[:2])
 
     def starts_by_itself(self, source: Source) -> bool:
         """Whether something of the tree runs the script, so that it may run at every boot: it names the file, or the

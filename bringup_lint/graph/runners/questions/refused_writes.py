@@ -31,10 +31,20 @@ _FOLDERS = regex(r"/var/(?:log|lib|cache|spool)/[^{}$*]+")
 _TO_LAST = ("cp", "mv", "ln", "install")
 _TO_ALL = ("tee", "mkdir", "touch", "rm", "rmdir", "chmod", "chown")
 _MAKERS = ("mkdir", "touch", "tee")
+_FORCED = regex(r"-\w*f\w*|--force")
+"""``rm -f``, which does nothing where the file is not there."""
+_PARENTS = regex(r"-\w*p\w*|--parents")
 _PYTHON = regex(r"python[0-9.]*")
 _POWERS = ("AmbientCapabilities", "CapabilityBoundingSet", "PAMName", "RootDirectory", "BindPaths", "ReadWritePaths")
 _GIVES = r"\b(?:chown|chmod|setfacl|chgrp|install|mode|owner)\b"
 _MOST = 100_000
+
+
+class _Change(NamedTuple):
+    where: Located | Span
+    path: str
+    may_be_there: bool = False
+    """``mkdir -p``, which does nothing where the folder is there."""
 
 
 class RefusedWrite(NamedTuple):
@@ -54,15 +64,16 @@ def refused_writes(filesystem: Filesystem, scripts: Scripts) -> Iterator[Refused
         for process in filesystem.units.processes(unit):
             if process.prefixes.strip("-@:") or process.key == "ExecStopPost":
                 continue
-            for place, path in _changed(process, filesystem.files, scripts):
-                if not _is_given(filesystem, unit, path, place):
+            for place, path, may_be_there in _changed(process, filesystem.files, scripts):
+                if not _is_given(filesystem, unit, path, place, by_name=may_be_there):
                     yield RefusedWrite(unit, user, place, path)
 
 
-def _changed(process: Process, files: Files, scripts: Scripts) -> Iterator[tuple[Located | Span, str]]:
-    """What a command line surely changes, with the path."""
+def _changed(process: Process, files: Files, scripts: Scripts) -> Iterator[_Change]:
+    """What a command line surely changes."""
     for source in dict.fromkeys(step.script for step in process.steps if step.script is not None):
-        yield from _by_shell(scripts, source)
+        if not scripts.raises_itself(source):
+            yield from _by_shell(scripts, source)
     for step in process.steps:
         words = unwrapped(step.command.words)
         if words and step.command.depth == 0:
@@ -73,38 +84,42 @@ def _changed(process: Process, files: Files, scripts: Scripts) -> Iterator[tuple
             if run_by is not None and run_by.name.endswith(".py") and len(run_by.text) < _MOST:
                 from bringup_lint.graph.runners.questions.python_writes import python_writes
 
-                yield from ((place, path) for place, path in python_writes(run_by) if _is_of_root(path))
+                yield from (_Change(place, path) for place, path in python_writes(run_by) if _is_of_root(path))
 
 
 def _is_of_root(path: str) -> bool:
     return _FOLDERS.fullmatch(path) is not None or _OF_ROOT.fullmatch(path) is not None
 
 
-def _by_shell(scripts: Scripts, source: Source) -> Iterator[tuple[Located | Span, str]]:
+def _by_shell(scripts: Scripts, source: Source) -> Iterator[_Change]:
     for did in scripts.done(source):
         if not isinstance(did, Run):
             if did.by_shell and did.certain and not did.refused and _OF_ROOT.fullmatch(did.path):
-                yield did.where, did.path
+                yield _Change(did.where, did.path)
             continue
         if did.by_root or not did.certain or did.command.hides_errors or did.command.ends in ("||", "&&"):
             continue
         named = [word for word in did.words[1:] if not word.startswith("-")]
         changed = named[-1:] if did.name in _TO_LAST else named if did.name in _TO_ALL else []
+        if did.name == "rm" and any(map(_FORCED.fullmatch, did.words)):
+            continue
+        may_be_there = did.name == "mkdir" and any(map(_PARENTS.fullmatch, did.words))
         for word in changed:
             path = did.text(word)
             if _OF_ROOT.fullmatch(path) or (did.name in _MAKERS and _FOLDERS.fullmatch(path)):
-                yield did.words[0], path
+                yield _Change(did.words[0], path, may_be_there)
                 break
 
 
-def _is_given(filesystem: Filesystem, unit: Unit, path: str, place: Located | Span) -> bool:
-    """Whether something else makes the file or folder, or gives it to the user."""
+def _is_given(filesystem: Filesystem, unit: Unit, path: str, place: Located | Span, *, by_name: bool) -> bool:
+    """Whether something else makes the file or folder, or gives it to the user; for what may be there already, whether
+    something else names it."""
     own = {path.rstrip("/"), *(each for each in above(path) if each.count("/") > 1 + (not each.startswith("/etc/")))}
     if any(made.rstrip("/") in own for each in filesystem.units.all for made in directories(each)):
         return True
     source = (place.span if isinstance(place, Located) else place).source
     pattern = "|".join(re.escape(each) + r"(?![\w-])" for each in own)
-    gives = re.compile(rf"{_GIVES}[^\n]*(?:{pattern})" if _OF_ROOT.fullmatch(path) else pattern)
+    gives = re.compile(rf"{_GIVES}[^\n]*(?:{pattern})" if _OF_ROOT.fullmatch(path) and not by_name else pattern)
     files = filesystem.files
     others = [each for each in files.sources if each is not source and gives.search(each.text)]
     others += filter(None, map(files.tree.at, naming(files.tree, gives)))
