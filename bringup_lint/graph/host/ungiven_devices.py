@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
     from bringup_lint.graph.launch.expansion import Expansion
     from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.launch.started import Started
     from bringup_lint.graph.params.params import Params
     from bringup_lint.graph.runners.runner import Runner
     from bringup_lint.graph.udev.udev import Udev
@@ -24,6 +25,11 @@ if TYPE_CHECKING:
 _LINKS = regex(r"/dev/(?:serial|v4l|input)/by-(?:id|path)/[\w.:+-]+")
 """Links that packaged rules make."""
 _SERIAL = regex(r"/dev/tty(?:USB|ACM|AMA|THS)\d+")
+
+_NETWORK = regex(r"(?:^|[._])(?:channel_type|transport|connection)[\w.]*$", hints="channel_type transport connection")
+"""Parameters that choose between a serial line and a network."""
+_STAND_IN = regex(r"(?:^|[._])(?:mock|fake|dummy|sim|simulated?|simulation)(?:[._]|$)(?!time)")
+"""Parameters by which a node does without its device."""
 
 
 class Ungiven(NamedTuple):
@@ -101,22 +107,46 @@ def _opened(layers: _Layers, runner: Runner) -> Iterator[Located]:
         yield from _of_launch(expansion)
         params = layers.params
         for load in loads_in(launch, expansion):
-            file = params.at_path(load.path) if load.certain and load.node.by_default else None
+            file = params.at_path(load.path) if load.certain and _opens(load.node) else None
             if file is None:
                 continue
+            idle = {each.block for each in file.parameters if _is_idle(str(each.name), each.value.data)}
             for parameter in file.parameters:
                 path = _path(parameter.node)
-                if path is not None and params.effective(file, parameter):
+                if path is not None and parameter.block not in idle and params.effective(file, parameter):
                     yield path
 
 
 def _of_launch(expansion: Expansion) -> Iterator[Located]:
     from bringup_lint.model.launch_values import literal
 
-    for _, value in (pair for node in expansion.nodes if node.by_default for pair in node.given):
+    for _, value in (pair for node in expansion.nodes if _opens(node) for pair in node.given):
         text = literal(value)
         if text is not None and text.startswith("/dev/"):
             yield text
+
+
+def _opens(node: Started) -> bool:
+    """Whether a node is started by default, and its launch file does not tell it to do without its device."""
+    from bringup_lint.model.launch_values import Literal
+    from bringup_lint.model.launch_values import TypedValue
+    from bringup_lint.model.launch_values import literal
+
+    for name, value in node.given:
+        inner = value.value if isinstance(value, TypedValue) else value
+        if isinstance(inner, Literal) and _is_idle(str(literal(name)), inner.value):
+            return False
+    return bool(node.by_default)
+
+
+def _is_idle(name: str, data: object) -> bool:
+    """Whether a parameter says that its node opens no device: it has a network instead, or stands in for one."""
+    value = str(data).lower()
+    if name.endswith("use_serial"):
+        return value == "false"
+    if _NETWORK.search(name):
+        return value.startswith(("udp", "tcp"))
+    return value == "true" and _STAND_IN.search(name) is not None
 
 
 def _path(node: object) -> Located | None:
