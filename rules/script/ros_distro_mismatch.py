@@ -4,7 +4,9 @@
 In a script that installs packages of one distribution only (`apt install ros-jazzy-...`) or assigns only one to
 `ROS_DISTRO`: `source /opt/ros/OTHER/setup.bash`, also in a line that it adds to a file, such as `~/.bashrc`.
 
-Silent where the script names the other distribution anywhere else, and where it looks whether the file is there.
+Silent where the script names the other distribution anywhere else, where it looks whether the file is there, where the
+two are in different branches of an `if` or `case`, and where it takes the setup files of both one after the other.
+ROS 1 beside ROS 2 is meant, for a bridge.
 
 ## Why it matters on a robot
 After an upgrade half of the lines still name the old release. The file does not exist on a new robot: no shell finds
@@ -30,6 +32,7 @@ When another step installs the second distribution.
 """
 
 import re
+from collections.abc import Iterable
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -39,6 +42,8 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.shell import Block
+from bringup_lint.api.shell import shell_blocks
 
 DISTROS = r"foxy|galactic|humble|iron|jazzy|kilted|lyrical|rolling|noetic|melodic"
 SET_UP = regex(
@@ -51,6 +56,7 @@ SOURCED = regex(
     rf"/opt/ros/(?P<distro>{DISTROS})/[\w/]{{0,80}}setup\.\w+",
     re.M,
 )
+ROS_1 = ("noetic", "melodic")
 TESTED = regex(r"\bif\b|\[|&&|\|\||\bcase\b|\btest\b|\)[ \t]")
 
 
@@ -66,10 +72,16 @@ def _in_script(source: Source) -> Iterator[Finding]:
     if len(found) != 1:
         return
     ((distro, setup),) = found.items()
-    others = [match for match in SOURCED.finditer(source.text) if match["distro"] != distro]
-    if not others or any(TESTED.search(match["before"]) for match in others):
+    sourced = list(SOURCED.finditer(source.text))
+    others = [match for match in sourced if match["distro"] != distro]
+    if not others or any(TESTED.search(match["before"]) for match in others) or _has_both(sourced):
+        return
+    places = list(_places(shell_blocks(source)))
+    if any(_branch(places, match.start("distro")) != _branch(places, setup.end()) for match in others):
         return
     names = {match["distro"] for match in others}
+    if any((name in ROS_1) != (distro in ROS_1) for name in names):
+        return
     said = sum(len(re.findall(rf"\b{re.escape(name)}\b", source.uncommented)) for name in names)
     if said == len(others):
         first, *rest = (source.located(*match.span("distro")) for match in others)
@@ -83,3 +95,24 @@ def _in_script(source: Source) -> Iterator[Finding]:
                 *(note(each, "here too") for each in rest),
             ],
         )
+
+
+def _has_both(sourced: Iterable[re.Match[str]]) -> bool:
+    """Whether the script itself takes the setup files of several distributions."""
+    return len({match["distro"] for match in sourced if not match["before"].strip()}) > 1
+
+
+def _places(blocks: Iterable[Block], branch: tuple[int, ...] = ()) -> Iterator[tuple[int, tuple[int, ...]]]:
+    """Where each command begins, with the branches that it is in."""
+    for block in blocks:
+        if block.command is not None:
+            words = (*block.command.assignments, *block.command.words)
+            yield from ((word.span.start, branch) for word in words[:1])
+        yield from _places(block.condition, branch)
+        for body in block.bodies:
+            yield from _places(body, (*branch, id(body)) if block.kind == "branches" else branch)
+
+
+def _branch(places: Iterable[tuple[int, tuple[int, ...]]], at: int) -> tuple[int, ...]:
+    """The branches that a place in the script is in: those of the last command that begins before it."""
+    return max(((start, branch) for start, branch in places if start <= at), default=(0, ()))[1]
