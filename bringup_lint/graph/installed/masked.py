@@ -3,28 +3,43 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 
+from bringup_lint.graph.installed.script import Run
 from bringup_lint.graph.installed.scripts import KINDS
 from bringup_lint.graph.installed.scripts import Scripts
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
+from bringup_lint.source import Source
 
 _TYPES = ("service", "socket", "target", "timer", "path", "mount")
 _NAME = r"[\w@][\w@.:-]*"
 _MASKS = regex(
     rf"^(?:sudo[ \t]+)?systemctl[ \t]+(?:--now[ \t]+)?mask[ \t]+(?:--now[ \t]+)?(?P<names>{_NAME}(?: {_NAME})*)$", re.M
 )
-"""At the start of a line: not under a condition."""
+"""At the start of a line, also of a text for another shell."""
+_TAKES_AWAY = regex(r"(?i)(?:^|[^a-z])(?:un-?install|remove|purge|disable|stop|teardown|prerm|postrm)(?![a-z])")
 
 
 def masked_units(scripts: Scripts) -> dict[str, Located]:
     """The units that a script masks whatever it finds, with the word; none that anything of the tree unmasks."""
     found: dict[str, Located] = {}
     for source in scripts.files.of_kind(*KINDS):
-        if source.judged and "mask" in source.text:
-            for match in _MASKS.finditer(source.text):
+        if not source.judged or "mask" not in source.text or _TAKES_AWAY.search(source.basename):
+            continue
+        maybe = list(_conditional(scripts, source))
+        for match in _MASKS.finditer(source.text):
+            if not any(start <= match.start() < end for start, end in maybe):
                 found |= {_unit(str(word)): word for word in source.located(*match.span("names")).words()}
     return {name: word for name, word in found.items() if not _is_unmasked(scripts, name)}
+
+
+def _conditional(scripts: Scripts, source: Source) -> Iterator[tuple[int, int]]:
+    """The stretches of a script that it runs, or hands to another program, under a condition only."""
+    for did in scripts.done(source):
+        if isinstance(did, Run) and not did.certain and did.words:
+            yield did.command.words[0].span.start, did.words[-1].span.end
+            yield from did.given.places if did.given else ()
 
 
 def _unit(name: str) -> str:
@@ -34,6 +49,7 @@ def _unit(name: str) -> str:
 def _is_unmasked(scripts: Scripts, name: str) -> bool:
     stem = re.escape(name.removesuffix(".service"))
     unmasked = re.compile(
-        rf"\bunmask\b[^\n]*(?:(?<![\w-]){stem}(?![\w-])|\$|\{{\{{)|\bmasked:[ \t]*[\"']?(?:no|false)\b"
+        rf"\brm\b[^\n]*/{stem}(?:\.service)?(?![\w.-])"
+        rf"|\bunmask\b[^\n]*(?:(?<![\w-]){stem}(?![\w-])|\$|\{{\{{)|\bmasked:[ \t]*[\"']?(?:no|false)\b"
     )
     return scripts.files.mentions(unmasked)

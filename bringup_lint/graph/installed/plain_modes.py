@@ -31,6 +31,8 @@ def plain_modes(scripts: Scripts) -> dict[str, Located]:
             else:
                 executable.add(path)
     changed = [(source, word) for source, run in scripts.run(*_CHANGES) for word in run.arguments]
+    for source, run in scripts.run("find", "xargs"):
+        changed += [(source, "*") for word in run.words if any(change in word for change in _CHANGES)]
     return {
         path: mode for path, mode in found.items() if path not in executable and not _is_changed(path, mode, changed)
     }
