@@ -3,7 +3,8 @@
 ## What it finds
 A redirection (`> FILE`, `&>> FILE`) into a folder that no `mkdir` or `install -d` of the tree's scripts makes and that
 nothing else of the tree names, where a script makes a folder beside it whose name differs in a letter, such as
-`/var/log/rover` and `/var/log/rovers`. Folders that differ in a number are two folders.
+`/var/log/rover` and `/var/log/rovers`. Folders that differ in a number are two folders, and those that packages of the
+system bring, such as `/etc/ssh/sshd_config.d` and `/usr/local/bin`, are there.
 
 ## Why it matters on a robot
 The shell cannot open the file, and does not run the command: nothing is calibrated, started or logged. The only message
@@ -44,6 +45,15 @@ from bringup_lint.api.spelling import nearest
 from bringup_lint.api.spelling import numbered
 
 HOME = regex(r"^(?:~|\$HOME|\$\{HOME\}|\{\{ ?HOME ?\}\})(?=/)")
+BROUGHT = regex(
+    r"/etc/(?:"
+    r"ssh/sshd?_config|apt/(?:apt\.conf|sources\.list|preferences|trusted\.gpg|auth\.conf)|udev/(?:rules|hwdb)"
+    r"|NetworkManager/(?:conf|dispatcher)|security/(?:limits|namespace)|logrotate|rsyslog|cron|profile|sudoers|modprobe"
+    r"|modules-load|sysctl|tmpfiles|binfmt|init|ld\.so\.conf"
+    r"|dbus-1/(?:system|session))\.d"
+    r"|/etc/systemd/(?:system|user|network)|/usr/(?:local/)?(?:s?bin|lib|share|src|include)"
+)
+"""Folders that packages of Debian and Ubuntu bring."""
 PLAIN = regex(r"~?(?:/[\w.-]+){2,}")
 
 
@@ -64,7 +74,7 @@ def folder_missing(robot: Robot) -> Iterator[Finding]:
             if not isinstance(did, Written) or not did.by_shell:
                 continue
             folder = posixpath.dirname(_path(did.path))
-            if folder in known or not PLAIN.fullmatch(folder):
+            if folder in known or not PLAIN.fullmatch(folder) or BROUGHT.fullmatch(folder):
                 continue
             if folder not in seen:
                 seen[folder] = _meant(folder, beside)
