@@ -9,7 +9,8 @@ The same where the parameter file of the controller says so, and the filter take
 beside its spawner. Silent where files for controllers of one name differ in this.
 
 Also a filter or a diff_drive_controller whose robot frame the robot description puts below another link by a fixed
-joint: every description of the tree that has the link does.
+joint: every description of the tree that has the link does, and lies in the same package or is published by a launch
+file that also starts the filter or the controller.
 
 Also a `static_transform_publisher` for a link that the `robot_state_publisher` of the same bring-up publishes as well,
 by a fixed joint that puts it elsewhere or below another link. The joints of macros are read with their calls.

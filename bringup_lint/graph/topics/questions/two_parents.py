@@ -64,10 +64,26 @@ def _parent(topics: Topics, roots: list[tuple[Source, Element]], source: Transfo
         if source.child not in description.text or not _has_link(root, source.child):
             continue
         above = list(_above(root, source.child))
-        if len(above) != 1 or above[0] == source.parent or not are_together(topics, description, source.where.source):
+        if len(above) != 1 or above[0] == source.parent or not _are_started(topics, description, source.where.source):
             return None
         found += above
     return found[0] if found else None
+
+
+def _are_started(topics: Topics, description: Source, other: Source) -> bool:
+    """Whether one robot has both: they lie in one package, or one launch file starts a robot_state_publisher with the
+    package of the description, and what reads the other file."""
+    workspace = topics.launch.workspace
+    owner = workspace.owner(description)
+    if owner is None or owner is workspace.owner(other):
+        return are_together(topics, description, other)
+    for expansion in topics.launch.expansions:
+        nodes = [each for each in expansion.nodes if literal_text(each.package) == "robot_state_publisher"]
+        files = [each.file.source for each in nodes]
+        if any(workspace.owner(file) is owner or str(owner.name) in file.text for file in files):
+            if any(file.source is other or other.basename in file.source.text for file in expansion.files):
+                return True
+    return False
 
 
 def _has_link(root: Element, name: str) -> bool:
