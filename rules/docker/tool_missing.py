@@ -32,11 +32,14 @@ When a build outside of the tree adds the tool.
 """
 
 import re
+from collections.abc import Callable
 from collections.abc import Iterator
+from functools import cache
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
@@ -81,11 +84,12 @@ READS = ("RUN", "COPY", "ADD", "ENV", "ARG", "ONBUILD")
 )
 def tool_missing(robot: Robot) -> Iterator[Finding]:
     seen = set()
+    speaking = _speaking(robot)
     for stage, tool, where in (*_started(robot), *_written(robot)):
         if (stage, tool) in seen or not PLAIN.fullmatch(stage.origin):
             continue
         seen.add((stage, tool))
-        if not _is_brought(robot, stage, tool, where):
+        if not _is_installed(stage, tool) and not any(each is not where.span.source for each in speaking(tool)):
             yield finding(
                 where,
                 f"Nothing installs {tool} into the image: the container ends with 'not found'",
@@ -113,22 +117,37 @@ def _written(robot: Robot) -> Iterator[tuple[Stage, str, Located]]:
         for start in filter(None, (stage.last("ENTRYPOINT"), stage.last("CMD"))):
             first = next(iter(start.exec_form or ()), "")
             if program_name(first) in TOOLS:
-                at = start.value.index(first)
+                at = max(start.value.find(first), 0)  # not as it is written where it has escapes
                 yield stage, program_name(first), start.value.part(at, at + len(first))
         for text in (text for step in stage.all("RUN") for text in (step.value, *step.heredocs)):
             for match in STARTED.finditer(text):
                 yield stage, match["tool"], text.part(*match.span("tool"))
 
 
-def _is_brought(robot: Robot, stage: Stage, tool: str, where: Located) -> bool:
-    """Whether a step installs it, or anything else of the tree may."""
-    names = "|".join(map(re.escape, (tool, TOOLS[tool], *ALSO.get(tool, ()))))
-    named = re.compile(rf"(?<![\w-])(?:{names})(?![\w])")
+def _is_installed(stage: Stage, tool: str) -> bool:
+    """Whether a step may install it."""
+    named = _named(tool)
     steps = [step for one in stage.chain for step in one.all(*READS)]
-    if any(LISTS.search(step.value) or _names(step, named) for step in steps):
-        return True
-    others = (each for each in robot.sources if each.kind != "dockerfile" and each is not where.span.source)
-    return any(named.search(USED.sub("", each.text)) for each in others)
+    return any(LISTS.search(step.value) or _names(step, named) for step in steps)
+
+
+def _speaking(robot: Robot) -> Callable[[str], list[Source]]:
+    """The files besides Dockerfiles that name a tool or its package other than to run it: they may bring it."""
+
+    @cache
+    def speaking(tool: str) -> list[Source]:
+        named = _named(tool)
+        others = (each for each in robot.sources if each.kind != "dockerfile")
+        found = (each for each in others if named.search(each.text))
+        return [each for each in found if named.search(USED.sub("", each.text))][:2]
+
+    return speaking
+
+
+def _named(tool: str) -> re.Pattern[str]:
+    """A tool, or a package that brings it."""
+    names = "|".join(map(re.escape, (tool, TOOLS[tool], *ALSO.get(tool, ()))))
+    return re.compile(rf"(?<![\w-])(?:{names})(?![\w])")
 
 
 def _names(step: Instruction, named: re.Pattern[str]) -> bool:

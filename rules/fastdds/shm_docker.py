@@ -52,10 +52,8 @@ OTHERWISE = (
     "ROS_DISCOVERY_SERVER",
 )
 
-IN_MEMORY = regex(
-    r"<type>[ \t]*SHM[ \t]*</type>[\s\S]*<useBuiltinTransports>[ \t]*false"
-    r"|<useBuiltinTransports>[ \t]*false[\s\S]*<type>[ \t]*SHM[ \t]*</type>"
-)
+SHARED = regex(r"<type>[ \t]*SHM[ \t]*</type>")
+ALONE = regex(r"<useBuiltinTransports>[ \t]*false")
 BY_NAME = regex(r"(?i)/shm[-_]?only[^/]*$")
 ELSEWHERE = regex(r"<type>[ \t]*(?:UDP|TCP)v[46][ \t]*</type>")
 
@@ -120,7 +118,7 @@ def _memory_alone(runner: Runner) -> Located | None:
         file = runner.reads(path)
         if file is None and BY_NAME.search(path):
             return variable.value
-        if file is not None and file.says(IN_MEMORY) and not file.says(ELSEWHERE):
+        if file is not None and file.says(SHARED) and file.says(ALONE) and not file.says(ELSEWHERE):
             return variable.value
     return None
 

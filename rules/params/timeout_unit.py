@@ -77,6 +77,8 @@ _DRIVES = (
 )
 """Types of the drive controllers of ros2_controllers."""
 _ENDLESS, _LONG = 60.0, 10.0
+_MOST = 1e15
+"""More is no setting."""
 
 
 @rule("error", silent="the controller keeps the last speed, or zero, without a word")
@@ -128,7 +130,7 @@ def _number(text: str) -> float | None:
 def _judged(
     name: str, value: object, where: Span, *, severity: str | None = None, is_drive: bool = False
 ) -> Iterator[Finding]:
-    if not isinstance(value, (int, float)) or isinstance(value, bool):
+    if not isinstance(value, (int, float)) or isinstance(value, bool) or abs(value) > _MOST:
         return
     last = name.rpartition(".")[2]
     if _UNHURRIED.search(last):

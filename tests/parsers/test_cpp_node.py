@@ -167,6 +167,19 @@ void f() {
     assert found == ["mower/state", "mower/blade", "mower/", "left_wheel", None, None, None, None]
 
 
+def test_a_macro_of_much_text_is_no_name() -> None:
+    text = f"""
+#include "rclcpp/rclcpp.hpp"
+#define LONG(a) {"a " * 5000}
+#define MANY(a) {"a " * 30}
+void f() {{
+  create_publisher<std_msgs::msg::Bool>(LONG("x"), 1);
+  create_publisher<std_msgs::msg::Bool>(MANY("x"), 1);
+}}
+"""
+    assert [each.name for each in parse(Source("mower.cpp", text)).endpoints] == [None, None]
+
+
 def test_an_error_costs_its_construct() -> None:
     text = NODE.replace('declare_parameter("rate", 12.5);', "declare_parameter(((;")
     assert len(parse(Source("relay.cpp", text)).endpoints) == 3

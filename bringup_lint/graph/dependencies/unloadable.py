@@ -107,7 +107,7 @@ class _Plugins:
 
     def _of_description(self, build: Build, category: Located, path: str) -> Iterator[Unloadable]:
         path = path.replace("${CMAKE_CURRENT_SOURCE_DIR}", ".").replace("${PROJECT_NAME}", self._package.name)
-        source = self._files.tree.read(os.path.join(os.path.dirname(build.source.absolute), path))
+        source = self._files.tree.beside(build.source, path)
         root = parse(source).root if source is not None and not source.template else None
         if root is None:
             return

@@ -24,12 +24,14 @@ _TEXT = regex(r"\)(?:\.get_parameter_value\(\))?\.(?:as_string|(?:get_value|get)
 
 _DEFINE = regex(
     r"^[ \t]*#[ \t]*define[ \t]+(?P<name>[A-Za-z_]\w*)(?:\([ \t]*(?P<parameter>[A-Za-z_]\w*)[ \t]*\))?[ \t]+"
-    r"(?P<body>[\w\"][^\n\\]*)$",
+    r"(?P<body>[\w\"][^\n\\]{0,200})$",
     re.M,
     hints="define",
 )
-_MACRO_CALL = regex(r"(?P<name>[A-Za-z_]\w*)\s*\(\s*(?P<given>\"[^\"\\\n]*\")\s*\)\Z")
+_MACRO_CALL = regex(r"(?P<name>[A-Za-z_]\w*)\s*\(\s*(?P<given>\"[^\"\\\n]{0,255}\")\s*\)\Z")
 _PART = regex(r"\"[^\"\\\n]*\"|\w+")
+_MOST_PARTS = 20
+"""Literals of which a name is put together."""
 
 
 class Macro(NamedTuple):
@@ -168,11 +170,15 @@ class Names:
             written = macro.body.replace(macro.parameter, given) if macro.parameter else macro.body
         elif node.type != "concatenated_string":
             return None
-        parts = []
-        for part in _PART.findall(written):
+        parts: list[str] = []
+        for part in _PART.findall(written)[:_MOST_PARTS]:
             inner = self._macros.get(part)
             parts += _PART.findall(inner.body) if inner is not None and inner.parameter is None else [part]
-        if _PART.sub("", written).strip() or any(not part.startswith('"') for part in parts):
+        if (
+            len(parts) > _MOST_PARTS
+            or _PART.sub("", written).strip()
+            or any(not part.startswith('"') for part in parts)
+        ):
             return None
         return Located("".join(part[1:-1] for part in parts), self.code.span(node))
 
