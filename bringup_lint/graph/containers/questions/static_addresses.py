@@ -6,6 +6,7 @@ import os
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.addresses import PREFIX_LENGTH
 from bringup_lint.addresses import parse_address
 from bringup_lint.addresses import parse_network
 from bringup_lint.graph.containers.questions.compose_projects import Projects
@@ -17,6 +18,7 @@ from bringup_lint.model.yaml_node import Scalar
 from bringup_lint.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
+    from bringup_lint.addresses import Address
     from bringup_lint.addresses import Network
     from bringup_lint.graph.containers.compose import Compose
     from bringup_lint.source import Located
@@ -44,18 +46,38 @@ def refused_addresses(compose: Compose) -> Iterator[RefusedAddress]:
             yield from _of(compose, file, projects)
 
 
+class _Network(NamedTuple):
+    """What ``ipam:`` gives to a network."""
+
+    name: Located
+    bare: bool
+    """It has no subnet, and no other file of the folder speaks of it."""
+    subnet: Located | None
+    """The first of those that are all known."""
+    prefixes: set[tuple[int, int, int]]
+    lengths: set[tuple[int, int]]
+    """Family and length of these."""
+    gateways: dict[str, Located]
+
+
 def _of(compose: Compose, file: ComposeFile, projects: Projects) -> Iterator[RefusedAddress]:
     owners: dict[tuple[str, str], tuple[Service, Located]] = {}
+    networks: dict[str, _Network | None] = {}
     for service in file.services:
-        for network, address in _given(service):
-            defined = _definition(file, network, projects) if parse_address(address) is not None else None
-            if defined is None:
+        for name, address in _given(service):
+            parsed = parse_address(address)
+            if parsed is None:
                 continue
-            owner, entry = defined
-            yield from _refused(compose, owner, service, address, *entry)
-            first = owners.setdefault((network, str(address)), (service, address))
+            if name not in networks:
+                defined = _definition(file, name, projects)
+                networks[name] = _network(compose, defined[0], *defined[1]) if defined is not None else None
+            network = networks[name]
+            if network is None:
+                continue
+            yield from _refused(network, service, address, parsed)
+            first = owners.setdefault((name, str(address)), (service, address))
             if first[0] is not service and not first[0].profiles and not service.profiles:
-                yield RefusedAddress("taken", service, address, network, first[1])
+                yield RefusedAddress("taken", service, address, name, first[1])
 
 
 def _definition(
@@ -87,28 +109,35 @@ def _given(service: Service) -> Iterator[tuple[str, Located]]:
             yield from ((str(name.value), address.value) for address in found if address is not None)
 
 
-def _refused(
-    compose: Compose, file: ComposeFile, service: Service, address: Located, name: Scalar, body: object
-) -> Iterator[RefusedAddress]:
-    network = str(name.value)
-    if isinstance(body, Mapping) and body.get("external") is not None:
-        return
-    configs = _configs(body)
-    if configs is None:
-        return
-    subnets = {text: parsed for each in configs for text, parsed in _subnet(each)}
-    if not subnets:
-        if not configs and not _is_defined_elsewhere(compose, file, network):
-            yield RefusedAddress("no subnet", service, address, network, name.value)
-        return
-    parsed_address = parse_address(address)
-    fitting = [parsed for parsed in subnets.values() if parsed is None or parsed_address in parsed]
-    if not fitting:
-        yield RefusedAddress("outside", service, address, network, next(iter(subnets)))
-    gateways = (each.scalar("gateway") for each in configs)
-    for gateway in gateways:
-        if gateway is not None and gateway.value == address:
-            yield RefusedAddress("gateway", service, address, network, gateway.value)
+def _refused(network: _Network, service: Service, address: Located, parsed: Address) -> Iterator[RefusedAddress]:
+    name = str(network.name)
+    if network.bare:
+        yield RefusedAddress("no subnet", service, address, name, network.name)
+    own = (_prefix(parsed, length) for family, length in network.lengths if family == parsed.version)
+    if network.subnet is not None and network.prefixes.isdisjoint(own):
+        yield RefusedAddress("outside", service, address, name, network.subnet)
+    if address in network.gateways:
+        yield RefusedAddress("gateway", service, address, name, network.gateways[address])
+
+
+def _network(compose: Compose, file: ComposeFile, name: Scalar, body: object) -> _Network:
+    is_external = isinstance(body, Mapping) and body.get("external") is not None
+    configs = None if is_external else _configs(body)
+    subnets = {text: parsed for each in configs or () for text, parsed in _subnet(each)}
+    parsed = [each for each in subnets.values() if each is not None]
+    gateways = [each.scalar("gateway") for each in configs or ()] if subnets else []
+    return _Network(
+        name.value,
+        configs == [] and not _is_defined_elsewhere(compose, file, str(name.value)),
+        next(iter(subnets), None) if len(parsed) == len(subnets) else None,
+        {_prefix(each.network_address, each.prefixlen) for each in parsed},
+        {(each.version, each.prefixlen) for each in parsed},
+        {str(each.value): each.value for each in gateways if each is not None},
+    )
+
+
+def _prefix(address: Address, length: int) -> tuple[int, int, int]:
+    return address.version, length, int(address) >> PREFIX_LENGTH[address.version] - length
 
 
 def _configs(body: object) -> list[Mapping] | None:
