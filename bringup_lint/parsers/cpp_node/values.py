@@ -171,7 +171,7 @@ class Names:
         elif node.type != "concatenated_string":
             return None
         parts: list[str] = []
-        for part in _PART.findall(written)[:_MOST_PARTS]:
+        for part in _PART.findall(written)[: _MOST_PARTS + 1]:
             inner = self._macros.get(part)
             parts += _PART.findall(inner.body) if inner is not None and inner.parameter is None else [part]
         if (
