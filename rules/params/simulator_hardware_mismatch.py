@@ -1,9 +1,9 @@
 """A robot description has the hardware of one simulator, and loads the plugin of another.
 
 ## What it finds
-Descriptions whose `<ros2_control>` has `gazebo_ros2_control/GazeboSystem` while the descriptions of the package, or of
-the tree, load the plugin of the new Gazebo (`gz_ros2_control-system`, `ign_ros2_control-system`), and the other way
-round. Silent where the description has hardware for both.
+Descriptions whose `<ros2_control>` has `gazebo_ros2_control/GazeboSystem` while the descriptions of the package, or
+those that are included with them, load the plugin of the new Gazebo (`gz_ros2_control-system`,
+`ign_ros2_control-system`), and the other way round. Silent where the description has hardware for both.
 
 ## Why it matters on a robot
 The plugin of each simulator loads hardware of its own kind only: "According to the loaded plugin descriptions the class

@@ -102,6 +102,13 @@ def included_from(tree: Tree, paths: list[str]) -> list[str]:
     return list(found)
 
 
+def includes_elsewhere(tree: Tree, packages: Container[str], paths: list[str]) -> bool:
+    """Whether one of these descriptions includes a file that the tree does not have."""
+    sources = (source for path in paths if (source := tree.read(path)) is not None)
+    names = (name for source in sources for name in _INCLUDED.findall(source.text))
+    return not all(_is_there(tree, packages, name) for name in names)
+
+
 def described(tree: Tree, packages: Container[str], paths: list[str] | None = None) -> Described:
     """``packages``: those of the tree, from which descriptions include others; ``paths``: all when it is None."""
     found = Described()

@@ -5,6 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.discover.tree import display_name
+from bringup_lint.graph.plugins.described import descriptions
+from bringup_lint.graph.plugins.described import included_from
+from bringup_lint.graph.plugins.described import includes_elsewhere
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.xml import parse
 from bringup_lint.pattern import regex
@@ -44,8 +48,8 @@ class _Loaded(NamedTuple):
 
 def other_simulators(files: Files, workspace: Workspace) -> Iterator[OtherSimulator]:
     """The first hardware of each description that is of another simulator than the plugin under the same condition, or
-    all of whose hardware is of another one than the plugins of its package, or of the tree where its package has
-    none."""
+    all of whose hardware is of another one than the plugins of its package, or where its package has none, than those
+    of the descriptions that are included with it."""
     hardware: dict[Source, list[_Loaded]] = {}
     loaders: dict[str, list[_Loaded]] = {}
     for source in files.of_kind("urdf"):
@@ -65,9 +69,20 @@ def other_simulators(files: Files, workspace: Workspace) -> Iterator[OtherSimula
     every = [each for found in loaders.values() for each in found]
     for source, named in hardware.items():
         own = loaders.get(_folder(workspace, source), [])
-        other = _other(named, own) or _all_other(named, own or every)
+        other = _other(named, own) or _all_other(named, own or _beside(files, workspace, source, every))
         if source.judged and other is not None:
             yield other
+
+
+def _beside(files: Files, workspace: Workspace, source: Source, every: list[_Loaded]) -> list[_Loaded]:
+    """The plugins of the robot to which a description belongs, where the tree holds all of it."""
+    for root in descriptions(files.tree) if every else ():
+        paths = included_from(files.tree, [root])
+        names = {display_name(path) for path in paths}
+        found = [each for each in every if each.name.span.source.name in names]
+        if found and source.name in names and not includes_elsewhere(files.tree, workspace.packages, paths):
+            return found
+    return []
 
 
 def _condition(element: Element) -> str:
