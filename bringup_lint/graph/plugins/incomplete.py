@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Container
 from collections.abc import Iterator
+from collections.abc import Mapping
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
     from bringup_lint.model.params import Block
     from bringup_lint.model.params import Parameter
     from bringup_lint.model.params import ParameterFile
+    from bringup_lint.source import Source
     from bringup_lint.source import Span
 
 
@@ -42,23 +44,34 @@ def incomplete_controllers(params: Params, packages: Container[str]) -> Iterator
     """Those of one controller together, only where one file has both its class and its block, and no other file gives
     it anything. ``packages``: those of the tree, whose controllers are others."""
     given: dict[str, list[Parameter]] = {}
+    sources: dict[str, set[Source]] = {}
     for file in params.parameter_files:
         for each in file.parameters:
             given.setdefault(_tail(str(each.block.key)), []).append(each)
-    typed = {each.name.removesuffix(".type") for of_name in given.values() for each in of_name}
+            sources.setdefault(each.name.removesuffix(".type"), set())
+            if each.name.endswith(".type"):
+                sources[each.name.removesuffix(".type")].add(each.span.source)
     for file in params.judged:
         if file.accepted and not file.uncertain:
-            yield from _of_file(file, given, typed, params, packages)
+            yield from _of_file(file, given, sources, params, packages)
 
 
 def _of_file(
     file: ParameterFile,
     given: dict[str, list[Parameter]],
-    typed_names: set[str],
+    sources: Mapping[str, Container[Source]],
     params: Params,
     packages: Container[str],
 ) -> Iterator[list[IncompleteController]]:
     blocks = {_tail(str(block.key)): block for block in file.blocks}
+    wild = any(map(_is_wild, blocks))
+    others: dict[int, tuple[Block, list[str]]] = {
+        id(block): (block, []) for tail, block in blocks.items() if tail not in sources
+    }
+    for each in file.parameters:
+        if id(each.block) in others:
+            others[id(each.block)][1].append(each.name)
+    fitting: dict[str, list[Block]] = {}
     for typed in file.parameters:
         name, kind = typed.name.removesuffix(".type"), str(typed.value.data)
         needs = controller_needs().get(kind) if typed.name.endswith(".type") else None
@@ -68,10 +81,11 @@ def _of_file(
         own = given.get(name, [])
         if block is None:
             # A file that has the class of the controller, too, is there in place of this one.
-            instead = {each.span.source for of in given.values() for each in of if each.name == typed.name}
-            if all(each.span.source in instead for each in own) and not any(_is_wild(tail) for tail in blocks):
-                others = [blocks[tail] for tail in blocks if tail not in typed_names]
-                yield from _stray(name, typed, needs, others, file, params)
+            if not wild and all(each.span.source in sources[name] for each in own):
+                if kind not in fitting:
+                    fitting[kind] = [block for block, names in others.values() if _has_all(names, needs)]
+                if len(fitting[kind]) == 1:
+                    yield _stray(name, typed, fitting[kind][0], file, params)
             continue
         if any(each.span.source is not file.source for each in own):
             continue
@@ -90,19 +104,16 @@ def _is_wild(tail: str) -> bool:
     return "*" in tail or "$" in tail or "{" in tail
 
 
+def _has_all(names: list[str], needs: ControllerNeeds) -> bool:
+    return all(any(fnmatchcase(name, one) for name in names for one in group) for group in needs.parameters)
+
+
 def _stray(
-    name: str, typed: Parameter, needs: ControllerNeeds, others: list[Block], file: ParameterFile, params: Params
-) -> Iterator[list[IncompleteController]]:
+    name: str, typed: Parameter, block: Block, file: ParameterFile, params: Params
+) -> list[IncompleteController]:
     """The one block that has all that a controller needs, and that no controller is called like."""
-    fitting = []
-    for block in others:
-        own = [each for each in file.parameters if each.block is block]
-        if all(any(fnmatchcase(each.name, one) for each in own for one in group) for group in needs.parameters):
-            fitting.append(block)
-    if len(fitting) == 1:
-        used = params.named_elsewhere(name, {file.source})
-        tail = _tail(str(fitting[0].key))
-        yield [IncompleteController(name, typed, fitting[0].key.span, "", None, None, used, tail)]
+    used = params.named_elsewhere(name, {file.source})
+    return [IncompleteController(name, typed, block.key.span, "", None, None, used, _tail(str(block.key)))]
 
 
 def _lacking(
