@@ -60,6 +60,9 @@ MOST = 20
 MAKERS = regex(r"\brobot_upstart\b", hints="robot_upstart")
 """Makes units of launch files, which have the names of their packages."""
 
+OF_DEBIAN = regex(r"(?:^|/)debian/[^/]+\.service$", hints="debian/")
+"""Units that dh_installsystemd installs, with the name of their package before their own."""
+
 
 class Named(NamedTuple):
     """A unit that a command names."""
@@ -124,6 +127,10 @@ def _is_of_package(robot: Robot, named: Named) -> bool:
     if name == named.name or not robot.has_launch_files or name not in robot.launch.workspace.packages:
         return False
     if units.candidates(named.name, named.manager) or units.is_made_by_script(named.name):
+        return False
+    if any(".service" in build.source.text for build in robot.launch.workspace.packages[name].builds):
+        return False
+    if any(path.endswith(f".{named.name}") for path in robot.tree.like(OF_DEBIAN)):
         return False
     own = (unit for unit in units.all if unit.fragment is not None and unit.manager == named.manager)
     return any(robot.same_robot(named.word, unit.where.source) for unit in own) and not robot.mentions(MAKERS)

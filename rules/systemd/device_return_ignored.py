@@ -2,8 +2,8 @@
 
 ## What it finds
 `BindsTo=` on the `.device` unit of a link that a udev rule of the tree makes, where nothing starts the service when the
-device appears: no udev rule names it (`ENV{SYSTEMD_WANTS}`), it is not `WantedBy=` the device, no timer starts it, and
-no `Upholds=` keeps it up.
+device appears: no udev rule names it (`ENV{SYSTEMD_WANTS}`), neither it nor a unit that wants it is `WantedBy=` the device, no script
+adds it to the device (`systemctl add-wants`), no timer starts it, and no `Upholds=` keeps it up.
 
 ## Why it matters on a robot
 A cable that slips out, a controller that resets or a hub that loses power for a moment takes the device away. systemd
@@ -41,6 +41,7 @@ When the robot must not move on by itself after a lost connection.
 - systemd.device(5), SYSTEMD_WANTS=
 """
 
+import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -71,10 +72,24 @@ def device_return_ignored(robot: Robot) -> Iterator[Finding]:
 
 def _is_started(robot: Robot, unit: Unit, device: str) -> bool:
     """Whether something starts the service again: the device, a udev rule, a timer, or a unit that keeps it up."""
-    wanted = [name for key in ("WantedBy", "RequiredBy") for name in unit.words(key, "Install")]
-    if device in wanted or unit.words("UpheldBy", "Install") or unit.name in robot.units.triggered:
+    if device in _wanting(robot, unit) or unit.words("UpheldBy", "Install") or unit.name in robot.units.triggered:
+        return True
+    by_hand = rf"\badd-(?:wants|requires)[ \t][^\n]*{re.escape(device)}|{re.escape(device)}\.(?:wants|requires)\b"
+    if robot.mentions(re.compile(by_hand)):
         return True
     stem = unit.name.partition("@")[0].removesuffix(".service")
     if any(stem in source.text for source in robot.of_kind("udev-rules")):
         return True
     return any(unit.name in each.words("Upholds") for each in robot.units.all)
+
+
+def _wanting(robot: Robot, unit: Unit) -> set[str]:
+    """The names of the units that start a unit, or a unit that starts it, by what [Install] says."""
+    found: set[str] = set()
+    todo = [unit]
+    while todo:
+        each = todo.pop()
+        names = {str(name) for key in ("WantedBy", "RequiredBy") for name in each.words(key, "Install")} - found
+        found |= names
+        todo += filter(None, (robot.units.find(name, each) for name in names))
+    return found

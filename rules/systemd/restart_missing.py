@@ -9,7 +9,8 @@ its name, and it runs more than a command-line tool such as ros2 topic. It is an
 - Restart=no is set explicitly, which is a decision;
 - the start script of the service is not in the tree.
 
-Any service with Restart=no and RestartSec= in one file is a warning: one of the two lines is not what was meant.
+Any service with Restart=no and RestartSec= in one file, without RestartForceExitStatus=, is a warning: one of the two
+lines is not what was meant.
 
 ## Why it matters on a robot
 The first segmentation fault or the first unplugged cable stops the robot's software until somebody logs in.
@@ -101,6 +102,8 @@ def _waits(units: Units, unit: Unit) -> bool:
     """Whether a unit says how long to wait before a restart, and that there is none."""
     waits, policy = unit.get("RestartSec"), units.restart(unit)
     if waits is None or policy.restart_at is None or policy.restart != "no" or unit.get("Type") == "oneshot":
+        return False
+    if unit.has("RestartForceExitStatus"):
         return False
     source = policy.restart_at.span.source
     return waits.span.source is source and source.text.count("Restart=") == 1 and unit.name not in units.triggered

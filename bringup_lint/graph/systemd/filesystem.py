@@ -51,6 +51,14 @@ _OF_PACKAGES = frozenset(
 )
 """Folders below /var/lib and the like that packages of the distribution and of vendors bring."""
 _OF_SYSTEM = regex(r"/(?:usr|opt|etc|srv|var/lib)/")
+_COMMON = regex(
+    r"(?i)(?:app|bringup|conf(?:ig)?|configuration|daemon|default|entrypoint|env|init|install|launch|log(?:ging)?|main|node"
+    r"|params?|parameters|robot|run(?:_?me)?|server|service|settings|setup|start(?:_?up)?|stop|test|update)s?\.\w+"
+)
+"""Names that files of several programs have: one in a folder of another program is another file."""
+_SHARED = frozenset(
+    "/ /etc /opt /srv /usr /usr/lib /usr/local /usr/local/etc /usr/local/lib /usr/share /var/lib".split()
+)
 _VOLATILE = ("/run/", "/var/run/", "/tmp/", "/dev/", "/proc/", "/sys/")
 
 
@@ -129,6 +137,8 @@ class Filesystem:
         folder, _, name = path.rpartition("/")
         places = {each for each in self.files.installed if _basename(each) == name}
         if len(places) != 1 or path in places or not all(map(_OF_SYSTEM.match, places)):
+            return None
+        if _COMMON.fullmatch(name) and any(os.path.commonpath((path, each)) in _SHARED for each in places):
             return None
         file = tree.find(path)
         if file is not None and file.robot_path not in (None, *places):
