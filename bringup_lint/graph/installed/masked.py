@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from bringup_lint.graph.installed.script import Run
 from bringup_lint.graph.installed.scripts import KINDS
 from bringup_lint.graph.installed.scripts import Scripts
+from bringup_lint.graph.memo import kept
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
@@ -21,6 +22,7 @@ _MASKS = regex(
 _TAKES_AWAY = regex(r"(?i)(?:^|[^a-z])(?:un-?install|remove|purge|disable|stop|teardown|prerm|postrm)(?![a-z])")
 
 
+@kept
 def masked_units(scripts: Scripts) -> dict[str, Located]:
     """The units that a script masks whatever it finds, with the word; none that anything of the tree unmasks."""
     found: dict[str, Located] = {}

@@ -109,7 +109,7 @@ def _taken(file: ParameterFile) -> list[Taken]:
     types = {each.name.removesuffix(".type"): str(each.value.data) for each in file.parameters}
     own: dict[str, dict[str, Parameter]] = {}
     for each in file.parameters:
-        own.setdefault(str(each.block.key).rpartition("/")[2], {})[each.name] = each
+        own.setdefault(each.block.node_name, {})[each.name] = each
     found = []
     for name, given in own.items():
         kind = str(given["type"].value.data) if "type" in given else types.get(name, "")

@@ -67,7 +67,7 @@ def _drives(params: Params) -> dict[str, list[Parameter]]:
         if each.name.endswith(".type") and each.value.data == _DRIVE and params.is_used(file):
             found.setdefault(each.name.removesuffix(".type"), [])
     for file, each in params.named(_SWITCH):
-        controller = str(each.block.key).rpartition("/")[2]
+        controller = each.block.node_name
         if controller in found and each.value.data is False and params.is_used(file):
             found[controller].append(each)
     return found

@@ -116,7 +116,7 @@ def _of_components(known: Described, file: ParameterFile) -> Iterator[UnknownJoi
     if known.is_open_hardware or known.is_open_component or not known.components:
         return
     for each in file.parameters:
-        if _tail(each) == _MANAGER and each.name.startswith(_STATES):
+        if each.block.node_name == _MANAGER and each.name.startswith(_STATES):
             for item in items(each):
                 if item.text not in known.components:
                     near = nearest(item.text, sorted(known.components), 6) or [
@@ -181,7 +181,7 @@ def _named(file: ParameterFile, packages: Container[str]) -> Iterator[tuple[Para
     types = _types(file)
     own: dict[str, list[Parameter]] = {}
     for each in file.parameters:
-        controller = _tail(each)
+        controller = each.block.node_name
         if controller in types and _is_known(types[controller], packages):
             own.setdefault(controller, []).append(each)
     for controller, parameters in own.items():
@@ -191,17 +191,13 @@ def _named(file: ParameterFile, packages: Container[str]) -> Iterator[tuple[Para
 
 def _types(file: ParameterFile) -> dict[str, str]:
     """The name of a controller -> its type, as the manager is given it, or the spawner with its other parameters."""
-    own = {_tail(each): str(each.value.data) for each in file.parameters if each.name == "type"}
+    own = {each.block.node_name: str(each.value.data) for each in file.parameters if each.name == "type"}
     given = {
         each.name.removesuffix(".type"): str(each.value.data)
         for each in file.parameters
-        if each.name.endswith(".type") and _tail(each) in (_MANAGER, "**")
+        if each.name.endswith(".type") and each.block.node_name in (_MANAGER, "**")
     }
     return {name: of_type for name, of_type in own.items() if "/" in of_type} | given
-
-
-def _tail(parameter: Parameter) -> str:
-    return str(parameter.block.key).rpartition("/")[2]
 
 
 def _is_known(of_type: str, packages: Container[str]) -> bool:

@@ -200,7 +200,7 @@ def _joints_of(params: Params, controller: str) -> list[tuple[Located, set[str],
     """The joints of a trajectory controller in each parameter file that has it, and whether it takes goals for some."""
     found = []
     for _, each in params.named("joints"):
-        if str(each.block.key).rpartition("/")[2] != controller:
+        if each.block.node_name != controller:
             continue
         given = {other.name: other.value.data for other in each.block.parameters}
         is_partial = given.get("allow_partial_joints_goal", False) is not False
@@ -242,7 +242,7 @@ def _by_joints(params: Params) -> dict[frozenset[str], dict[str, Located]]:
             types[each.name.removesuffix(".type")] = str(each.value.data)
     found: dict[frozenset[str], dict[str, Located]] = {}
     for _, each in params.named("joints"):
-        name = str(each.block.key).rpartition("/")[2]
+        name = each.block.node_name
         if types.get(name, "").startswith(_TRAJECTORY):
             joints = frozenset(item.text for item in items(each))
             found.setdefault(joints, {})[name] = Located(name, each.key.span)

@@ -58,7 +58,7 @@ def untyped_plugins(params: Params) -> Iterator[list[UntypedPlugin]]:
 
 
 def _of_list(file: ParameterFile, parameter: Parameter, used: bool) -> Iterator[UntypedPlugin]:
-    server = str(parameter.block.key).rpartition("/")[2]
+    server = parameter.block.node_name
     known = LISTS.get(server, {}).get(parameter.name)
     is_costmap = server.endswith("_costmap")
     if known is None or not isinstance(parameter.node, Sequence):
@@ -102,5 +102,5 @@ def _holds(one: str, other: str) -> bool:
 
 def _reaches(parameter: Parameter, server: str) -> bool:
     """Whether a block may be for a server: it names it, or has a wildcard in the last place."""
-    key = str(parameter.block.key).rpartition("/")[2]
+    key = parameter.block.node_name
     return key == server or "*" in key

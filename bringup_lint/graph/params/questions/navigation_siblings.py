@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from bringup_lint.facts import table
+from bringup_lint.facts.ros.node_topics import published
 from bringup_lint.graph.params.questions.navigation_blocks import NavigationProblem
 from bringup_lint.graph.params.questions.navigation_blocks import by_name
 from bringup_lint.graph.purpose import Purpose
@@ -92,7 +92,7 @@ def _one_unknown(
 
 def _is_known(params: Params, file: ParameterFile, name: str) -> bool:
     """Whether another file of the robot names a topic or frame, or a public driver publishes the topic by default."""
-    if any(row["name"].lstrip("/") == name for row in table("ros/node_topics") if row["role"] == "pub"):
+    if name in published():
         return True
     aside = {each for each in params.files.sources if params.files.purpose(each) is not Purpose.ROBOT}
     return params.named_elsewhere(name, aside | {file.source})

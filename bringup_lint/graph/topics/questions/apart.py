@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from bringup_lint.facts import table
+from bringup_lint.facts.ros.node_topics import published
 from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.graph.topics.questions.compatibility import Conflict
@@ -107,7 +107,7 @@ def are_together(topics: Topics, one: Source, other: Source) -> bool:
 def _by_topic(topics: Topics) -> dict[str, list[End]]:
     """The ends by full name. Of nodes that no launch file starts, relative names count as without a namespace."""
     found: dict[str, list[End]] = {}
-    public = {row["name"].lstrip("/") for row in table("ros/node_topics") if row["role"] == "pub"}
+    public = published()
     rules = (pair for node in topics.launch.nodes for pair in node.remappings)
     remapped = {tail(text) for pair in rules for side in pair if (text := text_of(side))}
     for end in ends_of(topics):

@@ -77,5 +77,5 @@ def _typed(topics: Topics) -> dict[str, list[Parameter]]:
             if each.name.endswith(".type"):
                 found.setdefault(each.name.removesuffix(".type"), []).append(each)
             elif each.name == "type":
-                found.setdefault(str(each.block.key).rpartition("/")[2], []).append(each)
+                found.setdefault(each.block.node_name, []).append(each)
     return found
