@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from bringup_lint.graph.installed.paths import destination
 from bringup_lint.graph.installed.script import Run
 from bringup_lint.graph.installed.scripts import Scripts
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
@@ -17,6 +18,19 @@ _MODE = regex(r"(?:--mode=|-[bcCDpsTv]*m)(?P<mode>[0-7]*)")
 _PLAIN = regex(r"[0-7]?[0246]{3}")
 _VALUED = ("-o", "-g", "-S", "--owner", "--group")
 _CHANGES = ("chmod", "setfacl")
+_NAME = regex(r"[\w.+@-]+")
+_LONGEST = 4096
+"""No path of Linux is longer."""
+
+
+class _Changed(NamedTuple):
+    """What commands change that give modes."""
+
+    words: set[str]
+    names: set[str]
+    """The names in these."""
+    anywhere: set[Source]
+    """The scripts that change files that they do not name."""
 
 
 def plain_modes(scripts: Scripts) -> dict[str, Located]:
@@ -30,9 +44,7 @@ def plain_modes(scripts: Scripts) -> dict[str, Located]:
                 found[path] = mode
             else:
                 executable.add(path)
-    changed = [(source, word) for source, run in scripts.run(*_CHANGES) for word in run.arguments]
-    for source, run in scripts.run("find", "xargs"):
-        changed += [(source, "*") for word in run.words if any(change in word for change in _CHANGES)]
+    changed = _changed(scripts)
     return {
         path: mode for path, mode in found.items() if path not in executable and not _is_changed(path, mode, changed)
     }
@@ -63,12 +75,27 @@ def _targets(files: list[str]) -> Iterator[str]:
             yield path
 
 
-def _is_changed(path: str, mode: Located, changed: list[tuple[Source, str]]) -> bool:
+def _changed(scripts: Scripts) -> _Changed:
+    words: set[str] = set()
+    names: set[str] = set()
+    anywhere: set[Source] = set()
+    for source, run in scripts.run(*_CHANGES):
+        for word in run.arguments:
+            words.add(word)
+            names |= {posixpath.basename(word), *_NAME.findall(word)}
+            if "*" in word or "{{" in word:
+                anywhere.add(source)
+    for source, run in scripts.run("find", "xargs"):
+        if any(change in word for word in run.words for change in _CHANGES):
+            anywhere.add(source)
+    return _Changed(words, names, anywhere)
+
+
+def _is_changed(path: str, mode: Located, changed: _Changed) -> bool:
     """Whether a command may change the mode of a file; one on files that are not named, in the same script only."""
-    name = posixpath.basename(path)
-    for source, word in changed:
-        if name in word or path.startswith(f"{word}/"):
-            return True
-        if source is mode.span.source and ("*" in word or "{{" in word):
-            return True
-    return False
+    above = (path[:at] for at, each in enumerate(path[:_LONGEST]) if each == "/")
+    return (
+        posixpath.basename(path) in changed.names
+        or not changed.words.isdisjoint(above)
+        or mode.span.source in changed.anywhere
+    )
