@@ -30,12 +30,12 @@ When a program that is not in the tree makes the folder.
 """
 
 import posixpath
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
@@ -55,6 +55,7 @@ BROUGHT = regex(
 )
 """Folders that packages of Debian and Ubuntu bring."""
 PLAIN = regex(r"~?(?:/[\w.-]+){2,}")
+TWO = regex(r"(?<![\w.-])(?=([\w.-]+/[\w.-]+))")
 
 
 @rule("error", confidence="medium", symptoms=["*.sh: line *: *: No such file or directory"])
@@ -67,6 +68,7 @@ def folder_missing(robot: Robot) -> Iterator[Finding]:
     for each in made:
         beside.setdefault(posixpath.dirname(each), []).append(posixpath.basename(each))
     seen: dict[str, str] = {}
+    written: list[tuple[Located, str]] = []
     for source in robot.of_kind("shell-script"):
         if not source.judged or source.template or ">" not in source.text:
             continue
@@ -78,14 +80,17 @@ def folder_missing(robot: Robot) -> Iterator[Finding]:
                 continue
             if folder not in seen:
                 seen[folder] = _meant(folder, beside)
-            meant = seen[folder]
-            if meant and not _is_named(robot, folder, did.where):
-                yield finding(
-                    did.where,
-                    f"Nothing makes {folder}: the shell cannot open the file and does not run the command",
-                    advice=f"did you mean {meant}?",
-                    related=[note(made[meant], "this folder is made")],
-                )
+            if seen[folder]:
+                written.append((did.where, folder))
+    lines = _lines(robot, {_end(folder) for _, folder in written})
+    for where, folder in written:
+        if lines[_end(folder)] <= {(where.span.source, where.span.line)}:
+            yield finding(
+                where,
+                f"Nothing makes {folder}: the shell cannot open the file and does not run the command",
+                advice=f"did you mean {seen[folder]}?",
+                related=[note(made[seen[folder]], "this folder is made")],
+            )
 
 
 def _path(text: str) -> str:
@@ -118,10 +123,16 @@ def _meant(folder: str, beside: dict[str, list[str]]) -> str:
     return f"{parent}/{near[0]}" if len(near) == 1 else ""
 
 
-def _is_named(robot: Robot, folder: str, where: Located) -> bool:
-    """Whether the folder is named elsewhere in the tree, so that something may make it."""
-    parent, name = posixpath.split(folder)
-    named = re.compile(rf"(?<![\w.-]){re.escape(posixpath.basename(parent))}/{re.escape(name)}(?![\w.-])")
-    places = [(each, match.start()) for each in robot.sources for match in named.finditer(each.text)]
-    line = where.span.line
-    return any(each is not where.span.source or each.located(at, at).span.line != line for each, at in places)
+def _end(folder: str) -> str:
+    return "/".join(folder.split("/")[-2:])
+
+
+def _lines(robot: Robot, ends: set[str]) -> dict[str, set[tuple[Source, int]]]:
+    """The lines of the tree, at most two, that name what may make a folder, by the end of its path."""
+    found: dict[str, set[tuple[Source, int]]] = {end: set() for end in ends}
+    for source in robot.sources if ends else ():
+        for match in TWO.finditer(source.text):
+            lines = found.get(match[1])
+            if lines is not None and len(lines) <= 1:
+                lines.add((source, source.located(*match.span()).span.line))
+    return found
