@@ -46,6 +46,7 @@ from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.docker import Dockerfile
+from bringup_lint.api.docker import Instruction
 from bringup_lint.api.docker import Stage
 from bringup_lint.api.docker import assignments
 from bringup_lint.api.docker import may_set
@@ -55,6 +56,7 @@ ASSIGNED = (
     r"(?:^|[\s;&(\"'])(?:export\s+|local\s+)?{name}=|\$\{{{name}:?=|\bfor\s+{name}\b"
     r"|\b(?:read|mapfile|readarray|getopts|printf[ \t]+-v)\b[^\n]{{0,80}}\b{name}\b"
 )
+VARIABLE = regex(r"\$\{?(\w+)")
 OF_DOCKER = regex(r"(?i:https?|ftp|no|all)_proxy")
 """Arguments that Docker declares itself."""
 SOURCES = regex(r"(?:^|[\s;&(\"'])(?:(?:source|\.|eval)[ \t]+[^\s;&|]|export[ \t]+[\"']?(?:\$\(|`))")
@@ -64,36 +66,27 @@ OF_SHELL = ("HOME", "USER", "UID", "EUID", "PATH", "SHELL", "PWD", "HOSTNAME", "
 @rule("warning", symptoms=["UndefinedVar: Usage of undefined variable *"])
 def arg_out_of_scope(robot: Robot) -> Iterator[Finding]:
     for file in robot.dockerfiles:
-        for at, stage in enumerate(file.stages):
-            elsewhere = _of_others(stage, file.stages[:at])
-            if file.arguments or elsewhere:
-                yield from _of_stage(file, stage, elsewhere)
+        idle = _idle(file)
+        elsewhere: dict[str, Located] = {}
+        for stage in file.stages:
+            # A stage that may build on an earlier one may have what that declares.
+            yield from _of_stage(file, stage, {} if stage.earlier else elsewhere, idle)
+            for instruction in stage.all("ARG"):
+                elsewhere |= {word.partition("=")[0]: word for word in instruction.value.words()}
 
 
-def _of_others(stage: Stage, before: list[Stage]) -> dict[str, Located]:
-    """The ARGs of earlier stages that a stage does not build on; none where that is not clear."""
-    if stage.earlier:
-        return {}
-    below = list(stage.chain)
-    words = (
-        word
-        for other in before
-        if other not in below
-        for instruction in other.all("ARG")
-        for word in instruction.value.words()
-    )
-    return {word.partition("=")[0]: word for word in words}
-
-
-def _of_stage(file: Dockerfile, stage: Stage, elsewhere: dict[str, Located]) -> Iterator[Finding]:
-    declared = {name for one in stage.chain for name in _declared(one)}
-    for name in (*file.arguments, *(each for each in elsewhere if each not in file.arguments)):
-        if name in declared or name in OF_SHELL or OF_DOCKER.fullmatch(name):
-            continue
+def _of_stage(file: Dockerfile, stage: Stage, elsewhere: dict[str, Located], idle: set[str]) -> Iterator[Finding]:
+    reading = {
+        name: instructions
+        for name, instructions in _reading(stage).items()
+        if (name in file.arguments or name in elsewhere) and name not in OF_SHELL and not OF_DOCKER.fullmatch(name)
+    }
+    declared = {name for one in stage.chain for name in _declared(one)} if reading else set()
+    for name, instructions in reading.items():
         of_image = may_set(stage.origin, name)
-        if of_image and not _is_idle(file, name):
+        if name in declared or (of_image and name not in idle):
             continue
-        uses = list(_uses(stage, name))
+        uses = list(_uses(instructions, name))
         if uses:
             first, *others = uses
             is_global = name in file.arguments
@@ -110,15 +103,14 @@ def _of_stage(file: Dockerfile, stage: Stage, elsewhere: dict[str, Located]) -> 
             )
 
 
-def _is_idle(file: Dockerfile, name: str) -> bool:
-    """Whether an ARG above the first FROM is there for no FROM, no other such ARG and no stage. Images with ROS set
+def _idle(file: Dockerfile) -> set[str]:
+    """The ARGs above the first FROM that are there for no FROM, no other such ARG and no stage. Images with ROS set
     its distribution."""
-    if file.arguments.get(name) is None or name == "ROS_DISTRO":
-        return False
-    named = re.compile(rf"\$\{{?{re.escape(name)}\b")
     texts = [stage.start.value for stage in file.stages] + [text for text in file.arguments.values() if text]
     texts += [flag for stage in file.stages for flag in stage.start.flags]
-    return not any(map(named.search, texts)) and all(name not in _declared(stage) for stage in file.stages)
+    used = {name for text in texts for name in VARIABLE.findall(text)} | {"ROS_DISTRO"}
+    used.update(*map(_declared, file.stages))
+    return {name for name, value in file.arguments.items() if value is not None and name not in used}
 
 
 def _declaration(file: Dockerfile, name: str) -> Located:
@@ -136,12 +128,21 @@ def _declared(stage: Stage) -> Iterator[str]:
         yield from (name for name, _ in assignments(instruction))
 
 
-def _uses(stage: Stage, name: str) -> Iterator[Located]:
-    """Where instructions of a stage read a variable that has no value and no default."""
+def _reading(stage: Stage) -> dict[str, list[Instruction]]:
+    """The instructions of a stage that may read a variable."""
+    found: dict[str, list[Instruction]] = {}
+    for instruction in stage.all(*READING):
+        for name in dict.fromkeys(VARIABLE.findall(instruction.value)):
+            found.setdefault(name, []).append(instruction)
+    return found
+
+
+def _uses(instructions: list[Instruction], name: str) -> Iterator[Located]:
+    """Where instructions read a variable that has no value and no default."""
     written = re.escape(name)
     read = re.compile(rf"(?<![\\$])\$(?:{written}\b|\{{{written}\}})")
     assigned = re.compile(ASSIGNED.format(name=written))
-    for instruction in stage.all(*READING):
+    for instruction in instructions:
         value = instruction.value
         if instruction.name == "RUN" and (instruction.heredocs or assigned.search(value) or SOURCES.search(value)):
             continue
