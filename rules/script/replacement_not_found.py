@@ -38,15 +38,19 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.secrets import assigned_secret
 from bringup_lint.api.shell import lost_edits
 
 
 @rule("warning", silent="sed ends with success whether it replaces anything or not")
 def replacement_not_found(robot: Robot) -> Iterator[Finding]:
     for edit in lost_edits(robot.files, robot.scripts, robot.dockerfiles):
+        secret = assigned_secret(edit.old)
+        said = f"has no {edit.old}" if secret is None else "does not have this text"
         yield finding(
             edit.old,
-            f"{edit.file.basename} has no {edit.old}: this command changes nothing",
+            f"{edit.file.basename} {said}: this command changes nothing",
             advice="write what the file has",
+            secrets=[] if secret is None else [secret.value],
             related=[note(edit.file.whole, "the file that is changed")],
         )

@@ -81,6 +81,7 @@ _SETTING = regex(
     re.M | re.I,
 )
 """A line of a configuration file that sets a password."""
+_ASSIGNMENT = regex(r"(?<![\w.-])(?P<name>[\w.-]+)[\"']?[ \t]*[=:][ \t]*[\"']?(?P<value>[^\"'\s.][^\"'\n]*)")
 HOLDERS = {
     RunnerKind.UNIT: "unit",
     RunnerKind.SERVICE: "compose",
@@ -215,6 +216,12 @@ def secret(name: str, value: Located, holder: str) -> Secret | None:
     if not weak and (_NO_VALUE.match(part) or is_stand_in(part) or has_placeholder(part)):
         return None
     return Secret(part, name, holder, weak, _stands_in(part))
+
+
+def assigned_secret(text: Located) -> Secret | None:
+    """The secret that a text of the form ``NAME=value`` or ``NAME: value`` holds."""
+    found = _ASSIGNMENT.search(text)
+    return secret(found["name"], text.part(*found.span("value")), "file") if found else None
 
 
 def _stands_in(text: str) -> bool:

@@ -31,6 +31,8 @@ _REPLACES = regex(
 )
 _IN_PLACE = regex(r"-[nErsz]*i.*|--in-place.*")
 _LEAST = 3
+_LONGEST = 300
+"""Characters of a text that is looked for."""
 _SIMPLE = regex(r"[\w \-@%<>:/=,_\"';!#&~]")
 _FETCHES = regex(
     r"\b(?:curl|wget|clone|scp|rsync|unzip|tar|git|popd|pushd|mktemp)\b|^[ \t]*cd[ \t]+(?!.*dirname)", re.M
@@ -46,12 +48,15 @@ class LostEdit(NamedTuple):
 
 def lost_edits(files: Files, scripts: Scripts, dockerfiles: Iterable[Dockerfile]) -> Iterator[LostEdit]:
     """The replacements in files of the tree that find nothing there, though nothing else changes these files first."""
+    written: dict[Source, frozenset[str]] = {}
     for source, run in scripts.run("sed"):
         if source.origin is None and run.certain:
             for old, new, paths in _replacements(run.words[1:]):
                 for path in paths:
                     file = _named(files, source, run.text(path))
-                    if file is None or _is_written(scripts, source, file) or source.text.count(str(old)) > 1:
+                    if source not in written:
+                        written[source] = _written(scripts, source)
+                    if file is None or file.basename in written[source] or source.text.count(str(old)) > 1:
                         continue
                     if _lacks(file, old, run.text(new)):
                         yield LostEdit(old, file)
@@ -63,29 +68,35 @@ def lost_edits(files: Files, scripts: Scripts, dockerfiles: Iterable[Dockerfile]
 
 def _of_stage(files: Files, stage: Stage) -> Iterator[LostEdit]:
     commands = [command for each in stage.all("RUN") for command in commands_of_run(each)]
-    for command in commands:
-        words = unwrapped(command.words)
-        if not words or words[0] != "sed":
-            continue
-        for old, new, paths in _replacements(words[1:]):
-            for path in paths:
-                place = in_image(stage, path) if "$" not in path else None
-                file = copied(files, stage, place) if place else None
-                if file is None or _is_changed(commands, file, old) or not _lacks(file, old, new):
-                    continue
+    edits = [
+        (old, new, str(path))
+        for words in map(unwrapped, (command.words for command in commands))
+        if words and words[0] == "sed"
+        for old, new, paths in _replacements(words[1:])
+        for path in paths
+        if "$" not in path
+    ]
+    places = {path: in_image(stage, path) for path in dict.fromkeys(path for _, _, path in edits)}
+    copies = {path: copied(files, stage, place) for path, place in places.items() if place}
+    names = {file.basename for file in copies.values() if file is not None}
+    known = {name: _known(commands, name) for name in names}
+    for old, new, path in edits:
+        file = copies.get(path)
+        if file is not None and (text := known[file.basename]) is not None:
+            if text.count(old) < 2 and _lacks(file, old, new):
                 yield LostEdit(old, file)
 
 
-def _is_changed(commands: Iterable[Command], file: Source, old: str) -> bool:
-    """Whether another command that names the file knows the text, too, or writes what is not known."""
-    known = 0
+def _known(commands: Iterable[Command], name: str) -> str | None:
+    """What the commands that name a file hold, a line for each; None when one of them writes what is not known. A text
+    that is there twice is known to another command, too."""
+    lines = []
     for command in commands:
-        targets = [str(each.target) for each in command.redirects if each.writes and each.target is not None]
-        if any(file.basename in target for target in targets):
-            return True
-        if any(file.basename in word for word in command.words):
-            known += " ".join(command.words).count(old)
-    return known > 1
+        if any(each.writes and each.target is not None and name in each.target for each in command.redirects):
+            return None
+        if any(name in word for word in command.words):
+            lines.append(" ".join(command.words))
+    return "\n".join(lines)
 
 
 def _replacements(words: Iterable[Located]) -> Iterator[tuple[Located, Located, list[Located]]]:
@@ -129,10 +140,9 @@ def _in_overlay(files: Files, script: Source, path: str) -> Source | None:
     return files.tree.at(beside) if place and script.absolute.endswith(place) and files.tree.is_file(beside) else None
 
 
-def _is_written(scripts: Scripts, script: Source, file: Source) -> bool:
-    """Whether the script writes a file of this name."""
-    done = (did for did in scripts.done(script) if isinstance(did, Written))
-    return any(posixpath.basename(did.path) == file.basename for did in done)
+def _written(scripts: Scripts, script: Source) -> frozenset[str]:
+    """The names of the files that the script writes."""
+    return frozenset(posixpath.basename(did.path) for did in scripts.done(script) if isinstance(did, Written))
 
 
 def _lacks(file: Source, old: str, new: str) -> bool:
@@ -150,18 +160,18 @@ def _is_short(text: str) -> bool:
 
 
 def _pattern(old: str) -> str | None:
-    """The expression of Python for one of sed that holds little more than plain text; with several ``.*`` it could take
-    long on long lines."""
-    if old.count(".*") > 1:
-        return None
-    parts = []
-    for token in re.findall(r"\\.|\.\*|.", old):
+    """The expression of Python for one of sed that holds little more than plain text. At the start or the end
+    a ``.*`` says nothing; with one between, it could take long on long lines."""
+    bare = (old.removeprefix("^") if old.startswith("^.*") else old).removeprefix(".*")
+    bare = bare if bare.endswith("\\.*") else bare.removesuffix(".*")
+    parts: list[str] = []
+    for token in re.findall(r"\\.|\.\*|.", bare):
         if _SIMPLE.fullmatch(token):
             parts.append(re.escape(token))
         elif re.fullmatch(r"\\[./|#,:;!@\"'-]", token):
             parts.append(re.escape(token[1:]))
-        elif token in (".", ".*", "^"):
+        elif token == "." or (token == "^" and not parts):
             parts.append(token)
         else:
             return None
-    return None if _is_short(old) else "".join(parts)
+    return None if _is_short(old) or len(parts) > _LONGEST else "".join(parts)
