@@ -44,14 +44,16 @@ LONGEST = 20_000
 """Characters of a value."""
 
 
-def _end_of_loop(given: list[Command], at: int) -> int:
-    """The place of the end of the loop, or the function, at a place."""
-    depth, name = 0, given[at].name
-    for place in range(at, len(given)):
-        depth += {name: 1, f"end{name}": -1}.get(given[place].name, 0)
-        if depth == 0:
-            return place
-    return len(given)
+def _ends(given: list[Command]) -> dict[int, int]:
+    """The places of the loops, functions and macros that have an end, each with that of its end."""
+    found: dict[int, int] = {}
+    open_at: dict[str, list[int]] = {"foreach": [], "function": [], "macro": []}
+    for at, command in enumerate(given):
+        if command.name in open_at:
+            open_at[command.name].append(at)
+        elif places := open_at.get(command.name.removeprefix("end")):
+            found[places.pop()] = at
+    return found
 
 
 class Reader:
@@ -101,31 +103,36 @@ class Reader:
         self.rename()
 
     def run(self, given: list[Command]) -> None:
-        at = 0
+        at, ends = 0, _ends(given)
         while at < len(given):
-            command = given[at]
+            command, end = given[at], ends.get(at)
             if command.name == "foreach":
-                end = _end_of_loop(given, at)
+                end = len(given) if end is None else end
                 self.loop(command, given[at + 1 : end])
                 at = end
-            elif command.name in ("function", "macro") and self.is_harmless(given, at):
-                at = _end_of_loop(given, at)
+            elif command.name in ("function", "macro") and end is not None and self.is_harmless(given, at, end):
+                at = end
             else:
                 self.one(command)
             at += 1
 
-    def is_harmless(self, given: list[Command], at: int) -> bool:
-        """Whether a function neither installs nor makes anything; keeps its name then."""
-        body, names = given[at + 1 : _end_of_loop(given, at)], given[at].arguments[:1]
-        known = _names("command") | _ENDS | self.harmless
-        is_known = all(each.name in known or _HARMLESS.search(each.name) for each in body)
-        is_making = any(_MAKING.search(each.name) or "PARENT_SCOPE" in each.arguments for each in body)
+    def is_harmless(self, given: list[Command], at: int, end: int) -> bool:
+        """Whether a function neither installs nor makes anything; keeps its name then. One that holds one is not."""
+        names = given[at].arguments[:1]
         # What a macro sets stays set, and what it returns from is the file.
-        is_making |= given[at].name == "macro" and any(each.name in ("set", "list", "return") for each in body)
-        if not names or not is_known or is_making:
-            return False
-        self.harmless.add(str(names[0]).lower())
-        return True
+        leaves = ("set", "list", "return") if given[at].name == "macro" else ()
+        for place in range(at + 1, end):
+            each = given[place]
+            if each.name in ("function", "macro", *leaves) or "PARENT_SCOPE" in each.arguments:
+                return False
+            if _MAKING.search(each.name) or not (self.is_known(each) or _HARMLESS.search(each.name)):
+                return False
+        self.harmless.update(str(name).lower() for name in names)
+        return bool(names)
+
+    def is_known(self, command: Command) -> bool:
+        """Whether a command neither installs nor makes anything that is not read."""
+        return any(command.name in names for names in (_names("command"), _ENDS, self.harmless))
 
     def one(self, command: Command) -> None:
         handler = getattr(self, f"do_{command.name}", None)
@@ -133,7 +140,7 @@ class Reader:
             handler(command)
         if command.name in ("function", "macro", "while"):
             self.open()
-        elif command.name not in _names("command") | _ENDS | self.harmless:
+        elif not self.is_known(command):
             if _HARMLESS.search(command.name):
                 self.do_string(command)
             else:
