@@ -19,6 +19,11 @@ _MASKS = regex(
     rf"^(?:sudo[ \t]+)?systemctl[ \t]+(?:--now[ \t]+)?mask[ \t]+(?:--now[ \t]+)?(?P<names>{_NAME}(?: {_NAME})*)$", re.M
 )
 """At the start of a line, also of a text for another shell."""
+_UNMASKS = regex(r"\bunmask\b([^\n]*)")
+_REMOVES = regex(r"\brm\b([^\n]*)")
+_UNMASKED = regex(r"\bmasked:[ \t]*[\"']?(?:no|false)\b")
+_NAMES = regex(r"[\w@.:-]+")
+_PATHS = regex(r"/([\w@.:-]+)")
 _TAKES_AWAY = regex(r"(?i)(?:^|[^a-z])(?:un-?install|remove|purge|disable|stop|teardown|prerm|postrm)(?![a-z])")
 
 
@@ -33,7 +38,8 @@ def masked_units(scripts: Scripts) -> dict[str, Located]:
         for match in _MASKS.finditer(source.text):
             if not any(start <= match.start() < end for start, end in maybe):
                 found |= {_unit(str(word)): word for word in source.located(*match.span("names")).words()}
-    return {name: word for name, word in found.items() if not _is_unmasked(scripts, name)}
+    unmasked = _unmasked(scripts) if found else set()
+    return {name: word for name, word in found.items() if unmasked.isdisjoint(("*", name.removesuffix(".service")))}
 
 
 def _conditional(scripts: Scripts, source: Source) -> Iterator[tuple[int, int]]:
@@ -48,10 +54,18 @@ def _unit(name: str) -> str:
     return name if name.rpartition(".")[2] in _TYPES else f"{name}.service"
 
 
-def _is_unmasked(scripts: Scripts, name: str) -> bool:
-    stem = re.escape(name.removesuffix(".service"))
-    unmasked = re.compile(
-        rf"\brm\b[^\n]*/{stem}(?:\.service)?(?![\w.-])"
-        rf"|\bunmask\b[^\n]*(?:(?<![\w-]){stem}(?![\w-])|\$|\{{\{{)|\bmasked:[ \t]*[\"']?(?:no|false)\b"
-    )
-    return scripts.files.mentions(unmasked)
+def _unmasked(scripts: Scripts) -> set[str]:
+    """The units that a text of the tree unmasks, or whose file it removes; ``*`` for any."""
+    found: set[str] = set()
+    for source in scripts.files.sources:
+        if not source.judged:
+            continue
+        for match in _UNMASKS.finditer(source.said):
+            if "$" in match[1] or "{{" in match[1]:
+                found.add("*")
+            for word in _NAMES.findall(match[1]):
+                bare = word.strip(".:")
+                found |= {bare, bare.removesuffix(".service"), *re.split("[.:@]", word)}
+        for match in _REMOVES.finditer(source.said):
+            found.update(word.rstrip(":").removesuffix(".service") for word in _PATHS.findall(match[1]))
+    return found | {"*"} if scripts.files.mentions(_UNMASKED) else found
