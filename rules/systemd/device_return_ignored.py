@@ -2,8 +2,8 @@
 
 ## What it finds
 `BindsTo=` on the `.device` unit of a link that a udev rule of the tree makes, where nothing starts the service when the
-device appears: no udev rule names it (`ENV{SYSTEMD_WANTS}`), neither it nor a unit that wants it is `WantedBy=` the device, no script
-adds it to the device (`systemctl add-wants`), no timer starts it, and no `Upholds=` keeps it up.
+device appears: no udev rule names it (`ENV{SYSTEMD_WANTS}`), neither it nor a unit that wants it is `WantedBy=` the
+device, no script adds it to the device (`systemctl add-wants`), no timer starts it, and no `Upholds=` keeps it up.
 
 ## Why it matters on a robot
 A cable that slips out, a controller that resets or a hub that loses power for a moment takes the device away. systemd
