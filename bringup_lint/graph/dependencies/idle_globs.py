@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.workspace import Package
     from bringup_lint.model.package import Install
 
-_WILDCARD = regex(r"[*?\[]")
+_WILDCARD = regex(r"[*?]|\[[^\]]*\]?")
 _ASIDE = regex(r"(?i)^(?:\.|_|readme|license|changelog|todo|cmakelists)|\.(?:md|rst|pyc|bak|orig|swp|in|em)$")
 """Files that nobody means to install."""
 _LAUNCH = regex(r"launch\.(?:py|xml|ya?ml)$")
@@ -25,7 +25,7 @@ _ALIKE = (
     *("yaml yml json toml ini cfg lua xml", "urdf xacro sdf srdf world xml", "stl dae obj glb", "hex bin elf uf2 fw"),
     *(
         "png jpg jpeg pgm bmp svg",
-        "onnx pt pth engine tflite pb xml",
+        "onnx pt pth tflite pb xml",
         "csv txt json geojson dat",
         "wav mp3 ogg",
         "rviz",
@@ -43,7 +43,7 @@ class IdleGlob(NamedTuple):
 
 
 def idle_globs(launch: Launch, package: Package) -> Iterator[IdleGlob]:
-    """Only where the whole installation of the package is known."""
+    """Only where the whole installation of the package is known. Silent of what git ignores: it is made later."""
     if not package.installs_known or package.manifest.build_type != "ament_python":
         return
     for build in package.builds:
@@ -52,7 +52,8 @@ def idle_globs(launch: Launch, package: Package) -> Iterator[IdleGlob]:
             if not _WILDCARD.search(pattern) or _WILDCARD.search(folder) or not folder:
                 continue
             there = _names(launch, package, folder)
-            if any(fnmatchcase(name, pattern) for name in there):
+            made = os.path.join(package.folder, folder, _WILDCARD.sub("x", pattern))
+            if any(fnmatchcase(name, pattern) for name in there) or launch.files.tree.is_ignored(made):
                 continue
             yield from _idle(launch, package, install, there)
 

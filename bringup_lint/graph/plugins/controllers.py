@@ -25,7 +25,9 @@ if TYPE_CHECKING:
 
 _PACKAGE = "controller_manager"
 _SPAWNERS = ("spawner", "spawner.py")
-_TYPED = ("-p", "--param-file", "-t", "--controller-type")
+FILE_OPTIONS = ("-p", "--param-file")
+"""Options by which a spawner gives a controller a file of parameters."""
+_TYPED = (*FILE_OPTIONS, "-t", "--controller-type")
 """Options by which a spawner gives the type itself."""
 _WITH_VALUE = (
     *("-c", "--controller-manager", "-n", "--namespace", "--controller-manager-timeout", "--switch-timeout"),

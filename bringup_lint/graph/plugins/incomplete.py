@@ -6,14 +6,20 @@ from collections.abc import Container
 from collections.abc import Iterator
 from collections.abc import Mapping
 from fnmatch import fnmatchcase
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 from bringup_lint.facts.ros.controllers import controller_needs
+from bringup_lint.graph.launch.started import literal_text
+from bringup_lint.graph.plugins.controllers import FILE_OPTIONS
+from bringup_lint.graph.plugins.controllers import spawned_by
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.spelling import nearest
 
 if TYPE_CHECKING:
     from bringup_lint.facts.ros.controllers import ControllerNeeds
+    from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.launch.started import Started
     from bringup_lint.graph.params.params import Params
     from bringup_lint.model.params import Block
     from bringup_lint.model.params import Parameter
@@ -40,7 +46,27 @@ class IncompleteController(NamedTuple):
     """The block that has its parameters, and is that of no controller."""
 
 
-def incomplete_controllers(params: Params, packages: Container[str]) -> Iterator[list[IncompleteController]]:
+class _Launched:
+    """What the launch files of the tree start."""
+
+    def __init__(self, launch: Launch) -> None:
+        self._launch = launch
+
+    @cached_property
+    def nodes(self) -> set[str]:
+        """The names of nodes."""
+        return {_tail(str(literal_text(node.name))) for node in self._launch.nodes}
+
+    @cached_property
+    def with_files(self) -> set[str]:
+        """The controllers whose spawner is given a file of parameters for them."""
+        spawners = (node for node in self._launch.nodes if _gives_file(node))
+        return {str(name) for node in spawners for name in spawned_by(node)}
+
+
+def incomplete_controllers(
+    params: Params, launch: Launch, packages: Container[str]
+) -> Iterator[list[IncompleteController]]:
     """Those of one controller together, only where one file has both its class and its block, and no other file gives
     it anything. ``packages``: those of the tree, whose controllers are others."""
     given: dict[str, list[Parameter]] = {}
@@ -51,9 +77,10 @@ def incomplete_controllers(params: Params, packages: Container[str]) -> Iterator
             sources.setdefault(each.name.removesuffix(".type"), set())
             if each.name.endswith(".type"):
                 sources[each.name.removesuffix(".type")].add(each.span.source)
+    launched = _Launched(launch)
     for file in params.judged:
         if file.accepted and not file.uncertain:
-            yield from _of_file(file, given, sources, params, packages)
+            yield from _of_file(file, given, sources, params, launched, packages)
 
 
 def _of_file(
@@ -61,6 +88,7 @@ def _of_file(
     given: dict[str, list[Parameter]],
     sources: Mapping[str, Container[Source]],
     params: Params,
+    launched: _Launched,
     packages: Container[str],
 ) -> Iterator[list[IncompleteController]]:
     blocks = {_tail(str(block.key)): block for block in file.blocks}
@@ -84,7 +112,7 @@ def _of_file(
             if not wild and all(each.span.source in sources[name] for each in own):
                 if kind not in fitting:
                     fitting[kind] = [block for block, names in others.values() if _has_all(names, needs)]
-                if len(fitting[kind]) == 1:
+                if len(fitting[kind]) == 1 and not _is_meant(name, fitting[kind][0], launched):
                     yield _stray(name, typed, fitting[kind][0], file, params)
             continue
         if any(each.span.source is not file.source for each in own):
@@ -98,6 +126,15 @@ def _of_file(
         ]
         if lacking:
             yield lacking
+
+
+def _is_meant(name: str, block: Block, launched: _Launched) -> bool:
+    """Whether a block is that of a node, or the controller has its parameters from elsewhere."""
+    return _tail(str(block.key)) in launched.nodes or name in launched.with_files
+
+
+def _gives_file(node: Started) -> bool:
+    return any(literal_text(word) in FILE_OPTIONS for word in node.arguments)
 
 
 def _is_wild(tail: str) -> bool:

@@ -88,7 +88,7 @@ class Plugins:
     def incomplete_controllers(self) -> list[list[IncompleteController]]:
         """The parameters that controllers of ros2_controllers lack and without which they are not configured, those of
         one controller together."""
-        return list(incomplete_controllers(self._params(), self._launch.workspace.packages))
+        return list(incomplete_controllers(self._params(), self._launch, self._launch.workspace.packages))
 
     @cached_property
     def claims(self) -> list[Claim]:
