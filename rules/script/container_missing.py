@@ -49,19 +49,24 @@ VERBS = ("exec", "attach", "logs", "stop", "restart", "start")
 VALUED = frozenset(
     "-e --env -u --user -w --workdir --env-file --detach-keys -n --tail --since --until -s --signal --timeout".split()
 )
-NAME = regex(r"[a-zA-Z0-9][\w.-]*")
+NUMBERED = regex(r"(?P<before>.+)[-_]\d+")
+JOINED = regex(r"[-_]")
+NAME = regex(r"[a-zA-Z0-9][\w.-]{0,200}")
 
 
 @rule("warning", confidence="medium", symptoms=["Error response from daemon: No such container: *"])
 def container_missing(robot: Robot) -> Iterator[Finding]:
     if not robot.mentions(NAMED):
         return
-    names = [(service.name, service.scalar("container_name")) for service in robot.compose.services]
+    names = [(str(service.name), service.scalar("container_name")) for service in robot.compose.services]
     given = [name for _, name in names if name is not None]
     if not given or any("$" in name for name in given):
         return
+    called_so = set(map(str, given))
+    made = {service for service, name in names if name is None}
     scripts = _by_script(robot)
-    given_by_scripts = {name for runs in scripts.values() for run in runs for name in _own(run)}
+    own = {_pattern(name) for runs in scripts.values() for run in runs for name in _own(run)}
+    given_by_scripts = [re.compile(each) for each in own]
     for source, runs in scripts.items():
         if not any(map(_brings_up, runs)):
             continue
@@ -69,7 +74,8 @@ def container_missing(robot: Robot) -> Iterator[Finding]:
         wrong = [
             (word, name)
             for word, name in asked
-            if not _is_known(robot, source, name, names) and not any(_fits(each, name) for each in given_by_scripts)
+            if not (name in called_so or _is_made(name, made) or _is_held(robot, source, name))
+            and not any(each.fullmatch(name) for each in given_by_scripts)
         ]
         near = next((name for name in given if robot.same_robot(name, source)), None)
         if wrong and near is not None:
@@ -77,7 +83,7 @@ def container_missing(robot: Robot) -> Iterator[Finding]:
             yield finding(
                 first,
                 f"No container of the tree is called {called}: docker answers 'No such container'",
-                advice=f"write {near}" if len(set(map(str, given))) == 1 else "write the container_name of the service",
+                advice=f"write {near}" if len(called_so) == 1 else "write the container_name of the service",
                 related=[note(near, "a container of the tree"), *(note(each, "nor here") for each, _ in others)],
             )
 
@@ -106,15 +112,22 @@ def _container(run: Run) -> Located | None:
     return words[at] if at < len(words) and NAME.fullmatch(run.text(words[at])) else None
 
 
-def _is_known(robot: Robot, source: Source, name: str, names: list[tuple[Located, Located | None]]) -> bool:
-    """Whether something may give a container this name."""
-    for service, given in names:
-        made = given is None and re.fullmatch(rf".+[-_]{re.escape(service)}[-_]\d+", name)
-        if name == given or made:
-            return True
+def _is_made(name: str, services: set[str]) -> bool:
+    """Whether compose makes this name, as in ``project-service-1``, of that of a service."""
+    numbered = NUMBERED.fullmatch(name)
+    if numbered is None:
+        return False
+    before = numbered["before"]
+    return any(before[at.end() :] in services for at in JOINED.finditer(before, 1))
+
+
+def _is_held(robot: Robot, source: Source, name: str) -> bool:
+    """Whether something else may give a container this name."""
     own = re.search(rf"--name[= ][\"']?{re.escape(name)}(?![\w-])", source.text)
     word = re.compile(rf"(?<![\w-]){re.escape(name)}(?![\w-])")
-    return own is not None or any(word.search(each.text) for each in robot.sources if each is not source)
+    return own is not None or any(
+        name in each.text and word.search(each.text) for each in robot.sources if each is not source
+    )
 
 
 def _own(run: Run) -> Iterator[str]:
@@ -127,7 +140,9 @@ def _own(run: Run) -> Iterator[str]:
             yield option.removeprefix("--name=")
 
 
-def _fits(given: str, name: str) -> bool:
-    """Whether a name of which some may not be known can be this one."""
-    parts = re.split(r"\{\{.*?\}\}", given)
-    return re.fullmatch(".+".join(map(re.escape, parts)), name) is not None
+def _pattern(given: str) -> str:
+    """The expression for a name of which some parts may not be known. What is between two of them is taken where it is
+    first, and not again."""
+    first, *rest = map(re.escape, re.split(r"\{\{.*?\}\}", given))
+    between = (f"(?=(?P<p{at}>.+?{part}))(?P=p{at})" for at, part in enumerate(rest[:-1]))
+    return first + "".join(between) + "".join(f".+{part}" for part in rest[-1:])
