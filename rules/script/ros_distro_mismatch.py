@@ -32,8 +32,11 @@ When another step installs the second distribution.
 """
 
 import re
+from bisect import bisect_right
 from collections.abc import Iterable
 from collections.abc import Iterator
+from collections.abc import Sequence
+from operator import itemgetter
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
@@ -46,11 +49,12 @@ from bringup_lint.api.shell import Block
 from bringup_lint.api.shell import shell_blocks
 
 DISTROS = r"foxy|galactic|humble|iron|jazzy|kilted|lyrical|rolling|noetic|melodic"
-SET_UP = regex(
-    rf"^[ \t]*(?:(?:export|readonly|local)[ \t]+)?ROS2?_DISTRO=[\"']?(?P<set>{DISTROS})[\"']?[ \t]*(?:#.*)?$"
-    rf"|^[^#\n]{{0,200}}\bapt(?:-get)?[ \t](?:[^\\\n]|\\\n){{0,2000}}?\bros-(?P<installed>{DISTROS})-",
-    re.M,
+SET = regex(
+    rf"^[ \t]*(?:(?:export|readonly|local)[ \t]+)?ROS2?_DISTRO=[\"']?(?P<distro>{DISTROS})[\"']?[ \t]*(?:#.*)?$", re.M
 )
+APT = regex(r"^[^#\n]{0,200}?\bapt(?:-get)?[ \t](?P<words>(?:[^\\\n]|\\\n){0,2000})", re.M)
+"""A line of apt with those that continue it, taken once."""
+PACKAGE = regex(rf"\bros-(?P<distro>{DISTROS})-")
 SOURCED = regex(
     r"^(?P<before>[^#\n]{0,200}?)(?:\bsource|(?<![\w.])\.)[ \t]+[\"']?"
     rf"/opt/ros/(?P<distro>{DISTROS})/[\w/]{{0,80}}setup\.\w+",
@@ -68,7 +72,7 @@ def ros_distro_mismatch(robot: Robot) -> Iterator[Finding]:
 
 
 def _in_script(source: Source) -> Iterator[Finding]:
-    found = {match["set"] or match["installed"]: match for match in SET_UP.finditer(source.text)}
+    found = _set_up(source.text)
     if len(found) != 1:
         return
     ((distro, setup),) = found.items()
@@ -76,8 +80,8 @@ def _in_script(source: Source) -> Iterator[Finding]:
     others = [match for match in sourced if match["distro"] != distro]
     if not others or any(TESTED.search(match["before"]) for match in others) or _has_both(sourced):
         return
-    places = list(_places(shell_blocks(source)))
-    if any(_branch(places, match.start("distro")) != _branch(places, setup.end()) for match in others):
+    places = sorted(_places(shell_blocks(source)))
+    if {_branch(places, match.start("distro")) for match in others} != {_branch(places, setup[0])}:
         return
     names = {match["distro"] for match in others}
     if any((name in ROS_1) != (distro in ROS_1) for name in names):
@@ -85,16 +89,23 @@ def _in_script(source: Source) -> Iterator[Finding]:
     said = sum(len(re.findall(rf"\b{re.escape(name)}\b", source.uncommented)) for name in names)
     if said == len(others):
         first, *rest = (source.located(*match.span("distro")) for match in others)
-        where = setup.span("set") if setup["set"] else setup.span("installed")
         yield finding(
             first,
             f"The script sets up {distro}, and takes the setup file of {first}: it does not exist on a new robot",
             advice=f"write {distro}",
             related=[
-                note(source.located(*where), f"{distro} is set up here"),
+                note(source.located(*setup), f"{distro} is set up here"),
                 *(note(each, "here too") for each in rest),
             ],
         )
+
+
+def _set_up(text: str) -> dict[str, tuple[int, int]]:
+    """The distributions that a script sets up, each with the last place that says so."""
+    spans = [match.span("distro") for match in SET.finditer(text)]
+    for apt in APT.finditer(text):
+        spans += [match.span("distro") for match in PACKAGE.finditer(text, *apt.span("words"))]
+    return {text[start:end]: (start, end) for start, end in sorted(spans)}
 
 
 def _has_both(sourced: Iterable[re.Match[str]]) -> bool:
@@ -113,6 +124,7 @@ def _places(blocks: Iterable[Block], branch: tuple[int, ...] = ()) -> Iterator[t
             yield from _places(body, (*branch, id(body)) if block.kind == "branches" else branch)
 
 
-def _branch(places: Iterable[tuple[int, tuple[int, ...]]], at: int) -> tuple[int, ...]:
+def _branch(places: Sequence[tuple[int, tuple[int, ...]]], at: int) -> tuple[int, ...]:
     """The branches that a place in the script is in: those of the last command that begins before it."""
-    return max(((start, branch) for start, branch in places if start <= at), default=(0, ()))[1]
+    before = bisect_right(places, at, key=itemgetter(0))
+    return places[before - 1][1] if before else ()
