@@ -130,7 +130,9 @@ def _end(folder: str) -> str:
 def _lines(robot: Robot, ends: set[str]) -> dict[str, set[tuple[Source, int]]]:
     """The lines of the tree, at most two, that name what may make a folder, by the end of its path."""
     found: dict[str, set[tuple[Source, int]]] = {end: set() for end in ends}
-    for source in robot.sources if ends else ():
+    if not ends:
+        return found
+    for source in robot.sources:
         for match in TWO.finditer(source.text):
             lines = found.get(match[1])
             if lines is not None and len(lines) <= 1:

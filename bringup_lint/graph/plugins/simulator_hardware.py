@@ -76,7 +76,9 @@ def other_simulators(files: Files, workspace: Workspace) -> Iterator[OtherSimula
 
 def _beside(files: Files, workspace: Workspace, source: Source, every: list[_Loaded]) -> list[_Loaded]:
     """The plugins of the robot to which a description belongs, where the tree holds all of it."""
-    for root in descriptions(files.tree) if every else ():
+    if not every:
+        return []
+    for root in descriptions(files.tree):
         paths = included_from(files.tree, [root])
         names = {display_name(path) for path in paths}
         found = [each for each in every if each.name.span.source.name in names]

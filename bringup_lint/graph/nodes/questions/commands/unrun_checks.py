@@ -70,7 +70,9 @@ def _named(file: NodeSource) -> Iterator[object]:
 def _texts(nodes: Nodes, names: set[str]) -> dict[str, set[Source]]:
     """The files of the tree whose text has a name."""
     found: dict[str, set[Source]] = {name: set() for name in names}
-    for source in nodes.files.sources if names else ():
+    if not names:
+        return found
+    for source in nodes.files.sources:
         if _MENTIONED.search(source.text):
             for name in names.intersection(_WORD.findall(source.text)):
                 found[name].add(source)
