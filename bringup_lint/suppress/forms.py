@@ -33,6 +33,8 @@ XML_KINDS = frozenset(
     }
 )
 _NO_COMMENTS = frozenset({"sros2-certificate", "sros2-key", "ssh-private-key"})
+_NO_COMMENTS_IN = ("cmdline.txt",)
+"""Files of which every word goes to the kernel."""
 PYTHON_KINDS = frozenset({"launch-python", "python-node", "setup-py"})
 CPP_KINDS = frozenset({"cpp-driver", "cpp-node"})
 SHELL_KINDS = frozenset({"dockerfile", "shell-script"})
@@ -40,7 +42,9 @@ SHELL_KINDS = frozenset({"dockerfile", "shell-script"})
 
 def form_of(source: Source) -> Form | None:
     """The comment of a file's format; None where the format has no comments, such as JSON and keys."""
-    if not source.kind or source.virtual or source.kind in _NO_COMMENTS or source.name.endswith((".json", ".p7s")):
+    if not source.kind or source.virtual or source.kind in _NO_COMMENTS or source.basename in _NO_COMMENTS_IN:
+        return None
+    if source.name.endswith((".json", ".p7s")):
         return None
     if source.kind in XML_KINDS:
         return XML

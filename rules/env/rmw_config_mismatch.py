@@ -44,7 +44,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.ros import at_least
 
 NAMES = r"RMW_IMPLEMENTATION|CYCLONEDDS_URI|FAST(?:RTPS|DDS)_DEFAULT_PROFILES_FILE"
-EXPORTS = regex(rf"(?:^[ \t]*(?:export[ \t]+)?(?:{NAMES})=[^\n]*\n){{2,4}}", re.M)
+EXPORTS = regex(rf"(?:^[ \t]*(?:#|(?:export[ \t]+)?(?:{NAMES})=)[^\n]*\n){{2,8}}", re.M)
 SETTING = regex(r"^[ \t]*(?:export[ \t]+)?(?P<name>\w+)=[\"']?(?P<value>[^\"'\s;]+)", re.M)
 FASTDDS = ("FASTRTPS_DEFAULT_PROFILES_FILE", "FASTDDS_DEFAULT_PROFILES_FILE")
 

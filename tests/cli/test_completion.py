@@ -16,7 +16,7 @@ from bringup_lint.cli.syntax import commands
 from tests.lint import lint
 
 ASKED = [
-    ("bringup-lint explain systemd/root", {"systemd/root-user"}),
+    ("bringup-lint explain systemd/root", {"systemd/root-needed", "systemd/root-user"}),
     ("bringup-lint --select netplan/default-r", {"netplan/default-route-conflict"}),
     ("bringup-lint --select lint,netplan/default-r", {"lint,netplan/default-route-conflict"}),
     ("bringup-lint check --target-ros j", {"jazzy"}),
