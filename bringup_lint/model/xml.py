@@ -70,17 +70,20 @@ class Element:
             pending.extend(reversed(element.children))
 
     @property
+    def ancestors(self) -> Iterator[Element]:
+        """The elements around this one, the nearest first."""
+        outer = self.parent
+        while outer is not None:
+            yield outer
+            outer = outer.parent
+
+    @property
     def namespace(self) -> str:
         """The URI that the prefix (or the default namespace) stands for; empty when there is none."""
         prefix = self.name.rpartition(":")[0]
         wanted = f"xmlns:{prefix}" if prefix else "xmlns"
-        element: Element | None = self
-        while element is not None:
-            value = element.get(wanted)
-            if value is not None:
-                return str(value)
-            element = element.parent
-        return ""
+        values = (element.get(wanted) for element in (self, *self.ancestors))
+        return str(next((value for value in values if value is not None), ""))
 
 
 @dataclass(slots=True, eq=False)

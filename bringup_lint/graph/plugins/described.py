@@ -239,12 +239,7 @@ def _is_controlled(element: Element) -> bool:
 
 
 def _is_within(element: Element, *names: str) -> bool:
-    outer = element.parent
-    while outer is not None:
-        if outer.local in names:
-            return True
-        outer = outer.parent
-    return False
+    return any(each.local in names for each in element.ancestors)
 
 
 def _add_name(found: Described, name: Located, known_part: int) -> None:

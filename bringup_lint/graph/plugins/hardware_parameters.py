@@ -138,10 +138,7 @@ def _beside(plugin: Element) -> list[Element]:
 
 
 def _around(element: Element, local: str) -> Element | None:
-    outer = element.parent
-    while outer is not None and outer.local != local:
-        outer = outer.parent
-    return outer
+    return next((each for each in element.ancestors if each.local == local), None)
 
 
 def _missing(driver: Driver, plugin: Element, hardware: Element) -> Iterator[HardwareParameter]:

@@ -101,12 +101,7 @@ def _is_plain(source: Source) -> bool:
 
 
 def _is_own(element: Element) -> bool:
-    outer = element.parent
-    while outer is not None:
-        if outer.local in _OUTER:
-            return False
-        outer = outer.parent
-    return True
+    return not any(each.local in _OUTER for each in element.ancestors)
 
 
 def _joints(root: Element) -> Iterator[Refused]:

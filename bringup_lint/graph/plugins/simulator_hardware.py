@@ -66,31 +66,31 @@ def other_simulators(files: Files, workspace: Workspace) -> Iterator[OtherSimula
             elif text in _HARDWARE:
                 found = _Loaded(_HARDWARE[text], element.text.strip_located(), _condition(element))
                 hardware.setdefault(source, []).append(found)
-    every = [each for found in loaders.values() for each in found]
+    is_apart = any(_folder(workspace, source) not in loaders for source in hardware)
+    every = [each for found in loaders.values() for each in found] if is_apart else []
+    robots = list(_robots(files, workspace, every))
     for source, named in hardware.items():
         own = loaders.get(_folder(workspace, source), [])
-        other = _other(named, own) or _all_other(named, own or _beside(files, workspace, source, every))
+        beside = (found for names, found in robots if source.name in names)
+        other = _other(named, own) or _all_other(named, own or next(beside, []))
         if source.judged and other is not None:
             yield other
 
 
-def _beside(files: Files, workspace: Workspace, source: Source, every: list[_Loaded]) -> list[_Loaded]:
-    """The plugins of the robot to which a description belongs, where the tree holds all of it."""
+def _robots(files: Files, workspace: Workspace, every: list[_Loaded]) -> Iterator[tuple[set[str], list[_Loaded]]]:
+    """The robots with plugins of which the tree holds the whole description: its files, and the plugins in them."""
     if not every:
-        return []
+        return
     for root in descriptions(files.tree):
         paths = included_from(files.tree, [root])
         names = {display_name(path) for path in paths}
         found = [each for each in every if each.name.span.source.name in names]
-        if found and source.name in names and not includes_elsewhere(files.tree, workspace.packages, paths):
-            return found
-    return []
+        if found and not includes_elsewhere(files.tree, workspace.packages, paths):
+            yield names, found
 
 
 def _condition(element: Element) -> str:
-    outer = element.parent
-    while outer is not None and outer.name != "xacro:if":
-        outer = outer.parent
+    outer = next((each for each in element.ancestors if each.name == "xacro:if"), None)
     return _VARIABLE.sub(r"\1", str(outer.get("value"))) if outer is not None else ""
 
 

@@ -93,7 +93,4 @@ def included(workspace: Workspace, source: Source, filename: str) -> Found | Non
 
 def is_unconditional(element: Element) -> bool:
     """Whether no condition, macro or call of xacro decides whether an element is in the description."""
-    outer = element.parent
-    while outer is not None and not outer.name.startswith("xacro:"):
-        outer = outer.parent
-    return outer is None
+    return not any(each.name.startswith("xacro:") for each in element.ancestors)

@@ -92,12 +92,8 @@ class XacroValues:
 
     def _macro_around(self, element: Element, name: str) -> Element | None:
         """The macro around an element that has a parameter."""
-        outer: Element | None = element
-        while outer is not None:
-            if outer.name == "xacro:macro" and name in self._parameters_of(outer):
-                return outer
-            outer = outer.parent
-        return None
+        macros = (each for each in (element, *element.ancestors) if each.name == "xacro:macro")
+        return next((each for each in macros if name in self._parameters_of(each)), None)
 
     def _parameters_of(self, macro: Element) -> dict[str, str | None]:
         if macro not in self._parameters:

@@ -95,18 +95,13 @@ def _has_link(root: Element, name: str) -> bool:
 def _above(root: Element, link: str) -> Iterator[Located]:
     """The parents of a link by fixed joints that no condition chooses."""
     for each in root.walk():
-        if each.local == "joint" and each.get("type") == "fixed" and not is_chosen(each):
+        if each.local == "joint" and each.get("type") == "fixed" and not _is_chosen(each):
             ends = {str(end.local): end.get("link") for end in each.children}
             parent = ends.get("parent")
             if ends.get("child") == link and parent is not None and "$" not in parent:
                 yield parent
 
 
-def is_chosen(element: Element) -> bool:
+def _is_chosen(element: Element) -> bool:
     """Whether a condition of xacro decides about an element."""
-    outer = element.parent
-    while outer is not None:
-        if outer.local in _CHOOSING:
-            return True
-        outer = outer.parent
-    return False
+    return any(each.local in _CHOOSING for each in element.ancestors)
