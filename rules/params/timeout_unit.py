@@ -50,12 +50,14 @@ from itertools import pairwise
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
+from bringup_lint.api import NamedTuple
 from bringup_lint.api import Robot
 from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import launch
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.params import ParameterFile
 
 _SECONDS = regex(r"(?:\w{1,40}_)?(?:cmd_vel|deadman|teleop|joy)\w{0,40}timeout_(?:s|secs?|seconds)\Z", hints="timeout")
 _MILLISECONDS = regex(
@@ -81,15 +83,33 @@ _MOST = 1e15
 """More is no setting."""
 
 
+class Setting(NamedTuple):
+    name: str
+    value: object
+    where: Span
+    file: ParameterFile | None = None
+    of_drive: bool = False
+    """Of a drive controller of ros2_controllers."""
+
+
 @rule("error", silent="the controller keeps the last speed, or zero, without a word")
 def timeout_unit(robot: Robot) -> Iterator[Finding]:
+    for each in _settings(robot):
+        wrong = _wrong(each)
+        if wrong is not None:
+            message, advice = wrong
+            is_idle = each.file is not None and not robot.params.is_used(each.file)
+            yield finding(each.where, message, advice=advice, severity="info" if is_idle else None)
+
+
+def _settings(robot: Robot) -> Iterator[Setting]:
+    """What parameter files, launch files and command lines set."""
     drives = set(_drives(robot))
     for file in robot.params.judged:
         for block in file.blocks:
-            is_drive = block.node_name in drives
+            of_drive = block.node_name in drives
             for each in block.parameters:
-                severity = None if robot.params.is_used(file) else "info"
-                yield from _judged(str(each.name), each.value.data, each.span, severity=severity, is_drive=is_drive)
+                yield Setting(str(each.name), each.value.data, each.span, file, of_drive)
     if robot.has_launch_files:
         for node in robot.launch.nodes:
             yield from _of_node(node)
@@ -106,18 +126,18 @@ def _drives(robot: Robot) -> Iterator[str]:
                 yield each.block.node_name if each.name == "type" else each.name.removesuffix(".type")
 
 
-def _of_node(node: launch.Started) -> Iterator[Finding]:
+def _of_node(node: launch.Started) -> Iterator[Setting]:
     for key, value in node.given:
         inner = value.value if isinstance(value, launch.TypedValue) else value
         if isinstance(inner, launch.Literal):
-            yield from _judged(str(launch.literal(key)), inner.value, inner.span)
+            yield Setting(str(launch.literal(key)), inner.value, inner.span)
 
 
-def _of_words(words: Sequence[Located]) -> Iterator[Finding]:
+def _of_words(words: Sequence[Located]) -> Iterator[Setting]:
     for before, word in pairwise(words):
         if before in ("-p", "--param"):
             name, _, text = word.partition(":=")
-            yield from _judged(name.rpartition(":")[2], _number(text), word.span)
+            yield Setting(name.rpartition(":")[2], _number(text), word.span)
 
 
 def _number(text: str) -> float | None:
@@ -127,25 +147,22 @@ def _number(text: str) -> float | None:
         return None
 
 
-def _judged(
-    name: str, value: object, where: Span, *, severity: str | None = None, is_drive: bool = False
-) -> Iterator[Finding]:
+def _wrong(setting: Setting) -> tuple[str, str] | None:
+    """The message and the advice for a timeout in the wrong unit."""
+    value, last = setting.value, setting.name.rpartition(".")[2]
     if not isinstance(value, (int, float)) or isinstance(value, bool) or abs(value) > _MOST:
-        return
-    last = name.rpartition(".")[2]
+        return None
     if _UNHURRIED.search(last):
-        return
-    if (is_drive and last in _CONTROLLERS and value > _LONG) or (_SECONDS.match(last) and value >= _ENDLESS):
-        yield finding(
-            where,
+        return None
+    is_long = setting.of_drive and last in _CONTROLLERS and value > _LONG
+    if is_long or (_SECONDS.match(last) and value >= _ENDLESS):
+        return (
             f"{last} is in seconds: after the last command the robot may keep its speed for {value:g} s",
-            advice=f"write seconds, such as {value / 1000:g}" if value >= 100 else "write a few tenths of a second",
-            severity=severity,
+            f"write seconds, such as {value / 1000:g}" if value >= 100 else "write a few tenths of a second",
         )
-    elif _MILLISECONDS.match(last) and 0 < value < 1:
-        yield finding(
-            where,
+    if _MILLISECONDS.match(last) and 0 < value < 1:
+        return (
             f"{last} is in milliseconds: after {value:g} ms each command is too old before the next one arrives",
-            advice=f"write milliseconds, such as {value * 1000:g}",
-            severity=severity,
+            f"write milliseconds, such as {value * 1000:g}",
         )
+    return None
