@@ -34,9 +34,11 @@ def masked_units(scripts: Scripts) -> dict[str, Located]:
     for source in scripts.files.of_kind(*KINDS):
         if not source.judged or "mask" not in source.text or _TAKES_AWAY.search(source.basename):
             continue
-        maybe = list(_conditional(scripts, source))
+        maybe, end = sorted(_conditional(scripts, source), reverse=True), 0
         for match in _MASKS.finditer(source.text):
-            if not any(start <= match.start() < end for start, end in maybe):
+            while maybe and maybe[-1][0] <= match.start():
+                end = max(end, maybe.pop()[1])
+            if match.start() >= end:
                 found |= {_unit(str(word)): word for word in source.located(*match.span("names")).words()}
     unmasked = _unmasked(scripts) if found else set()
     return {name: word for name, word in found.items() if unmasked.isdisjoint(("*", name.removesuffix(".service")))}

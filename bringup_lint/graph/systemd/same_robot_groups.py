@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
+from itertools import chain
 
 from bringup_lint.graph.commands.wrappers import unwrapped
 from bringup_lint.graph.systemd.named_units import NamedUnits
@@ -57,16 +58,12 @@ def _leaders(units: NamedUnits, plain: list[Unit], processes: Callable[[Unit], l
             unit = parents[unit]
         return unit
 
-    for unit in units.all:
-        for name in _named(unit):
-            other = units.find(name, unit)
-            if other is not None and units.files.same_robot(unit.where.source, other.where.source):
-                parents[leader(unit)] = leader(other)
-    for unit in plain:
-        for name in _commanded(processes(unit)):
-            other = units.find(name, unit)
-            if other is not None and units.files.same_robot(unit.where.source, other.where.source):
-                parents[leader(unit)] = leader(other)
+    by_settings = ((unit, name) for unit in units.all for name in _named(unit))
+    by_commands = ((unit, name) for unit in plain for name in _commanded(processes(unit)))
+    for unit, name in chain(by_settings, by_commands):
+        other = units.find(name, unit)
+        if other is not None and units.files.same_robot(unit.where.source, other.where.source):
+            parents[leader(unit)] = leader(other)
     for first, *others in _enabled_together(units):
         for other in others:
             parents[leader(other)] = leader(first)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.facts.ros.node_topics import published
 from bringup_lint.graph.launch.resolve import text_of
+from bringup_lint.graph.memo import kept
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.graph.topics.questions.compatibility import Conflict
 from bringup_lint.graph.topics.questions.compatibility import conflicts
@@ -56,8 +57,9 @@ def unserved_apart(topics: Topics) -> Iterator[UnservedApart]:
     out are topics that a driver of others may publish as well, and those that anything remaps."""
     found: dict[tuple[Source, tuple[Span, ...]], UnservedApart] = {}
     for each in _all(topics):
-        if _is_in_firmware(topics, each.subscription.topic):
-            continue
+        name = each.subscription.topic.rpartition("/")[2]
+        if any(name in text for text in _firmware(topics)):
+            continue  # it may publish the topic with another profile
         profiles = tuple(end.qos.span for end in each.publishers if end.qos is not None)
         key = (each.subscription.where.source, profiles[:1])
         if key in found:
@@ -67,11 +69,12 @@ def unserved_apart(topics: Topics) -> Iterator[UnservedApart]:
     yield from found.values()
 
 
-def _is_in_firmware(topics: Topics, topic: str) -> bool:
-    """Whether firmware with micro-ROS names a topic: it may publish it with another profile."""
-    tree, name = topics.files.tree, topic.rpartition("/")[2]
+@kept
+def _firmware(topics: Topics) -> list[str]:
+    """The sources of firmware with micro-ROS."""
+    tree = topics.files.tree
     heads = (tree.head(path, _SIZE) for path in tree.paths if path.endswith(_OF_FIRMWARE))
-    return any(name in text and ("rclc_" in text or "rclc/" in text) for text in heads)
+    return [text for text in heads if "rclc_" in text or "rclc/" in text]
 
 
 def _all(topics: Topics) -> Iterator[UnservedApart]:
