@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.commands.background import background_jobs
     from bringup_lint.graph.commands.docker_options import Option
     from bringup_lint.graph.commands.docker_options import run_options
+    from bringup_lint.graph.commands.expected_failure import is_forgiven
     from bringup_lint.graph.commands.expected_failure import may_fail
     from bringup_lint.graph.commands.shells import SH_IS_BASH
     from bringup_lint.graph.commands.shells import SHELLS
@@ -69,6 +70,7 @@ __all__ = [
     "commands",
     "has_busybox",
     "in_tree",
+    "is_forgiven",
     "lost_edits",
     "masked_units",
     "may_fail",

@@ -43,6 +43,7 @@ from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.shell import Run
+from bringup_lint.api.shell import is_forgiven
 
 NAMED = regex(r"\bcontainer_name\b", hints="container_name")
 VERBS = ("exec", "attach", "logs", "stop", "restart", "start")
@@ -102,8 +103,7 @@ def _brings_up(run: Run) -> bool:
 def _container(run: Run) -> Located | None:
     """The word that names a running container, where it is known and a failure is not expected."""
     words = run.words
-    is_asked = run.command.ends == "||" or any(each.target == "/dev/null" for each in run.command.redirects)
-    if len(words) < 3 or words[1] not in VERBS or is_asked:
+    if len(words) < 3 or words[1] not in VERBS or is_forgiven(run.command):
         return None
     at = 2
     seconds = ("-t", "--time") if words[1] in ("stop", "restart") else ()

@@ -39,6 +39,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.ros import distros_since
 from bringup_lint.api.shell import Run
 from bringup_lint.api.shell import program_name
 from bringup_lint.api.shell import unwrapped
@@ -59,9 +60,7 @@ OF_ROS1 = regex(
 )
 
 
-OF_ROS2 = regex(
-    r"/opt/ros/(?:foxy|galactic|humble|iron|jazzy|kilted|lyrical|rolling)\b|\bRMW_IMPLEMENTATION\b|\bCYCLONEDDS_URI\b"
-)
+OF_ROS2 = regex(rf"/opt/ros/(?:{'|'.join(distros_since('foxy'))})\b|\bRMW_IMPLEMENTATION\b|\bCYCLONEDDS_URI\b")
 CALLING = regex(
     r"(?:\.(?:md|rst|txt|sh|bash|py|ya?ml|xml|service|desktop|rules)|CMakeLists\.txt|(?:Make|Docker|[jJ]ust)file[^/]*)$"
 )

@@ -45,10 +45,12 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.ros import distros_since
 from bringup_lint.api.shell import Block
 from bringup_lint.api.shell import shell_blocks
 
-DISTROS = r"foxy|galactic|humble|iron|jazzy|kilted|lyrical|rolling|noetic|melodic"
+ROS_1 = ("noetic", "melodic")
+DISTROS = "|".join((*distros_since("foxy"), *ROS_1))
 SET = regex(
     rf"^[ \t]*(?:(?:export|readonly|local)[ \t]+)?ROS2?_DISTRO=[\"']?(?P<distro>{DISTROS})[\"']?[ \t]*(?:#.*)?$", re.M
 )
@@ -60,7 +62,6 @@ SOURCED = regex(
     rf"/opt/ros/(?P<distro>{DISTROS})/[\w/]{{0,80}}setup\.\w+",
     re.M,
 )
-ROS_1 = ("noetic", "melodic")
 TESTED = regex(r"\bif\b|\[|&&|\|\||\bcase\b|\btest\b|\)[ \t]")
 
 

@@ -19,9 +19,14 @@ _ASKS = regex(
 """A line that asks for a package, and does something else where it is not there."""
 
 
+def is_forgiven(command: Command) -> bool:
+    """Whether another command runs when this one fails, or nobody sees what it says."""
+    return command.ends == "||" or any(each.target == "/dev/null" for each in command.redirects)
+
+
 def may_fail(command: Command, name: str) -> bool:
     """Whether nobody minds that a command fails, or its script asks before for what the command names."""
-    if command.ends == "||" or any(each.target == "/dev/null" for each in command.redirects):
+    if is_forgiven(command):
         return True
     named = re.compile(rf"\b{re.escape(name)}\b")
     return any(_ASKS.search(line) or named.search(line) for line in _tests(command.words[0].span.source.text))

@@ -44,7 +44,8 @@ _LOADER = regex(
     hints="ClassLoader",
 )
 _LIBRARY = regex(r"^(?:.*/)?(?:lib)?([^/]+?)(?:\.so)?$")
-_CODE = (".cpp", ".cc", ".cxx", ".c++", ".C", ".hpp", ".hh", ".h", ".inl", ".ipp")
+_HEADERS = (".hpp", ".hh", ".h", ".inl", ".ipp")
+_CODE = (".cpp", ".cc", ".cxx", ".c++", ".C", *_HEADERS)
 _LOADERS = {
     **dict.fromkeys(("hardware_interface", "controller_interface", "nav2_core", "nav2_costmap_2d", "rviz_common"), ""),
     **{"image_transport": "", "dwb_core": "", "opennav_docking_core": "", "gz_ros2_control": ""},
@@ -210,7 +211,7 @@ class _Plugins:
     def _holders(self, source: Source) -> set[str] | None:
         """The libraries that a source is compiled into; None when that is not known."""
         base = os.path.basename(source.name)
-        if base.endswith(_CODE[5:]) or sum(each.basename == base for each in self._sources) > 1:
+        if base.endswith(_HEADERS) or sum(each.basename == base for each in self._sources) > 1:
             return None
         found = {target for target, paths in self._targets.items() if source.absolute in paths}
         if self._namings[base] != len(found):

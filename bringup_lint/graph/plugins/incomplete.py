@@ -55,7 +55,7 @@ class _Launched:
     @cached_property
     def nodes(self) -> set[str]:
         """The names of nodes."""
-        return {_tail(str(literal_text(node.name))) for node in self._launch.nodes}
+        return {str(literal_text(node.name)).rpartition("/")[2] for node in self._launch.nodes}
 
     @cached_property
     def with_files(self) -> set[str]:
@@ -73,7 +73,7 @@ def incomplete_controllers(
     sources: dict[str, set[Source]] = {}
     for file in params.parameter_files:
         for each in file.parameters:
-            given.setdefault(_tail(str(each.block.key)), []).append(each)
+            given.setdefault(each.block.node_name, []).append(each)
             sources.setdefault(each.name.removesuffix(".type"), set())
             if each.name.endswith(".type"):
                 sources[each.name.removesuffix(".type")].add(each.span.source)
@@ -91,7 +91,7 @@ def _of_file(
     launched: _Launched,
     packages: Container[str],
 ) -> Iterator[list[IncompleteController]]:
-    blocks = {_tail(str(block.key)): block for block in file.blocks}
+    blocks = {block.node_name: block for block in file.blocks}
     wild = any(map(_is_wild, blocks))
     others: dict[int, tuple[Block, list[str]]] = {
         id(block): (block, []) for tail, block in blocks.items() if tail not in sources
@@ -130,7 +130,7 @@ def _of_file(
 
 def _is_meant(name: str, block: Block, launched: _Launched) -> bool:
     """Whether a block is that of a node, or the controller has its parameters from elsewhere."""
-    return _tail(str(block.key)) in launched.nodes or name in launched.with_files
+    return block.node_name in launched.nodes or name in launched.with_files
 
 
 def _gives_file(node: Started) -> bool:
@@ -150,7 +150,7 @@ def _stray(
 ) -> list[IncompleteController]:
     """The one block that has all that a controller needs, and that no controller is called like."""
     used = params.named_elsewhere(name, {file.source})
-    return [IncompleteController(name, typed, block.key.span, "", None, None, used, _tail(str(block.key)))]
+    return [IncompleteController(name, typed, block.key.span, "", None, None, used, block.node_name)]
 
 
 def _lacking(
@@ -173,7 +173,3 @@ def _near(name: str, given: list[Parameter]) -> Parameter | None:
 def _is_refused(parameter: Parameter) -> bool:
     data = parameter.value.data
     return isinstance(data, (int, float)) and not isinstance(data, bool) and data <= 0
-
-
-def _tail(key: str) -> str:
-    return key.rpartition("/")[2]
