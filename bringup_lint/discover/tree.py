@@ -67,6 +67,8 @@ class Tree:
     """The names of sources that are taken for empty, because something failed on them."""
     deploy: dict[str, str] = field(default_factory=dict)
     """Path in the repository -> path on the robot, from the configuration."""
+    written: set[str] = field(default_factory=set)
+    """The paths on the robot of files whose text a script writes and is not wholly known: no file of the tree."""
     sources: list[Source] = field(default_factory=list)
     problems: list[Problem] = field(default_factory=list)
     held: Held | None = None
@@ -114,6 +116,7 @@ class Tree:
             sources=left,
             problems=list(self.problems),
             unknown=frozenset(names),
+            written=set(),
             _texts={},
             _indexed=0,
             _placed={},
@@ -230,7 +233,7 @@ class Tree:
         known = self._placed.get(robot_path, ())
         if len(known) == 1:
             return known[0]
-        if known:
+        if known or robot_path in self.written:
             return None
         if self.root is not None:
             path = self.inside(robot_path)

@@ -39,7 +39,7 @@ from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 
-SCRIPT = regex(r"\.(?:sh|bash|py|zsh)$")
+SCRIPT = regex(r"\.(?:sh|bash|py|pl|zsh)$")
 COMPILED = "\0"
 MISSPELT = regex(
     r"(?:[ \t]*\n)?((?:#|!# ?|# ! ?)/(?:usr/)?bin/(?:env +)?(?:ba|da|z)?sh(?: -\w+)?)[ \t\r]*$",

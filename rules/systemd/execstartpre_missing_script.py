@@ -6,7 +6,6 @@ A program in Exec*= that belongs to the robot (below /usr/local, /opt, /etc, /ho
 
 - error: it does not exist in a complete root file system;
 - error: it is not executable there;
-- error: it is a script without a `#!` line, also in a repository;
 - error: a script or user data of the tree writes it, and nothing makes it executable, also in a repository;
 - error: `install -m` of a script of the tree gives it a mode that lets nobody execute it, and nothing changes it;
 - warning, with medium confidence: its mode in the repository lets nobody execute it, where other scripts have the mode
@@ -64,10 +63,6 @@ TEXTS = {
         "run git update-index --chmod=+x {name}, or chmod 0755 {program} after it is copied",
     ),
     Defect.WRITTEN: ("is written without execute permission", "run chmod 0755 {program} after it is written"),
-    Defect.NO_INTERPRETER: (
-        "is a script without a #! line",
-        "name the interpreter in the first line, for example #!/bin/bash",
-    ),
 }
 
 

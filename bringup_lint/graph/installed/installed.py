@@ -87,7 +87,7 @@ def _read(files: Files, script: Source, scripts: Scripts) -> tuple[list[Source],
                 _copy(files, script, texts, copies, copy)
         elif did.name == "sed":
             _edit(texts, did)
-    sources = [_source(script, path, written) for path, written in list(texts.items())[:MOST_FILES]]
+    sources = [_source(files, script, path, written) for path, written in list(texts.items())[:MOST_FILES]]
     return [source for source in sources if source is not None], copies
 
 
@@ -100,7 +100,7 @@ def _provisioned(files: Files, source: Source) -> tuple[list[Source], list[tuple
         if did is not None:
             _write(texts, did)
         copies += copies_of(put, files.tree, source)
-    sources = [_source(source, path, found) for path, found in list(texts.items())[:MOST_FILES]]
+    sources = [_source(files, source, path, found) for path, found in list(texts.items())[:MOST_FILES]]
     return [each for each in sources if each is not None], copies
 
 
@@ -152,7 +152,7 @@ def _edit(texts: dict[str, list[Written]], run: Run) -> None:
             texts[path].append(texts[path][-1]._replace(text=None))
 
 
-def _source(script: Source, path: str, written: list[Written]) -> Source | None:
+def _source(files: Files, script: Source, path: str, written: list[Written]) -> Source | None:
     if not path.startswith("/") or any(each.text is None for each in written):
         return None
     text = Text()
@@ -171,6 +171,7 @@ def _source(script: Source, path: str, written: list[Written]) -> Source | None:
     name = f"{script.name}:{path}"
     template = template_language(name, whole)
     if template and kind in _EXPANDING:
+        files.tree.written.add(path)
         return None
     return Source(name, whole, kind, path, script.judged, template, origin=origin)
 

@@ -23,14 +23,12 @@ _GIVES_MODE = regex(r"\b(?:chmod|setfacl|install[ \t]|rsync[^\n]{0,200}--chmod)[
 _ITEMS = regex(r"fileglob|\{\{[ \t]*item|\bsrc:[^\n]{0,200}/[\"']?[ \t]{0,9}$", re.M)
 """Names of several files in a task."""
 _SEVERAL = regex(r"[*$]|\{\}|[ \t]-\w{0,5}R")
-_SCRIPT = regex(r"\.(?:sh|bash|py|pl)$")
 
 
 class Defect(Enum):
     MISSING = "it is not in the root file system"
     NOT_EXECUTABLE = "its mode lets nobody execute it"
     PLAIN = "its mode in the repository lets nobody execute it, and nothing changes it"
-    NO_INTERPRETER = "it is a script without a #! line"
     WRITTEN = "what writes it gives it no execute permission"
 
 
@@ -67,8 +65,6 @@ def unstartable(process: Process, filesystem: Filesystem) -> Iterator[Unstartabl
         yield Unstartable(Defect.PLAIN, source)
     if source.origin is not None and source.origin.certain and not _is_made_executable(filesystem.files, source):
         yield Unstartable(Defect.WRITTEN, source)
-    if source.text and not source.template and not source.text.startswith("#!") and _SCRIPT.search(program):
-        yield Unstartable(Defect.NO_INTERPRETER, source)
 
 
 def _is_named_template(source: Source) -> bool:
