@@ -8,6 +8,7 @@ bytes, continued lines joined, is not loaded.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from bringup_lint.model.unit import Assignment
@@ -25,6 +26,11 @@ from bringup_lint.templates import is_to_fill
 _LINE = regex(r"([^\r\n]*)(?:\r\n|[\r\n]|\Z)")
 _OF_PATHS = regex(r"Exec\w+|WorkingDirectory|RootDirectory|EnvironmentFile|PIDFile|User|Group")
 """Settings whose values are no words in capitals, unless a script replaces these."""
+_FILLED = ("configure", "template")
+"""Languages that may have variables of a shell for placeholders."""
+_VARIABLE = regex(r"\$\{?[A-Z_][A-Z0-9_]*\b")
+_FILLED_ELSEWHERE = regex(r"^(?!Exec)\w+[ \t]*=[^\n$]*\$\{?[A-Z_][A-Z0-9_]*\b", re.M)
+"""A variable where systemd expands none: something else does, before it."""
 _BLANK = " \t\n\r"
 LONGEST = 1024 * 1024
 """Bytes of a line (LONG_LINE_MAX)."""
@@ -139,10 +145,17 @@ def _assignment(text: Located, section: Section, unit: UnitFile) -> None:
         return
     value = text.part(len(key) + 1, len(text)).strip_located(_BLANK)
     name = text.part(0, len(key)).strip_located(_BLANK)
-    opaque = (bool(unit.source.template) and has_placeholder(value)) or (
+    opaque = (bool(unit.source.template) and _is_filled(unit.source, value)) or (
         is_to_fill(value) and bool(_OF_PATHS.fullmatch(name))
     )
     section.assignments.append(Assignment(section.name, name, value, text.span, opaque))
+
+
+def _is_filled(source: Source, value: str) -> bool:
+    """Whether a value of a template still holds a placeholder."""
+    if has_placeholder(value):
+        return True
+    return source.template in _FILLED and bool(_VARIABLE.search(value)) and source.matches(_FILLED_ELSEWHERE)
 
 
 def unit_name(source: Source) -> tuple[str, bool]:

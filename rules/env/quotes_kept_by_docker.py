@@ -31,10 +31,13 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+
+MOST = 20
 
 
 @rule("warning", fix="unsafe", symptoms=["Expected RMW implementation identifier of '\"*\"' but instead found"])
@@ -46,19 +49,27 @@ def quotes_kept_by_docker(robot: Robot) -> Iterator[Finding]:
 
 def _of_services(robot: Robot) -> Iterator[Finding]:
     for service in robot.compose.services:
+        quoted: dict[Source, list[tuple[Located, Located]]] = {}
         for variable in service.environment.values():
             value = variable.value
             if value is not None and variable.in_list and value[:1] in ("'", '"') and len(value) > 1:
                 if value[-1] == value[0] and value[0] not in value[1:-1]:
-                    yield _of_list(variable.name, value)
+                    quoted.setdefault(value.span.source, []).append((variable.name, value))
+        for found in quoted.values():
+            yield _of_list(found)
 
 
-def _of_list(name: Located, value: Located) -> Finding:
+def _of_list(found: list[tuple[Located, Located]]) -> Finding:
+    """One finding for the variables of a service in one file."""
+    (name, value), *others = found
+    more = f" (and {len(others)} more)" if others else ""
+    plain = [(each, each[1:-1]) for _, each in found if each[1:-1].isascii() and " " not in each]
     return finding(
         value,
-        f"Compose keeps the quotes of {name} as part of the value",
+        f"Compose keeps the quotes of {name}{more} as part of the value",
         advice=f"write {name}={value[1:-1]}, or quote the whole entry",
-        fix=fix("remove the quotes", (value, value[1:-1])) if value[1:-1].isascii() and " " not in value else None,
+        related=[note(each, "and here") for _, each in others[:MOST]],
+        fix=fix("remove the quotes", *plain) if len(plain) == len(found) else None,
     )
 
 

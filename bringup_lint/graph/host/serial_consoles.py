@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 
 _OF_KERNEL = {"serial0": "ttyS0"}
 """A name that the firmware replaces -> the line that it is on most boards."""
+_NO_LINE = regex(r"tty\d*$|hvc\d|null$")
+"""Consoles that are no serial lines: screens, and those of virtual machines."""
 _TAKEN_AWAY = regex(r"\bdo_serial|\bserial-getty@|\bconsole=", hints="do_serial serial-getty@ console=")
 """What scripts say that take a console away."""
 
@@ -42,6 +44,8 @@ def taken_consoles(files: Files, devices: Devices) -> Iterator[TakenConsole]:
 
 def _taken(value: Located, files: Files, devices: Devices) -> Iterator[TakenConsole]:
     line = value.part(0, len(value.partition(",")[0]))
+    if _NO_LINE.match(line):
+        return
     names = [line, _OF_KERNEL.get(line, line)]
     uses = [use for use in devices.uses if use.path.removeprefix("/dev/") in names and files.same_robot(use.path, line)]
     if uses:

@@ -24,7 +24,7 @@ from bringup_lint.source import Span
 if TYPE_CHECKING:
     from bringup_lint.graph.launch.launch import Launch
 
-RCL, SUBSTITUTED, REWRITTEN, PYYAML = "rcl", "substituted", "rewritten", "pyyaml"
+RCL, SUBSTITUTED, REWRITTEN, REPLACED, PYYAML = "rcl", "substituted", "rewritten", "replaced", "pyyaml"
 
 
 class Load(NamedTuple):
@@ -37,8 +37,9 @@ class Load(NamedTuple):
     where: Span
     """What names the file in the launch file."""
     how: str
-    """``rcl``; ``substituted`` when launch fills in ``$(...)`` before; ``rewritten`` by a helper; ``pyyaml`` when
-    launch itself reads the values and sends them to a container."""
+    """``rcl``; ``substituted`` when launch fills in ``$(...)`` before; ``rewritten`` by a helper that sets values;
+    ``replaced`` by one that changes any text, names included; ``pyyaml`` when launch itself reads the values and sends
+    them to a container."""
     root_key: Value | None
     order: int
     """Place among the node's parameters; later ones win."""
@@ -77,7 +78,8 @@ def _load(
                 yield from _load(launch, expansion, node, option, order, False)
             return
         if isinstance(value, DerivedFile):
-            how, root_key, value = REWRITTEN, value.root_key or root_key, value.base
+            how = REPLACED if value.helper == "ReplaceString" or how == REPLACED else REWRITTEN
+            root_key, value = value.root_key or root_key, value.base
         else:
             if value.allow_substs is not None:
                 substitutes = truth(value.allow_substs, launch=False)

@@ -50,9 +50,14 @@ _NAME = regex(
     re.I,
 )
 _NO_NAME = regex(
-    r"^(?:(?:old)?pwd|(?:fastcgi|grpc|proxy|scgi|uwsgi)_pass|KAFKA_(?:SASL|SSL)_\w*CREDENTIALS|MINIO_ACCESS_KEY)$", re.I
+    r"^(?:(?:old)?pwd|(?:fastcgi|grpc|proxy|scgi|uwsgi)_pass|KAFKA_(?:SASL|SSL)_\w*CREDENTIALS|MINIO_ACCESS_KEY|"
+    r"(?:.*[._-])?(?:max|min|num)[._-]?token)$",
+    re.I,
 )
-"""Also the addresses of nginx, the names of the files that hold the passwords of Kafka, and a user of MinIO."""
+"""Also the addresses of nginx, the names of the files that hold the passwords of Kafka, a user of MinIO, and how long
+the answer of a language model may be."""
+_QUOTED = regex(r"[\"'](.*)[\"']$", re.S)
+"""With quotes that whoever sets the variable keeps."""
 _KNOWN_VALUE = regex(
     r"\b(?:AKIA|ASIA)[0-9A-Z]{16}\b|\bgh[pousr]_[A-Za-z0-9]{30,}|\bgithub_pat_\w{30,}|\bglpat-[\w-]{20}"
     r"|\bsk[-_]live[-_]\w{16,}|\bxox[abprs]-[\w-]{20,}|-----BEGIN (?:[A-Z]+ )*PRIVATE KEY-----"
@@ -66,7 +71,7 @@ _SETTINGS = regex(r"(?<!CMakeLists)\.(?:txt|conf|cfg|ini|properties)$")
 _MOST_OF_SETTINGS = 64 * 1024
 _USER_INFO = regex(r"\b[a-z][a-z0-9+.-]*://[^/\s:@]+:([^@/\s]+)@")
 _NO_VALUE = regex(
-    r"[/~]|\#\s|\$|%|[\"']{2}$|file:|env:|true$|false$|yes$|no$|on$|off$|\d{1,5}$|.*\.(?:pem|key|crt|cer|p12|env|json|ya?ml|txt)$",
+    r"$|[/~]|\#\s|\$|%|[\"']{2}$|file:|env:|true$|false$|yes$|no$|on$|off$|\d{1,5}$|.*\.(?:pem|key|crt|cer|p12|env|json|ya?ml|txt)$",
     re.I,
 )
 _WEAK = regex(r"(?:change[-_ ]?me|password|passwd|secret|admin|default|test|example|xxx+|foo|bar|abc)\d*$", re.I)
@@ -210,10 +215,12 @@ def secret(name: str, value: Located, holder: str) -> Secret | None:
         part = value
     else:
         return None
-    if holder == "launch" and _PLACEHOLDER.fullmatch(part):
+    quoted = _QUOTED.match(part)
+    text = quoted[1] if quoted else part
+    if holder == "launch" and _PLACEHOLDER.fullmatch(text):
         return None
-    weak = _WEAK.match(part) is not None
-    if not weak and (_NO_VALUE.match(part) or is_stand_in(part) or has_placeholder(part)):
+    weak = _WEAK.match(text) is not None
+    if not weak and (_NO_VALUE.match(text) or is_stand_in(text) or has_placeholder(text)):
         return None
     return Secret(part, name, holder, weak, _stands_in(part))
 

@@ -11,6 +11,7 @@ from bringup_lint.graph.launch.expansion import Expansion
 from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.resolve import truth
 from bringup_lint.graph.launch.started import literal_text
+from bringup_lint.graph.params.loads import REPLACED
 from bringup_lint.graph.params.loads import REWRITTEN
 from bringup_lint.graph.params.loads import Load
 from bringup_lint.graph.params.loads import is_replaced
@@ -55,7 +56,7 @@ def _waits(load: Load, parameter: Parameter) -> bool:
     """Whether a node of a robot's bring-up really gets the value, and nothing there may give it the time."""
     name = load.node.fqn
     reached = matches(parameter.block.name, name) if name else parameter.block.name.strip("/") == "**"
-    if not reached or not load.certain or load.how == REWRITTEN or load.node.by_default is not True:
+    if not reached or not load.certain or load.how in (REWRITTEN, REPLACED) or load.node.by_default is not True:
         return False
     later = load.node.parameters[load.order + 1 :]
     if is_replaced(load, NAME) or not all(isinstance(value, DictValue) for value in later):

@@ -12,6 +12,7 @@ from bringup_lint.facts.ros.parameters import public_node
 from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.params.loads import PYYAML
+from bringup_lint.graph.params.loads import REPLACED
 from bringup_lint.graph.params.loads import REWRITTEN
 from bringup_lint.graph.params.loads import Load
 from bringup_lint.graph.plugins.controllers import is_manager
@@ -181,9 +182,10 @@ def _certain(params: Params) -> Iterator[tuple[ParameterFile, list[Load]]]:
 
 
 def _plain(load: Load) -> bool:
-    """Whether the node reads the file itself: no component, no container, no namespace put around the file."""
+    """Whether the node reads the file itself: no component, no container, no namespace put around the file,
+    and no helper that may change its names."""
     action = load.node.action
-    if load.how == PYYAML or not isinstance(action, Node) or action.container or action.components:
+    if load.how in (PYYAML, REPLACED) or not isinstance(action, Node) or action.container or action.components:
         return False
     if literal_text(load.node.executable) is None or "container" in str(literal_text(load.node.executable)):
         return False
