@@ -346,7 +346,7 @@ class LaunchFile:
     bound: list[tuple[Argument, str]] = field(default_factory=list)
     """Those of them that Python code only assigns to a variable, with its name."""
     reads_all: bool = False
-    """Looks at launch configurations by names that are not known."""
+    """Looks at launch configurations by names that are not known, or at the words of the command line."""
     imports: list[Import] = field(default_factory=list)
     calls: list[Call] = field(default_factory=list)
     keywords: list[OldKeyword] = field(default_factory=list)

@@ -2,7 +2,8 @@
 
 ## What it finds
 A text file of the tree that a unit starts directly and whose first line does not begin with `#!`: no such line at all,
-or a misspelt one such as `#/bin/sh`. A misspelt one is a warning in every other script.
+or a misspelt one such as `#/bin/sh`. A misspelt one is a warning in every other script but the completions of shells, which
+are never started.
 
 ## Why it matters on a robot
 The kernel executes a text file only by its first line. systemd has no shell to fall back to: the unit fails with
@@ -77,7 +78,7 @@ def no_shebang(robot: Robot) -> Iterator[Finding]:
             )
     for source in robot.of_kind("shell-script"):
         misspelt = MISSPELT.match(source.said) if source.judged and source not in seen else None
-        if misspelt is not None:
+        if misspelt is not None and "complet" not in source.basename:
             yield finding(
                 source.located(*misspelt.span(1)),
                 "The first line is a comment and names no interpreter: only a shell can start the script",

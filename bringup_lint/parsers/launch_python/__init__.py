@@ -28,10 +28,12 @@ from bringup_lint.parsers.python_syntax import Positions
 from bringup_lint.parsers.python_syntax import byte_order_mark
 from bringup_lint.parsers.python_syntax import note_imports
 from bringup_lint.parsers.python_syntax import syntax_tree
+from bringup_lint.pattern import regex
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 
+_COMMAND_LINE = regex(r"\bsys\b[^\n]*\bargv\b", hints="argv")
 ENTRIES = ("generate_launch_description", "generate_test_description")
 
 
@@ -46,6 +48,7 @@ def parse(source: Source) -> LaunchFile:
     if tree is None:
         return file
     note_imports(source, tree)
+    file.reads_all = _COMMAND_LINE.search(source.text) is not None
     positions = Positions(source, byte_order_mark(source))
     if MENTIONED.search(source.text):
         file.waits += waits(tree, positions)
