@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from bringup_lint.endings import CPP
 from bringup_lint.finding.secret_forms import FORMS
 from bringup_lint.finding.secret_forms import NAME
 from bringup_lint.finding.secret_forms import NAMES
@@ -25,7 +26,7 @@ _NO_SECRET = regex(
 )
 _SET = regex(r"(?:pass(?:word|wd|phrase|wort|code)?|pwd|psk|secret|token|credential|key\d?)[\"'\]]*[ \t]*[:=>]")
 """A name that means a secret, in small letters, before what each form without words has after it."""
-_CODE = (".py", ".cpp", ".cc", ".cxx", ".hpp", ".h", ".hh")
+_CODE = (".py", *CPP)
 _MAPPED = regex(r"[:=][ \t]*[\"']?([^\s\"',]+)")
 _BODY = r"[ \t]*(?:\#[^\n]*)?\n(?P<body>(?:(?P=indent)[ \t]+[^\n]*(?:\n|$))+)"
 _PASSWORDS = regex(

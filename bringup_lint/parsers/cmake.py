@@ -7,6 +7,7 @@ import re
 from functools import cache
 
 from bringup_lint import facts
+from bringup_lint.endings import CPP_SOURCES
 from bringup_lint.model.package import Build
 from bringup_lint.model.package import Install
 from bringup_lint.parsers.cmake_commands import Command
@@ -20,7 +21,6 @@ from bringup_lint.source import Located
 from bringup_lint.source import Source
 
 _VARIABLE = regex(r"\$\{(\w+)\}")
-_CPP = regex(r"\.(?:cpp|cc|cxx|c\+\+|C)$")
 
 
 @cache
@@ -291,7 +291,7 @@ class Reader:
         words = [word for word in given if word is not None]
         self.build.names_computed |= given[:1] == [None]
         if words and given[0] is not None:
-            files = [str(word) for word in words[1:] if _CPP.search(word)]
+            files = [str(word) for word in words[1:] if word.endswith(CPP_SOURCES)]
             self.build.targets.setdefault(str(words[0]), []).extend(files)
             if None in given or {"DIRECTORY", "GLOB"} & set(words):
                 self.build.open_targets.add(str(words[0]))

@@ -2,8 +2,8 @@
 
 ## What it finds
 A text file of the tree that a unit starts directly and whose first line does not begin with `#!`: no such line at all,
-or a misspelt one such as `#/bin/sh`. A misspelt one is a warning in every other script but the completions of shells, which
-are never started.
+or a misspelt one such as `#/bin/sh`. A misspelt one is a warning in every other script but the completions of shells,
+which are never started.
 
 ## Why it matters on a robot
 The kernel executes a text file only by its first line. systemd has no shell to fall back to: the unit fails with

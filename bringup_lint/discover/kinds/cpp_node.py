@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from bringup_lint.discover.kinds import Head
 from bringup_lint.discover.kinds import Kind
+from bringup_lint.endings import CPP
 
-SUFFIXES = (".cpp", ".cc", ".cxx", ".hpp", ".hh", ".h")
-FIRMWARE = (*SUFFIXES, ".c", ".ino")
-
+FIRMWARE = (*CPP, ".c", ".ino")
 
 _NODES = (
     *("rclcpp", "RCLCPP_", "create_publisher", "create_subscription", "create_wall_timer"),
@@ -20,7 +19,7 @@ def _is_node(path: str, head: Head) -> bool:
     if not path.endswith(FIRMWARE):
         return False
     text = head()
-    return "rclc/" in text or (path.endswith(SUFFIXES) and any(word in text for word in _NODES))
+    return "rclc/" in text or (path.endswith(CPP) and any(word in text for word in _NODES))
 
 
 _DEVICES = (
@@ -31,7 +30,7 @@ _DEVICES = (
 
 
 def _is_driver(path: str, head: Head) -> bool:
-    return path.endswith(SUFFIXES) and not _is_node(path, head) and any(word in head() for word in _DEVICES)
+    return path.endswith(CPP) and not _is_node(path, head) and any(word in head() for word in _DEVICES)
 
 
 KINDS = (Kind("cpp-node", _is_node), Kind("cpp-driver", _is_driver))

@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.endings import CPP
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.xml import parse
 from bringup_lint.pattern import regex
@@ -32,7 +33,6 @@ _END = regex(r"^[ \t]*(ament_(?:auto_)?package)[ \t]*\(", re.M)
 _LIBRARY = regex(r"^(?:.*/)?(?:lib)?([^/]+?)(?:\.so)?$")
 _OF_ROS1 = "nodelet::Nodelet"
 """The base of nodelets, which ROS 2 does not load."""
-_CODE = (".cpp", ".cc", ".cxx", ".hpp", ".h")
 _MOST = 200_000
 """Characters of a source that are looked at."""
 
@@ -73,7 +73,7 @@ def unexported(files: Files, package: Package) -> Iterator[Unexported]:
 
 def _makes_plugins(files: Files, package: Package) -> bool:
     """Whether the sources of a package name classes for pluginlib."""
-    code = (path for path in files.tree.walked_below(package.folder) if path.endswith(_CODE))
+    code = (path for path in files.tree.walked_below(package.folder) if path.endswith(CPP))
     return any("PLUGINLIB_EXPORT_CLASS" in files.tree.head(path, _MOST) for path in code)
 
 

@@ -10,6 +10,8 @@ from collections.abc import Iterator
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from bringup_lint.endings import CPP
+from bringup_lint.endings import CPP_HEADERS
 from bringup_lint.graph.memo import kept
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.cmake_commands import commands
@@ -44,8 +46,6 @@ _LOADER = regex(
     hints="ClassLoader",
 )
 _LIBRARY = regex(r"^(?:.*/)?(?:lib)?([^/]+?)(?:\.so)?$")
-_HEADERS = (".hpp", ".hh", ".h", ".inl", ".ipp")
-_CODE = (".cpp", ".cc", ".cxx", ".c++", ".C", *_HEADERS)
 _LOADERS = {
     **dict.fromkeys(("hardware_interface", "controller_interface", "nav2_core", "nav2_costmap_2d", "rviz_common"), ""),
     **{"image_transport": "", "dwb_core": "", "opennav_docking_core": "", "gz_ros2_control": ""},
@@ -178,7 +178,7 @@ class _Plugins:
 
     @cached_property
     def _sources(self) -> list[Source]:
-        paths = (path for path in self._files.tree.walked_below(self._package.folder) if path.endswith(_CODE))
+        paths = (path for path in self._files.tree.walked_below(self._package.folder) if path.endswith(CPP))
         return [each for each in (self._files.tree.read(path, judged=False) for path in paths) if each is not None]
 
     @cached_property
@@ -211,7 +211,7 @@ class _Plugins:
     def _holders(self, source: Source) -> set[str] | None:
         """The libraries that a source is compiled into; None when that is not known."""
         base = os.path.basename(source.name)
-        if base.endswith(_HEADERS) or sum(each.basename == base for each in self._sources) > 1:
+        if base.endswith(CPP_HEADERS) or sum(each.basename == base for each in self._sources) > 1:
             return None
         found = {target for target, paths in self._targets.items() if source.absolute in paths}
         if self._namings[base] != len(found):
@@ -227,7 +227,7 @@ class _Plugins:
         for build in self._builds:
             for command in commands(build.source):
                 if not (command.name.startswith(_ADDS) and "test" in command.name):
-                    found.update({os.path.basename(word) for word in command.arguments if word.endswith(_CODE)})
+                    found.update({os.path.basename(word) for word in command.arguments if word.endswith(CPP)})
         return found
 
     def _links(self, target: str, holders: set[str]) -> bool:
@@ -272,7 +272,7 @@ def _name(element: Element, cls: Located) -> Located:
 def _loaders(files: Files) -> dict[str, list[Located]]:
     """Base class -> the packages under whose names the sources of the tree look for its plugins."""
     found: dict[str, list[Located]] = {}
-    paths = (path for path in files.tree.paths if path.endswith(_CODE))
+    paths = (path for path in files.tree.paths if path.endswith(CPP))
     for source in filter(None, (files.tree.read(path, judged=False) for path in paths)):
         for match in _LOADER.finditer(source.text):
             found.setdefault(match["base"], []).append(source.located(*match.span("package")))

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.endings import CPP
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
@@ -22,7 +23,6 @@ _REGISTERED = regex(
 )
 _OTHERS = regex(r"^[^/\n]{0,200}REGISTER_(?:NODE|CLASS)\w{0,20}[ \t]{0,8}\(", re.M, "REGISTER_")
 """These, and macros that make or use the macro."""
-_CODE = (".cpp", ".cc", ".cxx", ".c++", ".hpp", ".hh", ".h")
 
 
 class Unregistered(NamedTuple):
@@ -50,7 +50,7 @@ def _registered(files: Files, package: Package) -> dict[str, Located]:
     """What the sources of a package register; nothing where one of them does so in a way that is not understood."""
     found: dict[str, Located] = {}
     for path in files.tree.walked_below(package.folder):
-        source = files.tree.read(path, judged=False) if path.endswith(_CODE) else None
+        source = files.tree.read(path, judged=False) if path.endswith(CPP) else None
         if source is None or "REGISTER_" not in source.text:
             continue
         plain = list(_REGISTERED.finditer(source.text))

@@ -6,6 +6,7 @@ import os
 import re
 from typing import TYPE_CHECKING
 
+from bringup_lint.endings import CPP
 from bringup_lint.facts.ros.node_roles import packages
 from bringup_lint.graph.memo import memo
 from bringup_lint.pattern import regex
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
 PUBLIC = ("nav2_", "ros2_", "ros_", "rclcpp_", "tf2_", "launch_", "image_", "joint_", "moveit_", "rviz", "controller_")
 """How packages of ROS itself begin."""
 _DIGIT = regex(r"\d")
-_CODE = (".py", ".cpp", ".cc", ".cxx", ".hpp", ".h")
+_CODE = (".py", *CPP)
 _MOST_CODE = 200_000
 """Characters of a source that are looked at."""
 _SHARE = regex(

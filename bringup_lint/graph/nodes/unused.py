@@ -9,6 +9,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from bringup_lint.discover.kinds.launch import LAUNCH
+from bringup_lint.endings import CPP_SOURCES
 from bringup_lint.graph.modules import modules
 from bringup_lint.pattern import regex
 
@@ -28,7 +29,6 @@ _WORD = regex(r"\w+|(?<=[ \t])\.(?=[.\w \t])")
 _TEXT = regex(r"""(?<!executable=)(?<!name=)["']([\w.]{2,80})["']""")
 """What ``importlib`` and the like may be given."""
 _DEFINES = regex(r"\bclass[ \t]+\w+")
-_CPP = (".cpp", ".cc", ".cxx")
 _GATHERS = regex(
     r"(?i)\bGLOB(?:_RECURSE)?\b|\baux_source_directory\b|add_\w{4,20}\s{0,4}\([^()]{0,200}\bDIRECTORY\b|\}[\w.-]{0,80}\.c(?:pp|c|xx)\b|\w\}\w"
     r"|\binclude\s{0,4}\(\s{0,4}(?:\$|[\w./-]{1,80}\.cmake)"
@@ -48,7 +48,7 @@ class Unused:
 
     def has(self, source: Source) -> bool:
         """Whether a file is in a package whose programs are all known, and is none of them nor a part of one."""
-        if source.basename.endswith(_CPP):
+        if source.basename.endswith(CPP_SOURCES):
             return self._is_unbuilt(source)
         name = source.basename.removesuffix(".py")
         return self.is_no_program(source) and name not in self._imported and not self._is_beside(source, name)

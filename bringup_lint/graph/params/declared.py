@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.endings import CPP
 from bringup_lint.model.python import walk
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.python_syntax import tree_of
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.workspace import Package
     from bringup_lint.graph.workspace import Workspace
 
-SUFFIXES = (".py", ".cpp", ".cc", ".cxx", ".hpp", ".hh", ".h")
+SUFFIXES = (".py", *CPP)
 FILES = 600
 """Source files of one package that are read."""
 _TESTS = regex(r"(?:^|/)(?:tests?|examples?|build|install)/")

@@ -9,6 +9,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from bringup_lint.discover.kinds.launch import LAUNCH
+from bringup_lint.endings import CPP
 from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.memo import memo
@@ -36,7 +37,7 @@ if TYPE_CHECKING:
 
 _UNTYPED = ("ardent", "bouncy", "crystal", "dashing", "eloquent", "foxy")
 """Distributions in which a declared parameter may take any type."""
-_CODE = (".py", ".cpp", ".cc", ".cxx", ".hpp", ".hh", ".h", ".rs")
+_CODE = (".py", *CPP, ".rs")
 _QUOTED = regex(r"[\"']([\w.]{3,80})[\"']")
 _MOST_SOURCES = 4000
 

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from itertools import islice
 from typing import TYPE_CHECKING
 
+from bringup_lint.endings import CPP
 from bringup_lint.graph.plugins.xacro_values import XacroValues
 from bringup_lint.model.cpp_text import blanked
 from bringup_lint.model.cpp_text import end_of_block
@@ -59,7 +60,6 @@ _CONDITION = regex(r"\s*(?:if|else|for|while|case|switch)\b|[^;{}]*\?")
 _QUOTED = regex(r"\"([\w./-]{1,80})\"")
 _JOINTS = "_.-"
 """What is between the parts of a name."""
-_CPP = (".cpp", ".cc", ".cxx", ".hpp", ".hh", ".h")
 _PLAIN = frozenset({"plugin", "param", "if", "unless", "group"})
 """Elements of hardware that hide no parameters."""
 _VALUE = regex(r"\$\{\s*(?:(?P<name>[A-Za-z_]\w*)|[A-Za-z_]\w*(?:\[['\"]\w+['\"]\])*\[['\"](?P<key>\w+)['\"]\])\s*\}\Z")
@@ -127,7 +127,7 @@ def _drivers(files: Files) -> dict[str, Driver]:
 
 def _quoted(files: Files) -> frozenset[str]:
     """The words that stand as texts in any C++ source of the tree."""
-    paths = (path for path in files.tree.paths if path.endswith(_CPP))
+    paths = (path for path in files.tree.paths if path.endswith(CPP))
     sources = (files.tree.read(path, judged=False) for path in paths)
     return frozenset(word for source in sources if source is not None for word in _QUOTED.findall(source.text))
 

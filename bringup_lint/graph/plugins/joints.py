@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from bringup_lint.discover.tree import is_below
+from bringup_lint.endings import CPP
 from bringup_lint.graph.params.values import Item
 from bringup_lint.graph.params.values import items
 from bringup_lint.graph.plugins.described import Described
@@ -48,7 +49,6 @@ _CHECKED = ("jazzy", "kilted", "lyrical", "rolling")
 _MANAGER = "controller_manager"
 _STATES = ("hardware_components_initial_state.", "configure_components_on_start", "activate_components_on_start")
 """Parameters of the controller manager that name hardware (controller_manager.cpp)."""
-_CODE = (".cpp", ".cc", ".cxx", ".hpp", ".h")
 _HEAD = 200_000
 """Characters of a description or a source that are looked at."""
 _ANY = ("joint_state_broadcaster/",)
@@ -157,7 +157,7 @@ def _parts(parameter: Parameter) -> list[Item]:
 
 def _is_in_code(files: Files, name: str) -> bool:
     """Whether a source names a joint or a sensor: hardware may export it by itself."""
-    code = (files.tree.head(path, _HEAD) for path in files.tree.paths if path.endswith(_CODE))
+    code = (files.tree.head(path, _HEAD) for path in files.tree.paths if path.endswith(CPP))
     return any(f'"{name}{end}' in text for text in code for end in ('"', "/"))
 
 

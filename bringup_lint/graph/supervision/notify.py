@@ -12,6 +12,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from bringup_lint.dataclass import dataclass
+from bringup_lint.endings import CPP
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.memo import memo
 from bringup_lint.graph.supervision.launched_by_unit import expansion_of
@@ -38,7 +39,7 @@ SPEAKS = regex(
 _WORDS = ("notify", "READY=1", "WATCHDOG=1", "NOTIFY_SOCKET", "systemd.daemon", "cysystemd")
 """One of them is in all such code, which is found out much sooner."""
 
-_CODE = (".py", ".cpp", ".cc", ".cxx", ".c", ".hpp", ".hxx", ".h", ".rs", ".sh", ".bash")
+_CODE = (".py", *CPP, ".c", ".rs", ".sh", ".bash")
 _PERHAPS = regex(r"notif|systemd|watchdog|heartbeat|sd_", re.I)
 """Names of packages that are not in the tree and might notify."""
 _FILES = 5000

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.endings import CPP
 from bringup_lint.model.cpp_source import LateJoin
 from bringup_lint.model.cpp_text import blanked
 from bringup_lint.pattern import regex
@@ -16,7 +17,6 @@ if TYPE_CHECKING:
     from bringup_lint.graph.workspace import Package
     from bringup_lint.model.cpp_source import CppNode
 
-SUFFIXES = (".cpp", ".cc", ".cxx", ".hpp", ".hh", ".h", ".hxx", ".ipp", ".tpp", ".inl")
 FILES = 400
 """Source files of one package that are read."""
 _ENDS = regex(
@@ -82,7 +82,7 @@ def package_sources(files: Files, package: Package | None, source: Source) -> It
     if package is None:
         yield None
         return
-    inside = [each for each in files.tree.walked_below(package.folder) if each.endswith(SUFFIXES)]
+    inside = [each for each in files.tree.walked_below(package.folder) if each.endswith(CPP)]
     if len(inside) > FILES:
         yield None
         return

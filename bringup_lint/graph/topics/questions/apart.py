@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.endings import CPP
 from bringup_lint.facts.ros.node_topics import published
 from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.memo import kept
@@ -21,7 +22,7 @@ if TYPE_CHECKING:
     from bringup_lint.model.node_source import Endpoint
     from bringup_lint.model.node_source import Qos
 
-_OF_FIRMWARE = (".ino", ".c", ".cpp", ".h", ".hpp")
+_OF_FIRMWARE = (".ino", ".c", *CPP)
 _SIZE = 100_000
 
 

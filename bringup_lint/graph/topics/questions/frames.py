@@ -8,6 +8,7 @@ from itertools import chain
 from typing import TYPE_CHECKING
 
 from bringup_lint.discover.kinds.launch import LAUNCH
+from bringup_lint.endings import CPP
 from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.plugins.described import described
@@ -42,26 +43,8 @@ _READERS = frozenset(
 """Nodes that look a base frame up, and do not publish it."""
 _PREFIX = regex(r"frame_prefix|tf_prefix")
 _NAMING = (
-    ".py",
-    ".cpp",
-    ".cc",
-    ".cxx",
-    ".c",
-    ".ino",
-    ".hpp",
-    ".h",
-    ".rs",
-    ".xml",
-    ".yaml",
-    ".yml",
-    ".launch",
-    ".xacro",
-    ".urdf",
-    ".sdf",
-    ".sh",
-    ".lua",
-    ".json",
-    ".toml",
+    *(".py", *CPP, ".c", ".ino", ".rs", ".sh", ".lua"),
+    *(".xml", ".yaml", ".yml", ".launch", ".xacro", ".urdf", ".sdf", ".json", ".toml"),
 )
 """Files that may make a frame, or give its name to what makes it."""
 _MOST = 4000

@@ -15,6 +15,8 @@ from operator import or_
 from typing import TYPE_CHECKING
 
 from bringup_lint.dataclass import replace
+from bringup_lint.endings import CPP
+from bringup_lint.endings import CPP_HEADERS
 from bringup_lint.facts.ros.parameters import declared_by
 from bringup_lint.facts.ros.parameters import hands_parameters
 from bringup_lint.graph.launch.started import Started
@@ -37,8 +39,6 @@ if TYPE_CHECKING:
 
 CPP_FILES = 300
 """C++ files of one program that are read."""
-_CPP = (".cpp", ".cc", ".cxx", ".hpp", ".hh", ".h", ".hxx", ".ipp", ".tpp", ".inl")
-_HEADERS = _CPP[3:]
 _ASIDE = regex(r"/(?:tests?|examples?|build|install|log)/")
 _CLASS = regex(r"\b(?:class|struct)\s+[\w\s]{1,120}:(?P<bases>[^:{};()](?:[^{};()]|::){0,400})\{", hints="class struct")
 _INCLUDE = regex(r"^[ \t]*#[ \t]*include[ \t]*[<\"](?P<package>[\w-]+)/", re.M)
@@ -143,12 +143,10 @@ class ParameterNames:
     def _own(self, package: Package, made: set[str]) -> list[str]:
         """The files of the package that a program may be made of, but not those of other programs."""
         used = self._used(package, made)
-        return [
-            path for path in self._files_of(package, _CPP) if path in used or not made or not self._is_program(path)
-        ]
+        return [path for path in self._files_of(package, CPP) if path in used or not made or not self._is_program(path)]
 
     def _used(self, package: Package, made: set[str]) -> set[str]:
-        return made | self._implementing(made, self._files_of(package, _CPP))
+        return made | self._implementing(made, self._files_of(package, CPP))
 
     def _implementing(self, made: set[str], every: list[str]) -> set[str]:
         """The files that are called like a header which some files, or such files, include."""
@@ -172,7 +170,7 @@ class ParameterNames:
     @memo
     def _is_program(self, path: str) -> bool:
         """Whether a file is the main one of a program, or registers a component."""
-        source = self._source(path) if not path.endswith(_HEADERS) else None
+        source = self._source(path) if not path.endswith(CPP_HEADERS) else None
         return source is not None and source.matches(_MAIN)
 
     def _with_included(self, package: Package, paths: list[str]) -> list[Source] | None:
@@ -194,7 +192,7 @@ class ParameterNames:
                 other = self._workspace.packages.get(name)
                 if other is not None:
                     depends |= {str(each) for _, each in other.manifest.depends}
-                    todo += self._files_of(other, _CPP)
+                    todo += self._files_of(other, CPP)
                 elif name in depends and hands_parameters(name):
                     return None
         return list(found.values())
@@ -209,7 +207,7 @@ class ParameterNames:
         folders = {package.folder for package in self._workspace.packages.values()}
         found: dict[str, list[str]] = {}
         for path in self._files.tree.paths:
-            if path.endswith(_CPP):
+            if path.endswith(CPP):
                 owner = _owner(path, folders)
                 if owner is not None and not _ASIDE.search(path[len(owner) :]):
                     found.setdefault(owner, []).append(path)

@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.endings import CPP
 from bringup_lint.graph.nodes.sources.with_header import with_header
 from bringup_lint.model.cpp_text import COMMENT
 from bringup_lint.model.node_source import Endpoint
@@ -25,7 +26,6 @@ _ACTIVATES = regex(
 """A call of a publisher, or of a base class under any name; what defines the method has a type before the name."""
 _PLAIN = regex(r"\brclcpp::Publisher\s{0,4}<")
 """Through a pointer to the plain class ``publish`` is that of the plain class, which does not ask."""
-_CODE = (".cpp", ".cc", ".cxx", ".hpp", ".h")
 _MOST = 200_000
 """Characters of a source that are looked at."""
 
@@ -70,5 +70,5 @@ def _beside(nodes: Nodes, source: Source) -> Iterator[str]:
     owner = nodes.launch.workspace.owner(source)
     folder = owner.folder if owner is not None else os.path.dirname(source.absolute)
     for path in nodes.files.tree.walked_below(folder):
-        if path.endswith(_CODE):
+        if path.endswith(CPP):
             yield COMMENT.sub("", nodes.files.tree.head(path, _MOST))

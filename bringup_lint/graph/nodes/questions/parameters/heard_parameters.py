@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from bringup_lint.discover.kinds.cpp_node import SUFFIXES
+from bringup_lint.endings import CPP
 from bringup_lint.model.cpp_text import COMMENT
 from bringup_lint.model.cpp_text import end_of_block
 from bringup_lint.model.node_source import Parameter
@@ -50,7 +50,7 @@ def _texts(nodes: Nodes, source: Source) -> list[str]:
     owner = nodes.launch.workspace.owner(source)
     if owner is None:
         return [COMMENT.sub("", source.text)]
-    paths = [path for path in nodes.files.tree.walked_below(owner.folder) if path.endswith(SUFFIXES)]
+    paths = [path for path in nodes.files.tree.walked_below(owner.folder) if path.endswith(CPP)]
     found = (nodes.files.tree.read(path, judged=False) for path in paths[:FILES])
     return [COMMENT.sub("", each.text) for each in found if each is not None]
 
