@@ -458,8 +458,16 @@ def _read_cmake(files: Files, package: Package, path: str, sources: dict[str, So
         package.complete = False
         return
     from bringup_lint.parsers import cmake
+    from bringup_lint.parsers.cmake_language import Around
 
-    for build in files.parsed(lambda one: cmake.parse(one, package.name), [source]):
+    folder = os.path.dirname(source.absolute)
+
+    def below(inner: str) -> Iterator[str]:
+        top = os.path.normpath(os.path.join(folder, inner))
+        return (os.path.relpath(path, folder) for path in files.tree.walked_below(top))
+
+    around = Around(lambda path: files.tree.beside(source, path), below)
+    for build in files.parsed(lambda one: cmake.parse(one, package.name, around), [source]):
         package.builds.append(build)
         for folder in build.subdirectories:
             inner = os.path.normpath(os.path.join(os.path.dirname(path), folder, "CMakeLists.txt"))

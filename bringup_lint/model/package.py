@@ -125,4 +125,6 @@ class Build:
     """What targets link."""
     components: dict[str, str] = field(default_factory=dict)
     """Component class, or the executable that is made for it, -> the library that holds it."""
+    main_plugins: dict[str, str] = field(default_factory=dict)
+    """Executable that is made for a component -> its class."""
     subdirectories: list[str] = field(default_factory=list)

@@ -3,276 +3,38 @@
 from __future__ import annotations
 
 import itertools
-import re
-from functools import cache
 
-from bringup_lint import facts
 from bringup_lint.endings import CPP_SOURCES
 from bringup_lint.model.package import Build
 from bringup_lint.model.package import Install
 from bringup_lint.parsers.cmake_commands import Command
 from bringup_lint.parsers.cmake_commands import commands
-from bringup_lint.parsers.cmake_values import element
-from bringup_lint.parsers.cmake_values import number
-from bringup_lint.parsers.cmake_values import numbers
-from bringup_lint.parsers.cmake_values import part_of_path
-from bringup_lint.pattern import regex
+from bringup_lint.parsers.cmake_language import ALONE
+from bringup_lint.parsers.cmake_language import Around
+from bringup_lint.parsers.cmake_language import Language
+from bringup_lint.parsers.cmake_language import names
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
-_VARIABLE = regex(r"\$\{(\w+)\}")
 
+class Reader(Language):
+    """Writes what the commands of one file do into its ``Build``."""
 
-@cache
-def _names(use: str) -> frozenset[str]:
-    """The names of the table ``ros/cmake`` for one use: ``command``, ``module`` or ``install``."""
-    return frozenset(name for each, name in facts.rows("ros/cmake")[1] if each == use)
-
-
-_HARMLESS = regex(
-    r"^(?:check_|find_|target_|get_|set_|enable_|export_|qt\d?_(?:wrap|add_resources|use|generate_moc)|ament_(?:lint|clang)_|try_)"
-    r"|_tests?$|_test_|^g?test_|_coverage$|_warnings$|_options$|_flags?$|_docs$|_dependencies$"
-)
-"""Names of commands that neither install nor make a program: they look for something, set something, or test."""
-_MAKING = regex(
-    r"install|^add_(?:executable|library|subdirectory)$|^ament_(?:auto_|python_)|^rclcpp_components_|^include$|_package$"
-)
-"""Commands for whose sake a function matters."""
-LOOPED = 2_000
-"""Commands that the loops of one file run."""
-LONGEST = 20_000
-"""Characters of a value."""
-
-
-def _ends(given: list[Command]) -> dict[int, int]:
-    """The places of the loops, functions and macros that have an end, each with that of its end."""
-    found: dict[int, int] = {}
-    open_at: dict[str, list[int]] = {"foreach": [], "function": [], "macro": []}
-    for at, command in enumerate(given):
-        if command.name in open_at:
-            open_at[command.name].append(at)
-        elif places := open_at.get(command.name.removeprefix("end")):
-            found[places.pop()] = at
-    return found
-
-
-class Reader:
-    """Follows the commands of one file with its includes, and writes into its ``Build``."""
-
-    def __init__(self, build: Build, variables: dict[str, str]) -> None:
+    def __init__(self, build: Build, variables: dict[str, str], around: Around) -> None:
+        super().__init__(variables, around)
         self.build = build
-        self.variables = variables
-        self.unknown: set[str] = set()
-        """What was given a value that is not known."""
-        self.harmless: set[str] = set()
-        """Functions of the file that neither install nor make anything."""
-        self.looped = 0
-        self.skips = self.returns = False
-        """A command before may have left the turn of the loop, or the file."""
+        self.automatic: list[str] = []
+        """The libraries of ``ament_auto_add_library``."""
         self.sure = False
         """The installation that is read happens in any case."""
-
-    def expand(self, text: Located) -> Located | None:
-        """The text with known variables filled in; None when one is not known."""
-        missing = False
-        length = 0
-
-        def known(match: re.Match) -> str:
-            nonlocal missing, length
-            value = self.variables.get(match[1], "")
-            length += len(value)
-            missing = missing or match[1] not in self.variables or length > LONGEST
-            return "" if missing else value
-
-        expanded = _VARIABLE.sub(known, text)
-        return None if missing or "$" in expanded else Located(expanded, text.span)
-
-    def words(self, arguments: list[Located]) -> list[Located | None]:
-        """The arguments with variables filled in, lists taken apart."""
-        result: list[Located | None] = []
-        for argument in arguments:
-            expanded = self.expand(argument)
-            if expanded is None:
-                result.append(None)
-            else:
-                result.extend(Located(part, argument.span) for part in expanded.split(";") if part)
-        return result
 
     def read(self) -> None:
         self.run(list(commands(self.build.source)))
         self.rename()
 
-    def run(self, given: list[Command]) -> None:
-        at, ends = 0, _ends(given)
-        while at < len(given):
-            command, end = given[at], ends.get(at)
-            if command.name == "foreach":
-                end = len(given) if end is None else end
-                self.loop(command, given[at + 1 : end])
-                at = end
-            elif command.name in ("function", "macro") and end is not None and self.is_harmless(given, at, end):
-                at = end
-            else:
-                self.one(command)
-            at += 1
-
-    def is_harmless(self, given: list[Command], at: int, end: int) -> bool:
-        """Whether a function neither installs nor makes anything; keeps its name then. One that holds one is not."""
-        names = given[at].arguments[:1]
-        # What a macro sets stays set, and what it returns from is the file.
-        leaves = ("set", "list", "return") if given[at].name == "macro" else ()
-        for place in range(at + 1, end):
-            each = given[place]
-            if each.name in ("function", "macro", *leaves) or "PARENT_SCOPE" in each.arguments:
-                return False
-            if _MAKING.search(each.name) or not (self.is_known(each) or _HARMLESS.search(each.name)):
-                return False
-        self.harmless.update(str(name).lower() for name in names)
-        return bool(names)
-
-    def is_known(self, command: Command) -> bool:
-        """Whether a command neither installs nor makes anything that is not read."""
-        return any(command.name in names for names in (_names("command"), _ENDS, self.harmless))
-
-    def one(self, command: Command) -> None:
-        handler = getattr(self, f"do_{command.name}", None)
-        if handler is not None:
-            handler(command)
-        if command.name in ("function", "macro", "while"):
-            self.open()
-        elif not self.is_known(command):
-            if _HARMLESS.search(command.name):
-                self.do_string(command)
-            else:
-                self.open()
-
     def open(self) -> None:
         """Something is built or installed that is not known."""
         self.build.installs_known = self.build.executables_known = self.build.plugins_known = False
-
-    def loop(self, command: Command, body: list[Command]) -> None:
-        """The body for each item; once, with an item that is not known, when these are not known, or too many."""
-        items, skips = self.items(command.arguments), self.skips
-        self.looped += len(items) * len(body)
-        if not command.arguments or self.looped > LOOPED or None in items:
-            self.open()
-            items = [None]
-        else:
-            body = [Command(each.name, each.arguments, each.depth - 1) for each in body]
-        for item in items:
-            if command.arguments:
-                self.give(str(command.arguments[0]), None if item is None else str(item))
-            self.run(body)
-        self.skips = skips
-
-    def items(self, arguments: list[Located]) -> list[Located | None]:
-        """What ``foreach(variable ...)`` goes through."""
-        if "ZIP_LISTS" in arguments:
-            return [None]
-        if "RANGE" in arguments[:2]:
-            bounds = self.known(arguments[2:])
-            counted = None if bounds is None else numbers(bounds)
-            return [None] if counted is None else [Located(each, arguments[1].span) for each in counted]
-        found: list[Located | None] = []
-        lists = False
-        for argument in arguments[1:]:
-            if argument in ("IN", "LISTS", "ITEMS"):
-                lists = argument == "LISTS"
-            elif not lists:
-                found += self.words([argument])
-            elif argument in self.variables:
-                found += self.words([Located(self.variables[str(argument)], argument.span)])
-            else:
-                found.append(None)
-        return found
-
-    def do_project(self, command: Command) -> None:
-        if command.arguments:
-            name = self.expand(command.arguments[0])
-            for variable in ("PROJECT_NAME", "CMAKE_PROJECT_NAME"):
-                self.give(variable, None if name is None else str(name))
-
-    def do_set(self, command: Command) -> None:
-        if not command.arguments:
-            return
-        words = self.words([word for word in command.arguments[1:] if word not in ("PARENT_SCOPE", "CACHE", "FORCE")])
-        name = str(command.arguments[0])
-        known = [word for word in words if word is not None]
-        self.compute(command, name, None if len(known) < len(words) else ";".join(known))
-
-    def do_unset(self, command: Command) -> None:
-        if command.arguments:
-            self.compute(command, str(command.arguments[0]), "")
-
-    def do_return(self, command: Command) -> None:
-        self.returns = True
-
-    def do_continue(self, command: Command) -> None:
-        self.skips = True
-
-    do_break = do_continue
-
-    def known(self, arguments: list[Located]) -> list[str] | None:
-        """The arguments with variables filled in; None when one is not known."""
-        words = [word for word in self.words(arguments) if word is not None]
-        return None if len(words) < len(self.words(arguments)) else [str(word) for word in words]
-
-    def give(self, name: str, value: str | None) -> None:
-        """Give a variable a value, which is None when it is not known."""
-        if value is None or len(value) > LONGEST:
-            self.variables.pop(name, None)
-            self.unknown.add(name)
-        else:
-            self.variables[name] = value
-            self.unknown.discard(name)
-
-    def compute(self, command: Command, name: str, value: str | None) -> None:
-        """A command gives a variable a value; which one it has then is not known where the command may not run."""
-        self.give(name, None if command.conditional or self.skips else value)
-
-    def do_list(self, command: Command) -> None:
-        if len(command.arguments) < 2:
-            return
-        action, name = str(command.arguments[0]).upper(), str(command.arguments[1])
-        items = self.variables.get(name)
-        split = items.split(";") if items else []
-        match action, self.known(command.arguments[2:]):
-            case "APPEND", [*words] if name not in self.unknown:
-                self.compute(command, name, ";".join([*split, *words]))
-            case "GET", [index, output]:
-                self.compute(command, output, None if items is None else element(split, index))
-            case "LENGTH", [output]:
-                self.compute(command, output, None if items is None else str(len(split)))
-            case "GET" | "LENGTH" | "JOIN" | "FIND" | "SUBLIST", _:
-                self.compute(command, str(command.arguments[-1]), None)
-            case _:
-                self.compute(command, name, None)
-
-    def do_math(self, command: Command) -> None:
-        if len(command.arguments) > 2:
-            expression = self.expand(command.arguments[2])
-            self.compute(command, str(command.arguments[1]), None if expression is None else number(expression))
-
-    def do_get_filename_component(self, command: Command) -> None:
-        if len(command.arguments) > 2:
-            path, part = self.expand(command.arguments[1]), str(command.arguments[2])
-            self.compute(command, str(command.arguments[0]), None if path is None else part_of_path(path, part))
-
-    def do_string(self, command: Command) -> None:
-        """What it writes is the last word, or that of a form which may hold it anywhere: none of them is known."""
-        for word in command.arguments:
-            self.give(str(word), None)
-
-    do_aux_source_directory = do_pkg_get_variable = do_cmake_host_system_information = do_string
-
-    def do_file(self, command: Command) -> None:
-        if len(command.arguments) > 1 and str(command.arguments[0]).upper() in ("GLOB", "GLOB_RECURSE"):
-            self.give(str(command.arguments[1]), None)
-
-    def do_include(self, command: Command) -> None:
-        """A module of CMake changes nothing; a file of the package may install anything."""
-        if not command.arguments or command.arguments[0] not in _names("module"):
-            self.open()
 
     def do_add_subdirectory(self, command: Command) -> None:
         words = self.words(command.arguments[:1])
@@ -282,8 +44,12 @@ class Reader:
             self.open()
 
     def do_ament_auto_add_executable(self, command: Command) -> None:
+        """It links the libraries that ``ament_auto_add_library`` has made before (ament_cmake_auto)."""
         self.executable(command.arguments[:1])
         self.target(command)
+        for name in self.words(command.arguments[:1]):
+            if name is not None and "NO_TARGET_LINK_LIBRARIES" not in command.arguments:
+                self.build.links.setdefault(str(name), []).extend(self.automatic)
 
     def target(self, command: Command) -> None:
         """``add_executable(name source ...)``, ``add_library(name SHARED source ...)``."""
@@ -304,7 +70,9 @@ class Reader:
             self.build.libraries.update((str(name), name) for name in names)
         self.target(command)
 
-    do_ament_auto_add_library = do_add_library
+    def do_ament_auto_add_library(self, command: Command) -> None:
+        self.do_add_library(command)
+        self.automatic += [str(name) for name in self.words(command.arguments[:1]) if name is not None]
 
     def do_add_executable(self, command: Command) -> None:
         names = [word for word in self.words(command.arguments[:1]) if word is not None]
@@ -348,6 +116,7 @@ class Reader:
 
     def do_rclcpp_components_register_node(self, command: Command) -> None:
         words = command.arguments
+        named: dict[str, list[str] | None] = {}
         for key, value in itertools.pairwise(words):
             if key == "PLUGIN":
                 self.plugin(value)
@@ -355,6 +124,10 @@ class Reader:
                 self.executable([value])
             if key in ("PLUGIN", "EXECUTABLE"):
                 self.component(value, words[0])
+                named[str(key)] = self.known([value])
+        match named.get("EXECUTABLE"), named.get("PLUGIN"):
+            case [executable], [plugin]:
+                self.build.main_plugins[executable] = plugin
 
     def do_rclcpp_components_register_nodes(self, command: Command) -> None:
         for value in command.arguments[1:]:
@@ -409,7 +182,7 @@ class Reader:
         sources: list[Located] = []
         options: list[Located] = []
         for argument in command.arguments[1:]:
-            (options if options or argument in _names("install") else sources).append(argument)
+            (options if options or argument in names("install") else sources).append(argument)
         destination = self.destination(options)
         self.sure = not (command.conditional or self.skips or self.returns)
         self.sure &= not {"OPTIONAL", "EXCLUDE_FROM_ALL"} & set(command.arguments)
@@ -485,15 +258,13 @@ class Reader:
                 self.build.installs.append(place)
 
 
-_ENDS = frozenset("endif endforeach endfunction endmacro endwhile foreach function macro while".split())
-
-
-def parse(source: Source, name: str | None = None, variables: dict[str, str] | None = None) -> Build:
-    """What the file installs; ``variables`` are those of the folder above."""
+def parse(source: Source, name: str | None = None, around: Around = ALONE) -> Build:
+    """What the file of a package installs, builds and registers."""
     build = Build(source)
     known = {"CMAKE_CURRENT_SOURCE_DIR": ".", "CMAKE_SOURCE_DIR": ".", "PROJECT_SOURCE_DIR": "."}
     known |= {"CMAKE_INSTALL_LIBDIR": "lib", "CMAKE_INSTALL_DATADIR": "share", "CMAKE_INSTALL_PREFIX": ""}
-    reader = Reader(build, known | (variables or {}))
+    known |= {"CMAKE_CURRENT_LIST_DIR": "."}
+    reader = Reader(build, known, around)
     if name:
         reader.variables["PROJECT_NAME"] = name
     reader.read()

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterable
 from collections.abc import Sequence
+from fnmatch import fnmatchcase
 
 from bringup_lint.parsers.arithmetic import evaluate
 
@@ -44,3 +46,16 @@ def numbers(bounds: Sequence[str]) -> list[str] | None:
     if start > stop or step == 0 or (stop - start) // step >= MOST:
         return None
     return [str(each) for each in range(start, stop + 1, step)]
+
+
+def matching(paths: Iterable[str], pattern: str, deep: bool) -> list[str]:
+    """``file(GLOB)`` and, with ``deep``, ``file(GLOB_RECURSE)``: sorted, as CMake gives them. A star matches no slash;
+    the name that ends a deep pattern is sought in all folders below."""
+    *folders, name = os.path.normpath(pattern).split("/")
+    found = []
+    for path in paths:
+        parts = path.split("/")
+        fits = len(parts) > len(folders) if deep else len(parts) == len(folders) + 1
+        if fits and fnmatchcase(parts[-1], name) and all(map(fnmatchcase, parts, folders)):
+            found.append(path)
+    return sorted(found)

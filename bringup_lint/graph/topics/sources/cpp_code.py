@@ -44,7 +44,7 @@ class CppCode:
         for build in package.builds:
             library = build.components.get(program)
             if library is not None:
-                plugin = program if "::" in program else _plugin_of(build, library)
+                plugin = build.main_plugins.get(program) or (program if "::" in program else _plugin_of(build, library))
                 return _joined(self._component(build, library, plugin)) if plugin else None
             if program in build.targets:
                 return _joined(self._executable(build, program))
@@ -54,8 +54,8 @@ class CppCode:
         own = list(self._nodes(build, program))
         if any(node.endpoints for node in own):
             return own
-        libraries = [name for name in build.links.get(program, ()) if name in build.targets]
-        linked = list(self._nodes(build, libraries[0])) if len(libraries) == 1 else []
+        libraries = dict.fromkeys(name for name in build.links.get(program, ()) if name in build.targets)
+        linked = [node for library in libraries for node in self._nodes(build, library)]
         return own + _included(own, linked)
 
     def _component(self, build: Build, library: str, plugin: str) -> list[CppNode]:
