@@ -45,6 +45,10 @@ LOOPED = 2_000
 """Commands that the loops and calls of one file run."""
 INCLUDED = 50
 """Files that one file includes."""
+MOST_INCLUDED = 20_000
+"""Commands of all of them."""
+LISTED = 50
+"""Folders that the patterns of one file look through."""
 _ENDS = frozenset("endif endforeach endfunction endmacro endwhile foreach function macro while".split())
 
 
@@ -77,13 +81,14 @@ class Language(Variables):
     def __init__(self, variables: dict[str, str], around: Around) -> None:
         super().__init__(variables)
         self.around = around
-        self.included = 0
+        self.included = self.commands_included = 0
         self.harmless: set[str] = set()
         """Functions of the file that neither install nor make anything."""
         self.functions: dict[str, Definition] = {}
         """The others."""
         self.calls = 0
         self.looped = 0
+        self.looked_through = 0
 
     def open(self) -> None:
         """Something happens that is not known."""
@@ -221,13 +226,14 @@ class Language(Variables):
             return
         self.included += 1
         source = self.module(str(name)) if name is not None and self.included <= INCLUDED else None
-        if source is None:
+        given = [] if source is None else source.once(commands, lambda: list(commands(source)))
+        self.commands_included += len(given)
+        if source is None or self.commands_included > MOST_INCLUDED:
             self.open()
             return
-        given = [Command(each.name, each.arguments, each.depth + command.depth) for each in commands(source)]
         folder = self.variables.get("CMAKE_CURRENT_LIST_DIR")
         self.give("CMAKE_CURRENT_LIST_DIR", posixpath.dirname(name or ""))
-        self.run(given)
+        self.run([Command(each.name, each.arguments, each.depth + command.depth) for each in given])
         self.give("CMAKE_CURRENT_LIST_DIR", folder)
 
     def module(self, name: str) -> Source | None:
@@ -266,5 +272,8 @@ class Language(Variables):
         self.compute(command, str(words[1]), ";".join(found) if found else None)
 
     def globbed(self, pattern: str, deep: bool) -> list[str]:
+        if self.looked_through >= LISTED:
+            return []
+        self.looked_through += 1
         folder = posixpath.dirname(pattern.partition("*")[0].partition("[")[0].partition("?")[0])
         return matching(self.around.below(folder or "."), pattern, deep)

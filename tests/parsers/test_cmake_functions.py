@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from bringup_lint.model.package import Build
 from bringup_lint.parsers import cmake
+from bringup_lint.parsers.cmake_language import LISTED
 from bringup_lint.parsers.cmake_language import Around
 from bringup_lint.source import Source
 
@@ -85,3 +86,19 @@ def test_the_class_of_a_program_that_is_made_for_a_component() -> None:
     build = read('rclcpp_components_register_node(reel PLUGIN "Reel" EXECUTABLE reel_node)\n')
     assert build.main_plugins == {"reel_node": "Reel"}
     assert not read("rclcpp_components_register_node(reel PLUGIN ${CLASS} EXECUTABLE reel_node)\n").main_plugins
+
+
+def test_many_patterns_are_not_all_followed() -> None:
+    around = Around(lambda path: None, lambda folder: ["src/reel.cpp"])
+    many = "file(GLOB REEL src/*.cpp)\n" * LISTED
+    text = many + "file(GLOB LINE src/*.cpp)\nadd_library(reel ${REEL})\nadd_library(line ${LINE})\n"
+    build = cmake.parse(Source("CMakeLists.txt", text), "kite", around)
+    assert build.targets == {"reel": ["src/reel.cpp"], "line": []}
+    assert build.open_targets == {"line"}
+
+
+def test_patterns_that_are_not_known() -> None:
+    around = Around(lambda path: None, lambda folder: ["src/reel.cpp"])
+    for words in ("REEL ${FOLDER}/*.cpp", "REEL RELATIVE src src/*.cpp", "REEL src/*.txt"):
+        text = f"file(GLOB {words})\nadd_library(reel ${{REEL}})\n"
+        assert cmake.parse(Source("CMakeLists.txt", text), "kite", around).open_targets == {"reel"}
