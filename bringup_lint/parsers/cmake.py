@@ -12,7 +12,7 @@ from bringup_lint.parsers.cmake_commands import commands
 from bringup_lint.parsers.cmake_language import ALONE
 from bringup_lint.parsers.cmake_language import Around
 from bringup_lint.parsers.cmake_language import Language
-from bringup_lint.parsers.cmake_language import names
+from bringup_lint.parsers.cmake_language import named_for
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
@@ -182,7 +182,7 @@ class Reader(Language):
         sources: list[Located] = []
         options: list[Located] = []
         for argument in command.arguments[1:]:
-            (options if options or argument in names("install") else sources).append(argument)
+            (options if options or argument in named_for("install") else sources).append(argument)
         destination = self.destination(options)
         self.sure = not (command.conditional or self.skips or self.returns)
         self.sure &= not {"OPTIONAL", "EXCLUDE_FROM_ALL"} & set(command.arguments)

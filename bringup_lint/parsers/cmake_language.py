@@ -27,7 +27,7 @@ from bringup_lint.source import Source
 
 
 @cache
-def names(use: str) -> frozenset[str]:
+def named_for(use: str) -> frozenset[str]:
     """The names of the table ``ros/cmake`` for one use: ``command``, ``module`` or ``install``."""
     return frozenset(name for each, name in facts.rows("ros/cmake")[1] if each == use)
 
@@ -131,7 +131,7 @@ class Language(Variables):
 
     def is_known(self, command: Command) -> bool:
         """Whether a command neither installs nor makes anything that is not read."""
-        return any(command.name in names for names in (names("command"), _ENDS, self.harmless))
+        return any(command.name in names for names in (named_for("command"), _ENDS, self.harmless))
 
     def call(self, command: Command, definition: Definition) -> None:
         """Run a function or macro with the arguments of a call."""
@@ -222,7 +222,7 @@ class Language(Variables):
     def do_include(self, command: Command) -> None:
         """A module of CMake changes nothing; a file of the package is read here; others may install anything."""
         name = self.expand(command.arguments[0]) if command.arguments else None
-        if name is not None and name in names("module"):
+        if name is not None and name in named_for("module"):
             return
         self.included += 1
         source = self.module(str(name)) if name is not None and self.included <= INCLUDED else None
