@@ -58,9 +58,15 @@ class Reader(Language):
         self.build.names_computed |= given[:1] == [None]
         if words and given[0] is not None:
             files = [str(word) for word in words[1:] if word.endswith(CPP_SOURCES)]
+            inside = [self.sources_in(folder) for key, folder in itertools.pairwise(words) if key == "DIRECTORY"]
+            files += [path for paths in inside for path in paths]
             self.build.targets.setdefault(str(words[0]), []).extend(files)
-            if None in given or {"DIRECTORY", "GLOB"} & set(words):
+            if None in given or not all(inside) or "GLOB" in words:
                 self.build.open_targets.add(str(words[0]))
+
+    def sources_in(self, folder: str) -> list[str]:
+        """What ``aux_source_directory`` finds in a folder, which ``DIRECTORY`` of ament_cmake_auto asks."""
+        return [path for path in self.globbed(f"{folder}/*", False) if path.endswith(CPP_SOURCES)]
 
     do_target_sources = target
 
@@ -106,6 +112,7 @@ class Reader(Language):
             if self.build.executables.pop(target, None) is not None:
                 self.build.executables[str(name)] = name
                 self.build.targets[str(name)] = self.build.targets.get(target, [])
+                self.build.links[str(name)] = self.build.links.get(target, [])
             if self.build.built.pop(target, None) is not None:
                 self.build.built[str(name)] = name
 

@@ -102,3 +102,19 @@ def test_patterns_that_are_not_known() -> None:
     for words in ("REEL ${FOLDER}/*.cpp", "REEL RELATIVE src src/*.cpp", "REEL src/*.txt"):
         text = f"file(GLOB {words})\nadd_library(reel ${{REEL}})\n"
         assert cmake.parse(Source("CMakeLists.txt", text), "kite", around).open_targets == {"reel"}
+
+
+def test_the_sources_of_a_folder() -> None:
+    around = Around(lambda path: None, lambda folder: ["src/reel.cpp", "src/reel.md", "src/arm/joint.cpp"])
+    text = "ament_auto_add_library(reel SHARED DIRECTORY src)\nament_auto_add_library(line DIRECTORY lib)\n"
+    build = cmake.parse(Source("CMakeLists.txt", text), "kite", around)
+    assert build.targets == {"reel": ["src/reel.cpp"], "line": []}
+    assert build.open_targets == {"line"}
+
+
+def test_a_program_under_another_name_links_what_its_target_does() -> None:
+    text = (
+        "add_executable(line_exe src/line.cpp)\ntarget_link_libraries(line_exe reel)\n"
+        "set_target_properties(line_exe PROPERTIES OUTPUT_NAME line)\ninstall(TARGETS line_exe DESTINATION lib/kite)\n"
+    )
+    assert read(text).links["line"] == ["reel"]

@@ -106,7 +106,7 @@ def _joined(nodes: list[CppNode]) -> Code | None:
     """One program of several files; nothing when they hold several classes of nodes."""
     classes = {name for node in nodes for name in node.classes}
     endpoints = [endpoint for node in nodes for endpoint in node.endpoints]
-    if not nodes or len(classes) > 1 or not endpoints:
-        return None
     names = [name for node in nodes for name in node.names]
+    if not nodes or len(classes) > 1 or not (endpoints or names):
+        return None
     return Code(names[0] if len(names) == 1 else None, None, endpoints, False, None, nodes[0].source)
