@@ -38,6 +38,10 @@ class Manifest:
     repositories: list[str] = field(default_factory=list)
     """The addresses that it gives of itself: website, repository, tracker."""
     problems: list[Problem] = field(default_factory=list)
+    refused: list[Problem] = field(default_factory=list)
+    """What stops catkin_pkg, in order."""
+    near_build_type: Located | None = None
+    """A tag in ``<export>`` that is nearly ``build_type``, where there is none."""
 
     @property
     def tag_at_runtime(self) -> str:

@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 from bringup_lint.model.package import Manifest
+from bringup_lint.model.xml import Element
+from bringup_lint.parsers import package_grammar
 from bringup_lint.parsers import xml
 from bringup_lint.pattern import regex
+from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
+from bringup_lint.spelling import nearest
 
 DEPENDENCIES = frozenset(
     "depend exec_depend build_depend build_export_depend buildtool_depend test_depend run_depend group_depend".split()
@@ -19,7 +23,7 @@ _ROS_1 = regex(r"\$ROS_VERSION\s*==\s*[\"']?1\b|^\s*[\"']?1[\"']?\s*==\s*\$ROS_V
 def parse(source: Source) -> Manifest:
     """The manifest; a file that is not a package's has no name."""
     document = xml.parse(source)
-    manifest = Manifest(source, problems=list(document.problems))
+    manifest = Manifest(source, problems=list(document.problems), refused=list(package_grammar.refused(document)))
     root = document.root
     if root is None or root.local != "package":
         manifest.problems.append(Problem("no-package-root", source.whole))
@@ -44,6 +48,7 @@ def parse(source: Source) -> Manifest:
             manifest.repositories.append(element.text)
         elif tag == "export":
             manifest.export = element.tag
+            manifest.near_build_type = near_build_type(element.children)
             for exported in element.find_all("build_type"):
                 manifest.for_both |= bool(_ROS_1.search(exported.get("condition") or ""))
                 manifest.build_type = str(exported.text)
@@ -51,3 +56,10 @@ def parse(source: Source) -> Manifest:
     if not manifest.build_type:
         manifest.build_type = "catkin" if "catkin" in tools else ("ament_cmake" if tools else "")
     return manifest
+
+
+def near_build_type(exported: list[Element]) -> Located | None:
+    """A tag that is nearly ``build_type``; any other is for somebody else."""
+    if any(each.local == "build_type" for each in exported):
+        return None
+    return next((each.name for each in exported if nearest(each.name, ["build_type"])), None)

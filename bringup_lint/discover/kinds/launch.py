@@ -25,7 +25,7 @@ _ROS2 = regex(
     r"|<push[-_]ros[-_]namespace\b|<node_container\b|<set_parameter\b|<load_composable_node\b"
 )
 _YAML_ROOT = regex(r"^launch\s*:", re.M)
-_PACKAGE = regex(r"<package\b")
+_PACKAGE = regex(r"<package\b|\bpackage_format\d\.xsd\b")
 _SETUP = regex(r"\bsetup\s*\(")
 
 

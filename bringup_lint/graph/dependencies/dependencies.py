@@ -51,6 +51,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.workspace import Package
     from bringup_lint.model.dockerfile import Dockerfile
     from bringup_lint.model.package import Install
+    from bringup_lint.model.package import Manifest
     from bringup_lint.source import Located
     from bringup_lint.source import Span
 
@@ -116,6 +117,15 @@ class Dependencies:
             return False
         is_vendored = self._launch.workspace.is_vendored(manifest.source)
         return self._files.purpose(manifest.source) in purposes and not is_vendored
+
+    @property
+    def manifests(self) -> list[Manifest]:
+        """Each package.xml, also those of packages that others wrote and that have the same name as another, but none
+        that tests read."""
+        from bringup_lint.parsers import package_xml
+
+        found = self._files.parsed(package_xml.parse, self._files.of_kind("ros-package"))
+        return [each for each in found if each.source.judged and not self._files.is_test_data(each.source)]
 
     def missing_files(self, package: Package) -> list[Install]:
         """What a build installs in any case, and that is not in the tree."""
