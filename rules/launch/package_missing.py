@@ -4,7 +4,9 @@
 A name that no package of this workspace has, but that is close to one that exists; or whose executable one other
 package of the workspace installs, where the executable is called like the missing package; or that is called like a
 program of Navigation2 or another common package, or nearly like the package, and starts its program: `behavior_server`
-for `nav2_behaviors`. Also, as packages of nodes and of included files, those of ROS 1 that ROS 2 has under other names
+for `nav2_behaviors`; or, wherever a launch file, a node or a robot description asks for the folder of a package or a
+launch file starts one, that is a letter away from a package which a package.xml of the tree declares or which is
+common: `joy_telop`. Also, as packages of nodes and of included files, those of ROS 1 that ROS 2 has under other names
 (`rviz`, `tf`, `amcl`, ...), and those that the robot's distribution no longer has (`nav2_recoveries` from Humble on,
 `gazebo_ros` and `ros_ign_*` from Jazzy on). Left alone is what a list of repositories or a command of the tree fetches,
 and files that ask which distribution runs. It is an info in tests that the build of their package does not name.
@@ -37,6 +39,7 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import Related
 from bringup_lint.api import Robot
+from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import launch
@@ -52,6 +55,14 @@ SHORTEST = 6
 )
 def package_missing(robot: Robot) -> Iterator[Finding]:
     yield from _gone(robot)
+    said = set()
+    for each in _of_nodes(robot):
+        said.add(each.span)
+        yield each
+    yield from _a_letter_away(robot, said)
+
+
+def _of_nodes(robot: Robot) -> Iterator[Finding]:
     workspace = robot.launch.workspace
     for node in robot.launch.nodes:
         package = launch.literal_text(node.package)
@@ -72,6 +83,21 @@ def package_missing(robot: Robot) -> Iterator[Finding]:
             )
         else:
             yield from _moved(robot, node, package)
+
+
+def _a_letter_away(robot: Robot, said: set[Span]) -> Iterator[Finding]:
+    for each in robot.dependencies.misspelt_packages:
+        if each.name.span in said:
+            continue
+        effect = "launch aborts" if each.is_launch else "what asks for its folder ends"
+        yield finding(
+            each.name,
+            f"No package '{each.name}' is here or known: {effect}",
+            advice=f"write {each.meant}",
+            chain=robot.provenance.chain_to(each.name, f"'{each.name}' is needed"),
+            related=[note(each.place, "the package that is meant")] if each.place is not None else [],
+            fix=fix(f"write {each.meant}", (each.name, each.meant), safe=False),
+        )
 
 
 def _gone(robot: Robot) -> Iterator[Finding]:

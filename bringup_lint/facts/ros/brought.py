@@ -21,12 +21,13 @@ def brought_by(names: Iterable[str]) -> frozenset[str]:
 
 def is_released(name: str) -> bool:
     """Whether the table knows a package."""
-    return name in _brings() or name in _packages()
+    return name in brought_packages()
 
 
 @cache
-def _packages() -> frozenset[str]:
-    return frozenset(each for brought in _brings().values() for each in brought)
+def brought_packages() -> frozenset[str]:
+    """All packages that the table knows."""
+    return frozenset(_brings()).union(*_brings().values())
 
 
 @cache

@@ -23,6 +23,8 @@ from bringup_lint.graph.dependencies.interfaces import Ungenerated
 from bringup_lint.graph.dependencies.interfaces import missing_interfaces
 from bringup_lint.graph.dependencies.interfaces import ungenerated
 from bringup_lint.graph.dependencies.missing_files import missing_files
+from bringup_lint.graph.dependencies.misspelt_packages import MisspeltPackage
+from bringup_lint.graph.dependencies.misspelt_packages import misspelt_packages
 from bringup_lint.graph.dependencies.needs import Need
 from bringup_lint.graph.dependencies.needs import of_builds
 from bringup_lint.graph.dependencies.needs import of_descriptions
@@ -194,6 +196,11 @@ class Dependencies:
     @memo
     def _interfaces_of(self, package: Package) -> PackageInterfaces:
         return PackageInterfaces(self._files.tree, package)
+
+    @property
+    def misspelt_packages(self) -> Iterator[MisspeltPackage]:
+        """The names of packages in launch files, nodes and descriptions that are nearly the name of one."""
+        return misspelt_packages(self._files, self._launch, self.is_fetched)
 
     def is_of_workspace(self, need: Need) -> bool:
         """Whether a package of the tree is needed."""
