@@ -51,6 +51,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.params import UnknownPlugin
+from bringup_lint.api.spelling import nearest
 
 
 @rule(
@@ -111,7 +112,14 @@ def _severity(robot: Robot, plugin: UnknownPlugin) -> str:
     if owner is not None and _is_left_out(robot, owner.name):
         return "info"
     stands_in = plugin.package in ("fake_components", "mock_components")
-    return ("warning" if stands_in else "error") if plugin.loaded else "info"
+    if not plugin.loaded:
+        return "warning" if _is_misspelt(plugin) else "info"
+    return "warning" if stands_in else "error"
+
+
+def _is_misspelt(plugin: UnknownPlugin) -> bool:
+    """Whether the name is a letter away from the one that is meant, and so no release has it."""
+    return bool(plugin.exported) and bool(nearest(plugin.name, [str(plugin.exported)], 1))
 
 
 def _is_left_out(robot: Robot, package: str) -> bool:

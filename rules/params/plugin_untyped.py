@@ -62,5 +62,5 @@ def plugin_untyped(robot: Robot) -> Iterator[Finding]:
             f"{each.server} has no {each.name}.plugin: it ends when it configures, and navigation does not come up",
             advice=f"write {like}, or rename its section" if like else f"add a section {each.name} with its plugin",
             related=[*near, *(note(other.where, f"{other.server} has no {other.name}.plugin") for other in others)],
-            severity=None if each.used else "info",
+            severity=None if each.used else "warning" if like else "info",
         )

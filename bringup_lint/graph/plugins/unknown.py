@@ -18,6 +18,7 @@ from bringup_lint.parsers.urdf import parse
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.spelling import nearest
+from bringup_lint.spelling import numbered
 
 if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
@@ -95,7 +96,7 @@ class Named:
         known = _known(distribution)
         if str(name) in known:
             return None
-        meant = _meant(known, package, match["class"])
+        meant = _meant(known, package, match["class"]) or _misspelt(name)
         if meant is not None:
             return UnknownPlugin(name, package, meant, distribution, loaded)
         is_public = any(each.startswith((f"{package}::", f"{package}/")) for each in _distributions())
@@ -157,6 +158,12 @@ def _meant(known: frozenset[str], package: str, cls: str) -> str | None:
     found = sorted(each for each in known if (match := _NAME.match(each)) and match["package"] in packages)
     same = next((each for each in found if each.endswith((f"/{cls}", f":{cls}"))), None)
     return same or next(iter(_nearest(package, cls, found)), None)
+
+
+def _misspelt(name: str) -> str | None:
+    """The name of any distribution that is a letter away from one which none has."""
+    near = nearest(name, sorted(_distributions()), 1) if name not in _distributions() else []
+    return near[0] if len(near) == 1 and not numbered(near[0], name) else None
 
 
 def _nearest(package: str, cls: str, names: list[str]) -> list[str]:
