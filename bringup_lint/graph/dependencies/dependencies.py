@@ -48,6 +48,7 @@ from bringup_lint.graph.purpose import Purpose
 from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.dependencies.setup_settings import UnreadSetting
     from bringup_lint.graph.files import Files
     from bringup_lint.graph.launch.launch import Launch
     from bringup_lint.graph.workspace import Package
@@ -128,6 +129,16 @@ class Dependencies:
 
         found = self._files.parsed(package_xml.parse, self._files.of_kind("ros-package"))
         return [each for each in found if each.source.judged and not self._files.is_test_data(each.source)]
+
+    @property
+    def unread_settings(self) -> Iterator[UnreadSetting]:
+        """Lines of setup.cfg that setuptools refuses, or that it does not read as they are meant."""
+        sources = self._files.of_kind("setup-cfg")
+        if not sources:
+            return iter(())
+        from bringup_lint.graph.dependencies.setup_settings import unread_settings
+
+        return unread_settings(self.manifests, sources, self._own)
 
     def missing_files(self, package: Package) -> list[Install]:
         """What a build installs in any case, and that is not in the tree."""
