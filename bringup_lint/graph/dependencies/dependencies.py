@@ -48,6 +48,7 @@ from bringup_lint.graph.purpose import Purpose
 from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.dependencies.interface_lines import RefusedDefinition
     from bringup_lint.graph.dependencies.setup_settings import UnreadSetting
     from bringup_lint.graph.files import Files
     from bringup_lint.graph.launch.launch import Launch
@@ -203,6 +204,13 @@ class Dependencies:
     def ungenerated(self) -> Iterator[Ungenerated]:
         """The packages whose messages, services and actions are not generated, or make the build fail."""
         return ungenerated(self._files, self._launch.workspace, self._interfaces_of)
+
+    @property
+    def refused_definitions(self) -> Iterator[RefusedDefinition]:
+        """The messages, services and actions from which rosidl makes no code."""
+        from bringup_lint.graph.dependencies.interface_lines import refused_definitions
+
+        return refused_definitions(self._files, self._launch.workspace, self._interfaces_of)
 
     @memo
     def _interfaces_of(self, package: Package) -> PackageInterfaces:

@@ -198,13 +198,18 @@ def _name(positions: Positions, alias: ast.alias) -> Located:
     return Located(alias.name, positions.source.span(start, start + len(alias.name)))
 
 
+def is_judged(package: Package, interfaces: PackageInterfaces) -> bool:
+    """Whether CMake generates the definitions of a package."""
+    return package.manifest.build_type == "ament_cmake" and package.complete and bool(interfaces.defined)
+
+
 def ungenerated(
     files: Files, workspace: Workspace, interfaces_of: Callable[[Package], PackageInterfaces]
 ) -> Iterator[Ungenerated]:
     """The packages of the tree's authors whose definitions are not generated, or make the build fail."""
     for package in workspace.packages.values():
         interfaces = interfaces_of(package)
-        if package.manifest.build_type == "ament_cmake" and package.complete and interfaces.defined:
+        if is_judged(package, interfaces):
             yield from _of_package(files, workspace, package, interfaces)
 
 
@@ -212,7 +217,7 @@ def _of_package(
     files: Files, workspace: Workspace, package: Package, interfaces: PackageInterfaces
 ) -> Iterator[Ungenerated]:
     if not interfaces.generators:
-        own = tuple(sorted(name for (kind, name), path in interfaces.defined.items() if _is_place(package, kind, path)))
+        own = tuple(sorted(name for (kind, name), path in interfaces.defined.items() if is_place(package, kind, path)))
         is_meant = "rosidl" in package.manifest.source.text or any(_speaks(each) for each in interfaces.commands)
         place = _place(interfaces)
         is_made = any("idl" in each.name or each.name == "include" for each in interfaces.commands)
@@ -278,7 +283,7 @@ def _unlisted(files: Files, package: Package, interfaces: PackageInterfaces) -> 
     if not interfaces.is_closed or interfaces.listed is None:
         return
     for (kind, name), path in interfaces.defined.items():
-        if name in interfaces.listed or not _is_place(package, kind, path) or files.tree.is_ignored(path):
+        if name in interfaces.listed or not is_place(package, kind, path) or files.tree.is_ignored(path):
             continue
         if not _is_written(files.tree, package, kind, name):
             used = _in_cpp(package.name, kind, name)
@@ -295,7 +300,7 @@ def _unlisted_fields(files: Files, package: Package, interfaces: PackageInterfac
     if not interfaces.is_closed or listed is None:
         return
     messages = {name: path for (kind, name), path in interfaces.defined.items() if kind == "msg"}
-    lost = {name for name, path in messages.items() if name not in listed and _is_place(package, "msg", path)}
+    lost = {name for name, path in messages.items() if name not in listed and is_place(package, "msg", path)}
     if not lost:
         return
     for source, match in _fields(files, package, interfaces):
@@ -320,7 +325,7 @@ def _in_cpp(package: str, kind: str, name: str) -> re.Pattern[str]:
     return re.compile(rf"\b{header}|\b{type_name}\b")
 
 
-def _is_place(package: Package, kind: str, path: str) -> bool:
+def is_place(package: Package, kind: str, path: str) -> bool:
     """Whether a definition lies where those of a package do."""
     return os.path.dirname(path) == os.path.join(package.folder, kind)
 
@@ -347,5 +352,5 @@ def _fields(files: Files, package: Package, interfaces: PackageInterfaces) -> It
     listed = interfaces.listed
     for (kind, name), path in interfaces.defined.items():
         source = files.tree.read(path, judged=False) if kind in KINDS and not path.endswith(".idl") else None
-        if source is not None and _is_place(package, kind, path) and (listed is None or name in listed):
+        if source is not None and is_place(package, kind, path) and (listed is None or name in listed):
             yield from ((source, match) for match in _FIELD.finditer(source.text))
