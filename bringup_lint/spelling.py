@@ -83,3 +83,44 @@ def _different(one: str, other: str) -> tuple[str, str]:
     while end < shorter - start and one[-1 - end] == other[-1 - end]:
         end += 1
     return one[start : len(one) - end], other[start : len(other) - end]
+
+
+class Slips:
+    """Words that are known, with all that is one letter away from them: one too many, one too few, another one, or two
+    neighbours exchanged. To look a word up takes as long as the word is, however many are known."""
+
+    def __init__(self, known: Iterable[str]) -> None:
+        self.known = frozenset(known)
+        self._shorter: dict[str, list[str]] = {}
+        for word in sorted(self.known):
+            for short in _without_a_letter(word):
+                self._shorter.setdefault(short, []).append(word)
+
+    def meant(self, word: str) -> list[str]:
+        """The known words of three letters or more for which this unknown one of four or more may stand."""
+        if word in self.known or not 3 < len(word) <= _LONGEST:
+            return []
+        shorter = _without_a_letter(word)
+        near = {each for each in shorter if each in self.known}
+        near.update(each for short in (word, *shorter) for each in self._shorter.get(short, ()))
+        return sorted(each for each in near if len(each) > 2 and edits(word, each, 1) == 1)
+
+
+def _without_a_letter(word: str) -> set[str]:
+    return {word[:at] + word[at + 1 :] for at in range(len(word))}
+
+
+def is_slip(word: str, meant: str) -> bool:
+    """Whether a word that is one letter away from another may be a slip of the hand: two letters exchanged, one left
+    out, one twice, or the one beside it on the keyboard. What else differs in a letter is rather another name."""
+    one, other = _different(word, meant)
+    if len(one) == len(other):
+        return len(one) == 2 or other in _BESIDE.get(one, "")
+    if not one:
+        return True
+    at = next((at for at, (has, wants) in enumerate(zip(word, meant)) if has != wants), len(meant))
+    return one in word[max(at - 1, 0) : at] + meant[at : at + 1]
+
+
+_ROWS = ("1234567890-", "qwertyuiop", "asdfghjkl", "zxcvbnm")
+_BESIDE = {key: row[max(at - 1, 0) : at] + row[at + 1 : at + 2] for row in _ROWS for at, key in enumerate(row)}

@@ -46,6 +46,7 @@ if TYPE_CHECKING:
     from bringup_lint.model.dockerfile import stays_in_shell
     from bringup_lint.model.dockerfile import substituted
     from bringup_lint.model.image_build import image_name
+    from bringup_lint.parsers.dockerfile import INSTRUCTIONS
     from bringup_lint.parsers.dockerfile import assignments
     from bringup_lint.parsers.dockerfile import blocks_of_run
     from bringup_lint.parsers.dockerfile import commands_of
@@ -58,6 +59,7 @@ else:
 
 __all__ = [
     "CONTAINER_KINDS",
+    "INSTRUCTIONS",
     "Broken",
     "CommandLine",
     "Dockerfile",

@@ -6,6 +6,9 @@ from bringup_lint.on_demand import on_demand
 from bringup_lint.type_names import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from bringup_lint.facts.host.programs import is_program
+    from bringup_lint.facts.host.programs import meant_programs
+    from bringup_lint.facts.host.programs import verbs
     from bringup_lint.facts.host.removed_packages import removed_package
     from bringup_lint.graph.host.device_addresses import own_addresses
     from bringup_lint.graph.host.device_uses import DeviceUse
@@ -28,10 +31,13 @@ __all__ = [
     "Mount",
     "Ungiven",
     "device_path",
+    "is_program",
     "lost_ranges",
+    "meant_programs",
     "option_of",
     "own_addresses",
     "removed_package",
     "taken_consoles",
     "ungiven_devices",
+    "verbs",
 ]

@@ -9,6 +9,7 @@ if TYPE_CHECKING:
     from bringup_lint.facts.ros.distros import at_least
     from bringup_lint.facts.ros.distros import codename_of
     from bringup_lint.facts.ros.distros import distro_end
+    from bringup_lint.facts.ros.distros import distro_names
     from bringup_lint.facts.ros.distros import distros_since
     from bringup_lint.facts.ros.distros import ros1
     from bringup_lint.facts.ros.needed import COMMON
@@ -16,6 +17,7 @@ if TYPE_CHECKING:
     from bringup_lint.facts.ros.needed import is_debian_package
     from bringup_lint.facts.ros.pip_names import pip_names
     from bringup_lint.facts.ros.simulation import is_simulation
+    from bringup_lint.facts.ros.variables import misspelt
     from bringup_lint.facts.ros.variables import variables
     from bringup_lint.graph.dependencies.interfaces import Ungenerated
     from bringup_lint.parsers import json5
@@ -45,6 +47,7 @@ __all__ = [
     "at_least",
     "codename_of",
     "distro_end",
+    "distro_names",
     "distros_since",
     "domain_id",
     "highest_port",
@@ -52,6 +55,7 @@ __all__ = [
     "is_debian_package",
     "is_simulation",
     "json5",
+    "misspelt",
     "pip_names",
     "ros1",
     "ros_arguments",

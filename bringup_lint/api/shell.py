@@ -31,8 +31,11 @@ if TYPE_CHECKING:
     from bringup_lint.graph.installed.script import Written
     from bringup_lint.graph.installed.script_arguments import short_calls
     from bringup_lint.graph.installed.script_files import missing_files
+    from bringup_lint.graph.installed.script_functions import functions
     from bringup_lint.graph.installed.without_sudo import without_sudo
     from bringup_lint.graph.runners.questions.edits_without_effect import lost_edits
+    from bringup_lint.graph.runners.questions.every_command import every_command
+    from bringup_lint.graph.runners.questions.every_command import with_inner
     from bringup_lint.model.shell import Block
     from bringup_lint.model.shell import Command
     from bringup_lint.model.shell import Redirect
@@ -68,6 +71,8 @@ __all__ = [
     "Written",
     "background_jobs",
     "commands",
+    "every_command",
+    "functions",
     "has_busybox",
     "in_tree",
     "is_forgiven",
@@ -91,5 +96,6 @@ __all__ = [
     "tasks",
     "tokens",
     "unwrapped",
+    "with_inner",
     "without_sudo",
 ]

@@ -6,12 +6,16 @@ from bringup_lint.on_demand import on_demand
 from bringup_lint.type_names import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from bringup_lint.spelling import Slips
+    from bringup_lint.spelling import is_slip
     from bringup_lint.spelling import nearest
     from bringup_lint.spelling import numbered
 else:
     __getattr__ = on_demand(globals())
 
 __all__ = [
+    "Slips",
+    "is_slip",
     "nearest",
     "numbered",
 ]

@@ -21,7 +21,7 @@ from bringup_lint.source import Problem
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 
-NAMES = frozenset(
+INSTRUCTIONS = frozenset(
     {
         "ADD",
         "ARG",
@@ -175,7 +175,7 @@ def _joined(source: Source, chunks: list[tuple[int, int]]) -> Located:
 def _instruction(file: Dockerfile, whole: Located) -> Instruction | None:
     match = _KEYWORD.match(whole)
     name = match[1].upper() if match else ""
-    if match is None or name not in NAMES:
+    if match is None or name not in INSTRUCTIONS:
         file.problems.append(Problem("unknown-instruction", whole.part(0, min(len(whole), 40)).strip_located()))
         return None
     keyword, at = whole.part(match.start(1), match.end(1)), match.end()

@@ -21,6 +21,7 @@ _PLAIN = regex(r"[^ \t\r\n\\'\"`$;&|<>()#]+")
 _ALONE = regex(_PLAIN.pattern + r"(?=[ \t\r\n;&|<>()]|\Z)")
 """A word of which nothing is quoted or expanded."""
 _MARK = regex(r"\\[\s\S]|\$[({]|[\"'`(){}]")
+_SUBSTITUTED = regex(r"\$\((?!\()|`")
 _INNER = {"$(": ")", "${": "}"}
 """What begins an expansion inside double quotes, and what ends it."""
 
@@ -221,3 +222,16 @@ def _read_documents(script: Located, at: int, opened: list[_Open], found: list[T
         document = HereDocument(script.part(start, stop), each.quoted, each.tabs)
         found[each.token] = found[each.token]._replace(document=document)
     return at
+
+
+def substitutions(word: Located) -> Iterator[Located]:
+    """The commands in the ``$(...)`` and backquotes of a word, but for those in single quotes."""
+    if "$(" not in word and "`" not in word:
+        return
+    for stretch, quote in word.stretches() if isinstance(word, Word) else ((word, ""),):
+        at = 0
+        while quote != "'" and (match := _SUBSTITUTED.search(stretch, at)):
+            closing = ")" if match[0] == "$(" else "`"
+            at = _expansion_end(stretch, match.start()) if closing == ")" else _find(stretch, "`", match.end()) + 1
+            if stretch[at - 1 : at] == closing and at > match.end():
+                yield stretch.part(match.end(), at - 1)

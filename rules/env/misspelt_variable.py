@@ -2,8 +2,9 @@
 
 ## What it finds
 A variable that nobody reads, whose name is that of a known one but for an underscore or a letter, and whose value is
-what the known one takes: the file of a DDS configuration, a number for a domain, the name of a middleware. Silent if
-something else in the tree reads the variable by this name. Also a variable that is made up from the name of a
+what the known one takes: the file of a DDS configuration, a number for a domain, the name of a middleware. Whatever
+the value, where one letter is left out, there twice, exchanged with the next or the one beside it on the keyboard.
+Silent if something else in the tree reads the variable by this name. Also a variable that is made up from the name of a
 middleware and of what it is to do, such as `RMW_FASTRTPS_USE_SHM`; an info beside a profile of Fast DDS. And names that
 sound right, such as `ROS_SECURITY_ENCLAVE` for `ROS_SECURITY_ENCLAVE_OVERRIDE`.
 
@@ -41,6 +42,7 @@ from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.environment import Setting
+from bringup_lint.api.ros import misspelt
 from bringup_lint.api.ros import variables
 from bringup_lint.api.spelling import nearest
 
@@ -87,7 +89,10 @@ def misspelt_variable(robot: Robot) -> Iterator[Finding]:
     for (name, _), settings in strange.items():
         meant = _meant(name)
         fitting = [each for each in settings if meant and VALUES[variables()[meant]].fullmatch(each.value.strip("\"'"))]
-        if fitting and not _is_read(robot, name):
+        slip = misspelt(name)
+        if slip and not _is_read(robot, name):
+            yield _unread(settings, f"write {slip}")
+        elif fitting and not _is_read(robot, name):
             yield _unread(fitting, f"write {meant}")
         elif name in NEVER and not _is_read(robot, name):
             yield _unread(settings, f"write {NEVER[name]}")

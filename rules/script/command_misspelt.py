@@ -1,9 +1,11 @@
 """The name of a well-known command is misspelt.
 
 ## What it finds
-The first word of a command of a shell script or of a `RUN` of a Dockerfile that is no command, and in which two
-neighbouring letters of a well-known one are exchanged, or one letter is wrong: `sudp`, `suod`, `soruce`, `mkidr`,
-`apt-gte`. Silent where the script or the tree defines a function, an alias or a file of that name.
+The first word of a command that is no command, and that differs in one letter from a well-known one, or from a function
+of the tree: one letter too many, too few or wrong, or two neighbours exchanged, as in `sudp`, `mkidr` or `rodep`. It is
+looked for in shell scripts, in `RUN` of a Dockerfile, in `shell` and `command` of Ansible, in the command lines of
+units and containers, and within them in `$(...)` and behind `bash -c`. Silent where the tree defines a function, an
+alias, a program or a file of that name, or installs something of that name.
 
 ## Why it matters on a robot
 The shell says "command not found" and goes on with the next line: the package is not installed, the file is not
@@ -27,79 +29,57 @@ When a program of this name is on the robot.
 """
 
 import re
-from collections.abc import Iterable
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
-from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import regex
 from bringup_lint.api import rule
-from bringup_lint.api.docker import commands_of
-from bringup_lint.api.shell import Command
-from bringup_lint.api.shell import shell_commands
+from bringup_lint.api.host import is_program
+from bringup_lint.api.host import meant_programs
+from bringup_lint.api.shell import every_command
+from bringup_lint.api.shell import functions
+from bringup_lint.api.shell import program_name
 from bringup_lint.api.shell import unwrapped
+from bringup_lint.api.spelling import Slips
+from bringup_lint.api.spelling import is_slip
 
-MISSPELT = {
-    "sudo": "sudp suod sduo sudi sido sodu usdo sud0 sudoo ssudo",
-    "source": "soruce sorce souce sourec suorce soure soucre surce",
-    "export": "exprot exort expotr exprt epxort xport",
-    "mkdir": "mkdri mkidr mdkir mkdit makdir mkdirr",
-    "echo": "ehco ecoh eho ceho echp",
-    "apt-get": "apt-gte apt-ge atp-get apt-gett aptget apt-gt",
-    "apt": "aptt atpt",
-    "chmod": "chomd chmdo cmhod chmodd chmos",
-    "chown": "chonw chwon chowm",
-    "git": "gti giit",
-    "grep": "gerp grpe gerep",
-    "sleep": "slepp slep sleeep selep",
-    "systemctl": "systemclt sytemctl systmctl systemctrl systemct systectl systemcl",
-    "colcon": "colocn clocon colcn colon colcom",
-    "ros2": "rso2 rps2",
-    "rosdep": "rosde rodsep rsodep",
-    "python3": "pyhton3 pytohn3 pyton3 phyton3 pythn3",
-    "docker": "dokcer dcoker docekr doker",
-    "modprobe": "modprob mobprobe mdoprobe",
-    "exit": "exti eixt exitt",
-    "usermod": "usermdo usemod",
-    "udevadm": "udevamd udevad udvadm",
-}
-"""Command -> slips of the keyboard."""
-MEANT = {wrong: right for right, slips in MISSPELT.items() for wrong in slips.split()}
-MAY_BE = regex(rf"(?<![\w./-])(?:{'|'.join(MEANT)})(?![\w./-])", hints=" ".join(MEANT))
+NAME = regex(r"(?:/(?:usr/)?s?bin/)?(?P<name>[A-Za-z][\w.+-]{2,30})")
 
 
 @rule("error", confidence="medium", symptoms=["command not found"])
 def command_misspelt(robot: Robot) -> Iterator[Finding]:
-    for source in robot.of_kind("shell-script"):
-        if source.judged and not source.template and MAY_BE.search(source.text):
-            for word in _names(shell_commands(source)):
-                if not _is_defined(robot, source, word):
-                    yield _finding(word)
-    for file in robot.dockerfiles:
-        if MAY_BE.search(file.source.text):
-            for stage in file.stages:
-                yield from map(_finding, _names(commands_of(stage)))
+    own = functions(robot.files)
+    slips = Slips(each for each in own if len(each) > 5)
+    for word in _names(robot):
+        name = program_name(word)
+        if name not in own:
+            meant = meant_programs(name) or _functions(slips, name)
+            if meant and not _is_defined(robot, name):
+                yield finding(
+                    word,
+                    f"There is no command '{name}': the shell does not run this",
+                    advice=f"write {' or '.join(meant)}",
+                )
 
 
-def _finding(word: Located) -> Finding:
-    return finding(
-        word,
-        f"There is no command '{word}': the shell does not run this",
-        advice=f"write {MEANT[str(word)]}",
-    )
+def _functions(slips: Slips, name: str) -> list[str]:
+    """The functions of the tree of which one is meant."""
+    return [] if is_program(name) else [each for each in slips.meant(name) if is_slip(name, each)]
 
 
-def _names(commands: Iterable[Command]) -> Iterator[Located]:
-    for command in commands:
-        for words in (command.words, unwrapped(command.words)):
-            if words and str(words[0]) in MEANT and words[0].span.text == words[0]:
-                yield words[0]
-                break
+def _names(robot: Robot) -> Iterator[Located]:
+    for command in every_command(robot.runners):
+        for word in dict.fromkeys((*command.words[:1], *unwrapped(command.words)[:1])):
+            if NAME.fullmatch(word) and word.span.text == word:
+                yield word
 
 
-def _is_defined(robot: Robot, source: Source, word: Located) -> bool:
-    defines = re.compile(rf"\b(?:function|alias)[ \t]+{re.escape(word)}\b|(?m:^[ \t]*{re.escape(word)}[ \t]*\(\))")
-    return defines.search(source.text) is not None or any(robot.tree.named(str(word)))
+def _is_defined(robot: Robot, name: str) -> bool:
+    """Whether something of the tree may bring a command of the name."""
+    written = re.escape(name)
+    installs = rf"(?:local/bin/|\binstall[ \t][^\n]*[ \t]){written}(?![\w.-])"
+    defines = re.compile(rf"{installs}|[\"']{written}[ \t]*=")
+    return any(robot.tree.named(name)) or robot.files.mentions(defines)

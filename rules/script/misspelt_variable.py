@@ -1,15 +1,18 @@
-"""A script deletes below a variable that has another name where it is set.
+"""A script reads a variable that has another name where it is set.
 
 ## What it finds
-`$NAME` or `${NAME}` before a `/` in `rm -r`, where neither the script nor any other file of the tree sets NAME, and
-the script sets a variable whose name is nearly the same.
+`$NAME` or `${NAME}` that is in no other place of the tree than where it is read, and that differs in one letter from
+a variable that the script sets, or from a well-known one such as `BASH_SOURCE` or `ROS_DISTRO`: a letter is left out,
+there twice, or the one beside it on the keyboard, or two are exchanged.
 
-Silent where the script sources files, reads variables with `read`, `eval` or `export $(...)`, tests whether NAME is
-set, or runs under `set -u`.
+Before a `/` in `rm -r` the names may differ in more. Then it is silent where the script sources files, reads variables
+with `read`, `eval` or `export $(...)`, or runs under `set -u`.
+
+Silent where the script gives a default or tests whether NAME is set.
 
 ## Why it matters on a robot
-The shell puts nothing in the place of a variable that is not set: `rm -rf $LOGDIR/*` becomes `rm -rf /*`, and as root
-that deletes the robot.
+The shell puts nothing in the place of a variable that is not set: a path begins at `/`, a parameter is empty.
+`rm -rf $LOGDIR/*` becomes `rm -rf /*`, and as root that deletes the robot. Under `set -u` the script ends there.
 
 ## Bad
 ```sh
@@ -30,6 +33,7 @@ When whoever calls the script sets the variable.
 ## References
 - bash(1), "Parameter Expansion"
 - https://www.shellcheck.net/wiki/SC2115
+- https://www.shellcheck.net/wiki/SC2153
 """
 
 import re
@@ -43,8 +47,16 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.ros import variables
+from bringup_lint.api.shell import Command
 from bringup_lint.api.shell import Run
+from bringup_lint.api.shell import Word
+from bringup_lint.api.shell import shell_commands
+from bringup_lint.api.shell import with_inner
+from bringup_lint.api.spelling import Slips
+from bringup_lint.api.spelling import is_slip
 from bringup_lint.api.spelling import nearest
+from bringup_lint.api.spelling import numbered
 
 USED = regex(r"[\"']?\$(?:\{(?P<braced>[A-Za-z_]\w*)\}|(?P<plain>[A-Za-z_]\w*))[\"']?/")
 RECURSIVE = regex(r"-[a-zA-Z]*[rR][a-zA-Z]*|--recursive")
@@ -55,10 +67,80 @@ LEARNS = regex(
 GIVEN = frozenset("HOME PWD OLDPWD USER TMPDIR DESTDIR WORKSPACE TARGET_DIR ROOTFS_DIR ROS_HOME ROS_LOG_DIR".split())
 """Variables that a login, a build or ROS gives."""
 ASSIGNED = regex(r"[A-Za-z_]\w*(?==)")
+SET = regex(r"[A-Za-z_]\w*(?=\+?=|\Z)")
+DECLARES = ("export", "declare", "readonly", "typeset", "local", "read")
+LOOP = regex(r"\bfor[ \t]+([A-Za-z_]\w*)")
+READ = regex(r"\$(?:(?P<plain>[A-Za-z_]\w{4,})|\{(?P<braced>[A-Za-z_]\w{4,})(?:\[[@*\d]\]|[%#/^,][^}]*)?\})")
+WELL_KNOWN = (
+    "AMENT_PREFIX_PATH BASH_SOURCE CMAKE_PREFIX_PATH COLCON_PREFIX_PATH DEBIAN_FRONTEND DISPLAY FUNCNAME HOSTNAME "
+    "LD_LIBRARY_PATH LOGNAME OLDPWD PIPESTATUS PYTHONPATH ROS_DISTRO SUDO_USER XAUTHORITY XDG_RUNTIME_DIR"
+).split()
+"""Variables that the shell, the login or the setup files of ROS give."""
+SIZE = 200_000
 
 
-@rule("error", confidence="medium", symptoms=["rm: it is dangerous to operate recursively on '/'"])
+@rule(
+    "error",
+    confidence="medium",
+    symptoms=["rm: it is dangerous to operate recursively on '/'", "*: unbound variable"],
+)
 def misspelt_variable(robot: Robot) -> Iterator[Finding]:
+    said = set()
+    for found in _deleted(robot):
+        said.add(found.span)
+        yield found
+    for source in robot.of_kind("shell-script"):
+        if source.judged and not source.template and len(source.text) <= SIZE and "$" in source.text:
+            yield from (found for found in _read(robot, source) if found.span not in said)
+
+
+def _read(robot: Robot, source: Source) -> Iterator[Finding]:
+    """The variables that differ in a letter from one that is set."""
+    commands = list(with_inner(shell_commands(source)))
+    given = {name: place for command in commands for name, place in _given(command)}
+    loops = LOOP.findall(source.text)
+    slips: Slips | None = None
+    seen = {*given, *loops}
+    for word, name in (read for command in commands for read in _reads(command)):
+        if name not in seen:
+            seen.add(name)
+            slips = slips or Slips((*given, *loops, *WELL_KNOWN, *variables()))
+            meant = [each for each in slips.meant(name) if _is_slip(name, each)]
+            if meant and not _may_be_set(robot, source, name, general=True):
+                yield finding(
+                    word,
+                    f"Nothing sets {name}: it is empty here",
+                    advice=f"did you mean {meant[0]}?",
+                    related=[note(given[each], "this is set") for each in meant if each in given],
+                    severity="warning",
+                )
+
+
+def _given(command: Command) -> Iterator[tuple[str, Located]]:
+    for word in (*command.assignments, *(command.words[1:] if command.name in DECLARES else ())):
+        if found := SET.match(word):
+            yield found[0], word
+
+
+def _reads(command: Command) -> Iterator[tuple[Located, str]]:
+    """The variables that the words of a command read without a default, outside single quotes and ``$(...)``."""
+    targets = (each.target for each in command.redirects if each.target is not None)
+    for word in (*command.assignments, *command.words, *targets):
+        if "$" in word and "$(" not in word and "`" not in word and isinstance(word, Word):
+            for stretch, quote in word.stretches():
+                if quote != "'":
+                    for read in READ.finditer(stretch):
+                        yield stretch.part(*read.span()), read["plain"] or read["braced"]
+
+
+def _is_slip(name: str, meant: str) -> bool:
+    """Whether one is the other misspelt, and not several of them, another of several, or its name in another style."""
+    same = name.replace("_", "") == meant.replace("_", "") or name.rstrip("sS") == meant.rstrip("sS")
+    return is_slip(name, meant) and not same and not numbered(name, meant)
+
+
+def _deleted(robot: Robot) -> Iterator[Finding]:
+    """The folders that ``rm -r`` deletes instead."""
     for source, run in robot.scripts.run("rm"):
         if not any(map(RECURSIVE.fullmatch, run.words)) or LEARNS.search(source.text):
             continue
@@ -78,13 +160,17 @@ def misspelt_variable(robot: Robot) -> Iterator[Finding]:
                 )
 
 
-def _may_be_set(robot: Robot, source: Source, name: str) -> bool:
-    """Whether the name is anywhere but where its value is used, or in another file."""
+def _may_be_set(robot: Robot, source: Source, name: str, *, general: bool = False) -> bool:
+    """Whether the name is anywhere but where its value is used, in a test before it, or in another file."""
     others = (each for each in robot.sources if each is not source)
     written = re.escape(name)
-    set_here = rf"(?<![$\w{{]){written}\b|\$\{{[!#]?{written}[^\w}}]"
-    tested = rf"(?:\[|\btest)[ \t][^\n]{{0,100}}\$\{{?{written}\b[^\n]{{0,100}}(?:\]|&&|\|\|)"
-    return re.search(f"{set_here}|{tested}", source.text) is not None or any(name in each.text for each in others)
+    expands, tests = (r":?[-=+?]", r"-[nzv][ \t]+") if general else (r"[^\w}]", r"[^\n]{0,100}")
+    set_here = rf"(?<![$\w{{]){written}\b|\$\{{!?{written}{expands}|\$\{{[!#]{written}\W"
+    tested = rf"(?:\[|\btest)[ \t]{tests}[\"']?\$\{{?{written}\b[^\n]{{0,100}}(?:\]|&&|\|\|)"
+    if re.search(f"{set_here}|{tested}", source.text):
+        return True
+    alone = re.compile(rf"(?<!\w){written}(?!\w)")
+    return any(name in each.text and alone.search(each.text) for each in others)
 
 
 def _assigned(robot: Robot, source: Source) -> dict[str, Located]:

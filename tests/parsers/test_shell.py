@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from bringup_lint.parsers.shell import commands
 from bringup_lint.parsers.shell import shell_commands
+from bringup_lint.parsers.shell_tokens import substitutions
 from bringup_lint.source import Source
 
 TOKENS = st.sampled_from(
@@ -120,3 +121,19 @@ def test_final_script_keeps_its_braces() -> None:
 )
 def test_quotes_in_quotes(text: str, expected: list[list[str]]) -> None:
     assert words(text) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "inner"),
+    [
+        ("echo $(date)", ["date"]),
+        ('echo "a $(cd "$(dirname "$0")") b"', ['cd "$(dirname "$0")"']),
+        ("echo `id -u` $(pwd)", ["id -u", "pwd"]),
+        ('echo "$(ps name=^$NAME\\$)" $(', []),
+        ("echo '$(date)' $((1 + 2)) plain", []),
+    ],
+)
+def test_substitutions(text: str, inner: list[str]) -> None:
+    found = commands(Source("start.sh", text).located(0, len(text)))
+    words = (word for command in found for word in command.words)
+    assert [str(each) for word in words for each in substitutions(word)] == inner

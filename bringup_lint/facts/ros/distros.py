@@ -49,6 +49,12 @@ def ros1() -> dict[str, str]:
 
 
 @cache
+def distro_names() -> tuple[str, ...]:
+    """All distributions, those of ROS 1 last."""
+    return (*every(), *ros1())
+
+
+@cache
 def supported() -> tuple[str, ...]:
     """The distributions that can be a target, oldest first."""
     return tuple(distro.name for distro in every().values() if distro.systemd is not None)

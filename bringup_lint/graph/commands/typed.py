@@ -16,7 +16,7 @@ from bringup_lint.parsers.shell import commands
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
-_TERMINALS = frozenset(
+TERMINALS = frozenset(
     "tmux screen byobu gnome-terminal xterm uxterm terminator lxterminal konsole xfce4-terminal mate-terminal "
     "x-terminal-emulator kitty alacritty tilix qterminal rxvt urxvt st foot".split()
 )
@@ -34,7 +34,7 @@ def typed(command: Command) -> Iterator[Ros]:
     name = program_name(words[0]) if words else ""
     if name == "alias":
         yield from (ros for word in words[1:] for ros in _of_text(word.part(word.find("=") + 1, len(word)), 0))
-    elif name in _TERMINALS or _OWN.search(name):
+    elif name in TERMINALS or _OWN.search(name):
         yield from _behind(words[1:], 0)
     for redirect in command.redirects:
         if redirect.document is not None:

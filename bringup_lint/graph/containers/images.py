@@ -122,6 +122,18 @@ class Images:
         stages = {build.stage for build in exact or builds}
         return next(iter(stages)) if len(stages) == 1 else None
 
+    def missing_targets(self) -> Iterator[tuple[Located, Dockerfile]]:
+        """The targets of compose services that are no stage of their Dockerfile."""
+        for compose in self.compose_files:
+            for build in (service.build for service in compose.services if not service.inline_dockerfile):
+                if build is None or build.target is None or _UNKNOWN.search(f"{build.context}{build.dockerfile}"):
+                    continue
+                path = posixpath.join(str(build.context or "."), str(build.dockerfile or "Dockerfile"))
+                file = self._dockerfile(compose.source, path)
+                unknown = not _UNKNOWN.search(build.target) and not build.target.isdecimal()
+                if file is not None and unknown and file.stages and file.stage(build.target) is None:
+                    yield build.target, file
+
     def _services(self) -> Iterator[tuple[ImageBuild, Source]]:
         for file in self.compose_files:
             for service in file.services:

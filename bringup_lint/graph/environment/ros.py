@@ -11,6 +11,7 @@ from functools import cached_property
 from bringup_lint.dataclass import dataclass
 from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.discover.tree import display_name
+from bringup_lint.facts.ros.variables import misspelt
 from bringup_lint.graph.commands.environment import UNKNOWN
 from bringup_lint.graph.memo import memo
 from bringup_lint.graph.purpose import Purpose
@@ -160,7 +161,7 @@ class RosEnvironment:
         found: dict[tuple[Source, int], Setting] = {}
         for setting in self._all_settings():
             span = setting.value.span
-            if OF_ROS.fullmatch(setting.name) and span.source.judged and not _is_filled_in(setting.value):
+            if _is_of_ros(setting.name) and span.source.judged and not _is_filled_in(setting.value):
                 found.setdefault((span.source, span.start), setting)
         return list(found.values())
 
@@ -350,6 +351,10 @@ def _of_file(source: Source) -> Iterator[Setting]:
         yield Setting(str(entry.name), entry.value, text, "env file", False)
 
 
+def _is_of_ros(name: str) -> bool:
+    return OF_ROS.fullmatch(name) is not None or misspelt(name) is not None
+
+
 def _of_script(source: Source) -> Iterator[Setting]:
     from bringup_lint.parsers.shell import shell_commands
 
@@ -363,7 +368,7 @@ def _of_script(source: Source) -> Iterator[Setting]:
         )
         for word in words:
             name, equals, text = word.partition("=")
-            if equals and OF_ROS.fullmatch(name):
+            if equals and _is_of_ros(name):
                 value = word.part(len(name) + 1, len(word))
                 known = not re.search(r"[$`~]", text)
                 yield Setting(name, value, str(value) if known else None, "export", True)
