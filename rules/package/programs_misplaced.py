@@ -1,0 +1,71 @@
+"""The programs of a Python package are not where ros2 run looks.
+
+## What it finds
+A package of the type `ament_python` whose setup.cfg does not put its console scripts into `lib/<package>`, or that has
+no setup.cfg, where one of the scripts makes a node. What a launch file starts is left to `launch/executable-missing`,
+and misspelt lines of setup.cfg are left to `package/setup-cfg-unread`.
+
+## Why it matters on a robot
+setuptools puts the programs into `bin`: `ros2 run` ends with "No executable found", and so does each unit and script
+that starts the node with it. `colcon build` says nothing.
+
+## Bad
+```ini
+[develop]
+script_dir=$base/lib/rover_arm
+```
+
+## Good
+```ini
+[develop]
+script_dir=$base/lib/rover_arm
+[install]
+install_scripts=$base/lib/rover_arm
+```
+
+## When to ignore it
+When the programs are meant to be started by their names alone.
+
+## References
+- https://docs.ros.org/en/jazzy/How-To-Guides/Developing-a-ROS-2-Package.html, "setup.cfg"
+- ros2pkg, `get_executable_paths`: it looks into `lib/<package>` alone
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+from bringup_lint.api.launch import Package
+from bringup_lint.api.launch import literal_text
+
+
+@rule("warning", symptoms=["No executable found"])
+def programs_misplaced(robot: Robot) -> Iterator[Finding]:
+    packages = [each for each in robot.launch.workspace.packages.values() if each.manifest.build_type == "ament_python"]
+    lost = [
+        each for each in packages if robot.dependencies.judged(each) and any(map(each.is_misplaced, each.entry_points))
+    ]
+    if not lost:
+        return
+    started = {str(literal_text(each.package)) for each in robot.launch.nodes}
+    told = {str(each.package) for each in robot.dependencies.unread_settings}
+    for package in lost:
+        if package.name not in started and package.name not in told:
+            yield from _of_nodes(robot, package)
+
+
+def _of_nodes(robot: Robot, package: Package) -> Iterator[Finding]:
+    programs = ((name, robot.nodes.program(package.name, name)) for name in package.entry_points)
+    nodes = [name for name, program in programs if program is not None and program.classes]
+    if nodes:
+        where = package.scripts_folder
+        folder = str(where).removeprefix("$base/") if where else "bin"
+        yield finding(
+            package.executables[nodes[0]],
+            f"`ros2 run {package.name} {nodes[0]}` finds no executable: the programs of {package.name} go to {folder}",
+            advice=f"write 'install_scripts=$base/lib/{package.name}' in the section [install] of setup.cfg",
+            related=[note(where, "here")] if where else (),
+        )
