@@ -1,7 +1,8 @@
 """A service that cannot be enabled and that nothing starts.
 
 ## What it finds
-A service without `[Install]` that no other unit, link, timer, socket, path or udev rule of the tree starts.
+A service without `[Install]`, or with an empty one (a warning), that no other unit, link, timer, socket, path or udev
+rule of the tree starts.
 
 ## Why it matters on a robot
 `systemctl enable` only reports that the unit is static. After the next boot the service does not run.
@@ -53,11 +54,13 @@ def no_install_section(robot: Robot) -> Iterator[Finding]:
     for unit, source in without:
         target = "multi-user.target" if unit.manager == "system" else "default.target"
         enabled = [word for word in named.get(unit.name, ()) if robot.same_robot(word, source)]
+        empty = next(iter(unit.sections("Install")), None)
+        lacks = "has no [Install] section" if empty is None else "has an empty [Install] section"
         yield finding(
-            unit.where,
-            f"{unit.name} has no [Install] section, and nothing starts it: systemctl enable has no effect",
-            advice=f"add [Install] with WantedBy={target}",
-            severity="warning" if enabled else None,
+            unit.where if empty is None else empty.name,
+            f"{unit.name} {lacks}, and nothing starts it: systemctl enable has no effect",
+            advice=f"add {'[Install] with ' if empty is None else ''}WantedBy={target}",
+            severity="warning" if enabled or empty is not None else None,
             related=[note(word, "enabled here, in vain") for word in enabled[:20]],
             fix=fix("add an [Install] section", unit.new_line("Install", f"WantedBy={target}"), safe=False),
         )

@@ -45,14 +45,16 @@ def unknown_section(robot: Robot) -> Iterator[Finding]:
         allowed = directives.sections_of_type(file.type)
         for section in file.sections:
             name = section.name
-            if name in directives.sections() or name.startswith("X-") or file.source.template:
+            if name in directives.sections() or name.startswith("X-"):
                 continue
-            meant = nearest(name, allowed)
+            meant, unfinished = nearest(name, allowed), bool(file.source.template)
+            if unfinished and not meant:
+                continue
             yield finding(
                 name,
                 f"Unknown section [{name}]: systemd ignores everything in it",
                 advice=f"did you mean [{meant[0]}]?" if meant else f"use {_listed(allowed)}",
-                fix=fix(f"rename to [{meant[0]}]", (name, meant[0])) if len(meant) == 1 else None,
+                fix=fix(f"rename to [{meant[0]}]", (name, meant[0])) if len(meant) == 1 and not unfinished else None,
             )
         for problem in file.problems:
             if problem.code == "bad-section-header" and not file.source.template:

@@ -324,9 +324,10 @@ class Units(NamedUnits):
         return [ros for process in self.started(unit) for _, ros in process.launches]
 
     def is_started(self, unit: Unit) -> bool:
-        """Whether something starts the unit, or can be told to: an [Install] section, another unit, D-Bus,
-        a udev rule."""
-        if unit.is_template or unit.aliases or unit.get("BusName") or any(unit.sections("Install")):
+        """Whether something starts the unit, or can be told to: an [Install] section that is not empty, another unit,
+        D-Bus, a udev rule."""
+        installed = any(section.assignments for section in unit.sections("Install"))
+        if unit.is_template or unit.aliases or unit.get("BusName") or installed:
             return True
         if self.is_distribution_unit(unit.name) or unit.name.startswith("systemd-"):
             return True
