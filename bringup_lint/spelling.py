@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from bringup_lint.pattern import regex
 from bringup_lint.type_names import TypeVar
 
 Word = TypeVar("Word", bound=str)
@@ -39,6 +40,60 @@ def nearest(word: str, known: Iterable[Word], farthest: int = 2) -> list[Word]:
         elif distance == limit:
             best.append(other)
     return best
+
+
+class Slips:
+    """Known names, of which each misspelt one is found in a time that does not depend on how many they are."""
+
+    def __init__(self, known: Iterable[str]) -> None:
+        self._known = {each for each in known if len(each) <= _LONGEST}
+        self._longer: dict[str, list[str]] = {}
+        """A known name without one letter -> the name."""
+        for name in sorted(self._known):
+            for each in _shorter(name):
+                self._longer.setdefault(each, []).append(name)
+
+    def meant(self, name: str) -> str | None:
+        """The one known name that differs in one of its words, by a letter more or less or by two neighbours that
+        changed places. A plural, a past tense, another first letter or another number is another name."""
+        return None if name in self._known else self.among_own(name)
+
+    def among_own(self, name: str) -> str | None:
+        """The same for a name that is itself among those that are known."""
+        if len(name) > _LONGEST:
+            return None
+        near = set(self._longer.get(name, ())) | (self._known & {*_shorter(name), *_swapped(name)})
+        found = [each for each in near if _is_slip(name, each)]
+        return found[0] if len(found) == 1 else None
+
+
+def slip_of(name: str, known: Iterable[str]) -> str | None:
+    """The one of a few known names that is meant, as :class:`Slips` says."""
+    return Slips(known).meant(name)
+
+
+def _shorter(name: str) -> set[str]:
+    return {name[:at] + name[at + 1 :] for at in range(len(name))}
+
+
+def _swapped(name: str) -> set[str]:
+    return {name[:at] + name[at + 1] + name[at] + name[at + 2 :] for at in range(len(name) - 1)}
+
+
+def _is_slip(name: str, other: str) -> bool:
+    one, two = _SEPARATOR.split(name), _SEPARATOR.split(other)
+    differing = [(a, b) for a, b in zip(one, two, strict=False) if a != b]
+    if len(one) != len(two) or len(differing) != 1:
+        return False
+    a, b = differing[0]
+    if max(len(a), len(b)) < _SHORTEST or a[:1] != b[:1] or a.rstrip("sd") == b.rstrip("sd"):
+        return False
+    return [each for each in a if each.isdigit()] == [each for each in b if each.isdigit()]
+
+
+_SEPARATOR = regex(r"[_./-]")
+_SHORTEST = 3
+"""Letters of a word that is surely misspelt when one is missing."""
 
 
 def numbered(one: str, other: str) -> bool:

@@ -47,6 +47,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.plugins.refused import Refused
     from bringup_lint.graph.plugins.unknown import UnknownPlugin
     from bringup_lint.graph.plugins.untyped import UntypedPlugin
+    from bringup_lint.graph.plugins.xacro_refused import XacroRefused
     from bringup_lint.graph.topics.questions.foreign_files import foreign
     from bringup_lint.graph.topics.questions.frames import unknown_frames
     from bringup_lint.graph.topics.questions.parameter_blocks import unreached
@@ -85,6 +86,7 @@ __all__ = [
     "Unread",
     "UntypedPlugin",
     "WrongType",
+    "XacroRefused",
     "declared_type",
     "foreign",
     "holds_maps",

@@ -8,7 +8,8 @@ two links or joints of the same name, and links that are the child of two joints
 xacro that no other description includes also: joints whose parent or child link does not exist, and a second link
 without a parent. In files for xacro: joints outside of macros whose parent or child link no description of the tree
 has, when all that they include is in the tree; and included files that do not exist, outside of macros and conditions.
-A file that no launch file and no other description names is reported as info.
+A file that no launch file and no other description names is reported as info, but for an include whose name is that of
+another description with one letter more or less.
 
 ## Why it matters on a robot
 urdfdom takes a description as a whole or not at all. robot_state_publisher ends at its start, the controller manager
@@ -138,7 +139,7 @@ def _advice(refused: Refused) -> str:
         case "degrees" | "turned":
             return "convert them from degrees, for example ${radians(90)}"
         case "no-file":
-            return "add the file, or correct the path"
+            return f"write {refused.detail}" if refused.detail else "add the file, or correct the path"
         case "no-link":
             return "add the link, or correct the name"
         case "vector":

@@ -2,8 +2,8 @@
 
 ## What it finds
 `<mesh filename="package://...">` and `file://$(find ...)` in `.urdf` and `.xacro` files that lead into a package of the
-tree, where the package has one whose name differs in upper and lower case only. Not reported is what git ignores and
-what lies in a submodule.
+tree, where the package has one whose name differs in upper and lower case only, or by one letter more or less.
+Properties that the file sets once are put in. Not reported is what git ignores and what lies in a submodule.
 
 ## Why it matters on a robot
 RViz and Gazebo show nothing in its place and print an error for each mesh. Where it is the collision geometry, MoveIt

@@ -10,6 +10,7 @@ from bringup_lint.discover.tree import is_below
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.xml import parse
 from bringup_lint.pattern import regex
+from bringup_lint.spelling import Slips
 
 if TYPE_CHECKING:
     from bringup_lint.discover.tree import Tree
@@ -23,6 +24,7 @@ _PATH = regex(
     r"(?:package://(?P<scheme>[\w-]+)|(?:file://)?\$\(find\s+(?P<find>[\w-]+)\s*\))/(?P<rest>[^$]+)\Z",
     hints="package:// $(find",
 )
+_PROPERTY = regex(r"\$\{\s*(\w+)\s*\}")
 _ENDINGS = (".stl", ".dae", ".obj", ".glb", ".gltf", ".mesh")
 
 
@@ -49,11 +51,13 @@ def missing_meshes(files: Files, workspace: Workspace) -> Iterator[list[MissingM
 
 
 def _missing(tree: Tree, workspace: Workspace, shelves: dict[str, _Shelf], root: Element) -> Iterator[MissingMesh]:
+    values = _properties(root)
     for element in root.walk():
         name = element.get("filename") if element.name == "mesh" else None
-        match = _PATH.match(name) if name is not None else None
+        filename = _PROPERTY.sub(lambda match: values.get(match[1]) or match[0], name) if name is not None else ""
+        match = _PATH.match(filename)
         package = workspace.packages.get(match["scheme"] or match["find"]) if match is not None else None
-        if name is None or match is None or package is None or not name.lower().endswith(_ENDINGS):
+        if name is None or match is None or package is None:
             continue
         path = os.path.normpath(os.path.join(package.folder, match["rest"]))
         if tree.exists(path) or tree.is_ignored(path) or is_below(path, tree.submodules):
@@ -63,6 +67,16 @@ def _missing(tree: Tree, workspace: Workspace, shelves: dict[str, _Shelf], root:
         like = shelves[package.folder].spelt_otherwise(path)
         if like is not None:
             yield MissingMesh(name, package.name, match["rest"], _is_collision(element), like)
+
+
+def _properties(root: Element) -> dict[str, str | None]:
+    """The properties that a description sets once for all, and None for others."""
+    found: dict[str, str | None] = {}
+    for each in root.walk():
+        if each.name == "xacro:property":
+            name = str(each.get("name"))
+            found[name] = each.get("value") if name not in found and each.parent is root else None
+    return found
 
 
 def _is_collision(mesh: Element) -> bool:
@@ -76,12 +90,22 @@ class _Shelf:
     def __init__(self, tree: Tree, package: Package) -> None:
         self._folder = package.folder
         self._by_path: dict[str, list[str]] = {}
+        self._in_folder: dict[str, list[str]] = {}
+        self._slips: dict[str, Slips] = {}
         for each in tree.walked_below(package.folder):
             if each.lower().endswith(_ENDINGS):
                 path = os.path.relpath(os.path.abspath(each), package.folder)
                 self._by_path.setdefault(path.lower(), []).append(path)
+                self._in_folder.setdefault(os.path.dirname(path), []).append(os.path.basename(path))
 
     def spelt_otherwise(self, path: str) -> str | None:
-        """The one mesh whose path differs in upper and lower case only."""
-        found = self._by_path.get(os.path.relpath(path, self._folder).lower(), [])
-        return found[0] if len(found) == 1 else None
+        """The one mesh whose path differs in upper and lower case only, or whose name by a letter more or less."""
+        inner = os.path.relpath(path, self._folder)
+        found = self._by_path.get(inner.lower(), [])
+        if found:
+            return found[0] if len(found) == 1 else None
+        folder, name = os.path.split(inner)
+        if folder not in self._slips:
+            self._slips[folder] = Slips(self._in_folder.get(folder, ()))
+        near = self._slips[folder].meant(name)
+        return os.path.join(folder, near) if near is not None else None

@@ -11,6 +11,8 @@ from bringup_lint.graph.plugins.claims import claims
 from bringup_lint.graph.plugins.controllers import UntypedController
 from bringup_lint.graph.plugins.controllers import unnamed_controllers
 from bringup_lint.graph.plugins.controllers import untyped_controllers
+from bringup_lint.graph.plugins.description_words import MisspeltWord
+from bringup_lint.graph.plugins.description_words import misspelt_words
 from bringup_lint.graph.plugins.drive_commands import Unstamped
 from bringup_lint.graph.plugins.drive_commands import unstamped_commands
 from bringup_lint.graph.plugins.gone_simulator_plugins import GonePlugin
@@ -23,6 +25,8 @@ from bringup_lint.graph.plugins.joints import UnknownJoint
 from bringup_lint.graph.plugins.joints import unknown_joints
 from bringup_lint.graph.plugins.meshes import MissingMesh
 from bringup_lint.graph.plugins.meshes import missing_meshes
+from bringup_lint.graph.plugins.misspelt import Misspelt
+from bringup_lint.graph.plugins.misspelt import misspelt_names
 from bringup_lint.graph.plugins.moveit import MoveItProblem
 from bringup_lint.graph.plugins.moveit import moveit_problems
 from bringup_lint.graph.plugins.moveit_files import MissingMoveItFile
@@ -37,10 +41,14 @@ from bringup_lint.graph.plugins.simulator_hardware import OtherSimulator
 from bringup_lint.graph.plugins.simulator_hardware import other_simulators
 from bringup_lint.graph.plugins.unknown import Named
 from bringup_lint.graph.plugins.unknown import UnknownPlugin
+from bringup_lint.graph.plugins.unread_descriptions import Unread
+from bringup_lint.graph.plugins.unread_descriptions import unread_descriptions
 from bringup_lint.graph.plugins.untyped import UntypedPlugin
 from bringup_lint.graph.plugins.untyped import untyped_plugins
 from bringup_lint.graph.plugins.xacro_arguments import UnknownArgument
 from bringup_lint.graph.plugins.xacro_arguments import unknown_arguments
+from bringup_lint.graph.plugins.xacro_refused import XacroRefused
+from bringup_lint.graph.plugins.xacro_refused import xacro_refused
 
 if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
@@ -104,6 +112,27 @@ class Plugins:
     def refused_descriptions(self) -> list[list[Refused]]:
         """What is wrong with robot descriptions, that of one file together."""
         return list(refused_descriptions(self._files, self._launch.workspace))
+
+    @cached_property
+    def unread_descriptions(self) -> list[Unread]:
+        """Robot descriptions that are not well-formed XML."""
+        return list(unread_descriptions(self._files))
+
+    @cached_property
+    def xacro_refused(self) -> list[XacroRefused]:
+        """Names in descriptions that xacro does not know, each once in a file."""
+        return list(xacro_refused(self._files, self._launch.workspace))
+
+    @cached_property
+    def misspelt_names(self) -> list[Misspelt]:
+        """Names of frames, joints, interfaces and hardware parameters that only one place of the tree has, beside one
+        that differs in a letter."""
+        return list(misspelt_names(self._files, self._params(), self._launch.workspace))
+
+    @cached_property
+    def misspelt_words(self) -> list[MisspeltWord]:
+        """Misspelt elements, attributes and types of descriptions."""
+        return list(misspelt_words(self._files))
 
     @cached_property
     def missing_meshes(self) -> list[list[MissingMesh]]:

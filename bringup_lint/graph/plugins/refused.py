@@ -6,9 +6,12 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from bringup_lint.discover.kinds.launch import LAUNCH
+from bringup_lint.graph.memo import kept
 from bringup_lint.graph.plugins.described import Described
 from bringup_lint.graph.plugins.described import described
+from bringup_lint.graph.plugins.described import descriptions
+from bringup_lint.graph.plugins.named_descriptions import is_named
+from bringup_lint.graph.plugins.named_descriptions import is_used
 from bringup_lint.graph.plugins.xacro_includes import included
 from bringup_lint.graph.plugins.xacro_includes import is_unconditional
 from bringup_lint.named_tuple import NamedTuple
@@ -16,6 +19,8 @@ from bringup_lint.parsers.xml import parse
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Span
+from bringup_lint.spelling import Slips
+from bringup_lint.spelling import slip_of
 
 if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
@@ -55,7 +60,7 @@ def refused_descriptions(files: Files, workspace: Workspace) -> Iterator[list[Re
         root = parse(source).root if source.judged and not source.template else None
         if root is None or root.local != "robot":
             continue
-        is_part = _is_named(files, source, "urdf")
+        is_part = is_named(files, source, "urdf")
         found = [
             *_includes(root, workspace),
             *_joints(root),
@@ -69,8 +74,9 @@ def refused_descriptions(files: Files, workspace: Workspace) -> Iterator[list[Re
             known = known or described(files.tree, packages)
             found += (each for each in lost if known.links and not known.is_open and not known.has_link(each.name))
         if found:
-            used = is_part or _is_named(files, source, *LAUNCH)
-            yield sorted((each._replace(used=used) for each in found), key=_is_read)
+            used = is_part or is_used(files, source)
+            by_used = (each._replace(used=used or (each.what == "no-file" and bool(each.detail))) for each in found)
+            yield sorted(by_used, key=_is_read)
 
 
 def _includes(root: Element, workspace: Workspace) -> Iterator[Refused]:
@@ -81,18 +87,22 @@ def _includes(root: Element, workspace: Workspace) -> Iterator[Refused]:
             continue
         found = included(workspace, name.span.source, name)
         if found is not None and found.file is None:
-            yield Refused(name.span, "no-file", str(name))
+            yield Refused(name.span, "no-file", str(name), _like(workspace, name))
+
+
+def _like(workspace: Workspace, filename: Located) -> str:
+    """The one description of the tree whose name an include misspells."""
+    return _slips(workspace).meant(filename.rpartition("/")[2]) or ""
+
+
+@kept
+def _slips(workspace: Workspace) -> Slips:
+    return Slips(path.rpartition("/")[2] for path in descriptions(workspace.tree))
 
 
 def _is_read(refused: Refused) -> bool:
     """Whether urdfdom takes the description all the same."""
     return refused.what in ("limits", "degrees", "turned", "parents")
-
-
-def _is_named(files: Files, source: Source, *kinds: str) -> bool:
-    name = re.compile(rf"(?<![\w.-]){re.escape(source.basename)}(?![\w.-])")
-    others = (each for each in files.of_kind(*kinds) if each.name != source.name)
-    return any(source.basename in each.text and name.search(each.text) for each in others)
 
 
 def _is_plain(source: Source) -> bool:
@@ -114,7 +124,7 @@ def _joints(root: Element) -> Iterator[Refused]:
         limit = joint.find("limit")
         if limit is not None:
             yield from _limit(limit, name, joint.get("type") == "revolute")
-        elif joint.get("type") in _LIMITED:
+        elif joint.get("type") in _LIMITED and not any(slip_of(each.name, ("limit",)) for each in joint.children):
             yield Refused(joint.tag, "no-limit", name, str(joint.get("type")))
 
 
@@ -123,7 +133,8 @@ def _limit(limit: Element, name: str, turns: bool) -> Iterator[Refused]:
     if limit.children:
         return
     for attribute in _NEEDED:
-        if not limit.get(attribute):
+        is_misspelt = any(slip_of(each.name, (attribute,)) for each in limit.attributes)
+        if not limit.get(attribute) and not is_misspelt:
             yield Refused(limit.tag, "no-attribute", name, attribute)
             return
     lower, upper = _number(limit.get("lower")), _number(limit.get("upper"))
