@@ -153,7 +153,11 @@ class Slips:
 
     def meant(self, word: str) -> list[str]:
         """The known words of three letters or more for which this unknown one of four or more may stand."""
-        if word in self.known or not 3 < len(word) <= _LONGEST:
+        return [] if word in self.known else self.near(word)
+
+    def near(self, word: str) -> list[str]:
+        """The same for one that may be known itself, without that one."""
+        if not 3 < len(word) <= _LONGEST:
             return []
         shorter = _without_a_letter(word)
         near = {each for each in shorter if each in self.known}

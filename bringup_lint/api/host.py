@@ -6,6 +6,8 @@ from bringup_lint.on_demand import on_demand
 from bringup_lint.type_names import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from bringup_lint.facts.host.packages import near_packages
+    from bringup_lint.facts.host.packages import packages
     from bringup_lint.facts.host.programs import is_program
     from bringup_lint.facts.host.programs import meant_programs
     from bringup_lint.facts.host.programs import verbs
@@ -34,8 +36,10 @@ __all__ = [
     "is_program",
     "lost_ranges",
     "meant_programs",
+    "near_packages",
     "option_of",
     "own_addresses",
+    "packages",
     "removed_package",
     "taken_consoles",
     "ungiven_devices",
