@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.topics.questions.orphans import orphans
     from bringup_lint.graph.topics.questions.other_ends import used_at
     from bringup_lint.graph.topics.questions.recorded import misspelt_records
+    from bringup_lint.graph.topics.questions.single_names import single_names
     from bringup_lint.graph.topics.questions.transform_files import rivals_in_files
     from bringup_lint.graph.topics.questions.two_parents import two_parents
     from bringup_lint.graph.topics.questions.unmatched import without_publisher
@@ -65,6 +66,7 @@ __all__ = [
     "rivals",
     "rivals_in_files",
     "shared_by_namespaces",
+    "single_names",
     "tail",
     "too_reliable",
     "two_parents",

@@ -12,6 +12,9 @@ Anywhere in the tree: a subscription that nobody publishes and a publisher that 
 namespace, where each is the only one for the other, one name has all words of the other or the type is one of the
 tree's own, and no other file mentions either name: `imu/raw` and `imu/data_raw`.
 
+Anywhere in the tree: a topic, service or action that one source names in one place, while exactly one name is a letter
+away from it, is that of an end of the same type or in several other files, and differs in no number and no plural.
+
 A topic in `ros2 bag record` of a launch file that nobody uses, while one with the same letters is published:
 `/wheel_state` and `/wheel/state`.
 
@@ -43,6 +46,7 @@ When both names are intended and the other side is on another computer or starte
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -85,6 +89,16 @@ def topic_typo(robot: Robot) -> Iterator[Finding]:
                 note(subscription.where, f"{subscription.label} subscribes here"),
             ],
         )
+    places = {place.span for use, *_ in topics.misspelt(robot.topics) if isinstance(place := use.written, Located)}
+    for each in topics.single_names(robot.topics):
+        if each.name.span not in places:
+            yield finding(
+                each.name,
+                f"Nothing else names {each.name}, the {each.role.replace('-', ' ')} of {each.label}: {each.meant} "
+                "is a letter away",
+                advice="write the same name on both sides",
+                related=[note(each.place, f"{each.meant} is named here")],
+            )
     for topic, publisher in topics.misspelt_records(robot.topics):
         yield finding(
             topic,

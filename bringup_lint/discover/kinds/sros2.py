@@ -7,6 +7,7 @@ import re
 from bringup_lint.discover.kinds import Head
 from bringup_lint.discover.kinds import Kind
 from bringup_lint.pattern import regex
+from bringup_lint.spelling import nearest
 
 _XML = regex(r"\.xml$", re.I)
 _SIGNED = regex(r"\.(?:p7s|smime)$", re.I)
@@ -30,18 +31,26 @@ def _below(path: str, head: Head) -> tuple[str, str]:
     return match[1], match[2]
 
 
+def _is_called(path: str, head: Head, root: str, child: str) -> bool:
+    """Whether the root and its first child have these names; one of them may be misspelt."""
+    one, two = _below(path, head)
+    if one == root:
+        return two == child or nearest(two, [child]) == [child]
+    return two == child and nearest(one, [root]) == [root]
+
+
 def _is_governance(path: str, head: Head) -> bool:
-    return bool(_GOVERNANCE.search(path)) or _below(path, head) == ("dds", "domain_access_rules")
+    return bool(_GOVERNANCE.search(path)) or _is_called(path, head, "dds", "domain_access_rules")
 
 
 def _is_permissions(path: str, head: Head) -> bool:
-    return bool(_PERMISSIONS.search(path)) or _below(path, head) == ("dds", "permissions")
+    return bool(_PERMISSIONS.search(path)) or _is_called(path, head, "dds", "permissions")
 
 
 KINDS = (
     Kind("sros2-governance", _is_governance),
     Kind("sros2-permissions", _is_permissions),
-    Kind("sros2-policy", lambda path, head: _below(path, head) == ("policy", "enclaves")),
+    Kind("sros2-policy", lambda path, head: _is_called(path, head, "policy", "enclaves")),
     Kind("sros2-key", lambda path, head: bool(_KEY.search(path)) and "PRIVATE KEY" in head(), "key"),
     Kind("sros2-certificate", lambda path, head: bool(_CERTIFICATE.search(path)) and "CERTIFICATE" in head(), "cert"),
 )

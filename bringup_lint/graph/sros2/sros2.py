@@ -19,6 +19,8 @@ from bringup_lint.graph.sros2.keystore import Keystore
 from bringup_lint.graph.sros2.keystore import anchor
 from bringup_lint.graph.sros2.keystore import load_keystores
 from bringup_lint.graph.sros2.keystore import ships
+from bringup_lint.graph.sros2.misspelt_names import MisspeltRight
+from bringup_lint.graph.sros2.misspelt_names import misspelt_rights
 from bringup_lint.graph.sros2.policed import policed_nodes
 from bringup_lint.graph.sros2.secured import Secured
 from bringup_lint.graph.sros2.secured import without_enclave
@@ -231,6 +233,11 @@ class Sros2:
     def _names_keystore(process: RosProcess, document: Source) -> bool:
         folder = (process.environment.text("ROS_SECURITY_KEYSTORE") or "").rstrip("/")
         return len(folder) > 1 and folder.startswith("/") and f"{folder}/" in f"{document.robot_path or ''}/"
+
+    @property
+    def misspelt_rights(self) -> Iterator[MisspeltRight]:
+        """Names of policies that nothing else of the tree has, a letter away from one of others."""
+        return misspelt_rights(self.files)
 
     @property
     def policy_profiles(self) -> Iterator[Profile]:

@@ -134,7 +134,7 @@ def ends_of(topics: Topics, *, everything: bool = False) -> Iterator[End]:
             if is_for_robot or everything:
                 yield End(use.role, use.topic, use.type, use.qos, use.where, use.node.label(), place, is_for_robot)
     launched = {where for where, _ in seen}
-    for source, label, each in _of_sources(topics):
+    for source, label, each in named_in_sources(topics):
         name = each.name
         if each.span in launched or name is None or each.parameter is not None or str(name).startswith("~"):
             continue
@@ -144,7 +144,8 @@ def ends_of(topics: Topics, *, everything: bool = False) -> Iterator[End]:
             yield End(each.role, topic, each.type, each.qos, each.span, label, name.span, is_for_robot)
 
 
-def _of_sources(topics: Topics) -> Iterator[tuple[Source, str, Endpoint]]:
+def named_in_sources(topics: Topics) -> Iterator[tuple[Source, str, Endpoint]]:
+    """The ends in all sources, with what to call their nodes."""
     for node in topics.nodes.classes:
         for endpoint in node.endpoints:
             yield node.source, str(node.node_name or node.name or node.source.basename), endpoint
