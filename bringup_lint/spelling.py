@@ -140,7 +140,7 @@ def _different(one: str, other: str) -> tuple[str, str]:
     return one[start : len(one) - end], other[start : len(other) - end]
 
 
-class Slips:
+class Neighbours:
     """Words that are known, with all that is one letter away from them: one too many, one too few, another one, or two
     neighbours exchanged. To look a word up takes as long as the word is, however many are known."""
 

@@ -6,7 +6,7 @@ from bringup_lint.on_demand import on_demand
 from bringup_lint.type_names import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from bringup_lint.spelling import Slips
+    from bringup_lint.spelling import Neighbours
     from bringup_lint.spelling import is_slip
     from bringup_lint.spelling import nearest
     from bringup_lint.spelling import numbered
@@ -14,7 +14,7 @@ else:
     __getattr__ = on_demand(globals())
 
 __all__ = [
-    "Slips",
+    "Neighbours",
     "is_slip",
     "nearest",
     "numbered",

@@ -41,7 +41,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.ros import variables
-from bringup_lint.api.spelling import Slips
+from bringup_lint.api.spelling import Neighbours
 from bringup_lint.api.spelling import is_slip
 from bringup_lint.api.spelling import numbered
 
@@ -71,7 +71,7 @@ def _misspelt_names(robot: Robot, source: Source) -> Iterator[Finding]:
     keys = (match["key"] for match in KEY.finditer(source.text))
     files = (name for file in robot.of_kind("env-file") for name in ASSIGNED.findall(file.text))
     repeated = (name for name, count in counted.items() if count > 1)
-    slips = Slips((*keys, *files, *repeated, *WELL_KNOWN, *variables()))
+    slips = Neighbours((*keys, *files, *repeated, *WELL_KNOWN, *variables()))
     for match in used:
         name = match["name"]
         meant = [each for each in slips.meant(name) if _is_slip(name, each)]
@@ -86,7 +86,7 @@ def _misspelt_names(robot: Robot, source: Source) -> Iterator[Finding]:
 def _misspelt_keys(robot: Robot, source: Source) -> Iterator[Finding]:
     for match in KEY.finditer(source.text):
         key, name = match["key"], match["name"]
-        if key != name and _is_slip(key, name) and Slips((name,)).meant(key):
+        if key != name and _is_slip(key, name) and Neighbours((name,)).meant(key):
             if (name in variables() or _is_read(robot, name)) and not _is_elsewhere(
                 robot, source, key, match.start("key")
             ):

@@ -42,7 +42,7 @@ from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.docker import Dockerfile
 from bringup_lint.api.docker import Stage
-from bringup_lint.api.spelling import Slips
+from bringup_lint.api.spelling import Neighbours
 from bringup_lint.api.spelling import is_slip
 from bringup_lint.api.spelling import numbered
 
@@ -53,23 +53,22 @@ MOST = 8
 
 @rule("error", symptoms=["pull access denied for *, repository does not exist", "target stage * could not be found"])
 def unknown_stage(robot: Robot) -> Iterator[Finding]:
-    for file in robot.dockerfiles:
-        if file.source.judged and not file.source.template:
-            yield from _misspelt(file)
+    for file in (file for file in robot.dockerfiles if file.source.judged and not file.source.template):
+        yield from _misspelt(file)
     if robot.of_kind("compose"):
         yield from _missing_targets(robot)
 
 
 def _missing_targets(robot: Robot) -> Iterator[Finding]:
-    for target, file in robot.compose.images.missing_targets():
-        if target.span.source.judged and not file.source.template:
-            names = ", ".join(str(stage.name) for stage in file.stages[:MOST] if stage.name is not None)
-            yield finding(
-                target,
-                f"{file.source.basename} has no stage '{target}': the image is not built",
-                advice=f"its stages are {names}" if names else "it names no stage",
-                related=[note(file.stages[-1].start.keyword, "the last stage")],
-            )
+    missing = robot.compose.images.missing_targets()
+    for target, file in (each for each in missing if each[0].span.source.judged and not each[1].source.template):
+        names = ", ".join(str(stage.name) for stage in file.stages[:MOST] if stage.name is not None)
+        yield finding(
+            target,
+            f"{file.source.basename} has no stage '{target}': the image is not built",
+            advice=f"its stages are {names}" if names else "it names no stage",
+            related=[note(file.stages[-1].start.keyword, "the last stage")],
+        )
 
 
 def _misspelt(file: Dockerfile) -> Iterator[Finding]:
@@ -78,7 +77,7 @@ def _misspelt(file: Dockerfile) -> Iterator[Finding]:
     for stage in file.stages:
         for place in _named(stage):
             if file.stage(place) is None:
-                for meant in Slips(above).meant(place.lower()):
+                for meant in Neighbours(above).meant(place.lower()):
                     if is_slip(place.lower(), meant) and not numbered(place, meant):
                         yield finding(
                             place,

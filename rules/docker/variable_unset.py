@@ -52,7 +52,7 @@ from bringup_lint.api.docker import Stage
 from bringup_lint.api.docker import assignments
 from bringup_lint.api.docker import commands_of_run
 from bringup_lint.api.docker import may_set
-from bringup_lint.api.spelling import Slips
+from bringup_lint.api.spelling import Neighbours
 from bringup_lint.api.spelling import is_slip
 from bringup_lint.api.spelling import numbered
 
@@ -78,7 +78,8 @@ def variable_unset(robot: Robot) -> Iterator[Finding]:
     for file in robot.dockerfiles:
         if "$" not in file.source.text:
             continue
-        misspelt = dict(_misspelt(robot, file))
+        is_read = file.source.judged and not file.source.template and len(file.source.text) <= SIZE
+        misspelt = dict(_misspelt(robot, file)) if is_read else {}
         yield from misspelt.values()
         declared = (name for stage in file.stages for name in _declared(stage))
         elsewhere = {*file.arguments, *declared, *misspelt}
@@ -94,12 +95,10 @@ def _misspelt(robot: Robot, file: Dockerfile) -> Iterator[tuple[str, Finding]]:
     """The variables that differ in a letter from one of the file, and those of the file that differ from one that it
     reads."""
     source = file.source
-    if not source.judged or source.template or len(source.text) > SIZE:
-        return
     declared = {*file.arguments, *(name for stage in file.stages for name in _declared(stage))}
     used = [match for match in USED.finditer(source.text) if not COMMENT.search(source.line_before(match.start()))]
     read = {match["plain"] or match["braced"]: match for match in reversed(used)}
-    slips = Slips(declared)
+    slips = Neighbours(declared)
     for name, match in read.items():
         if name not in declared:
             meant = [each for each in slips.meant(name) if _is_slip(name, each)]
@@ -107,7 +106,7 @@ def _misspelt(robot: Robot, file: Dockerfile) -> Iterator[tuple[str, Finding]]:
             if meant and not known and not _is_set(file, name):
                 said = f"Nothing sets {name} in this image: it is empty here"
                 yield name, finding(source.located(*match.span()), said, advice=f"did you mean {meant[0]}?")
-    slips = Slips(name for name in read if name in declared)
+    slips = Neighbours(name for name in read if name in declared)
     for place in (word for stage in file.stages for one in stage.all("ARG") for word in one.value.words()):
         name = str(place).partition("=")[0]
         meant = [each for each in slips.meant(name) if _is_slip(name, each)]

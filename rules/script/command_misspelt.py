@@ -43,7 +43,7 @@ from bringup_lint.api.shell import every_command
 from bringup_lint.api.shell import functions
 from bringup_lint.api.shell import program_name
 from bringup_lint.api.shell import unwrapped
-from bringup_lint.api.spelling import Slips
+from bringup_lint.api.spelling import Neighbours
 from bringup_lint.api.spelling import is_slip
 
 NAME = regex(r"(?:/(?:usr/)?s?bin/)?(?P<name>[A-Za-z][\w.+-]{2,30})")
@@ -52,7 +52,7 @@ NAME = regex(r"(?:/(?:usr/)?s?bin/)?(?P<name>[A-Za-z][\w.+-]{2,30})")
 @rule("error", confidence="medium", symptoms=["command not found"])
 def command_misspelt(robot: Robot) -> Iterator[Finding]:
     own = functions(robot.files)
-    slips = Slips(each for each in own if len(each) > 5)
+    slips = Neighbours(each for each in own if len(each) > 5)
     for word in _names(robot):
         name = program_name(word)
         if name not in own:
@@ -65,7 +65,7 @@ def command_misspelt(robot: Robot) -> Iterator[Finding]:
                 )
 
 
-def _functions(slips: Slips, name: str) -> list[str]:
+def _functions(slips: Neighbours, name: str) -> list[str]:
     """The functions of the tree of which one is meant."""
     return [] if is_program(name) else [each for each in slips.meant(name) if is_slip(name, each)]
 

@@ -53,7 +53,7 @@ from bringup_lint.api.shell import Run
 from bringup_lint.api.shell import Word
 from bringup_lint.api.shell import shell_commands
 from bringup_lint.api.shell import with_inner
-from bringup_lint.api.spelling import Slips
+from bringup_lint.api.spelling import Neighbours
 from bringup_lint.api.spelling import is_slip
 from bringup_lint.api.spelling import nearest
 from bringup_lint.api.spelling import numbered
@@ -99,12 +99,12 @@ def _read(robot: Robot, source: Source) -> Iterator[Finding]:
     commands = list(with_inner(shell_commands(source)))
     given = {name: place for command in commands for name, place in _given(command)}
     loops = LOOP.findall(source.text)
-    slips: Slips | None = None
+    slips: Neighbours | None = None
     seen = {*given, *loops}
     for word, name in (read for command in commands for read in _reads(command)):
         if name not in seen:
             seen.add(name)
-            slips = slips or Slips((*given, *loops, *WELL_KNOWN, *variables()))
+            slips = slips or Neighbours((*given, *loops, *WELL_KNOWN, *variables()))
             meant = [each for each in slips.meant(name) if _is_slip(name, each)]
             if meant and not _may_be_set(robot, source, name, general=True):
                 yield finding(

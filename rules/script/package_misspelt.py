@@ -45,7 +45,7 @@ from bringup_lint.api.host import packages
 from bringup_lint.api.shell import every_command
 from bringup_lint.api.shell import tasks
 from bringup_lint.api.shell import unwrapped
-from bringup_lint.api.spelling import Slips
+from bringup_lint.api.spelling import Neighbours
 from bringup_lint.api.spelling import is_slip
 from bringup_lint.api.spelling import numbered
 from bringup_lint.api.yaml import Mapping
@@ -63,7 +63,7 @@ def package_misspelt(robot: Robot) -> Iterator[Finding]:
     places: dict[str, Located] = {}
     for word in words:
         places.setdefault(str(word), word)
-    own = Slips(places)
+    own = Neighbours(places)
     for word in places.values():
         if word not in packages().known and word not in near_packages():
             known = [each for each in packages().meant(word) if _is_slip(word, each)]
@@ -82,11 +82,10 @@ def _installed(robot: Robot) -> Iterator[Located]:
         words = unwrapped(command.words)
         if words and words[0] in APTS and "install" in words:
             yield from (word for word in words[words.index("install") + 1 :] if not word.startswith("-"))
-    for source in robot.of_kind("ansible"):
-        if source.judged:
-            for module in (module for task in tasks(source) for module in task.modules if module.name in MODULES):
-                if isinstance(module.settings, Mapping):
-                    yield from _scalars(module.settings)
+    judged = (source for source in robot.of_kind("ansible") if source.judged)
+    for module in (module for source in judged for task in tasks(source) for module in task.modules):
+        if module.name in MODULES and isinstance(module.settings, Mapping):
+            yield from _scalars(module.settings)
 
 
 def _scalars(settings: Mapping) -> Iterator[Located]:

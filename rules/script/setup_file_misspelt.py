@@ -40,7 +40,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.ros import distro_names
-from bringup_lint.api.spelling import Slips
+from bringup_lint.api.spelling import Neighbours
 from bringup_lint.api.spelling import is_slip
 
 KINDS = ("shell-script", "dockerfile", "compose", "ansible", "systemd-unit", "systemd-dropin", "cloud-init")
@@ -71,12 +71,12 @@ def setup_file_misspelt(robot: Robot) -> Iterator[Finding]:
 
 
 @cache
-def _known() -> dict[re.Pattern[str], Slips]:
+def _known() -> dict[re.Pattern[str], Neighbours]:
     return {
-        NAME: Slips(NAMES),
-        ROOT: Slips(("/opt/ros",)),
-        DISTRO: Slips(distro_names()),
-        BUILT: Slips(("install", "devel")),
+        NAME: Neighbours(NAMES),
+        ROOT: Neighbours(("/opt/ros",)),
+        DISTRO: Neighbours(distro_names()),
+        BUILT: Neighbours(("install", "devel")),
     }
 
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 from functools import cache
 
 from bringup_lint import facts
-from bringup_lint.spelling import Slips
+from bringup_lint.spelling import Neighbours
 
 
 @cache
-def packages() -> Slips:
-    return Slips(row["name"] for row in facts.table("host/packages"))
+def packages() -> Neighbours:
+    return Neighbours(row["name"] for row in facts.table("host/packages"))
 
 
 @cache

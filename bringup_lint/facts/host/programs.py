@@ -7,14 +7,14 @@ from itertools import pairwise
 
 from bringup_lint import facts
 from bringup_lint.named_tuple import NamedTuple
-from bringup_lint.spelling import Slips
+from bringup_lint.spelling import Neighbours
 from bringup_lint.spelling import is_slip
 
 
 class Verbs(NamedTuple):
     """The words of which a program takes one."""
 
-    slips: Slips
+    slips: Neighbours
     valued: frozenset[str]
     """Its options that take the next word as their value."""
     abbreviates: bool
@@ -42,19 +42,19 @@ def _is_doubled(name: str) -> bool:
 
 
 @cache
-def _programs() -> tuple[Slips, frozenset[str], dict[str, str]]:
+def _programs() -> tuple[Neighbours, frozenset[str], dict[str, str]]:
     """Those that are known, their neighbours, and what other misspelt names mean."""
     rows = facts.table("host/programs")
     others = frozenset(near for row in rows for near in row["near"].split())
     spoken = {slip: row["name"] for row in rows for slip in row["slips"].split()}
-    return Slips(row["name"] for row in rows), others, spoken
+    return Neighbours(row["name"] for row in rows), others, spoken
 
 
 @cache
 def verbs() -> dict[str, Verbs]:
     """The programs, and those of their verbs that take verbs of their own: ``git submodule``."""
     return {
-        program: Verbs(Slips(row["verbs"].split()), frozenset(row["valued"].split()), row["abbreviates"] == "yes")
+        program: Verbs(Neighbours(row["verbs"].split()), frozenset(row["valued"].split()), row["abbreviates"] == "yes")
         for row in facts.table("host/verbs")
         for program in row["programs"].split(", ")
     }

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cache
 
 from bringup_lint import facts
-from bringup_lint.spelling import Slips
+from bringup_lint.spelling import Neighbours
 from bringup_lint.spelling import is_slip
 
 _SHORTEST = 8
@@ -28,5 +28,5 @@ def misspelt(name: str) -> str | None:
 
 
 @cache
-def _slips() -> Slips:
-    return Slips(variables())
+def _slips() -> Neighbours:
+    return Neighbours(variables())
