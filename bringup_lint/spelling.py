@@ -42,7 +42,7 @@ def nearest(word: str, known: Iterable[Word], farthest: int = 2) -> list[Word]:
     return best
 
 
-class Slips:
+class WordSlips:
     """Known names, of which each misspelt one is found in a time that does not depend on how many they are."""
 
     def __init__(self, known: Iterable[str]) -> None:
@@ -68,8 +68,8 @@ class Slips:
 
 
 def slip_of(name: str, known: Iterable[str]) -> str | None:
-    """The one of a few known names that is meant, as :class:`Slips` says."""
-    return Slips(known).meant(name)
+    """The one of a few known names that is meant, as :class:`WordSlips` says."""
+    return WordSlips(known).meant(name)
 
 
 def _shorter(name: str) -> set[str]:

@@ -12,7 +12,7 @@ from bringup_lint.graph.plugins.unread_descriptions import refused_xml
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.xml import parse
 from bringup_lint.source import Located
-from bringup_lint.spelling import Slips
+from bringup_lint.spelling import WordSlips
 
 if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
@@ -78,8 +78,8 @@ def _grammar() -> dict[tuple[str, str], tuple[frozenset[str], frozenset[str]]]:
 
 
 @cache
-def _slips(known: frozenset[str]) -> Slips:
-    return Slips(known)
+def _slips(known: frozenset[str]) -> WordSlips:
+    return WordSlips(known)
 
 
 def _below(root: Element) -> Iterator[MisspeltWord]:

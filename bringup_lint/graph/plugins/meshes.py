@@ -10,7 +10,7 @@ from bringup_lint.discover.tree import is_below
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.xml import parse
 from bringup_lint.pattern import regex
-from bringup_lint.spelling import Slips
+from bringup_lint.spelling import WordSlips
 
 if TYPE_CHECKING:
     from bringup_lint.discover.tree import Tree
@@ -91,7 +91,7 @@ class _Shelf:
         self._folder = package.folder
         self._by_path: dict[str, list[str]] = {}
         self._in_folder: dict[str, list[str]] = {}
-        self._slips: dict[str, Slips] = {}
+        self._slips: dict[str, WordSlips] = {}
         for each in tree.walked_below(package.folder):
             if each.lower().endswith(_ENDINGS):
                 path = os.path.relpath(os.path.abspath(each), package.folder)
@@ -106,6 +106,6 @@ class _Shelf:
             return found[0] if len(found) == 1 else None
         folder, name = os.path.split(inner)
         if folder not in self._slips:
-            self._slips[folder] = Slips(self._in_folder.get(folder, ()))
+            self._slips[folder] = WordSlips(self._in_folder.get(folder, ()))
         near = self._slips[folder].meant(name)
         return os.path.join(folder, near) if near is not None else None

@@ -15,7 +15,7 @@ from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.xml import parse
 from bringup_lint.pattern import regex
 from bringup_lint.source import Span
-from bringup_lint.spelling import Slips
+from bringup_lint.spelling import WordSlips
 
 if TYPE_CHECKING:
     from bringup_lint.discover.tree import Tree
@@ -121,7 +121,10 @@ def _of_files(files: Files, params: Params, known: Described, names: _Names) -> 
                 if _OF_FRAME.search(match[1]):
                     names.add(match[1], source.span(*match.span(1)), 2)
     likely = {name for name, count in names.count.items() if count > 1}
-    slips, beside = Slips(likely), {name: Slips(same[name]) for name in {parameter for _, _, parameter in lonely}}
+    slips, beside = (
+        WordSlips(likely),
+        {name: WordSlips(same[name]) for name in {parameter for _, _, parameter in lonely}},
+    )
     for name, span, parameter in lonely:
         near = slips.meant(name) or beside[parameter].among_own(name)
         if near is not None:
@@ -131,7 +134,7 @@ def _of_files(files: Files, params: Params, known: Described, names: _Names) -> 
 def _of_descriptions(
     elements: list[tuple[Source, Element]], known: Described, links: _Names, joints: _Names
 ) -> Iterator[Misspelt]:
-    slips = {"link": Slips(links.places), "joint": Slips(joints.places)}
+    slips = {"link": WordSlips(links.places), "joint": WordSlips(joints.places)}
     for source, element in elements:
         if not source.judged:
             continue
@@ -164,13 +167,13 @@ def _of_hardware(files: Files, elements: list[tuple[Source, Element]], hardware:
             if _ASKED.search(source.text, max(0, match.start() - _BEFORE), match.start()):
                 asked.add(match[1])
     meant = {*code.places, *_INTERFACES}
-    slips = Slips({*meant, *(each for each, count in hardware.count.items() if count > 1)})
+    slips = WordSlips({*meant, *(each for each, count in hardware.count.items() if count > 1)})
     for name, place in hardware.places.items():
         if place is not None and place.source.judged and hardware.count[name] == 1 and name not in meant:
             near = slips.meant(name)
             if near is not None:
                 yield Misspelt(name, place, "hardware", near, code.places.get(near) or hardware.places.get(near))
-    slips = Slips(hardware.places)
+    slips = WordSlips(hardware.places)
     for name, place in code.places.items():
         if place is not None and place.source.judged and code.count[name] == 1 and name not in hardware.places:
             near = slips.meant(name)

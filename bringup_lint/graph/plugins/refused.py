@@ -19,7 +19,7 @@ from bringup_lint.parsers.xml import parse
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Span
-from bringup_lint.spelling import Slips
+from bringup_lint.spelling import WordSlips
 from bringup_lint.spelling import slip_of
 
 if TYPE_CHECKING:
@@ -96,8 +96,8 @@ def _like(workspace: Workspace, filename: Located) -> str:
 
 
 @kept
-def _slips(workspace: Workspace) -> Slips:
-    return Slips(path.rpartition("/")[2] for path in descriptions(workspace.tree))
+def _slips(workspace: Workspace) -> WordSlips:
+    return WordSlips(path.rpartition("/")[2] for path in descriptions(workspace.tree))
 
 
 def _is_read(refused: Refused) -> bool:

@@ -15,7 +15,7 @@ from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.xml import parse
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
-from bringup_lint.spelling import Slips
+from bringup_lint.spelling import WordSlips
 
 if TYPE_CHECKING:
     from bringup_lint.discover.tree import Tree
@@ -58,9 +58,9 @@ class Scope:
     """More may be defined elsewhere."""
     is_opaque: bool = False
     """Macros have parameters or names that are not known."""
-    _slips: dict[str, Slips] = field(default_factory=dict)
+    _slips: dict[str, WordSlips] = field(default_factory=dict)
 
-    def slips(self, what: str) -> Slips:
+    def slips(self, what: str) -> WordSlips:
         """The known ``names``, ``macros`` or ``arguments``, by which misspelt ones are found."""
         if what not in self._slips:
             known: dict[str, Iterable[str]] = {
@@ -68,7 +68,7 @@ class Scope:
                 "macros": (*self.macros, *BUILT_IN),
                 "arguments": self.arguments,
             }
-            self._slips[what] = Slips(known[what])
+            self._slips[what] = WordSlips(known[what])
         return self._slips[what]
 
 
