@@ -49,6 +49,8 @@ from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
     from bringup_lint.graph.dependencies.interface_lines import RefusedDefinition
+    from bringup_lint.graph.dependencies.misspelt_builds import MisspeltWord
+    from bringup_lint.graph.dependencies.misspelt_depends import MisspeltDependency
     from bringup_lint.graph.dependencies.setup_settings import UnreadSetting
     from bringup_lint.graph.files import Files
     from bringup_lint.graph.launch.launch import Launch
@@ -130,6 +132,14 @@ class Dependencies:
 
         found = self._files.parsed(package_xml.parse, self._files.of_kind("ros-package"))
         return [each for each in found if each.source.judged and not self._files.is_test_data(each.source)]
+
+    def misspelt_words(self, package: Package) -> Iterator[MisspeltWord]:
+        """Words of the CMakeLists.txt of a package that mean nothing, and that are a letter away from one that does."""
+        from bringup_lint.graph.dependencies.misspelt_builds import misspelt_words
+
+        manifest = package.manifest
+        is_judged = manifest.source.judged and not self._files.is_test_data(manifest.source)
+        return misspelt_words(self._launch.workspace, package) if is_judged else iter(())
 
     @property
     def unread_settings(self) -> Iterator[UnreadSetting]:
@@ -363,6 +373,13 @@ class Dependencies:
         for package in self._launch.workspace.packages.values():
             if self.judged(package) and package.manifest.build_type.startswith("ament_"):
                 yield from (name for _, name in package.manifest.depends if self._is_unresolved(name))
+
+    @property
+    def misspelt_dependencies(self) -> Iterator[MisspeltDependency]:
+        """Dependencies in package.xml that nobody has, and that are a letter away from one that somebody has."""
+        from bringup_lint.graph.dependencies.misspelt_depends import misspelt_dependencies
+
+        return misspelt_dependencies(self._launch.workspace, self.manifests, self.is_fetched)
 
     def _is_unresolved(self, name: Located) -> bool:
         if name in self._own or instead_of(name) is None:
