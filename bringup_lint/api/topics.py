@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.topics.questions.other_ends import used_at
     from bringup_lint.graph.topics.questions.recorded import misspelt_records
     from bringup_lint.graph.topics.questions.single_names import single_names
+    from bringup_lint.graph.topics.questions.single_parameters import single_parameters
     from bringup_lint.graph.topics.questions.transform_files import rivals_in_files
     from bringup_lint.graph.topics.questions.two_parents import two_parents
     from bringup_lint.graph.topics.questions.unmatched import without_publisher
@@ -67,6 +68,7 @@ __all__ = [
     "rivals_in_files",
     "shared_by_namespaces",
     "single_names",
+    "single_parameters",
     "tail",
     "too_reliable",
     "two_parents",
