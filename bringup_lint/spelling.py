@@ -43,27 +43,20 @@ def nearest(word: str, known: Iterable[Word], farthest: int = 2) -> list[Word]:
 
 
 class WordSlips:
-    """Known names, of which each misspelt one is found in a time that does not depend on how many they are."""
+    """Names of several words, of which each misspelt one is found in a time that does not depend on how many there
+    are."""
 
     def __init__(self, known: Iterable[str]) -> None:
-        self._known = {each for each in known if len(each) <= _LONGEST}
-        self._longer: dict[str, list[str]] = {}
-        """A known name without one letter -> the name."""
-        for name in sorted(self._known):
-            for each in _shorter(name):
-                self._longer.setdefault(each, []).append(name)
+        self._near = Neighbours(known)
 
     def meant(self, name: str) -> str | None:
         """The one known name that differs in one of its words, by a letter more or less or by two neighbours that
         changed places. A plural, a past tense, another first letter or another number is another name."""
-        return None if name in self._known else self.among_own(name)
+        return None if name in self._near.known else self.among_own(name)
 
     def among_own(self, name: str) -> str | None:
         """The same for a name that is itself among those that are known."""
-        if len(name) > _LONGEST:
-            return None
-        near = set(self._longer.get(name, ())) | (self._known & {*_shorter(name), *_swapped(name)})
-        found = [each for each in near if _is_slip(name, each)]
+        found = [each for each in self._near.near(name, _SHORTEST) if _is_slip(name, each)]
         return found[0] if len(found) == 1 else None
 
 
@@ -72,18 +65,10 @@ def slip_of(name: str, known: Iterable[str]) -> str | None:
     return WordSlips(known).meant(name)
 
 
-def _shorter(name: str) -> set[str]:
-    return {name[:at] + name[at + 1 :] for at in range(len(name))}
-
-
-def _swapped(name: str) -> set[str]:
-    return {name[:at] + name[at + 1] + name[at] + name[at + 2 :] for at in range(len(name) - 1)}
-
-
 def _is_slip(name: str, other: str) -> bool:
     one, two = _SEPARATOR.split(name), _SEPARATOR.split(other)
     differing = [(a, b) for a, b in zip(one, two, strict=False) if a != b]
-    if len(one) != len(two) or len(differing) != 1:
+    if len(one) != len(two) or len(differing) != 1 or (len(name) == len(other) and sorted(name) != sorted(other)):
         return False
     a, b = differing[0]
     if max(len(a), len(b)) < _SHORTEST or a[:1] != b[:1] or a.rstrip("sd") == b.rstrip("sd"):
@@ -145,8 +130,9 @@ class Neighbours:
     neighbours exchanged. To look a word up takes as long as the word is, however many are known."""
 
     def __init__(self, known: Iterable[str]) -> None:
-        self.known = frozenset(known)
+        self.known = frozenset(each for each in known if len(each) <= _LONGEST)
         self._shorter: dict[str, list[str]] = {}
+        """A known word without one letter -> the word."""
         for word in sorted(self.known):
             for short in _without_a_letter(word):
                 self._shorter.setdefault(short, []).append(word)
@@ -155,9 +141,9 @@ class Neighbours:
         """The known words of three letters or more for which this unknown one of four or more may stand."""
         return [] if word in self.known else self.near(word)
 
-    def near(self, word: str) -> list[str]:
+    def near(self, word: str, shortest: int = 4) -> list[str]:
         """The same for one that may be known itself, without that one."""
-        if not 3 < len(word) <= _LONGEST:
+        if not shortest <= len(word) <= _LONGEST:
             return []
         shorter = _without_a_letter(word)
         near = {each for each in shorter if each in self.known}
