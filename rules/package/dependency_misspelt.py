@@ -1,4 +1,4 @@
-"""A package.xml depends on a package that nobody has, and that is a letter away from one that somebody has.
+"""A package.xml depends on a package that nobody has, one letter away from one that is there.
 
 ## What it finds
 Dependencies that are no package of the tree and no public one that is known, that only one package.xml names, and from
