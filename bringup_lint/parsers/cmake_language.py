@@ -110,8 +110,12 @@ class Language(Variables):
 
     def define(self, given: list[Command], at: int, end: int) -> None:
         """Keep a function for its calls; one that neither installs nor makes anything need not be run."""
-        found = None if self.is_harmless(given, at, end) else defined(given, at, end)
-        if found is not None:
+        if self.is_harmless(given, at, end):
+            return
+        found = defined(given, at, end)
+        if found is None:
+            self.open()
+        else:
             name = self.expand(given[at].arguments[0]) or given[at].arguments[0]
             self.functions[str(name).lower()] = found
 

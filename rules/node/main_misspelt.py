@@ -46,8 +46,9 @@ ASKED = regex(
 
 @rule("warning", fix="safe", silent="the program ends with status 0 and prints nothing")
 def main_misspelt(robot: Robot) -> Iterator[Finding]:
-    for source in robot.of_kind("python-node"):
-        for match in ASKED.finditer(source.said) if source.judged else ():
+    judged = [source for source in robot.of_kind("python-node") if source.judged]
+    for source in judged:
+        for match in ASKED.finditer(source.said):
             word = source.located(*match.span(1))
             if word != MAIN and nearest(word, [MAIN]):
                 yield finding(

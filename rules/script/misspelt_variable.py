@@ -70,7 +70,7 @@ ASSIGNED = regex(r"[A-Za-z_]\w*(?==)")
 SET = regex(r"[A-Za-z_]\w*(?=\+?=|\Z)")
 DECLARES = ("export", "declare", "readonly", "typeset", "local", "read")
 LOOP = regex(r"\bfor[ \t]+([A-Za-z_]\w*)")
-READ = regex(r"\$(?:(?P<plain>[A-Za-z_]\w{4,})|\{(?P<braced>[A-Za-z_]\w{4,})(?:\[[@*\d]\]|[%#/^,][^}]*)?\})")
+READ = regex(r"\$(?:(?P<plain>[A-Za-z_]\w{4,})|\{(?P<braced>[A-Za-z_]\w{4,})(?:\[[@*\d]\]|[%#/^,][^}\n]{0,200})?\})")
 WELL_KNOWN = (
     "AMENT_PREFIX_PATH BASH_SOURCE CMAKE_PREFIX_PATH COLCON_PREFIX_PATH DEBIAN_FRONTEND DISPLAY FUNCNAME HOSTNAME "
     "LD_LIBRARY_PATH LOGNAME OLDPWD PIPESTATUS PYTHONPATH ROS_DISTRO SUDO_USER XAUTHORITY XDG_RUNTIME_DIR"

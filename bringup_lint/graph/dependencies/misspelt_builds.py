@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable
 from collections.abc import Iterator
 from functools import cache
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 from bringup_lint.facts import rows
@@ -17,7 +17,7 @@ from bringup_lint.parsers.cmake_commands import commands
 from bringup_lint.parsers.cmake_language import named_for
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
-from bringup_lint.spelling import nearest
+from bringup_lint.spelling import Neighbours
 from bringup_lint.spelling import numbered
 
 if TYPE_CHECKING:
@@ -84,7 +84,7 @@ class _Seen:
 
     def __init__(self, package: Package, workspace: Workspace, given: list[Command]) -> None:
         self.package = package
-        self.text = "".join(build.source.text for build in package.builds)
+        self.read = {name for build in package.builds for name in _VARIABLE.findall(build.source.text)}
         self.defined = {str(each.arguments[0]).lower() for each in given if each.name in _MAKERS and each.arguments}
         self.uses = Counter(each.name for each in given)
         self.made: dict[str, Located] = {}
@@ -94,6 +94,18 @@ class _Seen:
             self._read(command)
         self.depends = {str(name): name for _, name in package.manifest.depends}
         self.packages = {*workspace.packages, *workspace.ambiguous, *released(), *self.depends}
+
+    @cached_property
+    def slips_of_targets(self) -> Neighbours:
+        return Neighbours(self.made)
+
+    @cached_property
+    def slips_of_depends(self) -> Neighbours:
+        return Neighbours(self.depends)
+
+    @cached_property
+    def slips_of_found(self) -> Neighbours:
+        return Neighbours(self.found)
 
     def _read(self, command: Command) -> None:
         words = command.arguments
@@ -109,12 +121,28 @@ class _Seen:
                     self.set.setdefault(str(word), word)
 
 
-def _near(word: Located, known: Iterable[str]) -> str | None:
+@cache
+def _slips_of_command(command: str) -> Neighbours:
+    """The words that a command knows; without a name, the commands."""
+    return Neighbours(_words()[command] if command else named_for("command") | _FLOW)
+
+
+@cache
+def _slips_of_packages() -> Neighbours:
+    return Neighbours(current())
+
+
+_SLIPS_OF_VARIABLES = Neighbours(_BUILT_IN)
+_SLIPS_OF_TESTING = Neighbours(("BUILD_TESTING",))
+_SLIPS_OF_FOLDERS = Neighbours(("share", "include"))
+
+
+def _near(word: Located, *known: Neighbours) -> str | None:
     """The one known word that is a letter away."""
-    known = set(known)
-    if len(word) < _SHORTEST or word in known:
+    if len(word) < _SHORTEST or any(word in each.known for each in known):
         return None
-    near = [each for each in nearest(word, sorted(known), 1) if not numbered(each, word) and each[:1] == word[:1]]
+    found = dict.fromkeys(near for each in known for near in each.meant(word))
+    near = [each for each in found if not numbered(each, word) and each[:1] == word[:1]]
     # What differs by an "s" at the end is often another word.
     return near[0] if len(near) == 1 and f"{near[0]}s" != word and f"{word}s" != near[0] else None
 
@@ -123,31 +151,32 @@ def _of_command(seen: _Seen, command: Command) -> Iterator[MisspeltWord]:
     package, words = seen.package, command.arguments
     if words and command.name not in seen.defined and seen.uses[command.name] == 1 and _is_unknown(command):
         first = words[0].span
-        start = first.source.text.rfind("(", 0, first.start)
-        end = len(first.source.text[:start].rstrip())
+        end = first.source.text.rfind("(", 0, first.start)
+        while first.source.text[end - 1] in " \t":
+            end -= 1
         name = first.source.located(end - len(command.name), end)
-        near = _near(Located(command.name, name.span), named_for("command") | _FLOW)
+        near = _near(Located(command.name, name.span), _slips_of_command(""))
         if near and name.lower() == command.name:
             yield MisspeltWord("command", name, near, package)
             return
     known = _words().get(command.name, frozenset())
-    for word in words if known else ():
-        if _CAPITALS.match(word) and word not in known and f"${{{word}}}" not in seen.text:
-            near = _near(word, known)
-            if near:
-                yield MisspeltWord("word", word, near, package)
+    unknown = [word for word in words if known and word not in known and _CAPITALS.match(word)]
+    for word in unknown:
+        near = _near(word, _slips_of_command(command.name)) if word not in seen.read else None
+        if near:
+            yield MisspeltWord("word", word, near, package)
     yield from _of_targets(seen, command)
     yield from _of_packages(seen, command)
     yield from _of_folders(seen, command)
     for word in words:
         for match in _VARIABLE.finditer(word):
             name = word.part(*match.span(1))
-            near = None if name in seen.set or name in _BUILT_IN else _near(name, {*_BUILT_IN})
+            near = None if name in seen.set or name in _BUILT_IN else _near(name, _SLIPS_OF_VARIABLES)
             if near:
                 yield MisspeltWord("variable", name, near, package)
     if command.name in ("if", "elseif"):
         for word in words:
-            if _CAPITALS.match(word) and _near(word, ["BUILD_TESTING"]) and word not in (*seen.set, "BUILD_TESTING"):
+            if _CAPITALS.match(word) and word not in seen.set and _near(word, _SLIPS_OF_TESTING):
                 yield MisspeltWord("variable", word, "BUILD_TESTING", package)
 
 
@@ -163,7 +192,7 @@ def _of_targets(seen: _Seen, command: Command) -> Iterator[MisspeltWord]:
         used = words[1 : next(ends, len(words))]
     for word in used:
         if word not in seen.made and _TARGET.match(word) and not word.isupper():
-            near = _near(word, seen.made)
+            near = _near(word, seen.slips_of_targets)
             if near:
                 yield MisspeltWord("target", word, near, seen.package, seen.made[near])
 
@@ -171,7 +200,7 @@ def _of_targets(seen: _Seen, command: Command) -> Iterator[MisspeltWord]:
 def _of_packages(seen: _Seen, command: Command) -> Iterator[MisspeltWord]:
     words = command.arguments
     if command.name == "find_package" and words and words[0] not in seen.packages and _NAME.match(words[0]):
-        near = _near(words[0], {*seen.depends, *current()})
+        near = _near(words[0], seen.slips_of_depends, _slips_of_packages())
         if near:
             yield MisspeltWord("package", words[0], near, seen.package, seen.depends.get(near))
     if command.name not in _OF_PACKAGES:
@@ -182,7 +211,7 @@ def _of_packages(seen: _Seen, command: Command) -> Iterator[MisspeltWord]:
         behind = words[at:]
     for word in behind if command.name != "ament_target_dependencies" else words[1:]:
         if _NAME.match(word) and word not in seen.found and word not in seen.packages and not word.isupper():
-            near = _near(word, {*seen.found, *seen.depends})
+            near = _near(word, seen.slips_of_found, seen.slips_of_depends)
             if near:
                 place = seen.found.get(near) or seen.depends.get(near)
                 yield MisspeltWord("package", word, near, seen.package, place)
@@ -193,7 +222,7 @@ def _of_folders(seen: _Seen, command: Command) -> Iterator[MisspeltWord]:
         return
     for before, word in zip(command.arguments, command.arguments[1:]):
         first = word.part(0, len(word.partition("/")[0]))
-        near = _near(first, ["share", "include"]) if before == "DESTINATION" and "/" in word else None
+        near = _near(first, _SLIPS_OF_FOLDERS) if before == "DESTINATION" and "/" in word else None
         if near:
             yield MisspeltWord("folder", first, near, seen.package)
 
