@@ -7,6 +7,7 @@ from functools import cache
 from bringup_lint.facts import table
 from bringup_lint.facts.ros.brought import brought_packages
 from bringup_lint.facts.ros.public_programs import ROS1
+from bringup_lint.spelling import Neighbours
 
 _TABLES = ("base", "carried", "launch_arguments", "lifecycle_nodes", "node_parameters", "parameter_free")
 _ALIKE = frozenset(
@@ -31,3 +32,9 @@ def current() -> tuple[str, ...]:
     """Those that ROS 2 has, for which a misspelt name may stand, in order."""
     gone = {row["package"] for row in table("ros/public_programs") if row["last"] == ROS1}
     return tuple(sorted(released() - gone - _ALIKE))
+
+
+@cache
+def near_current() -> Neighbours:
+    """The same, to look up what is misspelt."""
+    return Neighbours(current())

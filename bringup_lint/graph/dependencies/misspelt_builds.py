@@ -9,7 +9,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from bringup_lint.facts import rows
-from bringup_lint.facts.ros.released import current
+from bringup_lint.facts.ros.released import near_current
 from bringup_lint.facts.ros.released import released
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.cmake_commands import Command
@@ -127,11 +127,6 @@ def _slips_of_command(command: str) -> Neighbours:
     return Neighbours(_words()[command] if command else named_for("command") | _FLOW)
 
 
-@cache
-def _slips_of_packages() -> Neighbours:
-    return Neighbours(current())
-
-
 _SLIPS_OF_VARIABLES = Neighbours(_BUILT_IN)
 _SLIPS_OF_TESTING = Neighbours(("BUILD_TESTING",))
 _SLIPS_OF_FOLDERS = Neighbours(("share", "include"))
@@ -200,7 +195,7 @@ def _of_targets(seen: _Seen, command: Command) -> Iterator[MisspeltWord]:
 def _of_packages(seen: _Seen, command: Command) -> Iterator[MisspeltWord]:
     words = command.arguments
     if command.name == "find_package" and words and words[0] not in seen.packages and _NAME.match(words[0]):
-        near = _near(words[0], seen.slips_of_depends, _slips_of_packages())
+        near = _near(words[0], seen.slips_of_depends, near_current())
         if near:
             yield MisspeltWord("package", words[0], near, seen.package, seen.depends.get(near))
     if command.name not in _OF_PACKAGES:

@@ -8,10 +8,10 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.facts.ros.needed import base
-from bringup_lint.facts.ros.released import current
+from bringup_lint.facts.ros.released import near_current
 from bringup_lint.facts.ros.released import released
 from bringup_lint.named_tuple import NamedTuple
-from bringup_lint.spelling import nearest
+from bringup_lint.spelling import Neighbours
 from bringup_lint.spelling import numbered
 
 if TYPE_CHECKING:
@@ -37,7 +37,7 @@ def misspelt_dependencies(
     places = {str(name): name for each in manifests for _, name in each.depends}
     places |= {str(each.name): each.name for each in manifests if each.name}
     own = {*workspace.packages, *workspace.ambiguous, *(str(each.name) for each in manifests)}
-    known = {*own, *current(), *(name for name, count in declared.items() if count > 1)}
+    known = Neighbours((*own, *(name for name, count in declared.items() if count > 1)))
     for manifest in manifests:
         for tag, name in manifest.depends:
             text = str(name)
@@ -48,10 +48,11 @@ def misspelt_dependencies(
                 yield MisspeltDependency(name, meant, places.get(meant))
 
 
-def _near(word: str, known: set[str]) -> str | None:
-    if len(word) < _SHORTEST or word in known:
+def _near(word: str, known: Neighbours) -> str | None:
+    if len(word) < _SHORTEST or word in known.known or word in near_current().known:
         return None
-    near = [each for each in nearest(word, sorted(known), 1) if not numbered(each, word) and each[0] == word[0]]
+    found = dict.fromkeys((*known.meant(word), *near_current().meant(word)))
+    near = [each for each in found if not numbered(each, word) and each[0] == word[0]]
     return near[0] if len(near) == 1 and _is_meant(word, near[0]) else None
 
 
