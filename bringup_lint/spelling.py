@@ -152,7 +152,8 @@ class Neighbours:
 
 
 def _without_a_letter(word: str) -> set[str]:
-    return {word[:at] + word[at + 1 :] for at in range(len(word))}
+    """What is left without each letter in turn. Digits stay: names with other numbers are other names, and many."""
+    return {word[:at] + word[at + 1 :] for at, letter in enumerate(word) if not letter.isdigit()}
 
 
 def is_slip(word: str, meant: str) -> bool:

@@ -30,15 +30,23 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
+from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api import topics
+from bringup_lint.api.params import undeclared
+from bringup_lint.api.params import unknown_to_public
+from bringup_lint.api.params import unread
 
 
 @rule("warning", confidence="medium", symptoms=["ParameterNotDeclaredException"])
 def name_misspelt(robot: Robot) -> Iterator[Finding]:
-    for each in topics.single_parameters(robot.topics):
+    misspelt = list(topics.single_parameters(robot.topics))
+    told = _told(robot) if misspelt else set()
+    for each in misspelt:
+        if each.name.span in told:
+            continue
         effect = "no node takes the value" if each.given else "the node does not get what others give"
         yield finding(
             each.name,
@@ -46,3 +54,10 @@ def name_misspelt(robot: Robot) -> Iterator[Finding]:
             advice=f"write {each.meant}",
             related=[note(each.meant, "the name that others use")],
         )
+
+
+def _told(robot: Robot) -> set[Span]:
+    """The places of which params/not-declared speaks."""
+    told = {given.place.span for found in undeclared(robot.topics) for given in found.given}
+    told |= {each.key.span for group in unknown_to_public(robot.params, robot.launch) for each in group.parameters}
+    return told | {each.key.span for group in unread(robot.params, robot.launch) for each in group.parameters}

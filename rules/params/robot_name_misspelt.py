@@ -54,10 +54,7 @@ _WHAT = {
 @rule(
     "warning",
     confidence="medium",
-    symptoms=[
-        'Invalid frame ID "*" passed to canTransform argument source_frame - frame does not exist',
-        "Not acceptable command interfaces combination",
-    ],
+    silent="what looks the name up waits, or says that it is not there, and names no file",
 )
 def robot_name_misspelt(robot: Robot) -> Iterator[Finding]:
     misspelt = robot.plugins.misspelt_names

@@ -49,7 +49,6 @@ from bringup_lint.api.params import XacroRefused
         "Undefined parameters [*]",
         "Not enough blocks",
         "missing attribute '*'",
-        "Undefined substitution argument *",
     ],
 )
 def xacro_name_unknown(robot: Robot) -> Iterator[Finding]:

@@ -7,13 +7,13 @@ from collections.abc import Callable
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from bringup_lint.facts.ros.released import current
+from bringup_lint.facts.ros.released import near_current
 from bringup_lint.facts.ros.released import released
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
-from bringup_lint.spelling import nearest
+from bringup_lint.spelling import Neighbours
 from bringup_lint.spelling import numbered
 
 if TYPE_CHECKING:
@@ -87,6 +87,7 @@ class _Known:
         depends = (name for package in workspace.packages.values() for _, name in package.manifest.depends)
         self._declared = {str(name): name for name in depends}
         self._names = {*workspace.packages, *workspace.ambiguous, *self._declared, *released()}
+        self._own = Neighbours((*workspace.packages, *self._declared))
         self._meant: dict[str, Located | str | None] = {}
 
     def meant(self, name: Located) -> Located | str | None:
@@ -99,11 +100,8 @@ class _Known:
     def _nearest(self, name: str) -> Located | str | None:
         if len(name) < _SHORTEST or _PLACEHOLDER.search(name):
             return None
-        near = [
-            each
-            for each in nearest(name, sorted({*self._workspace.packages, *self._declared, *current()}), 1)
-            if each[0] == name[0] and not numbered(each, name)
-        ]
+        found = dict.fromkeys((*self._own.meant(name), *near_current().meant(name)))
+        near = [each for each in found if each[0] == name[0] and not numbered(each, name)]
         if len(near) != 1:
             return None
         package = self._workspace.packages.get(near[0])

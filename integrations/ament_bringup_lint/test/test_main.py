@@ -13,12 +13,21 @@ from ament_bringup_lint.xunit import suite_name
 
 BAD = '[Service]\nExecStart=/opt/rover/drive\nEnvironment="A=1\n'
 WARNED = 'SUBSYSTEM=="tty", ATTRS{serial}=="A5XK3RJT", GROUP="dialout", MODE="0666"\n'
+MANIFEST = """\
+<package format="3">
+  <name>rover</name>
+  <version>0.1.0</version>
+  <description>Rover</description>
+  <maintainer email="dev@example.com">dev</maintainer>
+  <license>MIT</license>
+</package>
+"""
 GOOD = "*.log {\n    weekly\n    rotate 4\n    copytruncate\n}\n"
 
 
 @pytest.fixture
 def package(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    (tmp_path / "package.xml").write_text("<package format='3'><name>rover</name></package>")
+    (tmp_path / "package.xml").write_text(MANIFEST)
     monkeypatch.chdir(tmp_path)
     return tmp_path
 

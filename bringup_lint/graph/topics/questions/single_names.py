@@ -17,7 +17,7 @@ from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
-from bringup_lint.spelling import edits
+from bringup_lint.spelling import Neighbours
 
 if TYPE_CHECKING:
     from bringup_lint.graph.topics.topics import Topics
@@ -92,24 +92,16 @@ def written_names(sources: Iterable[Source]) -> dict[str, list[Located]]:
 
 def a_letter_apart(ends: Iterable[str], written: Iterable[str]) -> Iterator[tuple[str, str]]:
     """Each name of an end with the only other one that is a letter away from it."""
-    without: dict[str, list[str]] = {}
-    for name in written:
-        for each in _with_one_less(name):
-            without.setdefault(each, []).append(name)
+    known = Neighbours(written)
     for name in ends:
-        candidates = {other for each in _with_one_less(name) for other in without.get(each, ())} - {name}
-        near = [other for other in candidates if _is_slip(name, other)]
+        near = [other for other in known.near(name) if _is_slip(name, other)]
         if len(near) == 1:
             yield name, near[0]
 
 
-def _with_one_less(name: str) -> set[str]:
-    return {name, *(name[:at] + name[at + 1 :] for at in range(len(name)))}
-
-
 def _is_slip(name: str, other: str) -> bool:
     """Whether one letter differs, inside a word of some length: numbers and plurals are other names."""
-    if name.replace("_", "") == other.replace("_", "") or edits(name, other, 1) != 1 or not nearly_equal(name, other):
+    if name.replace("_", "") == other.replace("_", "") or not nearly_equal(name, other):
         return False
     return not any(one == f"{two}s" for ours in [name.split("/")] for one, two in _words(ours, other.split("/")))
 
