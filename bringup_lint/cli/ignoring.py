@@ -72,9 +72,11 @@ def _new(robot: Robot, outcome: Outcome, config: Config) -> Iterator[Finding]:
 
 
 def _by_source(findings: Iterable[Finding]) -> Places:
+    """The findings of each file, also where the file was read as two kinds."""
     places: Places = defaultdict(list)
+    first: dict[str, Source] = {}
     for found in findings:
-        places[found.source].append(found)
+        places[first.setdefault(found.source.name, found.source)].append(found)
     return places
 
 
