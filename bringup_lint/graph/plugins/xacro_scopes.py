@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import fnmatch
+from collections.abc import Callable
 from collections.abc import Iterable
+from functools import cache
 from typing import TYPE_CHECKING
 
 from bringup_lint.dataclass import dataclass
@@ -77,7 +79,13 @@ def scopes(tree: Tree, workspace: Workspace) -> list[Scope]:
     known: dict[str, tuple[Source, Element]] = {}
     joined: dict[str, str] = {}
     opened: set[str] = set()
-    todo = descriptions(tree)
+    every = descriptions(tree)
+
+    @cache
+    def matching(pattern: str) -> list[str]:
+        return [each for each in every if fnmatch.fnmatchcase(each.rpartition("/")[2], pattern)]
+
+    todo = list(every)
     while todo and len(known) < _FILES:
         path = todo.pop()
         source = tree.read(path) if path not in joined else None
@@ -91,14 +99,13 @@ def scopes(tree: Tree, workspace: Workspace) -> list[Scope]:
         if refused_xml(source) is not None:
             opened.add(path)
         known[path] = source, root
-        for element in root.walk():
-            if element.name == "xacro:include":
-                paths = _included(tree, workspace, source, str(element.get("filename") or ""))
-                if not paths:
-                    opened.add(path)
-                for each in paths:
-                    todo.append(each)
-                    joined.setdefault(f"\0{each}\0{path}", path)
+        includes = (element for element in root.walk() if element.name == "xacro:include")
+        for filename in dict.fromkeys(str(each.get("filename") or "") for each in includes):
+            paths = _included(tree, workspace, source, filename, matching)
+            if not paths:
+                opened.add(path)
+            todo += (each for each in paths if each not in joined)
+            joined.update((f"\0{each}\0{path}", path) for each in paths)
     _join(joined)
     found: dict[str, Scope] = {}
     for path, (source, root) in known.items():
@@ -124,8 +131,11 @@ def _root(joined: dict[str, str], path: str) -> str:
     return path
 
 
-def _included(tree: Tree, workspace: Workspace, source: Source, filename: str) -> list[str]:
-    """The files that one include may lead to; nothing when they are not known."""
+def _included(
+    tree: Tree, workspace: Workspace, source: Source, filename: str, matching: Callable[[str], list[str]]
+) -> list[str]:
+    """The files that one include may lead to; nothing when they are not known. ``matching`` gives the descriptions
+    whose names match a pattern."""
     found = included(workspace, source, filename) if filename else None
     if found is not None:
         return [found.file] if found.file is not None else []
@@ -134,7 +144,7 @@ def _included(tree: Tree, workspace: Workspace, source: Source, filename: str) -
         return []
     if "*" not in base:
         return list(tree.named(base))
-    return [each for each in descriptions(tree) if fnmatch.fnmatchcase(each.rpartition("/")[2], base)]
+    return matching(base)
 
 
 def _take(scope: Scope, root: Element) -> None:
