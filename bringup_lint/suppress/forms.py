@@ -30,6 +30,7 @@ XML_KINDS = frozenset(
         "sros2-governance",
         "sros2-permissions",
         "sros2-policy",
+        "urdf",
     }
 )
 _NO_COMMENTS = frozenset({"sros2-certificate", "sros2-key", "ssh-private-key"})

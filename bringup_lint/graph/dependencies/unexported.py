@@ -61,7 +61,7 @@ def unexported(files: Files, package: Package) -> Iterator[Unexported]:
     named = _INSTALLS.sub("", text)
     descriptions = (path for path in files.tree.walked_below(package.folder) if path.endswith(".xml"))
     unnamed = (path for path in descriptions if os.path.basename(path) not in named)
-    described = [(path, found) for path in unnamed if (found := _first_class(files.tree.read(path), targets))]
+    described = [(path, found) for path in unnamed if (found := _first_class(files.tree.at(path), targets))]
     if not described or not _makes_plugins(files, package):
         return
     for path, found in described:

@@ -142,7 +142,7 @@ class RosEnvironment:
         tree = self.files.tree
         found = {source.name: source for source in self.files.sources if _LOGIN.search(f"/{source.name}")}
         for path in (path for name in _LOGIN_NAMES for path in tree.named(name)):
-            source = None if display_name(path) in found else tree.read(path)
+            source = None if display_name(path) in found else tree.at(path)
             if source is not None:
                 found[source.name] = source
         return list(found.values())

@@ -79,7 +79,7 @@ def _addresses(
         named = (each for each in netplan().interfaces if each.device == name)
         found += [address.text for each in named for address in each.addresses]
     for path in files.tree.named("dhcpcd.conf"):
-        source = files.tree.read(path)
+        source = files.tree.at(path)
         if source is not None and source.judged:
             matches = (match for match in _DHCPCD.finditer(source.text) if match["name"] == name)
             found += [source.located(*match.span("address")) for match in matches]

@@ -111,7 +111,7 @@ def _serial_ports(files: Files) -> Iterator[OpenService]:
     """What ser2net hands to the network: a port without an address is that of all interfaces."""
     for name in ("ser2net.yaml", "ser2net.yml"):
         for path in files.tree.named(name):
-            source = files.tree.read(path)
+            source = files.tree.at(path)
             if source is None or not source.judged or files.purpose(source) is not Purpose.ROBOT:
                 continue
             for accepter in _ACCEPTER.finditer(source.text):

@@ -38,7 +38,7 @@ def lost_images(files: Files) -> Iterator[LostImage]:
     for path in tree.paths:
         if not _may_be_map(path) or not _IS_MAP.search(tree.head(path, _HEAD)):
             continue
-        source = tree.read(path)
+        source = tree.at(path)
         image = _image(source) if source is not None else None
         if source is None or image is None:
             continue

@@ -88,7 +88,7 @@ def _generated(tree: Tree, launch: Launch) -> Iterator[tuple[str, dict[str, Loca
         owner = launch.workspace.owner(file.source) if _GENERATES.search(text) else None
         if owner is None or "trajectory_execution" in text or not file.source.judged:
             continue
-        source = tree.read(os.path.join(owner.folder, "config", "moveit_controllers.yaml"))
+        source = tree.at(os.path.join(owner.folder, "config", "moveit_controllers.yaml"))
         if source is not None:
             names = {str(name).strip("/"): name for name in controller_names(source)}
             yield os.path.join(owner.folder, "config", "ros2_controllers.yaml"), names

@@ -93,7 +93,7 @@ def included_from(tree: Tree, paths: list[str]) -> list[str]:
     """Descriptions with all of the tree that they include, directly or not."""
     found, todo = dict.fromkeys(paths), list(paths)
     while todo and len(found) <= _FILES:
-        source = tree.read(todo.pop())
+        source = tree.at(todo.pop())
         names = _INCLUDED.findall(source.text) if source is not None else []
         for path in (each for name in names for each in tree.named(name.rpartition("/")[2])):
             if path not in found:
@@ -104,7 +104,7 @@ def included_from(tree: Tree, paths: list[str]) -> list[str]:
 
 def includes_elsewhere(tree: Tree, packages: Container[str], paths: list[str]) -> bool:
     """Whether one of these descriptions includes a file that the tree does not have."""
-    sources = (source for path in paths if (source := tree.read(path)) is not None)
+    sources = (source for path in paths if (source := tree.at(path)) is not None)
     names = (name for source in sources for name in _INCLUDED.findall(source.text))
     return not all(_is_there(tree, packages, name) for name in names)
 
@@ -117,7 +117,7 @@ def described(tree: Tree, packages: Container[str], paths: list[str] | None = No
     roots: list[Element] = []
     values = XacroValues()
     for path in paths[:_FILES]:
-        source = tree.read(path)
+        source = tree.at(path)
         root = parse(source).root if source is not None and not source.template else None
         if root is None:
             found.is_open = True

@@ -39,7 +39,7 @@ def published_joints(launch: Launch, tree: Tree, node: Started) -> dict[str, Fix
 def _named(tree: Tree, node: Started) -> Source | None:
     """The one description that the launch file names: its own code reads it."""
     paths = {path for name in set(_NAMED.findall(node.file.source.text)) for path in tree.named(name)}
-    return tree.read(paths.pop()) if len(paths) == 1 else None
+    return tree.at(paths.pop()) if len(paths) == 1 else None
 
 
 def _joints(launch: Launch, tree: Tree, source: Source, is_plain: bool) -> dict[str, FixedJoint]:

@@ -41,7 +41,7 @@ def gone_simulator_plugins(files: Files, workspace: Workspace) -> Iterator[GoneP
         return
     launched = [each for each in launched if _folder(workspace, each) in classic or not each.matches(_NEW)]
     sources = [source for source in files.of_kind("urdf") if source.judged]
-    parts = (files.tree.read(path) for path in files.tree.like(_PARTS))
+    parts = (files.tree.at(path) for path in files.tree.like(_PARTS))
     sources += [part for part in parts if part is not None]
     if not any(source.matches(_NAMED) for source in sources):
         return

@@ -159,7 +159,7 @@ def _of_hardware(files: Files, elements: list[tuple[Source, Element]], hardware:
     """Names in sources of hardware that descriptions have otherwise, and the reverse."""
     code, asked = _Names(), set[str]()
     for path in [each for each in files.tree.paths if each.endswith(CPP)][:_MOST]:
-        source = files.tree.read(path)
+        source = files.tree.at(path)
         if source is None or "hardware_interface" not in source.text:
             continue
         for match in _LITERAL.finditer(source.text):

@@ -51,21 +51,21 @@ class MoveItProblem(NamedTuple):
 def moveit_problems(tree: Tree, workspace: Workspace, params: Params) -> Iterator[MoveItProblem]:
     groups: dict[str, tuple[Located, ...] | None] = {}
     for path in tree.named(_KINEMATICS):
-        source = tree.read(path)
+        source = tree.at(path)
         owner = workspace.owner(source) if source is not None else None
         if source is not None and owner is not None and source.judged:
             if owner.folder not in groups:
                 groups[owner.folder] = _groups(tree, owner.folder)
             yield from _solvers(source, groups[owner.folder], params)
     for path in tree.named(_PLANNING):
-        source = tree.read(path)
+        source = tree.at(path)
         owner = workspace.owner(source) if source is not None else None
         if source is not None and owner is not None and source.judged:
             if owner.folder not in groups:
                 groups[owner.folder] = _groups(tree, owner.folder)
             yield from _planners(tree, source, groups[owner.folder], params)
     for path in tree.named(_CONTROLLERS):
-        source = tree.read(path)
+        source = tree.at(path)
         if source is not None and source.judged:
             yield from _controllers(source, params)
             yield from _actions(source, params)
@@ -77,7 +77,7 @@ def _groups(tree: Tree, folder: str) -> tuple[Located, ...] | None:
     paths = [path for path in tree.walked_below(folder) if ".srdf" in os.path.basename(path)]
     found: list[Located] = []
     for path in paths:
-        source = tree.read(path)
+        source = tree.at(path)
         root = parse_xml(source).root if source is not None and not source.template else None
         if root is None or "xacro:" in root.tag.source.text:
             return None

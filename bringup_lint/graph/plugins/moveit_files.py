@@ -116,7 +116,7 @@ def _text(node: ast.expr | None) -> str | None:
 def _semantic(tree: Tree, package: Package, model: str) -> str | None:
     """The SRDF that the builder opens by itself: that of the setup assistant, or the one with the robot's name."""
     path = f"{package.folder}/{_ASSISTANT}"
-    source = tree.read(path) if tree.is_file(path) else None
+    source = tree.at(path) if tree.is_file(path) else None
     if source is None:
         return f"config/{model}.srdf"
     return _assistant_srdf(source) or f"config/{model}.srdf"

@@ -76,7 +76,7 @@ def _sent_to(tree: Tree, group: Started) -> list[Located]:
     """The names in the one file of controllers that the launch file of MoveIt names, or that is read by default."""
     named = {each for each in _NAMED.findall(group.file.source.text) if "moveit" in each} or {_DEFAULT}
     paths = [path for each in named for path in tree.named(each)]
-    source = tree.read(paths[0]) if len(paths) == 1 else None
+    source = tree.at(paths[0]) if len(paths) == 1 else None
     return controller_names(source) if source is not None else []
 
 

@@ -79,7 +79,7 @@ def described_by(launch: Launch, tree: Tree, command: Concat) -> Source | None:
     if program.strip() != "xacro" or len(command.parts) <= at:
         return None
     found = launch.find(command.parts[at])
-    return tree.read(found.file) if found is not None and found.file is not None else None
+    return tree.at(found.file) if found is not None and found.file is not None else None
 
 
 def _declared(launch: Launch, tree: Tree, source: Source) -> set[str] | None:

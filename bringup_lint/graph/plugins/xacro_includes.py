@@ -69,7 +69,7 @@ def _included(
         elif element.name == "xacro:include":
             filename = _filled(str(element.get("filename") or ""), whole.defaults)
             found = included(workspace, source, filename)
-            file = tree.read(found.file) if found is not None and found.file is not None else None
+            file = tree.at(found.file) if found is not None and found.file is not None else None
             if file is None:
                 whole.missing.append(filename)
             else:

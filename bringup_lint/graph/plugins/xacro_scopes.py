@@ -88,7 +88,7 @@ def scopes(tree: Tree, workspace: Workspace) -> list[Scope]:
     todo = list(every)
     while todo and len(known) < _FILES:
         path = todo.pop()
-        source = tree.read(path) if path not in joined else None
+        source = tree.at(path) if path not in joined else None
         if source is None or "xacro" not in source.text:
             continue
         joined[path] = path

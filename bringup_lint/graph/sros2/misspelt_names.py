@@ -63,7 +63,7 @@ def _policies(files: Files) -> Iterator[Source]:
         paths = {source.absolute for source in own}
         for path in files.tree.paths:
             if path.endswith(".xml") and len(_POLICY.findall(files.tree.head(path, _HEAD))) > 1:
-                source = files.tree.read(path)
+                source = files.tree.at(path)
                 if source is not None and source.absolute not in paths:
                     yield source
 

@@ -60,7 +60,7 @@ class Watchdog:
         tree = self.files.tree
         known = {source.name: source for source in tree.sources}
         for path in [path for path in tree.paths if _PROGRAM.search(path)][:_MOST_PROGRAMS]:
-            source = known.get(path) or tree.read(path)
+            source = known.get(path) or tree.at(path)
             if source is None or "/dev/watchdog" not in source.text or _TEST.search(source.name):
                 continue
             match = _OPENS.search(source.text)

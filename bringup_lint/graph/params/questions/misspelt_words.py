@@ -76,7 +76,7 @@ def _of_files(files: Files) -> Iterator[MisspeltWord]:
         rows = [each for each in fixed_words() if each.where != (PARAMS,) and any(w in lowered for w in each.where)]
         head = tree.head(path, _HEAD) if rows else ""
         rows = [each for each in rows if f"{each.name}:" in head]
-        source = tree.read(path) if rows else None
+        source = tree.at(path) if rows else None
         if source is not None and source.judged:
             yield from _of_source(source, {each.name: each for each in rows})
 

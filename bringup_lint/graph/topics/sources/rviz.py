@@ -42,7 +42,7 @@ class Displays:
 
         if path not in self._read:
             there = path in set(self._files.tree.named(os.path.basename(path)))
-            source = self._files.tree.read(path) if there else None
+            source = self._files.tree.at(path) if there else None
             read = self._files.parsed(parse, [source] if source is not None and not source.template else [])
             self._read[path] = read[0] if read else []
         return self._read[path]
