@@ -24,6 +24,8 @@ class Form(NamedTuple):
     """Whether the form itself proves the secret, so that no look at the value is needed."""
     in_code: bool = True
     """Whether it means the same in Python and C++."""
+    begins: bool = False
+    """Whether it begins with ``NAME``, so that it is looked for at these places alone."""
 
 
 NAMES = ("pass", "psk", "secret", "token", "credential", "key", "pwd")
@@ -47,7 +49,9 @@ _NEXT = r"(?:,|\n)\s{0,80}(?:\#[^\n]*\n\s{0,80})?"
 
 def _form(words: str, pattern: str, *, certain: bool = False, in_code: bool = True, cased: bool = False) -> Form:
     flags = re.VERBOSE | re.MULTILINE | (0 if cased else re.IGNORECASE)
-    return Form(tuple(words.split()), NAME in pattern, regex(pattern, flags), certain, in_code)
+    return Form(
+        tuple(words.split()), NAME in pattern, regex(pattern, flags), certain, in_code, pattern.startswith(NAME)
+    )
 
 
 _SETTINGS = (

@@ -26,6 +26,7 @@ _NO_SECRET = regex(
 )
 _SET = regex(r"(?:pass(?:word|wd|phrase|wort|code)?|pwd|psk|secret|token|credential|key\d?)[\"'\]]*[ \t]*[:=>]")
 """A name that means a secret, in small letters, before what each form without words has after it."""
+_NAMED = regex(rf"(?={NAME})", re.IGNORECASE | re.VERBOSE)
 _CODE = (".py", *CPP)
 _MAPPED = regex(r"[:=][ \t]*[\"']?([^\s\"',]+)")
 _BODY = r"[ \t]*(?:\#[^\n]*)?\n(?P<body>(?:(?P=indent)[ \t]+[^\n]*(?:\n|$))+)"
@@ -72,10 +73,10 @@ def _stretches(source: Source) -> Iterator[tuple[int, int]]:
     text = source.text
     lowered = text.lower()
     code = source.name.endswith(_CODE)
-    for form in _possible(lowered):
-        if code and not form.in_code:
-            continue
-        for match in form.pattern.finditer(text):
+    forms = [form for form in _possible(lowered) if form.in_code or not code]
+    names = [each.start() for each in _NAMED.finditer(text)] if any(form.begins for form in forms) else []
+    for form in forms:
+        for match in _matches_at(form.pattern, text, names) if form.begins else form.pattern.finditer(text):
             value = match["secret"]
             if form.certain:
                 yield match.span("secret")
@@ -85,6 +86,16 @@ def _stretches(source: Source) -> Iterator[tuple[int, int]]:
                 yield match.span("secret")
     if not code:
         yield from _blocks(text, lowered)
+
+
+def _matches_at(pattern: re.Pattern[str], text: str, starts: list[int]) -> Iterator[re.Match[str]]:
+    """What ``finditer`` gives of a pattern that begins at one of these places, in ascending order."""
+    end = 0
+    for start in starts:
+        match = pattern.match(text, start) if start >= end else None
+        if match is not None:
+            end = match.end()
+            yield match
 
 
 def _possible(lowered: str) -> Iterator[Form]:

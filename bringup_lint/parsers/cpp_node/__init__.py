@@ -33,6 +33,7 @@ from bringup_lint.parsers.cpp_node.parameters import declarations
 from bringup_lint.parsers.cpp_node.parameters import is_open
 from bringup_lint.parsers.cpp_node.parameters import reads
 from bringup_lint.parsers.cpp_node.parameters import texts_as_bool
+from bringup_lint.parsers.cpp_node.profiles import Profiles
 from bringup_lint.parsers.cpp_node.races import races
 from bringup_lint.parsers.cpp_node.restamped import RESTAMPS
 from bringup_lint.parsers.cpp_node.restamped import restamped
@@ -130,8 +131,9 @@ def parse(source: Source) -> CppNode:
 
 
 def _read_calls(node: CppNode, code: Code, names: Names) -> None:
+    profiles = Profiles(code)
     for call in code.calls:
-        made = endpoint(code, names, call)
+        made = endpoint(code, names, profiles, call)
         if made is not None:
             node.endpoints.append(made[0])
         clocked = timer(code, call)

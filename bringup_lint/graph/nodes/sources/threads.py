@@ -36,7 +36,7 @@ def ends_thread(nodes: Nodes, source: Source, name: str) -> bool:
     """Whether the package of a C++ source joins or detaches a thread, or hands it to something that may. True where too
     much is there to be read."""
     sources = package_sources(nodes.files, nodes.launch.workspace.owner(source), source)
-    return any(each is None or name in _ended(each) for each in sources)
+    return any(each is None or name in _ended(each, name) for each in sources)
 
 
 def late_join(nodes: Nodes, source: CppNode, name: str) -> LateJoin | None:
@@ -50,13 +50,14 @@ def _is_joined_elsewhere(nodes: Nodes, source: Source, late: LateJoin) -> bool:
     sources = list(package_sources(nodes.files, nodes.launch.workspace.owner(source), source))
     if None in sources:
         return True
-    ends = [place for each in sources if each is not None for place in _ended(each).get(late.thread, ())]
+    ends = [place for each in sources if each is not None for place in _ended(each, late.thread).get(late.thread, ())]
     return len(ends) != len(late.joins)
 
 
-def _ended(source: Source) -> dict[str, set[int]]:
-    """Name -> the places of a source that end a thread of that name, or hand it to something that may."""
-    return source.once(_ended, lambda: _found(source))
+def _ended(source: Source, name: str) -> dict[str, set[int]]:
+    """Name -> the places of a source that end a thread of that name, or hand it to something that may; nothing where
+    the source does not have ``name``, the one that is asked for."""
+    return source.once(_ended, lambda: _found(source)) if name in source.text else {}
 
 
 def _found(source: Source) -> dict[str, set[int]]:
