@@ -70,6 +70,19 @@ def test_script_by_its_final_name(path: str, text: str, kind: str) -> None:
 @pytest.mark.parametrize(
     ("path", "text", "kind"),
     [
+        ("rover_base/debian/udev", 'SUBSYSTEM=="tty", MODE="0660"\n', "udev-rules"),
+        ("debian/rover-base.udev", 'SUBSYSTEM=="tty", MODE="0660"\n', "udev-rules"),
+        ("debian/udev", "see the package of the driver\n", ""),
+        ("scripts/udev.udev", 'SUBSYSTEM=="tty", MODE="0660"\n', ""),
+    ],
+)
+def test_rules_of_a_debian_package(path: str, text: str, kind: str) -> None:
+    assert kind_of(path, lambda: text) == kind
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "kind"),
+    [
         ("setup/.bashrc", "alias up='ros2 launch rover up.launch.py'\n", "shell-script"),
         ("docker/ros.bashrc", "source /opt/ros/jazzy/setup.bash\n", "shell-script"),
         ("home/.bash_aliases", "alias s='source install/setup.bash'\n", "shell-script"),

@@ -19,10 +19,14 @@ _KEY = regex(rf"^\ufeff?[ \t]*{_TOKEN}", re.M | re.I)
 _ANY_KEY = regex(rf"\b{_TOKEN}")
 _NUMBERED = regex(r"/\d\d-[^/]+\.rules\Z")
 """A name such as ``99-robot.rules``, which udev shares with polkit and auditd: the keys tell them apart."""
+_DEBIAN = regex(r"/debian/(?:[\w.+-]+\.)?udev$")
+"""The rules of a package, to which dh_installudev gives a name (``60-PACKAGE.rules``)."""
 
 
 def _is_rules(path: str, head: Head) -> bool:
     path = f"/{path}"
+    if _DEBIAN.search(path):
+        return bool(_KEY.search(head()))
     if not final_name(path).endswith(".rules") or _OTHERS.search(path):
         return False
     if "/udev/rules.d/" in path:
