@@ -4,7 +4,7 @@
 - `source` in a script that begins with `#!/bin/sh`, and `.` with a `setup.bash` there;
 - `source` or `.` with a `setup.zsh` in a script for bash or sh;
 - `source`, and `set -o pipefail`, in a task of Ansible's `shell` module without `executable: /bin/bash`;
-- `[[ ]]` and an array, `NAME=(a b)`, in a script that begins with `#!/bin/sh`.
+- `[[ ]]`, an array, `NAME=(a b)`, and `&>` in a script that begins with `#!/bin/sh`.
 
 Lines under a condition are not reported, nor scripts that something of the tree reads with `source`, or starts with
 the name of another shell, that start themselves again in bash, or that are for BusyBox (OpenWrt, Alpine).
@@ -46,10 +46,12 @@ from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.shell import SH_IS_BASH
+from bringup_lint.api.shell import Redirect
 from bringup_lint.api.shell import Run
 from bringup_lint.api.shell import has_busybox
 from bringup_lint.api.shell import sh_commands
 from bringup_lint.api.shell import shell_blocks
+from bringup_lint.api.shell import shell_commands
 
 SHELL = regex(r"#!\s*\S*/(?:env\s+)?(sh|dash|bash|zsh)\b")
 SETUP = regex(r"(?:^|/)(?:local_)?setup\.(bash|zsh)$")
@@ -66,6 +68,11 @@ OF_ARRAYS = (
 OF_CONDITIONS = (
     "/bin/sh is dash on Ubuntu and Debian and has no [[ ]]: the condition is never true",
     "begin the script with #!/bin/bash, or write [ ]",
+)
+OF_REDIRECTS = (
+    "/bin/sh is dash on Ubuntu and Debian and reads '&>' as '&' and '>': the command runs in the background, and "
+    "counts as successful",
+    "write > FILE 2>&1",
 )
 ARRAY = regex(r"(?m)^[ \t]*(\w+)\+?=\(")
 MOST = 20
@@ -89,10 +96,12 @@ def other_shell(robot: Robot) -> Iterator[Finding]:
         if wrong is not None:
             found.setdefault(source, []).append((run.words[0], *wrong))
     for source in robot.of_kind("shell-script"):
+        if source not in found and source not in by_services:
+            found[source] = [(word, *OF_REDIRECTS) for word in _redirected(source)]
         array = _array(source)
         if array is not None and source not in by_services:
             found.setdefault(source, []).insert(0, (array, *OF_ARRAYS))
-    for source, ((first, message, advice), *others) in found.items():
+    for source, ((first, message, advice), *others) in ((each, wrong) for each, wrong in found.items() if wrong):
         replaced = SHELL.match(source.said)
         if replaced is not None and replaced[1] == "sh" and robot.mentions(SH_IS_BASH):
             continue
@@ -142,6 +151,19 @@ def _array(source: Source) -> Located | None:
         return None
     names = {name for block in shell_blocks(source) for name, _ in block.arrays}
     return next((source.located(*match.span()) for match in ARRAY.finditer(source.text) if match[1] in names), None)
+
+
+def _redirected(source: Source) -> list[Located]:
+    """The commands of a script for sh of which both streams are to go to a file."""
+    shebang = SHELL.match(source.text)
+    if shebang is None or shebang[1] not in ("sh", "dash") or not source.judged or source.template:
+        return []
+    commands = shell_commands(source) if "&>" in source.text else []
+    return [each.words[0] for each in commands if each.words and any(map(_takes_both, each.redirects))]
+
+
+def _takes_both(redirect: Redirect) -> bool:
+    return redirect.operator in ("&>", "&>>")
 
 
 def _wrong(source: Source, run: Run) -> tuple[str, str] | None:
