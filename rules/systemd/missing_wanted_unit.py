@@ -5,7 +5,7 @@
 has.
 
 - It is a warning for names that look like the robot's own, unless a script of the repository creates the
-  unit.
+  unit, and for targets that nobody has, such as `docker.target`, where the distribution has a service of that name.
 - It is an info for names of which four or more that begin with the same word are missing: another package
   brings them.
 - It is an info for other names, which may be optional, and only in a complete root file system.
@@ -43,6 +43,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
 from bringup_lint.api.systemd import Unit
+from bringup_lint.api.systemd import Units
 
 KEYS = ("Wants", "Upholds", "After", "Before", "PartOf")
 OF_A_PACKAGE = 4
@@ -70,16 +71,20 @@ def missing_wanted_unit(robot: Robot) -> Iterator[Finding]:
     known = {(word.partition("-")[0], str(word)) for _, _, word in found if "-" in word}
     shared = Counter(package for package, _ in known)
     for unit, key, word in found:
-        meant = robot.units.meant(word, unit)
+        meant = robot.units.meant(word, unit) or robot.units.service_of_target(word, unit)
         elsewhere = not meant and shared[word.partition("-")[0]] >= OF_A_PACKAGE
         yield finding(
             word,
             f"{key}={word} has no effect: there is no such unit" + ("" if robot.tree.complete else " in this tree"),
             advice=f"did you mean {meant}?" if meant else "correct the name, or remove the line",
             fix=fix(f"write {meant}", *renamed(unit, word, meant), safe=False) if meant else None,
-            severity=None if robot.units.is_own(word, unit) and not elsewhere else "info",
+            severity=None if _is_sure(robot.units, word, unit) and not elsewhere else "info",
             confidence="high" if robot.tree.complete else "medium",
         )
+
+
+def _is_sure(units: Units, name: str, unit: Unit) -> bool:
+    return units.is_own(name, unit) or units.service_of_target(name, unit) is not None
 
 
 def missing(robot: Robot) -> Iterator[tuple[Unit, str, Located]]:
@@ -90,6 +95,8 @@ def missing(robot: Robot) -> Iterator[tuple[Unit, str, Located]]:
         for key in KEYS:
             words = (word for line in unit.assignments(key) if not line.opaque for word in line.value.words())
             for word in words:
-                if word not in required and word not in seen and robot.units.is_missing(word, unit):
+                if word in required or word in seen:
+                    continue
+                if robot.units.is_missing(word, unit) or robot.units.service_of_target(word, unit) is not None:
                     seen.add(word)
                     yield unit, key, word

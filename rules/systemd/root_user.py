@@ -7,7 +7,8 @@ A service of the system manager that runs as root (`User=` is not set or is root
 - ROS;
 - in a long-running service: an interpreter with a script of the robot;
 - a program in somebody's home folder;
-- in a long-running service: a plain network relay such as socat.
+- in a long-running service: a plain network relay such as socat;
+- with the prefix `+`, where `User=` or `DynamicUser=` is set: any program of a service that is not oneshot.
 
 `User=root` is an info where a comment of the unit, or a page of the tree that names it, says that it runs as root or
 needs root, and no other user runs ROS.
@@ -55,6 +56,7 @@ from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.systemd import NeedlessRoot
+from bringup_lint.api.systemd import Process
 from bringup_lint.api.systemd import Unit
 from bringup_lint.api.systemd import Work
 from bringup_lint.api.systemd import changes_user
@@ -94,21 +96,14 @@ def root_user(robot: Robot) -> Iterator[Finding]:
             if not (is_root or "+" in process.prefixes) or changes_user(process):
                 continue
             needless = needless_root(process, robot.units)
-            if needless is None:
-                continue
-            if is_root:
+            if is_root and needless is not None:
                 yield _without_user(
                     unit, needless, others, "info" if not others and _is_explained(robot, unit) else None
                 )
+            elif not is_root and (needless is not None or unit.get("Type") != "oneshot"):
+                yield _with_idle_user(unit, process, needless)
             else:
-                set_user = unit.identity.user or unit.identity.dynamic.at
-                says = f"User={unit.identity.user}" if unit.identity.user else "DynamicUser="
-                yield finding(
-                    process.program,
-                    f"'+' runs {_text(needless)} as root, whatever {says} says",
-                    advice="remove the '+'",
-                    related=[note(set_user, "has no effect here")] if set_user else (),
-                )
+                continue
             break
 
 
@@ -134,6 +129,17 @@ def _without_user(unit: Unit, needless: NeedlessRoot, others: set[str | None], s
         fix=None if sets_up else _fix(unit, others),
         severity=severity,
         confidence="high" if needless.work in CERTAIN else "medium",
+    )
+
+
+def _with_idle_user(unit: Unit, process: Process, needless: NeedlessRoot | None) -> Finding:
+    set_user = unit.identity.user or unit.identity.dynamic.at
+    says = f"User={unit.identity.user}" if unit.identity.user else "DynamicUser="
+    return finding(
+        process.program,
+        f"'+' runs {_text(needless) if needless is not None else process.program} as root, whatever {says} says",
+        advice="remove the '+'",
+        related=[note(set_user, "has no effect here")] if set_user else (),
     )
 
 

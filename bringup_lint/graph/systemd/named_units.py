@@ -128,6 +128,15 @@ class NamedUnits:
             return False
         return self.files.tree.complete or (self.is_own(name, near) and not self.is_made_by_script(name))
 
+    def service_of_target(self, name: str, near: Unit) -> str | None:
+        """The service of the distribution that a target means which nobody has: ``docker.service`` for
+        ``docker.target``."""
+        service = f"{name.removesuffix('.target')}.service"
+        if not name.endswith(".target") or not self.is_distribution_unit(service):
+            return None
+        is_there = self.exists(name, near) is not False or self.is_distribution_unit(name)
+        return None if is_there or self.is_joined(near) or self.is_made_by_script(name) else service
+
     @memo
     def is_joined(self, unit: Unit) -> bool:
         """Whether a unit is of a layer of Yocto: recipes of others bring units, make some and rename them."""

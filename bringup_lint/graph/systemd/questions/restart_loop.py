@@ -145,8 +145,9 @@ def restart_loop(unit: Unit, policy: RestartPolicy, units: Units) -> Loop | None
     if policy.interval_at or policy.burst_at:
         return None
     of_robot = unit in units.ros or any(any(docker_starts(process)) for process in units.started(unit))
-    if policy.restart == "always" and policy.delay < 1 and (of_robot or policy.delay):
-        return Loop(Outcome.GIVES_UP, of_robot)
+    relays = only_connects(unit, units)
+    if (policy.restart == "always" or relays) and policy.delay < 1 and (of_robot or policy.delay):
+        return Loop(Outcome.GIVES_UP, of_robot or relays)
     slow = unit in units.launching and policy.loop(FAILING_LAUNCH) > policy.interval
     return Loop(Outcome.SLOW_FAILURE, False) if slow else None
 
