@@ -5,23 +5,25 @@ What a package needs, and what neither its package.xml nor that of a package of 
 declares, in one finding for each package. It needs
 
 - the packages that its installed launch files start or include, or whose share folder they look up, without an
-  argument, and xacro where a launch file runs it. Launch files for a simulator do not count;
+  argument, and xacro where a launch file runs it;
 - the packages that its installed robot descriptions look up;
 - the modules that its installed nodes and launch files import at their top, where they are packages of ROS or rosdep
   has a key for them;
-- the packages and libraries that its CMakeLists.txt finds with REQUIRED under no condition, where they are packages of
-  ROS or rosdep has a key for them. Build tools come with any that is declared. One that CMake looks for and does not
-  use is named with others only.
+- the packages and libraries that its CMakeLists.txt finds with REQUIRED under no condition but `if(BUILD_TESTING)`,
+  where they are packages of ROS or rosdep has a key for them. Build tools come with any that is declared. One that
+  CMake looks for and does not use is named with others only.
 
 What a comment in the package.xml names is left out on purpose, unless it is a dependency that is only commented out
-and launch files start. Of two packages that need each other, the first one is to declare the other. Packages of a
-simulation, of tests and what others wrote are not looked at.
+and launch files start. Of two packages that need each other, the first one is to declare the other. What others wrote
+is not looked at.
 
 The message says what follows for the worst of them: a clean build stops at a package of the same workspace; nothing of
 the tree declares or installs it; rosdep and colcon do not know of it; it is there as far as others bring it.
 
-It is an info when all that is left out is one module that ros-base has, or packages that launch files start by an
-argument alone. What something that is declared may bring by its name is named with others only.
+It is an info when all that is left out is one module that ros-base has, what something that is declared brings (launch
+files bring `launch_ros`), what packages on which this one depends declare, what launch files start by an argument
+alone, or what installed launch files of a simulator or examples start. So is what packages of simulations and tests
+leave out, unless the build stops. What something that is declared may bring by its name is named with others only.
 
 ## Why it matters on a robot
 A dependency that is missing in package.xml works on the developer's machine and fails on a fresh robot: rosdep does not
@@ -145,8 +147,13 @@ def _finding(robot: Robot, package: launch.Package, found: Undeclared) -> Findin
         ],
         fix=dependency(package, every),
         confidence="high" if found.lack is Lack.BUILD else None,
-        severity=None if found.is_plain else "info",
+        severity=None if found.is_plain and _is_certain(robot, package, found) else "info",
     )
+
+
+def _is_certain(robot: Robot, package: launch.Package, found: Undeclared) -> bool:
+    """Whether the robot lacks something, or the build of the workspace stops."""
+    return found.lack is Lack.BUILD or robot.dependencies.is_for_robot(package)
 
 
 def _names(needs: list[Need]) -> str:
@@ -177,7 +184,7 @@ def _why(robot: Robot, package: launch.Package, found: Undeclared) -> str:
         return f"{how} {first.name}, and on a freshly installed robot {_end(first)}"
     if found.lack is Lack.PACKAGE and first.use in ("node", "include", "share"):
         return f"{unknown}, and where {first.name} is not there {_end(first)}"
-    if found.lack is Lack.BASE:
+    if found.lack in (Lack.BASE, Lack.BROUGHT):
         is_there = "they are" if len(needs) > 1 else "it is"
         return f"{unknown}, and {is_there} there only as far as other packages bring {_them(needs)}"
     return unknown
@@ -238,6 +245,8 @@ def key_of(need: Need) -> str:
 def tag_of(package: launch.Package, need: Need) -> str:
     if need.use != "library":
         return package.manifest.tag_at_runtime
+    if need.of_tests:
+        return "test_depend"
     return "depend" if package.manifest.format > 1 else "build_depend"
 
 

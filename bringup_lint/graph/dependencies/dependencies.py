@@ -102,24 +102,35 @@ class Dependencies:
     def _needs(self) -> Iterator[Need]:
         for needs in (of_builds, of_launch, of_launch_files, of_descriptions, of_nodes):
             for need in needs(self._files, self._launch):
-                if need.name != need.owner.name and need.name not in self._required(need.owner):
-                    yield need
+                owner = need.owner
+                if need.name == owner.name or owner.depends_on(need.name):
+                    continue
+                if owner.manifest.for_both and need.use == "library":
+                    continue
+                by_others = need.name in self._required(owner)
+                if need.use in ("module", "library") or not by_others:
+                    yield need._replace(by_others=by_others)
 
     @memo
     def _required(self, package: Package) -> frozenset[str]:
         return frozenset(map(str, self._launch.workspace.required(package)))
 
     def judged(self, package: Package) -> bool:
-        """Whether the tree's authors wrote the package, for ROS 2 and for the robot."""
-        return self._is_own_of(package, Purpose.ROBOT)
+        """Whether the tree's authors wrote the package, for ROS 2 alone and for the robot."""
+        return not package.manifest.for_both and self._is_own_of(package, Purpose.ROBOT)
 
     def must_declare(self, package: Package) -> bool:
-        """Whether the tree's authors wrote the package for ROS 2: one of examples is built and started like others."""
-        return self._is_own_of(package, Purpose.ROBOT, Purpose.EXAMPLE)
+        """Whether the tree's authors wrote the package for ROS 2: one for a simulation or of examples is built and
+        started like others."""
+        return self._is_own_of(package, Purpose.ROBOT, Purpose.EXAMPLE, Purpose.SIMULATION, Purpose.TEST)
+
+    def is_for_robot(self, package: Package) -> bool:
+        """Whether a package is for more than simulations and tests."""
+        return self._files.purpose(package.manifest.source) in (Purpose.ROBOT, Purpose.EXAMPLE)
 
     def _is_own_of(self, package: Package, *purposes: Purpose) -> bool:
         manifest = package.manifest
-        if not manifest.source.judged or manifest.is_ros1 or manifest.for_both or _FOREIGN.search(package.name):
+        if not manifest.source.judged or manifest.is_ros1 or _FOREIGN.search(package.name):
             return False
         is_vendored = self._launch.workspace.is_vendored(manifest.source)
         return self._files.purpose(manifest.source) in purposes and not is_vendored
@@ -140,6 +151,12 @@ class Dependencies:
         manifest = package.manifest
         is_judged = manifest.source.judged and not self._files.is_test_data(manifest.source)
         return misspelt_words(self._launch.workspace, package) if is_judged else iter(())
+
+    def old_minimums(self, package: Package) -> Iterator[tuple[str, Located]]:
+        """The versions of CMake that a package asks for, and that CMake 4 refuses, each with its command."""
+        from bringup_lint.graph.dependencies.old_minimums import old_minimums
+
+        return old_minimums(package) if package.manifest.source.judged else iter(())
 
     @property
     def unread_settings(self) -> Iterator[UnreadSetting]:
@@ -291,8 +308,8 @@ class Dependencies:
 
     @memo
     def _asks_for_unknown(self, package: Package) -> bool:
-        modules = (need for need in self.undeclared(package) if need.use == "module" and need.fact is None)
-        return not all(self._is_there(str(need.name)) for need in modules)
+        asked = (need for need in self.undeclared(package) if need.use == "module" and not need.by_others)
+        return not all(self._is_there(str(need.name)) for need in asked if need.fact is None)
 
     def _is_there(self, module: str) -> bool:
         """Whether a module is one of Python, of ros-base, of messages or of the workspace."""

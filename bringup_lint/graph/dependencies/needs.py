@@ -15,6 +15,7 @@ from bringup_lint.graph.dependencies.required_packages import required_packages
 from bringup_lint.graph.dependencies.shares import shares_of_description
 from bringup_lint.graph.dependencies.shares import shares_of_python
 from bringup_lint.graph.launch.started import literal_text
+from bringup_lint.graph.modules import modules
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.model.launch import ComposableNode
 from bringup_lint.model.launch import LaunchFile
@@ -48,6 +49,14 @@ class Need(NamedTuple):
     """A container loads it, and launch goes on without it."""
     is_of_robot: bool = True
     """An installed file of the robot asks for it, perhaps by an argument alone."""
+    is_kept: bool = True
+    """An installed file asks for it, be it for a simulator or an example."""
+    by_default: bool = True
+    """No argument is needed for it."""
+    by_others: bool = False
+    """Another package of the workspace declares it, on which this one depends."""
+    of_tests: bool = False
+    """Only tests need it, which colcon builds where nobody says ``-DBUILD_TESTING=OFF``."""
 
     @property
     def fact(self) -> Needed | None:
@@ -61,19 +70,21 @@ def of_launch(files: Files, launch: Launch) -> Iterator[Need]:
     for node in launch.nodes:
         name, owner = literal_text(node.package), launch.workspace.owner(node.file.source)
         if name is not None and owner is not None:
-            is_of_robot = _is_of_robot(files, launch, node.file, owner)
-            is_loaded = isinstance(node.action, ComposableNode)
-            yield Need("node", name, owner, is_of_robot and node.by_default is True, is_loaded, is_of_robot)
+            is_of_robot, is_kept = _is_of_robot(files, launch, node.file, owner), _is_kept(node.file, owner)
+            is_loaded, by_default = isinstance(node.action, ComposableNode), node.by_default is True
+            always = is_of_robot and by_default
+            yield Need("node", name, owner, always, is_loaded, is_of_robot, is_kept, by_default)
     for file in launch.judged:
         owner = launch.workspace.owner(file.source)
         if owner is None:
             continue
         for include in launch.expansion(file).includes:
             chosen = include.conditions or any(isinstance(each, Choice) for each in walk(include.file))
-            is_of_robot = _is_of_robot(files, launch, file, owner)
+            is_of_robot, is_kept = _is_of_robot(files, launch, file, owner), _is_kept(file, owner)
             if include.source is file:
                 for name in _shares(include.file):
-                    yield Need("include", name, owner, is_of_robot and not chosen, is_of_robot=is_of_robot)
+                    always, by_default = is_of_robot and not chosen, not chosen
+                    yield Need("include", name, owner, always, False, is_of_robot, is_kept, by_default)
 
 
 def of_launch_files(files: Files, launch: Launch) -> Iterator[Need]:
@@ -83,9 +94,10 @@ def of_launch_files(files: Files, launch: Launch) -> Iterator[Need]:
         owner = launch.workspace.owner(file.source)
         if owner is None:
             continue
-        always = _is_of_robot(files, launch, file, owner)
+        always, is_kept = _is_of_robot(files, launch, file, owner), _is_kept(file, owner)
         if file.source.kind == "launch-python":
-            yield from (Need("share", name, owner, always) for name in shares_of_python(file.source))
+            for name in shares_of_python(file.source):
+                yield Need("share", name, owner, always, is_of_robot=always, is_kept=is_kept)
             yield from (Need("module", module, owner, always) for module in _foreign(launch, folders, file.source))
     for node in launch.nodes:
         owner = launch.workspace.owner(node.file.source)
@@ -107,9 +119,15 @@ def _programs(values: Iterable[Value]) -> Iterator[Located]:
 
 
 def _is_of_robot(files: Files, launch: Launch, file: LaunchFile, owner: Package) -> bool:
-    """Installed, and neither for a simulation nor for tests."""
-    is_kept = not owner.installs_known or _is_installed(owner, file.source)
-    return is_kept and not file.ros1 and is_meant(files, file.source, owner) and not _simulates(launch, file)
+    """Installed, and neither for tests nor for a simulation, where the package is not for one itself."""
+    if not _is_kept(file, owner) or not is_meant(files, file.source, owner):
+        return False
+    return files.purpose(owner.manifest.source) is Purpose.SIMULATION or not _simulates(launch, file)
+
+
+def _is_kept(file: LaunchFile, owner: Package) -> bool:
+    """Whether a launch file of ROS 2 may be installed."""
+    return not file.ros1 and (not owner.installs_known or _is_installed(owner, file.source))
 
 
 def _simulates(launch: Launch, file: LaunchFile) -> bool:
@@ -138,19 +156,24 @@ def _is_installed(owner: Package, source: Source) -> bool:
 
 
 def _is_of_module(owner: Package, source: Source) -> bool:
-    """Whether a file lies in the Python package that CMake installs for a package."""
-    installs = any(build.installs_python for build in owner.builds)
-    return installs and source.absolute.startswith(os.path.join(owner.folder, owner.name, ""))
+    """Whether a file lies in the Python package that CMake installs for a package, be it in ``src``."""
+    if not any(build.installs_python for build in owner.builds):
+        return False
+    folders = os.path.relpath(source.absolute, owner.folder).split(os.sep)[:-1]
+    return owner.name in folders[:2]
 
 
 def of_nodes(files: Files, launch: Launch) -> Iterator[Need]:
     """The modules that the nodes of packages import whenever they start, and that are not in the tree."""
     folders = _python_packages(files)
-    for source in files.of_kind("python-node"):
+    for source in [*files.of_kind("python-node"), *modules(files)]:
         owner = launch.workspace.owner(source)
-        if owner is None or not source.judged or not is_meant(files, source, owner):
+        if owner is None or not source.judged:
             continue
         if not _is_installed(owner, source) and not _is_of_setup(files, owner, source):
+            continue
+        is_run = files.purpose(source) is Purpose.EXAMPLE and owner.takes(source.absolute)
+        if not is_run and not is_meant(files, source, owner):
             continue
         yield from (Need("module", module, owner) for module in _foreign(launch, folders, source))
 
@@ -209,4 +232,5 @@ def of_builds(files: Files, launch: Launch) -> Iterator[Need]:
     for package in launch.workspace.packages.values():
         for build in package.builds:
             if build.source.kind == "cmake" and os.path.dirname(build.source.absolute) == package.folder:
-                yield from (Need("library", name, package) for name in required_packages(build.source))
+                for name, of_tests in required_packages(build.source):
+                    yield Need("library", name, package, of_tests=of_tests)

@@ -14,18 +14,24 @@ _VARIABLE = regex(r"^\$\{(\w+)\}$")
 _IN = ("IN", "ITEMS", "LISTS")
 
 
-def required_packages(source: Source) -> Iterator[Located]:
-    """The names of ``find_package(... REQUIRED)`` outside of conditions and functions."""
+def required_packages(source: Source) -> Iterator[tuple[Located, bool]]:
+    """The names of ``find_package(... REQUIRED)`` outside of conditions and functions, and whether only the tests need
+    them, in ``if(BUILD_TESTING)``."""
     lists: dict[str, list[Located]] = {}
     loop: tuple[str, list[Located]] | None = None
+    in_tests = False
     for command in commands(source):
         name, given = command.name, command.arguments
+        if name in ("if", "else", "elseif", "endif") and command.depth == (name in ("else", "elseif")):
+            in_tests = name == "if" and given == ["BUILD_TESTING"]
         if name == "foreach" and given and not command.conditional:
             loop = (str(given[0]), _items(given[1:], lists))
         elif name == "endforeach" and not command.conditional:
             loop = None
         elif name == "find_package" and "REQUIRED" in given:
-            yield from _found(command, loop)
+            if in_tests and command.depth == 1:
+                yield given[0], True
+            yield from ((each, False) for each in _found(command, loop))
         elif name == "set" and given:
             lists[str(given[0])] = [] if command.conditional else given[1:]
         elif name == "list" and len(given) > 1 and given[0] == "APPEND" and not command.conditional:

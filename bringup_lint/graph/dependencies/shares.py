@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterable
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -36,20 +35,26 @@ def _of_python(source: Source) -> Iterator[Located]:
     if tree is None:
         return
     positions = Positions(source, byte_order_mark(source))
-    for statement in _statements(tree.body):
+    for statement in _statements(tree):
         for node in ast.walk(statement):
             name = _looked_up(node)
             if name is not None:
                 yield Located(str(name.value), positions.span(name))
 
 
-def _statements(body: Iterable[ast.stmt]) -> Iterator[ast.stmt]:
-    """The simple statements that run whenever the file is loaded, or its entry function."""
-    for each in body:
-        if isinstance(each, ast.FunctionDef) and each.name in _ENTRIES:
-            yield from _statements(each.body)
-        elif isinstance(each, (ast.Assign, ast.AnnAssign, ast.Expr, ast.Return)):
-            yield each
+def _statements(tree: ast.Module) -> Iterator[ast.stmt]:
+    """The simple statements that run whenever the file is loaded, or its entry function, or a function of the file that
+    these name."""
+    functions = {each.name: each for each in tree.body if isinstance(each, ast.FunctionDef)}
+    entered = [name for name in _ENTRIES if name in functions]
+    bodies = [tree.body, *(functions[name].body for name in entered)]
+    while bodies:
+        for each in bodies.pop(0):
+            if isinstance(each, (ast.Assign, ast.AnnAssign, ast.Expr, ast.Return)):
+                yield each
+                called = {node.id for node in ast.walk(each) if isinstance(node, ast.Name)} & functions.keys()
+                bodies += [functions[name].body for name in sorted(called.difference(entered))]
+                entered += called
 
 
 def _looked_up(node: ast.AST) -> ast.Constant | None:

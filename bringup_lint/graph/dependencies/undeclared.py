@@ -34,9 +34,17 @@ _BARE = regex(
 _EXPLAINED = regex(r"<!--\s{0,20}\w[^<>]{0,300}<(?:exec_|run_)?depend\b", hints="<!--")
 """A dependency in a comment after words, which say why it and others are left out."""
 _WORD = regex(r"[A-Za-z][\w-]*")
-_OF_LAUNCH_FILES = frozenset(("launch", "launch_ros", "launch_xml", "launch_yaml", "ament_index_python"))
+_OF_LAUNCH = frozenset(("launch", "launch_ros", "launch_xml", "launch_yaml", "ament_index_python"))
 """What launch itself brings to all launch files."""
+_BRING_LAUNCH = _OF_LAUNCH | {"ros2launch", "rclpy"}
 _BUILD_TOOLS = ("ament_cmake", "ament_lint", "rosidl_cmake", "rosidl_typesupport")
+_OF_TESTS = {
+    "ament_cmake_gmock": ("ament_cmake_auto", "ament_cmake_ros", "ament_cmake_test"),
+    "ament_cmake_gtest": ("ament_cmake_auto", "ament_cmake_gmock", "ament_cmake_ros"),
+    "ament_cmake_pytest": ("ament_cmake_ros",),
+    "ament_lint_auto": (),
+}
+"""What tests look for with CMake, and what brings it."""
 _MESSAGES = ("_msgs", "_interfaces")
 _METAPACKAGES = frozenset(("common_interfaces", "ros_core", "ros_base", "desktop", "desktop_full"))
 """What people declare for the messages that it brings (common_interfaces/package.xml; REP 2001)."""
@@ -62,7 +70,11 @@ class Lack(IntEnum):
     """It is there where ros-base is, or by what brings it."""
     OPTIONAL = 4
     """Launch files start it when an argument is passed."""
-    LIKELY = 5
+    ASIDE = 5
+    """Only what is installed for a simulator or as an example needs it."""
+    BROUGHT = 6
+    """It comes with something that is declared, with the launch files, or with ros-base."""
+    LIKELY = 7
     """It may come with something that is declared, the tree installs it otherwise, or CMake only looks for it."""
 
 
@@ -88,8 +100,9 @@ def undeclared(dependencies: Dependencies, launch: Launch, package: Package) -> 
     if worst is Lack.LIKELY:
         return None
     certain = max(worst, Lack.BASE)
+    least = Lack.LIKELY if certain is Lack.BASE else Lack.BROUGHT
     needs = [need for lack, need in lacks if lack <= certain]
-    others = [need for lack, need in lacks if lack > certain and certain is Lack.BASE]
+    others = [need for lack, need in lacks if certain < lack <= least and need.name not in _OF_LAUNCH]
     is_used = len(needs) >= _SEVERAL or any(need.use != "module" for need in needs)
     return Undeclared(worst, needs, others, worst < Lack.BASE or (worst is Lack.BASE and is_used))
 
@@ -111,6 +124,15 @@ class _Needed:
         return brought_by(self._declared)
 
     @cached_property
+    def _own(self) -> frozenset[str]:
+        return frozenset(str(name) for _, name in self._package.manifest.depends)
+
+    @cached_property
+    def _of_own_launch(self) -> frozenset[str]:
+        """What the packages of launch bring that the package declares itself."""
+        return brought_by(self._own & _BRING_LAUNCH)
+
+    @cached_property
     def _explained(self) -> frozenset[str]:
         """The words of the comments in the package.xml: they may say why a dependency is left out."""
         parts = self._package.manifest.source.text.split("<!--")[1:]
@@ -124,30 +146,41 @@ class _Needed:
     def lack(self, need: Need) -> Lack | None:
         """None when it is not known to be one, or the package.xml says why it is left out."""
         name = str(need.name)
-        if not self._is_known(need) or self._is_declared(need) or self._is_explained(need) or self._is_circular(name):
+        if not self._is_known(need) or self._is_explained(need) or self._is_circular(name):
             return None
+        if name in _OF_LAUNCH:
+            return Lack.BROUGHT if need.always and name not in self._of_own_launch else None
+        if need.by_others:
+            return Lack.BROUGHT if need.always else None
+        if self._is_declared(need, self._declared):
+            return Lack.BROUGHT if need.always and not self._is_declared(need, self._own) else None
         if self._dependencies.stops_build(need):
             return Lack.BUILD
         if self._dependencies.is_lacking(need):
             return Lack.NOWHERE
         if need.always and _is_named_itself(need):
             return self._of_always(need)
-        is_optional = need.use in _STARTED and need.is_of_robot and not is_simulation(name)
-        return Lack.OPTIONAL if is_optional and not self._may_come(need) else None
+        if need.use not in _NAMED or not need.is_kept or self._may_come(need):
+            return None
+        if need.is_of_robot:
+            return Lack.OPTIONAL if need.use in _STARTED and not is_simulation(name) else None
+        return Lack.ASIDE if need.by_default else None
 
     def _of_always(self, need: Need) -> Lack | None:
         if need.fact is not None and not need.fact.declared:
             return None
+        name = str(need.name)
         if self._dependencies.is_of_workspace(need):
             return Lack.PACKAGE
-        if (
-            self._may_come(need)
-            or not self._is_used(need)
-            or self._dependencies.is_installed(need)
-            or (need.use == "module" and COMMON.get(str(need.name)) in of_ros_base())
-        ):
+        if need.of_tests and name in base():
+            return Lack.BROUGHT
+        if not self._is_used(need) or self._dependencies.is_installed(need):
             return Lack.LIKELY
-        return Lack.BASE if self._is_in_base(need) or str(need.name) in self._brought else Lack.PACKAGE
+        if need.use == "module" and COMMON.get(name) in of_ros_base():
+            return Lack.BROUGHT
+        if self._may_come(need):
+            return Lack.BROUGHT if name in self._brought and need.use in ("module", "library") else Lack.LIKELY
+        return Lack.BASE if self._is_in_base(need) else Lack.PACKAGE
 
     def _is_known(self, need: Need) -> bool:
         """Whether a package is needed, or what rosdep has a key for, besides what launch and builds have anyway."""
@@ -156,7 +189,11 @@ class _Needed:
             return False
         if need.use in _NAMED:
             return True
-        if name in _OF_LAUNCH_FILES or name.startswith(_BUILD_TOOLS):
+        if name in _OF_LAUNCH:
+            return need.use == "module"
+        if name in _OF_TESTS:
+            return need.of_tests and self._own.isdisjoint(_OF_TESTS[name])
+        if name.startswith(_BUILD_TOOLS):
             return False
         if need.fact is not None:
             return True
@@ -170,15 +207,16 @@ class _Needed:
         is_ros = name.startswith("rosidl_") or is_released(name) or is_known_package(name)
         return need.use == "library" and is_ros
 
-    def _is_declared(self, need: Need) -> bool:
+    @staticmethod
+    def _is_declared(need: Need, declared: frozenset[str]) -> bool:
         """Whether a dependency of another name is the same library, or brings it as far as its name tells."""
         key = COMMON.get(str(need.name), "") if need.use in ("module", "library") else ""
         if key:
             begin = _bare(key)
-            return any(_bare(each).startswith(begin) for each in self._declared)
+            return any(_bare(each).startswith(begin) for each in declared)
         if need.fact is None or need.fact.is_package:
             return False
-        return any(map(need.fact.comes_with, self._declared))
+        return any(map(need.fact.comes_with, declared))
 
     def _is_explained(self, need: Need) -> bool:
         """Whether a comment names it; one that only holds a dependency says nothing of what is started all the same."""
@@ -192,7 +230,7 @@ class _Needed:
 
     def _is_used(self, need: Need) -> bool:
         """Whether CMake does more with a library than to look for it: a line that is left over needs no dependency."""
-        if need.use != "library" or need.name.startswith("rosidl_"):
+        if need.use != "library" or need.of_tests or need.name.startswith("rosidl_"):
             return True
         before, after = r"(?<!find_package\()(?<!find_package\( )(?<![\w-])", r"(?:(?![\w-])|_(?:DEF|INCL|LIB|TARG))"
         word = re.compile(f"{before}{re.escape(need.name)}{after}", re.I)
