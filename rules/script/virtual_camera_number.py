@@ -46,7 +46,9 @@ MODULE = regex(
 )
 """Without a variable after it, which may give the number."""
 REMOVES = regex(r"[ \t](?:-r|--remove)\b")
-NUMBERED = regex(r"\bvideo_nr\b|\bv4l2loopback-ctl\b|\bv4l2loopback[ \t][^\n]{0,80}\bdevices=")
+NUMBERED = regex(
+    r"\bvideo_nr\b|\bv4l2loopback-ctl\b|\bv4l2loopback[ \t][^\n]{0,80}\bdevices=", hints="video_nr v4l2loopback"
+)
 SINK = regex(
     r"(?:\bv4l2sink\b[^!\n]{0,100}?\bdevice=|(?<=[ \t])-f[ \t]+v4l2[ \t](?:(?!-i[ \t])[^\n|;&]){0,100}?)"
     r"['\"]?(?P<device>/dev/video\d+)\b",

@@ -30,7 +30,8 @@ _TEXT = regex(r"""(?<!executable=)(?<!name=)["']([\w.]{2,80})["']""")
 """What ``importlib`` and the like may be given."""
 _DEFINES = regex(r"\bclass[ \t]+\w+")
 _GATHERS = regex(
-    r"(?i)\bGLOB(?:_RECURSE)?\b|\baux_source_directory\b|add_\w{4,20}\s{0,4}\([^()]{0,200}\bDIRECTORY\b|\}[\w.-]{0,80}\.c(?:pp|c|xx)\b|\w\}\w"
+    r"(?i)\bGLOB(?:_RECURSE)?\b|\baux_source_directory\b|add_\w{4,20}\s{0,4}\([^()]{0,200}\bDIRECTORY\b"
+    r"|\}[\w.-]{0,80}\.c(?:pp|c|xx)\b|\w\}\w"
     r"|\binclude\s{0,4}\(\s{0,4}(?:\$|[\w./-]{1,80}\.cmake)"
 )
 """Commands of CMake that may build files which they do not name."""
@@ -56,9 +57,9 @@ class Unused:
     def _is_unbuilt(self, source: Source) -> bool:
         """Whether CMake builds the package of a C++ source, and nothing names the source, by whatever ending."""
         owner = self._workspace.owner(source)
-        builds = [each.source.text for each in owner.builds if each.source.kind == "cmake"] if owner is not None else []
+        builds = [each.source for each in owner.builds if each.source.kind == "cmake"] if owner is not None else []
         stem = source.basename.partition(".")[0]
-        if owner is None or not builds or stem.startswith(owner.name) or any(map(_GATHERS.search, builds)):
+        if owner is None or not builds or stem.startswith(owner.name) or any(each.matches(_GATHERS) for each in builds):
             return False
         return stem not in self._built and source.basename not in self._included
 

@@ -34,7 +34,9 @@ _NUMBERS = frozenset(
 """Functions that return a negative number when they fail."""
 DEVICES = 40
 """Results of one file that are looked at."""
-OPENS = regex(rf"\b(?:{'|'.join(sorted(_POINTERS | _NUMBERS))})\s{{0,4}}\(")
+OPENS = regex(
+    rf"\b(?:{'|'.join(sorted(_POINTERS | _NUMBERS))})\s{{0,4}}\(", hints="gpio open Open I2CSetup SPISetup pigpio_start"
+)
 _NAME = regex(r"[*&\s]{0,8}(?:this->)?([A-Za-z_]\w{0,80})\Z")
 _CASTS = ("cast_expression", "parenthesized_expression")
 

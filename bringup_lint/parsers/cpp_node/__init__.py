@@ -58,12 +58,13 @@ from bringup_lint.source import Source
 CALLBACKS = 200
 """Callbacks of one file that are looked into."""
 _OF_NODES = regex(
-    r"\bcreate_(?:publisher|subscription|service|client|server|wall_timer|timer)\b|_parameters?\w{0,64}\s*[<(]"
-    r"|\bNode\b|\bLifecycleNode\b|/dev/|RCLCPP_COMPONENTS_REGISTER_NODE|\bstd::thread\b|\brclc_executor_init\b"
-    r"|\bCallbackReturn\b|\breturn_type\b|\bNodeStatus\b",
+    r"c(?<!\wc)reate_(?:publisher|subscription|service|client|server|wall_timer|timer)\b|_parameters?\w{0,64}\s*[<(]"
+    r"|N(?<!\wN)ode(?:Status)?\b|L(?<!\wL)ifecycleNode\b|/dev/|RCLCPP_COMPONENTS_REGISTER_NODE|s(?<!\ws)td::thread\b"
+    r"|r(?<!\wr)(?:clc_executor_init|eturn_type)\b|C(?<!\wC)allbackReturn\b",
     hints="create_ _parameter Node /dev/ RCLCPP_COMPONENTS_REGISTER_NODE std::thread rclc_executor_init CallbackReturn "
     "return_type",
 )
+"""Each way begins with a letter, so that the search goes from one of these to the next."""
 _ROLES = {"subscription", "timer"}
 """The callbacks of a node that may go on with what it got before."""
 _EXECUTORS = regex(

@@ -20,10 +20,12 @@ if TYPE_CHECKING:
 _CALL = "shared_from_this"
 _OWN = regex(r"(?:this->)?(?:(?:rclcpp(?:_lifecycle)?::)?(?:Lifecycle)?Node::)?shared_from_this\Z")
 _OWNS = regex(
-    r"(?:(?:std::)?shared_ptr\s{0,4}<\s{0,4}(?P<type>[\w:]{1,80})\s{0,4}>|(?:(?P<of>[\w:]{1,80})::)?SharedPtr)"
+    r"[sS](?:(?<=s)hared_ptr\s{0,4}<\s{0,4}(?P<type>[\w:]{1,80})\s{0,4}>|(?<=S)haredPtr)"
     r"(?:>\s{0,4}\(|\s{1,4}\w{1,60}\s{0,4}[({]|\s{0,4}[({])\s{0,4}this\s{0,4}[)}]"
 )
-"""A shared pointer made of ``this`` alone, without a deleter."""
+"""A shared pointer made of ``this`` alone, without a deleter; what is before it is ``_OF``."""
+_OF = regex(r"(?:(?P<type>[\w:]{1,80})::|std::)\Z")
+_OF_SIZE = 82
 _MAY_NOT_RUN = frozenset({"try_statement", "preproc_if", "preproc_ifdef"})
 
 
@@ -45,9 +47,10 @@ def second_owners(code: Code, classes: list[str]) -> Iterator[Located]:
         return
     plain = blanked(text)
     for found in _OWNS.finditer(plain):
-        kind = (found["type"] or found["of"] or "").rpartition("::")[2]
+        of = _OF.search(plain, max(0, found.start() - _OF_SIZE), found.start())
+        kind = (found["type"] or (of["type"] if of is not None else None) or "").rpartition("::")[2]
         if kind in ("Node", "LifecycleNode", *classes) or (not kind and classes):
-            yield code.source.located(found.start(), found.end())
+            yield code.source.located(of.start() if of is not None else found.start(), found.end())
 
 
 def while_made(code: Code, bodies: Bodies) -> Iterator[tuple[str, Node, Span | None]]:

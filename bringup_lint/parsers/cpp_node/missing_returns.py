@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -24,9 +25,11 @@ _MACRO = regex(r"[A-Z][A-Z0-9_]*\Z")
 _LEAVES = frozenset({"return_statement", "throw_statement", "continue_statement"})
 _LOOPS = frozenset({"while_statement", "do_statement", "for_statement", "for_range_loop"})
 _UNFOLLOWED = regex(
-    r"\bgoto\b|\bco_(?:return|await|yield)\b|\b__?asm|^[ \t]*#|\bnoreturn\b|\b__builtin_unreachable\b|\bconstexpr\b", 8
+    r"g(?<!\wg)oto\b|c(?<!\wc)o(?:_(?:return|await|yield)|nstexpr)\b|_(?<!\w_)(?:_?asm|_builtin_unreachable\b)"
+    r"|n(?<!\wn)oreturn\b"
 )
-"""Words of bodies whose ways are not followed."""
+"""Words of bodies whose ways are not followed. Each way begins with a letter: the search goes from one to the next."""
+_DIRECTIVE = regex(r"^[ \t]*#", re.M, hints="#")
 _FOREVER = ("true", "1", "")
 _ENDS = regex(
     r"(?i)abort|assert|die|exec|exit|fail|fatal|halt|jump|jmp|panic|quit|raise|reboot|reset|restart|terminate|throw"
@@ -62,7 +65,10 @@ def missing_returns(code: Code) -> Iterator[MissingReturn]:
         name, body = _name(code, function), function.child_by_field_name("body")
         if name is None or body is None or body.type != "compound_statement" or not _owes_value(code, function):
             continue
-        if _UNFOLLOWED.search(code.text(function)) or function.has_error or not _block(code, _statements(body), 0).ends:
+        text = code.text(function)
+        if _UNFOLLOWED.search(text) or _DIRECTIVE.search(text) or function.has_error:
+            continue
+        if not _block(code, _statements(body), 0).ends:
             continue
         last = next(reversed(_statements(body)), None)
         when = _when(code, last) if last is not None and _returns(body) else ""

@@ -16,7 +16,7 @@ from bringup_lint.pattern import regex
 if TYPE_CHECKING:
     from tree_sitter import Node
 
-RESTAMPS = regex(r"\bframe_id\s{0,4}=[^=;]{1,100}\bheader\s{0,4}(?:\.|->)\s{0,4}frame_id\b")
+RESTAMPS = regex(r"\bframe_id\s{0,4}=[^=;]{1,100}\bheader\s{0,4}(?:\.|->)\s{0,4}frame_id\b", hints="frame_id")
 INTENDED = regex(
     r"(?i)re_?stamp|time_?sync|use_(?!sim_)\w{0,20}(?:time|stamp|clock)|clock_?offset|override_\w{0,20}(?:time|stamp)"
 )

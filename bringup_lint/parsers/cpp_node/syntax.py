@@ -47,8 +47,9 @@ _WRITTEN = """
 (field_declaration) @field
 """
 _EXPORTED = regex(
-    rb"\b(?:class|struct)[ \t\r\n]+(?P<macro>[A-Z][A-Z0-9_]+)(?=[ \t\r\n]+[A-Za-z_]\w*[ \t\r\n]*(?:final\b|[:{]))"
-    rb"|\b(?P<visible>[A-Z][A-Z0-9_]*_(?:PUBLIC|LOCAL|EXPORT|API))\b(?![ \t]*[(:])"
+    rb"[csA-Z](?<!\w[csA-Z])(?:(?:(?<=c)lass|(?<=s)truct)[ \t\r\n]+(?P<macro>[A-Z][A-Z0-9_]+)"
+    rb"(?=[ \t\r\n]+[A-Za-z_]\w*[ \t\r\n]*(?:final\b|[:{]))"
+    rb"|(?<=[A-Z])[A-Z0-9_]*_(?:PUBLIC|LOCAL|EXPORT|API)\b(?![ \t]*[(:]))"
 )
 """Macros that say what a shared library shows; the grammar takes them for the name or type."""
 _SWITCH = regex(rb"^[ \t]*#[ \t]*(?P<word>if|ifdef|ifndef|elif|else|endif)\b[ \t]*(?P<given>[^\r\n]*)", re.M)
@@ -122,8 +123,7 @@ def _dead(data: bytes) -> Iterator[tuple[int, int]]:
 
 def _blanked(found: re.Match[bytes]) -> bytes:
     """The match with its macro as blanks, so that every place stays as it is."""
-    group = "macro" if found["macro"] is not None else "visible"
-    start, end = found.span(group)
+    start, end = found.span("macro" if found["macro"] is not None else 0)
     written = found[0]
     return written[: start - found.start()] + b" " * (end - start) + written[end - found.start() :]
 

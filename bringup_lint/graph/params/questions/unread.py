@@ -36,10 +36,12 @@ _LOOPED = regex(
 )
 """What reads parameters whatever they are called."""
 _MADE = regex(
-    r"\"(?P<before>[\w./]{2,80})\"\s{0,40}\+|\+\s{0,40}\"(?P<after>[\w./]{2,80})\"|\b[fF][\"'](?P<filled>[^\"'\n]{2,80})"
-    r"|[\"'](?P<edged>[._/][\w./]{1,80}|[\w./]{1,80}[._/])[\"']|[\"'](?P<holed>[\w./]{0,40}(?:\{\w{0,20}\}|%s)[\w./{}%]{0,40})[\"']"
+    r"[\"'+fF](?:(?<=\")(?P<before>[\w./]{2,80})\"\s{0,40}\+|(?<=\+)\s{0,40}\"(?P<after>[\w./]{2,80})\""
+    r"|(?<=[fF])(?<!\w[fF])[\"'](?P<filled>[^\"'\n]{2,80})"
+    r"|(?<=[\"'])(?P<edged>[._/][\w./]{1,80}|[\w./]{1,80}[._/])[\"']"
+    r"|(?<=[\"'])(?P<holed>[\w./]{0,40}(?:\{\w{0,20}\}|%s)[\w./{}%]{0,40})[\"'])"
 )
-"""A text of which a source makes a name together with others."""
+"""A text of which a source makes a name together with others. One set of letters first: it is searched for fast."""
 _BASES = regex(
     r"\bclass\s+\w{1,80}\s{0,4}(?:\((?P<python>[^():]{1,200})\)|(?:final\s{0,4})?:(?P<cpp>(?:[^{};:]|::){1,400})\{)",
     hints="class",

@@ -23,7 +23,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.topics.topics import Topics
     from bringup_lint.model.node_source import Endpoint
 
-_QUOTED = regex(r"[\"'](?:~?/)?([a-z]\w*(?:/\w+)*)[\"']|^[ \t]*-[ \t]+/([a-z]\w*(?:/\w+)*)[ \t]*\r?$", re.M)
+_QUOTED = regex(r"[\"'](?:~?/)?([a-z]\w*(?:/\w+)*)[\"']")
+_LISTED = regex(r"^[ \t]*-[ \t]+/([a-z]\w*(?:/\w+)*)[ \t]*\r?$", re.M)
 _SHORTEST = 7
 _FEWEST = 2
 """Files that have a name of which no end is known."""
@@ -83,10 +84,13 @@ def written_names(sources: Iterable[Source]) -> dict[str, list[Located]]:
     """The quoted names of all files, and those of lists of YAML."""
     found: dict[str, list[Located]] = {}
     for source in sources:
-        for match in _QUOTED.finditer(source.said):
-            group = match.lastindex or 1
-            if len(match[group]) >= _SHORTEST - 1:
-                found.setdefault(match[group], []).append(source.located(*match.span(group)))
+        text = source.said
+        matches = list(_QUOTED.finditer(text))
+        if " /" in text or "\t/" in text:
+            matches = sorted((*matches, *_LISTED.finditer(text)), key=lambda match: match.start())
+        for match in matches:
+            if len(match[1]) >= _SHORTEST - 1:
+                found.setdefault(match[1], []).append(source.located(*match.span(1)))
     return found
 
 

@@ -18,11 +18,13 @@ _FRACTION = regex(
 )
 """A quotient of two literals at the start of a product, so that it is worked out first. Strings are passed over."""
 
+_QUOTIENT = regex(r"\d\s{0,4}/\s{0,4}[1-9]", hints="/")
+
 
 def zero_fractions(nodes: Nodes) -> Iterator[list[Located]]:
     """Those of one source together."""
     for driver in nodes.drivers:
-        matches = _FRACTION.finditer(blanked(driver.source.text)) if "/" in driver.source.text else ()
+        matches = _FRACTION.finditer(blanked(driver.source.text)) if driver.source.matches(_QUOTIENT) else ()
         found = [each for each in matches if each["all"] is not None and int(each["part"]) < int(each["whole"])]
         if found:
             yield [driver.source.located(*each.span("all")) for each in found]
