@@ -2,8 +2,9 @@
 
 ## What it finds
 `rclcpp_components_register_node` and `rclcpp_components_register_nodes` of a CMakeLists.txt with a class that no source
-of the package gives to `RCLCPP_COMPONENTS_REGISTER_NODE`, where the sources register other classes. Silent where a
-source registers classes by a macro of its own.
+of the package gives to `RCLCPP_COMPONENTS_REGISTER_NODE`, where the sources register other classes. A class that is
+registered twice, where one of the sources is left out, is a warning. Silent where a source registers classes by a macro
+of its own.
 
 ## Why it matters on a robot
 The build succeeds: CMake writes the name into the ament index and compares it with nothing. When a container loads the
@@ -31,6 +32,7 @@ When the source that registers the class is made by the build.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -43,9 +45,22 @@ def component_unregistered(robot: Robot) -> Iterator[Finding]:
         if not robot.dependencies.judged(package):
             continue
         for each in robot.dependencies.unregistered(package):
+            if each.first is not None:
+                yield _doubled(each.name, each.registered, each.first)
+                continue
             yield finding(
                 each.name,
                 f"No source of {package.name} registers the component {each.name}: it is never loaded",
                 advice=f"write {each.registered}" if each.is_same else "write a class that a source registers",
                 related=[note(each.registered, "this class is registered")],
             )
+
+
+def _doubled(name: Located, left: Located, first: Located) -> Finding:
+    return finding(
+        name,
+        f"{name} is registered twice, and {left} is not: the second one runs {name}, and {left} is never loaded",
+        advice=f"write {left}",
+        related=[note(first, "registered here before"), note(left, "this class is left out")],
+        severity="warning",
+    )

@@ -1,9 +1,10 @@
-"""The programs of a Python package are not where ros2 run looks.
+"""The programs of a package are not where ros2 run looks, or not executable.
 
 ## What it finds
 A package of the type `ament_python` whose setup.cfg does not put its console scripts into `lib/<package>`, or that has
-no setup.cfg, where one of the scripts makes a node. What a launch file starts is left to `launch/executable-missing`,
-and misspelt lines of setup.cfg are left to `package/setup-cfg-unread`.
+no setup.cfg, where one of the scripts makes a node. A script in Python, with `#!` and `__main__`, that CMake installs
+into `lib/<package>` with `install(FILES)`, which takes its executable mode away. What a launch file starts is left to
+`launch/executable-missing`, and misspelt lines of setup.cfg are left to `package/setup-cfg-unread`.
 
 ## Why it matters on a robot
 setuptools puts the programs into `bin`: `ros2 run` ends with "No executable found", and so does each unit and script
@@ -28,7 +29,8 @@ When the programs are meant to be started by their names alone.
 
 ## References
 - https://docs.ros.org/en/jazzy/How-To-Guides/Developing-a-ROS-2-Package.html, "setup.cfg"
-- ros2pkg, `get_executable_paths`: it looks into `lib/<package>` alone
+- ros2pkg, `get_executable_paths`: it looks into `lib/<package>` alone, for files that may be executed
+- cmake install(FILES), "PERMISSIONS"
 """
 
 from collections.abc import Iterator
@@ -44,6 +46,18 @@ from bringup_lint.api.launch import literal_text
 
 @rule("warning", symptoms=["No executable found"])
 def programs_misplaced(robot: Robot) -> Iterator[Finding]:
+    for package in robot.launch.workspace.packages.values():
+        if robot.dependencies.judged(package):
+            for name in robot.dependencies.programs_without_mode(package):
+                yield finding(
+                    name,
+                    f"`ros2 run {package.name} {name}` finds no executable: install(FILES) gives it the mode 644",
+                    advice="write install(PROGRAMS ...)",
+                )
+    yield from _of_python(robot)
+
+
+def _of_python(robot: Robot) -> Iterator[Finding]:
     packages = [each for each in robot.launch.workspace.packages.values() if each.manifest.build_type == "ament_python"]
     lost = [
         each for each in packages if robot.dependencies.judged(each) and any(map(each.is_misplaced, each.entry_points))

@@ -11,7 +11,10 @@ declares, in one finding for each package. It needs
   has a key for them;
 - the packages and libraries that its CMakeLists.txt finds with REQUIRED under no condition but `if(BUILD_TESTING)`,
   where they are packages of ROS or rosdep has a key for them. Build tools come with any that is declared. One that
-  CMake looks for and does not use is named with others only.
+  CMake looks for and does not use is named with others only;
+- `rosidl_default_runtime`, where it generates interfaces;
+- the packages of the hardware and the controllers that its descriptions and parameter files name, where its launch
+  files start the controller manager or its spawner.
 
 What a comment in the package.xml names is left out on purpose, unless it is a dependency that is only commented out
 and launch files start. Of two packages that need each other, the first one is to declare the other. What others wrote
@@ -90,6 +93,8 @@ ASKED = {
     "program": "{} is run here",
     "module": "{} is imported here",
     "library": "CMake looks for {} here",
+    "plugin": "a plugin of {} is named here",
+    "interfaces": "what is generated here needs {} when nodes run",
 }
 
 
@@ -182,7 +187,7 @@ def _why(robot: Robot, package: launch.Package, found: Undeclared) -> str:
             "rosdep does not install" if robot.dependencies.uses_rosdep else "nothing of this tree declares or installs"
         )
         return f"{how} {first.name}, and on a freshly installed robot {_end(first)}"
-    if found.lack is Lack.PACKAGE and first.use in ("node", "include", "share"):
+    if found.lack is Lack.PACKAGE and first.use in ("node", "include", "share", "plugin"):
         return f"{unknown}, and where {first.name} is not there {_end(first)}"
     if found.lack in (Lack.BASE, Lack.BROUGHT):
         is_there = "they are" if len(needs) > 1 else "it is"
@@ -196,6 +201,8 @@ def _end(need: Need) -> str:
         return f"{file} ends with \"No module named '{need.name}'\""
     if need.use == "program":
         return f"{file} ends, because there is no program '{need.name}'"
+    if need.use == "plugin":
+        return f"the controller manager does not find the plugin that {file} names"
     if need.is_component:
         return f"the container of {file} does not load the component of {need.name}, and launch goes on without it"
     if need.use == "library":

@@ -28,10 +28,13 @@ from bringup_lint.graph.dependencies.misspelt_packages import misspelt_packages
 from bringup_lint.graph.dependencies.needs import Need
 from bringup_lint.graph.dependencies.needs import of_builds
 from bringup_lint.graph.dependencies.needs import of_descriptions
+from bringup_lint.graph.dependencies.needs import of_interfaces
 from bringup_lint.graph.dependencies.needs import of_launch
 from bringup_lint.graph.dependencies.needs import of_launch_files
 from bringup_lint.graph.dependencies.needs import of_nodes
+from bringup_lint.graph.dependencies.needs import of_plugins
 from bringup_lint.graph.dependencies.plain_programs import plain_programs
+from bringup_lint.graph.dependencies.plain_programs import programs_without_mode
 from bringup_lint.graph.dependencies.provided import Provided
 from bringup_lint.graph.dependencies.ros1_programs import ros1_programs
 from bringup_lint.graph.dependencies.subpackages import LeftOut
@@ -100,16 +103,14 @@ class Dependencies:
         return found
 
     def _needs(self) -> Iterator[Need]:
-        for needs in (of_builds, of_launch, of_launch_files, of_descriptions, of_nodes):
+        for needs in (of_builds, of_interfaces, of_launch, of_launch_files, of_descriptions, of_plugins, of_nodes):
             for need in needs(self._files, self._launch):
                 owner = need.owner
                 if need.name == owner.name or owner.depends_on(need.name):
                     continue
                 if owner.manifest.for_both and need.use == "library":
                     continue
-                by_others = need.name in self._required(owner)
-                if need.use in ("module", "library") or not by_others:
-                    yield need._replace(by_others=by_others)
+                yield need._replace(by_others=need.name in self._required(owner))
 
     @memo
     def _required(self, package: Package) -> frozenset[str]:
@@ -179,6 +180,10 @@ class Dependencies:
     def plain_programs(self, package: Package) -> Iterator[Install]:
         """The installed scripts of a package that do not say which interpreter they are for."""
         return plain_programs(self._files.tree, package, self.started_programs(package))
+
+    def programs_without_mode(self, package: Package) -> Iterator[Located]:
+        """The scripts that a package installs as programs without the mode of one, and that no launch file starts."""
+        return programs_without_mode(self._files.tree, package, self.started_programs(package))
 
     def started_programs(self, package: Package) -> dict[str, Span]:
         """The programs of a package that launch files start, and where."""

@@ -5,8 +5,11 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable
 from collections.abc import Iterator
+from functools import cache
 from typing import TYPE_CHECKING
 
+from bringup_lint.facts import table
+from bringup_lint.facts.ros.brought import is_released
 from bringup_lint.facts.ros.needed import Needed
 from bringup_lint.facts.ros.needed import needed
 from bringup_lint.facts.ros.simulation import is_simulation
@@ -14,6 +17,7 @@ from bringup_lint.graph.dependencies.imports import imported
 from bringup_lint.graph.dependencies.required_packages import required_packages
 from bringup_lint.graph.dependencies.shares import shares_of_description
 from bringup_lint.graph.dependencies.shares import shares_of_python
+from bringup_lint.graph.launch.packages import is_known_package
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.modules import modules
 from bringup_lint.graph.purpose import Purpose
@@ -27,8 +31,12 @@ from bringup_lint.model.launch_values import PackageShare
 from bringup_lint.model.launch_values import Value
 from bringup_lint.model.launch_values import walk
 from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.parsers import params
+from bringup_lint.parsers import urdf
+from bringup_lint.parsers.cmake_commands import commands
 from bringup_lint.source import Located
 from bringup_lint.source import Source
+from bringup_lint.source import Span
 
 if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
@@ -36,10 +44,15 @@ if TYPE_CHECKING:
     from bringup_lint.graph.workspace import Package
 
 
+_MANAGER, _CONTROLLERS = "controller_manager", "ros2_controllers"
+_GENERATES, _RUNTIME = "rosidl_generate_interfaces", "rosidl_default_runtime"
+
+
 class Need(NamedTuple):
     use: str
     """``node``, ``include``, ``share`` and ``program`` in a launch file, ``description`` for what xacro looks up,
-    ``module`` that Python imports, ``library`` that CMake finds."""
+    ``module`` that Python imports, ``library`` that CMake finds, ``interfaces`` that are generated, ``plugin`` that a
+    controller manager loads."""
     name: Located
     owner: Package
     """The package whose file asks for it."""
@@ -61,8 +74,10 @@ class Need(NamedTuple):
     @property
     def fact(self) -> Needed | None:
         """What is known of it; None of what ros-base has, and of what no table knows."""
-        own = needed(self.use, str(self.name)) if self.use in ("module", "library") else None
-        return own or needed("package", str(self.name))
+        name = str(self.name)
+        own = needed(self.use, name) if self.use in ("module", "library") else None
+        found = own or needed("package", name)
+        return Needed(True, name, "", (_CONTROLLERS,)) if found is None and self.use == "plugin" else found
 
 
 def of_launch(files: Files, launch: Launch) -> Iterator[Need]:
@@ -170,10 +185,12 @@ def of_nodes(files: Files, launch: Launch) -> Iterator[Need]:
         owner = launch.workspace.owner(source)
         if owner is None or not source.judged:
             continue
-        if not _is_installed(owner, source) and not _is_of_setup(files, owner, source):
+        is_run = source.kind == "python-node" or source.basename in owner.executables
+        is_module = _is_of_module(owner, source) or _is_of_setup(files, owner, source)
+        if not is_module and not (is_run and owner.takes(source.absolute)):
             continue
-        is_run = files.purpose(source) is Purpose.EXAMPLE and owner.takes(source.absolute)
-        if not is_run and not is_meant(files, source, owner):
+        is_example = files.purpose(source) is Purpose.EXAMPLE and owner.takes(source.absolute)
+        if not is_example and not is_meant(files, source, owner):
             continue
         yield from (Need("module", module, owner) for module in _foreign(launch, folders, source))
 
@@ -234,3 +251,59 @@ def of_builds(files: Files, launch: Launch) -> Iterator[Need]:
             if build.source.kind == "cmake" and os.path.dirname(build.source.absolute) == package.folder:
                 for name, of_tests in required_packages(build.source):
                     yield Need("library", name, package, of_tests=of_tests)
+
+
+def of_interfaces(files: Files, launch: Launch) -> Iterator[Need]:
+    """What the messages, services and actions of a package need when nodes use them."""
+    for package in launch.workspace.packages.values():
+        generating = (
+            find_command(build.source, _GENERATES) for build in package.builds if build.source.kind == "cmake"
+        )
+        where = next(filter(None, generating), None)
+        if where is not None:
+            yield Need("interfaces", Located(_RUNTIME, where), package)
+
+
+def find_command(source: Source, name: str) -> Span | None:
+    """The first argument of the first command of a name."""
+    if name not in source.text:
+        return None
+    return next((each.arguments[0].span for each in commands(source) if each.name == name and each.arguments), None)
+
+
+def of_plugins(files: Files, launch: Launch) -> Iterator[Need]:
+    """The packages of the hardware that descriptions name, and of the controllers that parameter files name, of a
+    package whose launch files talk to the controller manager."""
+    managing = _managing(launch)
+    for source in files.of_kind("urdf", "params") if managing else ():
+        owner = launch.workspace.owner(source)
+        if owner is None or owner.name not in managing or not source.judged:
+            continue
+        if is_meant(files, source, owner) and (not owner.installs_known or _is_installed(owner, source)):
+            for plugin in _plugins(source):
+                package = plugin.partition("/")[0]
+                is_public = plugin in _public() and (is_released(package) or is_known_package(package))
+                is_known = is_public or package in launch.workspace.packages
+                if is_known and not is_simulation(package):
+                    yield Need("plugin", Located(package, plugin.span), owner)
+
+
+def _managing(launch: Launch) -> frozenset[str]:
+    """The packages whose launch files start what belongs to the controller manager."""
+    started = (node for node in launch.nodes if literal_text(node.package) == _MANAGER)
+    owners = (launch.workspace.owner(node.file.source) for node in started)
+    return frozenset(owner.name for owner in owners if owner is not None)
+
+
+def _plugins(source: Source) -> list[Located]:
+    """The classes that a description or a parameter file names."""
+    if source.kind == "urdf":
+        return urdf.parse(source).plugins
+    named = (each for block in params.parse(source).blocks for each in block.parameters)
+    types = (each for each in named if each.name.rpartition(".")[2] == "type" and isinstance(each.value.data, str))
+    return [Located(str(each.value.data), each.span) for each in types]
+
+
+@cache
+def _public() -> frozenset[str]:
+    return frozenset(row["name"] for row in table("ros/plugins"))

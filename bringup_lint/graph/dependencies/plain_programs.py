@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.model.package import Install
 from bringup_lint.pattern import regex
+from bringup_lint.source import Located
 
 if TYPE_CHECKING:
     from bringup_lint.discover.tree import Tree
@@ -35,3 +36,14 @@ def plain_programs(tree: Tree, package: Package, started: Container[str]) -> Ite
             text = tree.head(path, _READ)
             if text.strip() and not text.startswith("#!") and (name in started or _IS_RUN.search(text)):
                 yield install
+
+
+def programs_without_mode(tree: Tree, package: Package, started: Container[str]) -> Iterator[Located]:
+    """The names of programs in Python that a build installs into ``lib/<package>`` as plain files."""
+    for build in package.builds:
+        folder = os.path.dirname(build.source.absolute)
+        for name, where in build.without_mode.items():
+            path = os.path.normpath(os.path.join(folder, where.replace("${PROJECT_NAME}", package.name)))
+            text = tree.head(path, _READ) if name.endswith(".py") and tree.is_file(path) else ""
+            if text.startswith("#!") and _IS_RUN.search(text) and name not in started:
+                yield Located(name, where.span)

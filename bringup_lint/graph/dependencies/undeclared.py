@@ -148,10 +148,14 @@ class _Needed:
         name = str(need.name)
         if not self._is_known(need) or self._is_explained(need) or self._is_circular(name):
             return None
+        if need.use == "interfaces":
+            return None if "rosidl_core_runtime" in self._own else Lack.BROUGHT
         if name in _OF_LAUNCH:
             return Lack.BROUGHT if need.always and name not in self._of_own_launch else None
         if need.by_others:
-            return Lack.BROUGHT if need.always else None
+            return Lack.BROUGHT if need.always and need.use != "plugin" else None
+        if need.use == "plugin":
+            return self._of_plugin(need)
         if self._is_declared(need, self._declared):
             return Lack.BROUGHT if need.always and not self._is_declared(need, self._own) else None
         if self._dependencies.stops_build(need):
@@ -165,6 +169,12 @@ class _Needed:
         if need.is_of_robot:
             return Lack.OPTIONAL if need.use in _STARTED and not is_simulation(name) else None
         return Lack.ASIDE if need.by_default else None
+
+    def _of_plugin(self, need: Need) -> Lack | None:
+        """A plugin of others is missing where nothing of the tree brings it: they come with many packages."""
+        if self._dependencies.is_of_workspace(need):
+            return Lack.PACKAGE
+        return Lack.NOWHERE if self._dependencies.is_lacking(need) and not self._may_come(need) else None
 
     def _of_always(self, need: Need) -> Lack | None:
         if need.fact is not None and not need.fact.declared:
@@ -187,7 +197,7 @@ class _Needed:
         name = str(need.name)
         if _PLACEHOLDER.search(name) or package_like(self._launch, name):
             return False
-        if need.use in _NAMED:
+        if need.use in _NAMED or need.use in ("interfaces", "plugin"):
             return True
         if name in _OF_LAUNCH:
             return need.use == "module"

@@ -32,6 +32,8 @@ class Unregistered(NamedTuple):
     """The class that a source registers."""
     is_same: bool
     """Whether that one has another namespace only."""
+    first: Located | None = None
+    """Where the build registers the same class before, while nothing registers ``registered``."""
 
 
 def unregistered(files: Files, package: Package) -> Iterator[Unregistered]:
@@ -44,6 +46,16 @@ def unregistered(files: Files, package: Package) -> Iterator[Unregistered]:
             continue
         same = [each for name, each in found.items() if _class(name) == _class(plugin)]
         yield Unregistered(plugin, (same or [*found.values()])[0], len(same) == 1)
+    yield from _doubled(package, found)
+
+
+def _doubled(package: Package, found: dict[str, Located]) -> Iterator[Unregistered]:
+    """A class that stands for another one, too: it is registered twice, and one class of the sources not at all."""
+    first: dict[str, Located] = {}
+    twice = [each for each in package.plugins if first.setdefault(str(each), each) is not each]
+    left = [each for name, each in found.items() if name not in first]
+    if len(twice) == len(left) == 1 and not any("$" in name for name in first):
+        yield Unregistered(twice[0], left[0], False, first[str(twice[0])])
 
 
 def _registered(files: Files, package: Package) -> dict[str, Located]:
