@@ -66,6 +66,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch.questions.relative_paths import relative_paths
     from bringup_lint.graph.launch.questions.shared_devices import shared_devices
     from bringup_lint.graph.launch.questions.shutdowns import shut_down_by_helpers
+    from bringup_lint.graph.launch.questions.unread_arguments import unread_arguments
     from bringup_lint.graph.launch.reads import dead_reads
     from bringup_lint.graph.launch.reads import read_elsewhere
     from bringup_lint.graph.launch.reads import read_in
@@ -259,6 +260,7 @@ __all__ = [
     "understood",
     "unknown_flags",
     "unpassed",
+    "unread_arguments",
     "unsplit_commands",
     "unsplit_ros_arguments",
     "untaken",

@@ -16,6 +16,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.params.questions.camera_urls import refused_urls
     from bringup_lint.graph.params.questions.covariances import Lopsided
     from bringup_lint.graph.params.questions.covariances import lopsided
+    from bringup_lint.graph.params.questions.filter_chains import BrokenChain
+    from bringup_lint.graph.params.questions.filter_chains import broken_chains
     from bringup_lint.graph.params.questions.fusion import SkippedSensor
     from bringup_lint.graph.params.questions.fusion import skipped_sensors
     from bringup_lint.graph.params.questions.navigation import NavigationProblem
@@ -27,6 +29,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.params.questions.qos_overrides import OverrideProblem
     from bringup_lint.graph.params.questions.qos_overrides import QosOverride
     from bringup_lint.graph.params.questions.qos_overrides import qos_overrides
+    from bringup_lint.graph.params.questions.renamed_nodes import RenamedNode
+    from bringup_lint.graph.params.questions.renamed_nodes import renamed_nodes
     from bringup_lint.graph.params.questions.time import simulated
     from bringup_lint.graph.params.questions.time import waits_for_time
     from bringup_lint.graph.params.questions.unread import Unread
@@ -64,6 +68,7 @@ __all__ = [
     "QOS_POLICIES",
     "QOS_WORDS",
     "Block",
+    "BrokenChain",
     "Declared",
     "HardwareParameter",
     "IncompleteController",
@@ -78,6 +83,7 @@ __all__ = [
     "QosOverride",
     "Refused",
     "RefusedUrl",
+    "RenamedNode",
     "SkippedSensor",
     "Undeclared",
     "Unknown",
@@ -87,6 +93,7 @@ __all__ = [
     "UntypedPlugin",
     "WrongType",
     "XacroRefused",
+    "broken_chains",
     "declared_type",
     "foreign",
     "holds_maps",
@@ -98,6 +105,7 @@ __all__ = [
     "operator_problems",
     "qos_overrides",
     "refused_urls",
+    "renamed_nodes",
     "severity_of_refusal",
     "simulated",
     "skipped_sensors",

@@ -58,8 +58,13 @@ class Target:
     systemd: int
     systemd_why: str
     systemd_known: bool
-    ros_named: bool
-    """Whether the configuration or the tree names a distribution, be it several."""
+    named: frozenset[str]
+    """Every distribution that the configuration or the tree names."""
+
+    @property
+    def ros_named(self) -> bool:
+        """Whether the configuration or the tree names a distribution, be it several."""
+        return bool(self.named)
 
     @property
     def newest(self) -> int:
@@ -70,7 +75,8 @@ class Target:
 def find_target(sources: Iterable[Source], ros: str | None, systemd: int | None) -> Target:
     """The configured target, else what the tree says about itself, else the defaults."""
     sources = list(sources)
-    ros_why, named = ("configured", True) if ros else ("not known", False)
+    named: frozenset[str]
+    ros_why, named = ("configured", frozenset({ros})) if ros else ("not known", frozenset())
     if ros is None:
         ros, ros_why, named = _mentioned_ros(sources)
     if systemd is not None:
@@ -83,7 +89,7 @@ def find_target(sources: Iterable[Source], ros: str | None, systemd: int | None)
     return Target(None, ros_why, DEFAULT_SYSTEMD, "assumed: Ubuntu 22.04", False, named)
 
 
-def _mentioned_ros(sources: Iterable[Source]) -> tuple[str | None, str, bool]:
+def _mentioned_ros(sources: Iterable[Source]) -> tuple[str | None, str, frozenset[str]]:
     mentions: dict[str, Source] = {}
     for source in sources:
         if not source.judged or source.kind in ("python-node", "cpp-node"):
@@ -92,10 +98,10 @@ def _mentioned_ros(sources: Iterable[Source]) -> tuple[str | None, str, bool]:
             mentions.setdefault(name, source)
     if len(mentions) == 1:
         (ros, source) = next(iter(mentions.items()))
-        return ros, f"named in {source.name}", True
+        return ros, f"named in {source.name}", frozenset(mentions)
     if mentions:
-        return None, f"not known: the tree names {', '.join(sorted(mentions))}", True
-    return None, "not known", False
+        return None, f"not known: the tree names {', '.join(sorted(mentions))}", frozenset(mentions)
+    return None, "not known", frozenset()
 
 
 def _os_release(sources: Iterable[Source]) -> tuple[int, str] | None:

@@ -1,7 +1,7 @@
 """A call of a class of launch ends with an exception.
 
 ## What it finds
-Python launch files that give the classes of launch and launch_ros what they do not take:
+Python launch files that give functions and the classes of launch and launch_ros what they do not take:
 
 - keywords that they do not have (`namspace=`, `params=`), missing ones (`executable=`), arguments without a name where
   a name is needed;
@@ -11,7 +11,9 @@ Python launch files that give the classes of launch and launch_ros what they do 
 - one action where a list is needed, a list, a text or an event handler where an action is needed, a `condition=` that
   is none;
 - `on_exit=` and its like with a text, an event or a `LaunchConfiguration`, event handlers that wait for the end of an
-  include or a group, an action as the event of `EmitEvent`.
+  include or a group, an action as the event of `EmitEvent`;
+- calls of functions of the file itself that hand over too much, too little, or another name, also those that
+  `OpaqueFunction` makes: it hands the context over first.
 
 Silent where the file catches TypeError. It is an info where the file holds names to be filled in, as `your_package`.
 
@@ -98,6 +100,7 @@ MESSAGES = {
     "components": "{word} of {owner} is a component and not a list of them: launch ends with a TypeError",
     "component": "A process is no component: launch ends with an exception when it loads it",
     "callable": "{word} of {owner} is a text and not a function: launch ends with a TypeError",
+    "own": "{owner}() {word}: launch ends with a TypeError",
     "condition": "condition= is not a condition: launch ends with \"AttributeError: ... no attribute 'evaluate'\"",
 }
 ADVICE = {
@@ -111,6 +114,7 @@ ADVICE = {
     "actions": "put it into a list",
     "function": "name the function without calling it",
     "condition": "write IfCondition(...)",
+    "own": "call the function as it is defined",
     "callable": "name the function without quotes",
     "one": "put it into a list",
     "letters": "write a list of the words",

@@ -56,7 +56,7 @@ def ros1_construct(robot: Robot) -> Iterator[Finding]:
         if file.source.name.endswith(".launch") and is_for_both(robot, file):
             continue
         edits = [(name, INSTEAD[name]) for name in file.ros1 if _is_replaceable(name)]
-        name, *others = sorted(file.ros1, key=lambda each: each.span.start)
+        name, *others = in_order(file)
         yield finding(
             name,
             f"'{name}' is ROS 1 syntax: ROS 2 launch rejects the file",
@@ -66,13 +66,18 @@ def ros1_construct(robot: Robot) -> Iterator[Finding]:
             severity="info" if is_out_of_use(robot, file) else None,
         )
     for first, *rest in left_behind(robot).values():
+        name = in_order(first)[0]
         yield finding(
-            first.ros1[0],
-            f"'{first.ros1[0]}' is ROS 1 syntax in a ROS 2 package: ros2 launch rejects this file",
+            name,
+            f"'{name}' is ROS 1 syntax in a ROS 2 package: ros2 launch rejects this file",
             advice="migrate the file, or remove it",
             severity="info" if all(is_out_of_use(robot, each) for each in (first, *rest)) else "warning",
-            related=[note(each.ros1[0], "ROS 1 syntax, too") for each in rest],
+            related=[note(in_order(each)[0], "ROS 1 syntax, too") for each in rest],
         )
+
+
+def in_order(file: LaunchFile) -> list[Located]:
+    return sorted(file.ros1, key=lambda each: each.span.start)
 
 
 def left_behind(robot: Robot) -> dict[str, list[LaunchFile]]:

@@ -2,8 +2,9 @@
 
 ## What it finds
 Declared arguments that neither the file nor any file that it includes reads. A variable that is only the default of
-the argument itself does not read it, and a key of a dictionary neither. Info in packages of others that the tree only
-holds.
+the argument itself does not read it, a key of a dictionary neither, nor a file that only hands it on to this one. Of
+included files that are not in the tree, those of Gazebo, Nav2, slam_toolbox and others are known, and with others the
+rule is silent. Info in packages of others that the tree only holds.
 
 ## Why it matters on a robot
 Setting the argument has no effect, and launch does not say so. The robot runs with another configuration than the
@@ -33,7 +34,6 @@ does not use it.
 - launch, scope of launch configurations
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -41,9 +41,8 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import launch
+from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api.launch import OF_LAUNCH
-from bringup_lint.api.launch import LaunchFile
 from bringup_lint.api.python import remove
 
 
@@ -51,18 +50,9 @@ from bringup_lint.api.python import remove
 def unused_arg(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
         own = robot.launch.expansion(file)
-        if own.open or any(each.reads_all for each in own.files):
-            continue
         is_idle = not own.nodes and not own.includes and not own.handlers
-        files = {id(each): each for expansion in robot.launch.leading_to(file) for each in expansion.files}
-        elsewhere = launch.read_in(robot.launch, (each for each in files.values() if each is not file))
-        for declared in own.declared:
+        for declared, passed in launch.unread_arguments(robot.launch, file):
             name = declared.name
-            if declared.file is not file or name in elsewhere or name in OF_LAUNCH:
-                continue
-            dead = launch.dead_reads(file, name)
-            if sum(argument.name == name for argument in file.reads) > dead or mentioned(robot, file, name) > 1 + dead:
-                continue
             if any(f"$(var {name}" in source.text for source in robot.of_kind("params")):
                 continue
             drop = remove(declared.action.span)
@@ -70,14 +60,7 @@ def unused_arg(robot: Robot) -> Iterator[Finding]:
                 declared.action.name.span,
                 f"'{name}' is declared but nothing reads it: setting it has no effect",
                 advice="use the argument, or remove the declaration",
+                related=[note(each, "passed here") for each in passed],
                 fix=fix(f"remove the declaration of '{name}'", codemod=drop, safe=False) if drop else None,
                 severity="info" if is_idle or robot.launch.workspace.is_vendored(file.source) else None,
             )
-
-
-def mentioned(robot: Robot, file: LaunchFile, name: str) -> int:
-    """In Python only quoted names count: a variable may have the same name as the argument, and a key of a dictionary
-    gives a parameter or an argument of another file."""
-    if file.format != "python":
-        return robot.launch.mentions(file, name)
-    return len(re.findall(rf"""(['"]){re.escape(name)}\1(?!\s*:)""", file.source.text))

@@ -3,10 +3,11 @@
 ## What it finds
 `null` and `~` as values: a warning where a node of the tree declares the parameter with another type than a string, and
 info where no declaration is known. `None` and `none` as values, as info. Silent for parameters that the node declares
-as a string.
+as a string. Quotes inside of quotes, as a warning: `"''"` is a text of two quotes and not an empty one.
 
 ## Why it matters on a robot
-rcl has no null: the node gets the text "null", not an unset parameter.
+rcl has no null: the node gets the text "null", not an unset parameter. Where the text is two quotes, it looks for a
+device or a frame of that name.
 
 ## Bad
 ```yaml
@@ -38,6 +39,7 @@ from bringup_lint.api import params
 from bringup_lint.api import rule
 
 _UNKNOWN = "one that declares another type than a string exits with an exception"
+_QUOTES = ("''", '""')
 _NULLS = ("null", "~", "NULL", "Null", "None", "none")
 
 
@@ -47,6 +49,14 @@ def null_string(robot: Robot) -> Iterator[Finding]:
         if robot.params.read_by(file) == "pyyaml":
             continue
         for item in robot.params.items(parameter):
+            if item.quoted and item.text in _QUOTES:
+                yield finding(
+                    item.span,
+                    f"'{parameter.name}' is a text of two quotes for the node, not an empty one",
+                    advice='write ""',
+                    severity="warning",
+                )
+                continue
             declared = params.declared_type(robot.params, parameter)
             if item.quoted or item.text not in _NULLS or declared == "string":
                 continue

@@ -98,7 +98,7 @@ class Expander:
         for action in actions:
             self.count += 1
             if self.count > self.limit:
-                self.result.open = True
+                self.result.opaque = True
                 return
             self.action(action)
 
@@ -156,7 +156,7 @@ class Expander:
             if isinstance(value, Argument):
                 if value.default is None and not self.exists(str(value.name)):
                     self.result.unbound.append(
-                        Used(value, self.file, self.chain, self.conditions, not self.result.open)
+                        Used(value, self.file, self.chain, self.conditions, self.is_unset(str(value.name)))
                     )
                 continue
             todo.extend(children(value))
@@ -166,6 +166,10 @@ class Expander:
         if name in self.scope.arguments:
             return True
         return any(all(map(self.under, needed)) for needed in self.not_by_default.get(name, ()))
+
+    def is_unset(self, name: str) -> bool:
+        """Whether nothing so far may have set a configuration unseen."""
+        return not self.result.opaque and not self.result.is_lost and name not in self.result.outside
 
     def under(self, condition: Condition) -> bool:
         """Whether a condition holds here."""
@@ -207,7 +211,7 @@ class Expander:
         outer, by_default = self.conditions, self.by_default
         for node in nodes:
             if not isinstance(node, ComposableNode):
-                self.result.open = True
+                self.result.opaque = True
                 continue
             symbolic = Resolver(self.scope, symbolic=True)
             outcomes = [(condition, symbolic.holds(condition)) for condition in node.conditions]

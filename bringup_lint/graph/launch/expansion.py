@@ -107,10 +107,21 @@ class Expansion:
     """Every action that was visited."""
     cycle: list[Included] = field(default_factory=list)
     """Includes that come back to a file that is still being read."""
-    open: bool = False
-    """Something is not understood or not in the tree: more may start, and more arguments may be read."""
+    opaque: bool = False
+    """Something is not understood: more may start, and more arguments may be read."""
+    leaves_tree: bool = False
+    """A file is included that is not in the tree."""
+    is_lost: bool = False
+    """Nothing is known of such a file, and so not what arguments it reads and declares."""
+    outside: set[str] = field(default_factory=set)
+    """The arguments of such files that are known."""
     arguments: dict[str, Binding] = field(default_factory=dict)
     """The launch configurations at the end."""
+
+    @property
+    def open(self) -> bool:
+        """Something is not understood or not in the tree: more may start, and more arguments may be read."""
+        return self.opaque or self.leaves_tree
 
     @cached_property
     def files(self) -> list[LaunchFile]:

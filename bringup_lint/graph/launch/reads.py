@@ -105,10 +105,10 @@ def dead_reads(file: LaunchFile, name: str) -> int:
     """How often a launch configuration is bound to a variable that is used nowhere, or only as the default of the
     argument itself."""
     variables = (variable for read, variable in file.bound if read.name == name)
-    return sum(_uses(file.source.uncommented, variable, name) == 1 for variable in variables)
+    return sum(uses(file.source.uncommented, variable, name) == 1 for variable in variables)
 
 
-def _uses(text: str, variable: str, name: str) -> int:
+def uses(text: str, variable: str, name: str) -> int:
     """How often a variable is named, without the place that makes it the default of the argument ``name``."""
     written = re.escape(variable)
     own_default = rf"""(['"]){re.escape(name)}\1\s*,\s*default_value\s*=\s*{written}(?!\w)"""

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import os
+
+from bringup_lint.facts.ros.launch_arguments import taken
 from bringup_lint.graph.launch.expand import Expander
 from bringup_lint.graph.launch.expand import Visit
 from bringup_lint.graph.launch.expansion import Declared
@@ -12,6 +15,7 @@ from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.resolve import truth
 from bringup_lint.graph.launch.scope import Binding
 from bringup_lint.graph.launch.scope import EnvChange
+from bringup_lint.graph.workspace import place
 from bringup_lint.model.launch import Action
 from bringup_lint.model.launch import DeclareArgument
 from bringup_lint.model.launch import EventHandler
@@ -47,7 +51,7 @@ DEPTH = 16
 def _declare(self: Expander, action: DeclareArgument, resolver: Resolver, symbolic: Resolver) -> None:
     name = text_of(resolver.value(action.name))
     if name is None:
-        self.result.open = True
+        self.result.opaque = True
         return
     before = self.scope.arguments.get(name)
     self.result.declared.append(Declared(action, self.file, name, before, self.conditions, self.chain))
@@ -72,7 +76,7 @@ def _set(self: Expander, action: SetArgument, resolver: Resolver, symbolic: Reso
     name = text_of(resolver.value(action.name))
     self.note_unbound(action.value)
     if name is None:
-        self.result.open = True
+        self.result.opaque = True
         return
     self.bind(name, resolver.value(action.value), symbolic.value(action.value), action.span)
 
@@ -99,22 +103,23 @@ def _include(self: Expander, action: Include, resolver: Resolver, symbolic: Reso
         self.note_unbound(value)  # launch sets one argument after the other: each may read those before it
         name = text_of(resolver.value(name_value))
         if name is None:
-            self.result.open = True
+            self.result.opaque = True
             continue
         passed[name] = value
         values[name] = Resolver(self.scope).value(value)
         self.bind(name, values[name], Resolver(self.scope, symbolic=True).value(value), value.span)
     included = Included(action, file, self.file, target, passed, values, self.conditions, chain, known, self.context)
     self.result.includes.append(included)
-    if action.open or target is None:
-        self.result.open = True
+    if action.open:
+        self.result.opaque = True
     if target is None:
+        _leave(self, file)
         return
     if target.source in self.open_files:
         self.result.cycle.append(included)
         return
     if len(self.chain) >= DEPTH:
-        self.result.open = True
+        self.result.opaque = True
         return
     outer_file, outer_chain = self.file, self.chain
     self.file, self.chain = target, chain
@@ -122,6 +127,16 @@ def _include(self: Expander, action: Include, resolver: Resolver, symbolic: Reso
     self.visit(target.actions)
     self.open_files.pop()
     self.file, self.chain = outer_file, outer_chain
+
+
+def _leave(self: Expander, file: Value) -> None:
+    where = place(file)
+    known = taken(where.package, os.path.basename(where.path)) if where is not None and where.base == "share" else None
+    self.result.leaves_tree = True
+    if known is None or known.grows:
+        self.result.is_lost = True
+    else:
+        self.result.outside |= known.arguments
 
 
 def _group(self: Expander, action: Group, resolver: Resolver, symbolic: Resolver) -> None:
@@ -232,7 +247,7 @@ def _opaque(self: Expander, action: Opaque, resolver: Resolver, symbolic: Resolv
 
 
 def _other(self: Expander, action: Other, resolver: Resolver, symbolic: Resolver) -> None:
-    self.result.open = True
+    self.result.opaque = True
     self.visit(action.actions)
 
 

@@ -44,6 +44,8 @@ _COMMANDED = "command_joints"
 _PLAIN = regex(r"[\w.-]+\Z")
 """A name without placeholders."""
 _INTERFACES = ("command_interfaces", "interface_name")
+_WITH_JOINT = ("max_effort_interface", "max_velocity_interface")
+"""Parameters of a gripper's controller that name a command interface with its joint, as ``finger_joint/effort``."""
 _CHECKED = ("jazzy", "kilted", "lyrical", "rolling")
 """Releases that refuse hardware for a joint which the robot does not have (component_parser.cpp)."""
 _MANAGER = "controller_manager"
@@ -172,7 +174,7 @@ def _of_file(known: Described, file: ParameterFile, packages: Container[str]) ->
         yield from _joints(known, each, controller)
     if known.interfaces and not known.is_open_interface:
         for each, controller in named:
-            if each.name in _INTERFACES:
+            if each.name in (*_INTERFACES, *_WITH_JOINT):
                 yield from _interfaces(known, each, controller)
 
 
@@ -221,9 +223,10 @@ def _joints(known: Described, parameter: Parameter, controller: str) -> Iterator
 
 def _interfaces(known: Described, parameter: Parameter, controller: str) -> Iterator[UnknownJoint]:
     for item in items(parameter):
-        if item.text and item.text not in known.interfaces:
+        name = item.text.rpartition("/")[2] if parameter.name in _WITH_JOINT else item.text
+        if name and name not in known.interfaces:
             like = ", ".join(sorted(known.interfaces))
-            yield UnknownJoint(item.text, item.span, controller, "interface", like)
+            yield UnknownJoint(name, item.span, controller, "interface", like)
 
 
 def _uncontrolled(known: Described) -> Iterator[UnknownJoint]:

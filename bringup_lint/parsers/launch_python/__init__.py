@@ -17,6 +17,7 @@ from bringup_lint.parsers.launch_python.objects import Function
 from bringup_lint.parsers.launch_python.objects import Mapping
 from bringup_lint.parsers.launch_python.objects import Options
 from bringup_lint.parsers.launch_python.objects import Sequence
+from bringup_lint.parsers.launch_python.own_calls import own_misfits
 from bringup_lint.parsers.launch_python.state import Evaluator
 from bringup_lint.parsers.launch_python.state import State
 from bringup_lint.parsers.launch_python.statements import run
@@ -62,6 +63,7 @@ def parse(source: Source) -> LaunchFile:
         file.actions += (Other(span=source.whole, why="nested too deeply"),)
     else:
         file.unbound += unbound(state, tree)
+        file.calls_refused += own_misfits(tree, positions)
         file.unplaced += unplaced(tree, positions, source.text)
     finally:
         module.names.clear()  # its functions know it: without this, the syntax tree would wait for a search for garbage

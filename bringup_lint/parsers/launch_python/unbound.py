@@ -36,7 +36,7 @@ def unbound(state: State, tree: ast.Module) -> Iterator[UnboundName]:
     bound = {name for node in nodes for name in bound_names(node)}
     if "*" in bound or any(isinstance(node, ast.Name) and node.id in DYNAMIC for node in nodes):
         return
-    caught = {id(inner) for node in nodes if _catches(node) for inner in _body(node)}
+    caught = caught_in(nodes, _CATCHING)
     chosen = _chosen(nodes)
     for name, (node, guards) in lacking.items():
         if name not in bound | _OF_MODULES and id(node) not in caught:
@@ -61,12 +61,17 @@ def _chosen(nodes: list[ast.AST]) -> set[int]:
     return found
 
 
-def _catches(node: ast.AST) -> bool:
+def caught_in(nodes: list[ast.AST], names: frozenset[str]) -> set[int]:
+    """The nodes (by ``id``) whose exceptions of these names are caught."""
+    return {id(inner) for node in nodes if _catches(node, names) for inner in _body(node)}
+
+
+def _catches(node: ast.AST, names: frozenset[str]) -> bool:
     """``try``, and ``with suppress(NameError)``."""
     types: list[ast.expr | None] = [handler.type for handler in node.handlers] if isinstance(node, ast.Try) else []
     types += [item.context_expr for item in node.items] if isinstance(node, ast.With) else []
     words = (each for kind in types if kind is not None for each in ast.walk(kind) if isinstance(each, ast.Name))
-    return None in types or any(word.id in _CATCHING for word in words)
+    return None in types or any(word.id in names for word in words)
 
 
 def _body(node: ast.AST) -> Iterator[ast.AST]:

@@ -14,6 +14,7 @@ from bringup_lint.model.node_source import NodeSource
 from bringup_lint.model.python import FunctionNode
 from bringup_lint.model.python import bound_names
 from bringup_lint.model.python import is_own
+from bringup_lint.model.python_calls import misfit
 from bringup_lint.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
@@ -66,7 +67,7 @@ def _in_file(file: NodeSource, syntax: Syntax, overridden: set[tuple[str, str]])
         definition = known.of(call)
         if definition is None or syntax.catches(call, _EXPECTED) or syntax.is_dead(call):
             continue
-        wrong = _misfit(call, definition.args, isinstance(syntax.definition(definition), ast.ClassDef))
+        wrong = misfit(call, definition.args, isinstance(syntax.definition(definition), ast.ClassDef))
         if wrong is not None:
             function = syntax.function(call)
             named = function.name if function is not None else None
@@ -121,26 +122,3 @@ class _Known:
                 self._methods[owner].setdefault(each.name, []).append(each)
         found = self._methods[owner].get(name, [])
         return found[0] if len(found) == 1 else None
-
-
-def _misfit(call: ast.Call, taken: ast.arguments, is_method: bool) -> str | None:
-    """What is wrong with the arguments of a call, in words; None when nothing is, or ``*`` may hide some."""
-    if any(isinstance(each, ast.Starred) for each in call.args) or any(each.arg is None for each in call.keywords):
-        return None
-    names = [each.arg for each in (*taken.posonlyargs, *taken.args)][1 if is_method else 0 :]
-    given = len(call.args)
-    if given > len(names) and taken.vararg is None:
-        return f"takes {_counted(len(names))} and gets {given}"
-    keywords = {str(each.arg) for each in call.keywords}
-    known = {*names, *(each.arg for each in taken.kwonlyargs)}
-    unknown = next((str(each.arg) for each in call.keywords if each.arg not in known), None)
-    if unknown is not None and taken.kwarg is None:
-        return f"has no argument '{unknown}'"
-    required = names[given : max(len(names) - len(taken.defaults), given)]
-    required += [each.arg for each, value in zip(taken.kwonlyargs, taken.kw_defaults) if value is None]
-    missing = next((each for each in required if each not in keywords), None)
-    return f"needs '{missing}'" if missing is not None else None
-
-
-def _counted(number: int) -> str:
-    return f"{number or 'no'} argument{'' if number == 1 else 's'}"
