@@ -49,6 +49,8 @@ from bringup_lint.api.python import remove
 @rule("warning", fix="unsafe", silent="launch accepts the argument without a message")
 def unused_arg(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
+        if robot.purpose(file.source).value in ("ci", "test", "archive"):
+            continue
         own = robot.launch.expansion(file)
         is_idle = not own.nodes and not own.includes and not own.handlers
         for declared, passed in launch.unread_arguments(robot.launch, file):
