@@ -60,6 +60,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch.questions.refused_words import in_degrees
     from bringup_lint.graph.launch.questions.refused_words import options_with_next
     from bringup_lint.graph.launch.questions.refused_words import refused_transforms
+    from bringup_lint.graph.launch.questions.refused_words import turned
     from bringup_lint.graph.launch.questions.refused_words import unknown_flags
     from bringup_lint.graph.launch.questions.refused_words import unsplit_commands
     from bringup_lint.graph.launch.questions.refused_words import unsplit_ros_arguments
@@ -255,6 +256,7 @@ __all__ = [
     "text_of",
     "transitions_elsewhere",
     "truth",
+    "turned",
     "undeclared",
     "undelayed",
     "understood",

@@ -6,6 +6,7 @@
 - `static_transform_publisher` with another number of arguments than it takes: 8 (x y z yaw pitch roll frame child),
   9 (with a quaternion) or options alone; and with options (`--frame-id`) before Humble
 - yaw, pitch and roll of `static_transform_publisher` above 2π: they are in radians (a warning)
+- arguments that are called roll and yaw where `static_transform_publisher` takes yaw, pitch and roll (a warning)
 - `'-entity' 'bucket'` among the arguments, without a comma: one word
 - `Command(['xacro', path])` without a blank after the program, `Command(['xacro ', path, 'name:=', value])` without one
   before an argument, and `Command([path])` of a robot description without a program
@@ -41,6 +42,7 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
+from bringup_lint.api import note
 from bringup_lint.api import rule
 
 WITHOUT_FLAGS = ("dashing", "eloquent", "foxy", "galactic")
@@ -117,6 +119,15 @@ def transforms(robot: Robot) -> Iterator[Finding]:
             angle,
             f"{angle} is in radians, {abs(number) / math.tau:.1f} turns: the frame does not point where it should",
             advice=f"write {math.radians(number):.4g}",
+            severity="warning",
+        )
+    for first, last in launch.turned(robot.launch):
+        yield finding(
+            first.name,
+            f"static_transform_publisher takes yaw, pitch and roll in this order, and gets '{first.name}' as the yaw: "
+            "the frame does not point where it should",
+            advice=f"write '{last.name}' here, and '{first.name}' as the last angle",
+            related=[note(last.name, "this is taken for the roll")],
             severity="warning",
         )
     if robot.target.ros not in WITHOUT_FLAGS:

@@ -100,6 +100,20 @@ def in_degrees(launch: Launch) -> Iterator[tuple[Located, float]]:
                 yield text, number
 
 
+def turned(launch: Launch) -> Iterator[tuple[Argument, Argument]]:
+    """The arguments of launch files that a static transform gets as its yaw and roll, where they are called the other
+    way round."""
+    for node in _transforms(launch):
+        words = getattr(node.action, "arguments", ())
+        flags = (text for text in map(literal_text, words) if text is not None and text.startswith("--"))
+        if len(words) != _LENGTHS[1] or next(flags, None) is not None:
+            continue
+        first, last = words[3], words[5]
+        if isinstance(first, Argument) and isinstance(last, Argument):
+            if first.name.lower().endswith("roll") and last.name.lower().endswith("yaw"):
+                yield first, last
+
+
 def _angles(words: list[Located | None]) -> Iterator[Located]:
     """The values of yaw, pitch and roll, by their flags or in the order of eight words."""
     own = list(itertools.takewhile(lambda word: word != "--ros-args", words))
