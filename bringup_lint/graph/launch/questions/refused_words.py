@@ -104,7 +104,7 @@ def turned(launch: Launch) -> Iterator[tuple[Argument, Argument]]:
     """The arguments of launch files that a static transform gets as its yaw and roll, where they are called the other
     way round."""
     for node in _transforms(launch):
-        words = getattr(node.action, "arguments", ())
+        words: tuple[Value, ...] = getattr(node.action, "arguments", ())
         flags = (text for text in map(literal_text, words) if text is not None and text.startswith("--"))
         if len(words) != _LENGTHS[1] or next(flags, None) is not None:
             continue
