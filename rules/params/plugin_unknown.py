@@ -6,8 +6,9 @@
 - the name belongs to a package of the tree, whose plugin descriptions hold no such class, or
 - the package of Navigation2, ros2_controllers or ros2_control exports the class under another name in the distribution
   of the robot, or under nearly the same: `nav2_recoveries/Spin` became `nav2_behaviors/Spin` (Humble) and
-  `nav2_behaviors::Spin` (Jazzy), `fake_components` became `mock_components`. Where the distribution is not known, the
-  name must be missing in all of them, or
+  `nav2_behaviors::Spin` (Jazzy), `fake_components` became `mock_components`. A distribution in the path of the file
+  counts more. Where the tree names several, the name must be missing in each of them, and where none is known, in all
+  that there are, or
 - no file of the tree but parameter files names the package, so that nothing builds, fetches or installs it: a warning.
   The namespace is taken for the name of the package, and simulators do not count.
 

@@ -10,6 +10,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from bringup_lint.facts import table
+from bringup_lint.facts.ros import distros
 from bringup_lint.graph.plugins.exports import exports
 from bringup_lint.graph.plugins.unbrought import Unbrought
 from bringup_lint.named_tuple import NamedTuple
@@ -92,8 +93,9 @@ class Named:
         package = match["package"]
         if package in self._workspace.packages or package in self._workspace.ambiguous:
             return self._unknown_in_tree(name, package, match["class"], loaded)
-        distribution = self._files.target.ros or self._implied.get(name.span.path)
-        known = _known(distribution)
+        distributions = self._distributions(name)
+        distribution = distributions[-1] if distributions else None
+        known = frozenset().union(*map(_known, distributions)) if distributions else _known(None)
         if str(name) in known:
             return None
         meant = _meant(known, package, match["class"]) or _misspelt(name)
@@ -103,6 +105,16 @@ class Named:
         if is_public or not loaded or name.span.source.kind == "urdf" or not self._unbrought.is_unbrought(package):
             return None
         return UnknownPlugin(name, package, None, None, loaded, unbrought=True)
+
+    def _distributions(self, name: Located) -> list[str]:
+        """Those that a name has to be in one of, oldest first: that in the path of the file, of the robot, or that the
+        other names mean, else all that the tree names, where the table has them."""
+        by_path = distros.named_in(name.span.source.name)
+        one = by_path or self._files.target.ros or self._implied.get(name.span.path)
+        if one is not None:
+            return [one]
+        named = self._files.target.named
+        return [each for each in distros.supported() if each in named] if named <= _in_table() else []
 
     @cached_property
     def _unbrought(self) -> Unbrought:
@@ -131,6 +143,11 @@ def _known(distribution: str | None) -> frozenset[str]:
     """The names that the packages of the table export in a distribution; in any when it is not known."""
     rows = (row for row in table("ros/plugins") if distribution is None or distribution in row["distributions"].split())
     return frozenset(row["name"] for row in rows)
+
+
+@cache
+def _in_table() -> frozenset[str]:
+    return frozenset().union(*_distributions().values())
 
 
 @cache
