@@ -7,6 +7,7 @@ from bringup_lint.type_names import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from bringup_lint.graph.commands.command_line import CommandLine
+    from bringup_lint.graph.containers.base_images import ended_release
     from bringup_lint.graph.containers.base_images import has_dash
     from bringup_lint.graph.containers.base_images import may_set
     from bringup_lint.graph.containers.base_images import ros_distro
@@ -79,6 +80,7 @@ __all__ = [
     "commands_of_run",
     "container_folders",
     "distro_of",
+    "ended_release",
     "expanded",
     "first_unlisted",
     "foreign_programs",

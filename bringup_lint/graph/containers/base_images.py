@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from bringup_lint.facts.host.ended_releases import EndedRelease
+from bringup_lint.facts.host.ended_releases import ended_releases
 from bringup_lint.facts.ros import distros
 from bringup_lint.pattern import regex
 
 _LIBRARY = r"(?:docker\.io/)?(?:library/)?(?:(?:arm64v8|amd64|arm32v7)/)?"
 _OF_NVIDIA = r"(?:docker\.io/)?nvidia/cuda:.*|nvcr\.io/nvidia/cuda:.*"
+_OFFICIAL = regex(rf"{_LIBRARY}(?P<name>[a-z][a-z-]*):(?P<tag>[\w.-]+)")
 _ROS = regex(rf"{_LIBRARY}(?:osrf/)?ros:(?P<distro>[a-z]+)(?:-[\w.-]+)?")
 _UBUNTU = regex(rf"{_LIBRARY}ubuntu:(?P<release>[\w.]+)(?:-[\w.]+)?")
 _RELEASES = [distros.every()[name] for name in distros.distros_since("humble") if name != "rolling"]
@@ -84,7 +87,26 @@ def ubuntu_codename(image: str) -> str:
     if on_ubuntu is not None:
         return _CODENAMES.get(f"{on_ubuntu['year']}.04", "")
     distro = ros_distro(image)
-    return distros.codename_of(distro) if distro != "rolling" else ""
+    if distro and distro != "rolling":
+        return distros.codename_of(distro)
+    official = _OFFICIAL.fullmatch(image)
+    last = official["tag"].rpartition("-")[2] if official is not None else ""
+    return last if last in _CODENAMES.values() else ""
+
+
+def ended_release(image: str) -> EndedRelease | None:
+    """The release of Debian or Ubuntu of an official image, where its packages are in an archive."""
+    official = _OFFICIAL.fullmatch(image)
+    if official is None:
+        return None
+    parts = official["tag"].split("-")
+    for release in ended_releases():
+        own = release.distribution == official["name"]
+        if own and f"{parts[0]}.".startswith(f"{release.number}."):
+            return release
+        if (own or release.distribution == "debian") and release.codename in parts:
+            return release
+    return None
 
 
 def has_no_package_lists(image: str) -> bool:

@@ -1,0 +1,90 @@
+"""The distribution of a base image has ended, and apt finds its packages no more.
+
+## What it finds
+A stage on an official image of Debian 10 or older, or of a release of Ubuntu that is no LTS and has ended
+(`debian:buster`, `python:3.7-stretch`, `ubuntu:21.04`), that runs `apt-get update`, where nothing in the Dockerfile
+speaks of an archive or of the sources of apt.
+
+## Why it matters on a robot
+The packages have moved to archive.debian.org and old-releases.ubuntu.com, and the image still asks the old servers:
+"404 Not Found", "does not have a Release file". The image cannot be built again, neither for a new robot nor for a
+repair, and what is built gets no security updates.
+
+## Bad
+```dockerfile
+FROM debian:buster
+RUN apt-get update && apt-get install -y gpsd
+```
+
+## Good
+```dockerfile
+FROM debian:bookworm
+RUN apt-get update && apt-get install -y gpsd
+```
+
+## When to ignore it
+When a proxy or mirror of your own still has the packages.
+
+## References
+- https://www.debian.org/distrib/archive
+- https://help.ubuntu.com/community/EOLUpgrades
+"""
+
+import re
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Located
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import regex
+from bringup_lint.api import rule
+from bringup_lint.api.docker import Stage
+from bringup_lint.api.docker import commands_of
+from bringup_lint.api.docker import ended_release
+from bringup_lint.api.shell import unwrapped
+
+ARCHIVES = regex(
+    r"archive\.debian\.org|old-releases|snapshot\.debian\.org|sources\.list(?!\.d\b)|(?:debian|ubuntu)\.sources"
+    r"|[ \t]/etc/apt/?[\"\]]*[ \t]*$",
+    re.M,
+)
+"""What gives apt other servers."""
+HOSTS = {"debian": "archive.debian.org", "ubuntu": "old-releases.ubuntu.com"}
+
+
+@rule("error", symptoms=["does not have a Release file", "no longer has a Release file", "404  Not Found [IP: *]"])
+def distribution_ended(robot: Robot) -> Iterator[Finding]:
+    seen = set()
+    for file in robot.dockerfiles:
+        for stage in file.stages:
+            release = ended_release(stage.origin)
+            bottom = list(stage.chain)[-1]
+            if release is None or bottom in seen or robot.compose.images.is_chosen(stage, tag=True):
+                continue
+            update = _update(stage)
+            if update is not None and not any(map(ARCHIVES.search, _texts(stage))):
+                seen.add(bottom)
+                name = f"{release.distribution.capitalize()} {release.number} ({release.codename})"
+                yield finding(
+                    bottom.image,
+                    f"The packages of {name} have been in an archive since {release.moved}: apt-get update fails, and "
+                    "the build stops",
+                    advice=f"take a newer release, or write {HOSTS[release.distribution]} into the sources of apt",
+                    related=[note(update, "asks the old servers")],
+                )
+
+
+def _texts(stage: Stage) -> Iterator[str]:
+    for instruction in (each for one in stage.chain for each in one.instructions):
+        yield from (str(instruction.value), *map(str, instruction.heredocs))
+
+
+def _update(stage: Stage) -> Located | None:
+    """The first command that asks for the lists of packages, where its failure stops the build."""
+    for command in commands_of(stage):
+        words = unwrapped(command.words)
+        if words and words[0] in ("apt", "apt-get") and "update" in words and command.ends != "||":
+            return words[0]
+    return None
