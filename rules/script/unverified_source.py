@@ -5,6 +5,8 @@ In scripts and Dockerfiles:
 
 - `deb [trusted=yes] ...`, `apt-get --allow-unauthenticated`, `--force-yes`, `AllowUnauthenticated=true` and
   `AllowInsecureRepositories=true`: apt installs packages that nobody signed;
+- a key for apt that `wget` or `curl` gets over `http://`, and that goes to `apt-key add`, `gpg --dearmor` or a folder
+  of keys, and `apt-key adv --fetch-keys http://...`;
 - in Dockerfiles, `wget --no-check-certificate` and `curl --insecure` of a file on the internet.
 
 Repositories in a local folder and addresses of the own network are not reported.
@@ -60,6 +62,18 @@ UNSIGNED = regex(
 UNCHECKED = regex(
     r"\b(?:wget\b[^\n|;&]{0,200}?(?P<wget>--no-check-certificate)|curl\b[^\n|;&]{0,200}? (?P<curl>-k|--insecure) )"
 )
+PART = r"(?:[^\n|;&\\]|\\\n?)"
+"""A character of a command, the end of a continued line included."""
+PLAIN_HTTP = rf"http://(?!{OWN_NETWORK})[^\s|;'\"\\]{{1,300}}"
+FOLDERS = r"/(?:usr/share/keyrings|etc/apt/(?:keyrings|trusted\.gpg\.d))/"
+KEY = regex(
+    rf"\b(?:curl|wget)\b{PART}{{0,200}}?(?P<piped>{PLAIN_HTTP}){PART}{{0,100}}\|\s*(?:\\\n\s*)?"
+    r"(?:sudo\s+(?:-\w+\s+){0,3})?(?:apt-key\s+add|gpg2?\b[^\n|;&]{0,100}--dearmor)"
+    rf"|\b(?:curl|wget)\b{PART}{{0,200}}?(?P<saved>{PLAIN_HTTP}){PART}{{0,100}}?-[oO] ?{FOLDERS}"
+    rf"|\b(?:curl|wget)\b{PART}{{0,100}}?-[oO] ?{FOLDERS}\S{{1,100}}{PART}{{0,100}}?(?P<before>{PLAIN_HTTP})"
+    rf"|\bapt-key\b{PART}{{0,100}}?--fetch-keys\s+[\"']?(?P<fetched>{PLAIN_HTTP})",
+    hints="http:// apt-key",
+)
 ADDRESS = regex(r"https://(?P<host>[a-zA-Z][\w-]*(?:\.[\w-]+)+)(?P<path>/\S*)?")
 LOCAL = regex(r"\.(?:local|lan|internal|home)$")
 LOOKED_FOR = regex(r"\bgrep\b[^|;&]*$|\bsed\b[^|;&]*['\"]\\?/[^|;&]*$")
@@ -81,6 +95,13 @@ def unverified_source(robot: Robot) -> Iterator[Finding]:
                 "apt installs what nobody signed: whoever has the server or the way to it can give the robot a package",
                 "import the key of the repository and name it with signed-by=",
             )
+            if not CHECKED.search(source.text):
+                yield from _finding(
+                    [_word(source, match) for match in KEY.finditer(source.text) if _is_said(source, match)],
+                    "Whoever is on the way to the server can give the robot another key, with which apt trusts "
+                    "packages of his",
+                    "get the key over https",
+                )
             if source.kind == "dockerfile" and not CHECKED.search(source.text):
                 yield from _finding(
                     list(_unchecked(source)),
