@@ -9,6 +9,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.containers.questions.compose_names import MissingFile
     from bringup_lint.graph.containers.questions.compose_names import missing_files
     from bringup_lint.graph.containers.questions.compose_names import undefined_names
+    from bringup_lint.graph.containers.questions.container_names import shared_names
     from bringup_lint.graph.containers.questions.device_groups import closed_devices
     from bringup_lint.graph.containers.questions.health import unchecked_health
     from bringup_lint.graph.containers.questions.image_use import is_workplace
@@ -42,6 +43,7 @@ __all__ = [
     "missing_files",
     "reach",
     "refused_addresses",
+    "shared_names",
     "taken_ports",
     "unchecked_health",
     "undefined_names",

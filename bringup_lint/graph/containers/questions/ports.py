@@ -48,7 +48,7 @@ def taken_ports(files: Files, compose: Compose) -> Iterator[Taken]:
         entries = _entries(files, [file, *_overriding(compose, file)])[:_MOST]
         for (owner, first), (other, second) in combinations(entries, 2):
             port = _common(first, second)
-            if port is not None and port not in seen and _start_together(files, owner, other):
+            if port is not None and port not in seen and start_together(files, owner, other):
                 seen.add(port)
                 yield Taken(first, owner, second, other, port)
 
@@ -113,7 +113,7 @@ def _common(first: Published, second: Published) -> int | None:
     return port if port < min(first.host.stop, second.host.stop) else None
 
 
-def _start_together(files: Files, one: Service, other: Service) -> bool:
+def start_together(files: Files, one: Service, other: Service) -> bool:
     """Whether some choice of profiles surely starts both, and nobody starts one of them alone by its name."""
     if one is other:
         return True

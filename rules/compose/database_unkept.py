@@ -1,0 +1,91 @@
+"""A database has no volume of its own.
+
+## What it finds
+A service with the official image of a database (PostgreSQL, MySQL, MariaDB, MongoDB, InfluxDB, CouchDB) that restarts
+by itself or has a fixed name for its container, and of which no volume covers the folder of the data.
+
+## Why it matters on a robot
+The image makes a volume without a name. After `docker compose down`, and on the next robot, nothing finds it again, and
+the database begins empty: maps, tasks, measurements and accounts are gone.
+
+## Bad
+```yaml
+services:
+  tasks:
+    image: postgres:16
+    restart: unless-stopped
+```
+
+## Good
+```yaml
+services:
+  tasks:
+    image: postgres:16
+    restart: unless-stopped
+    volumes:
+      - tasks:/var/lib/postgresql/data
+volumes:
+  tasks:
+```
+
+## When to ignore it
+When the data is filled in anew at every start.
+
+## References
+- https://hub.docker.com/_/postgres, "Where to Store Data", and the same of the other images
+- https://docs.docker.com/reference/cli/docker/compose/down/
+"""
+
+import posixpath
+import re
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import regex
+from bringup_lint.api import rule
+from bringup_lint.api.compose import Service
+from bringup_lint.api.docker import image_name
+
+FOLDERS = {
+    "postgres": "/var/lib/postgresql",
+    "mysql": "/var/lib/mysql",
+    "mariadb": "/var/lib/mysql",
+    "mongo": "/data/db",
+    "influxdb": "/var/lib/influxdb",
+    "couchdb": "/opt/couchdb/data",
+}
+KEYS = ("extends", "volumes_from")
+"""What may bring a volume."""
+MOVED = regex(r"PGDATA|INFLUXD_ENGINE_PATH|INFLUXDB_DATA_DIR|data-?_?dir|dbpath", re.I)
+"""What takes another folder for the data."""
+
+
+@rule("warning", silent="the database makes an empty one, as at its first start")
+def database_unkept(robot: Robot) -> Iterator[Finding]:
+    for service in robot.compose.whole_services:
+        image = service.image if service.source.judged and service.build is None else None
+        folder = FOLDERS.get(image_name(image).repository) if image is not None else None
+        if image is None or folder is None or not (service.restarts or service.get("container_name")):
+            continue
+        if not any(_may_keep(each, folder) for each in robot.compose.services_called(service.name)):
+            yield finding(
+                service.name,
+                "No volume covers the data of this database: after docker compose down, it begins empty",
+                advice=f"mount a volume with a name at {folder}",
+                related=[note(image, "keeps its data in a volume without a name")],
+            )
+
+
+def _may_keep(service: Service, folder: str) -> bool:
+    if any(service.get(key) is not None for key in KEYS) or MOVED.search(service.body.span.text):
+        return True
+    targets = [*(str(each.target) for each in service.volumes), *map(str, service.tmpfs)]
+    return any("$" in each or _are_nested(each, folder) for each in targets)
+
+
+def _are_nested(target: str, folder: str) -> bool:
+    one, other = posixpath.join(target, ""), posixpath.join(folder, "")
+    return one.startswith(other.rstrip("/")) or other.startswith(one)
