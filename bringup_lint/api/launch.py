@@ -61,6 +61,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch.questions.refused_words import options_with_next
     from bringup_lint.graph.launch.questions.refused_words import refused_transforms
     from bringup_lint.graph.launch.questions.refused_words import turned
+    from bringup_lint.graph.launch.questions.refused_words import unbridged
     from bringup_lint.graph.launch.questions.refused_words import unknown_flags
     from bringup_lint.graph.launch.questions.refused_words import unsplit_commands
     from bringup_lint.graph.launch.questions.refused_words import unsplit_ros_arguments
@@ -257,6 +258,7 @@ __all__ = [
     "transitions_elsewhere",
     "truth",
     "turned",
+    "unbridged",
     "undeclared",
     "undelayed",
     "understood",

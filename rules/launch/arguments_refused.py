@@ -7,6 +7,8 @@
   9 (with a quaternion) or options alone; and with options (`--frame-id`) before Humble
 - yaw, pitch and roll of `static_transform_publisher` above 2π: they are in radians (a warning)
 - arguments that are called roll and yaw where `static_transform_publisher` takes yaw, pitch and roll (a warning)
+- words of `parameter_bridge` that are not `topic@package/msg/Type[gz.msgs.Type`, with `[`, `]` or `@`: without the
+  types it ends, and a type in another form is not bridged (a warning)
 - `'-entity' 'bucket'` among the arguments, without a comma: one word
 - `Command(['xacro', path])` without a blank after the program, `Command(['xacro ', path, 'name:=', value])` without one
   before an argument, and `Command([path])` of a robot description without a program
@@ -74,6 +76,7 @@ JOINED = {
     symptoms=[
         "FileNotFoundError: [Errno 2] No such file or directory: 'ros2 *'",
         "static_transform_publisher exited with code 1 because of missing arguments",
+        "Failed to create a bridge for topic * with ROS2 type * to topic * with Gazebo Transport type",
     ],
 )
 def arguments_refused(robot: Robot) -> Iterator[Finding]:
@@ -102,6 +105,15 @@ def arguments_refused(robot: Robot) -> Iterator[Finding]:
             "exist",
             advice="give x y z yaw pitch roll frame child, each as an element of its own",
             severity="warning" if node.by_default is not True else None,
+        )
+    for word, type_ in launch.unbridged(robot.launch):
+        yield finding(
+            word,
+            f"parameter_bridge knows no type '{type_}': the topic is not bridged"
+            if type_ is not None
+            else "parameter_bridge cannot read this word: it prints its usage and ends, and nothing is bridged",
+            advice="write topic@package/msg/Type[gz.msgs.Type",
+            severity=None if type_ is None else "warning",
         )
     yield from unspaced(robot)
     yield from transforms(robot)

@@ -30,6 +30,12 @@ _NO_COMMA = regex(r"""(['"])(--?[A-Za-z](?:[\w-]{0,60}\w))\1\s+['"][^\s='"]""")
 _LENGTHS = (0, 8, 9)
 """Words of static_transform_publisher (geometry2, static_transform_broadcaster_program.cpp)."""
 _MOST_RADIANS = 2 * math.pi + 0.01
+_BRIDGE = regex(r"(?P<name>[^@]+)@(?P<ros>[^@\[\]]*)[@\[\]](?P<gz>[^@]+)\Z")
+"""What parameter_bridge of ros_gz_bridge takes for a topic."""
+_SERVICE = "/srv/"
+_OF_ROS = regex(r"\w+/msg/\w+\Z")
+_OF_GAZEBO = regex(r"(?:gz|ignition)\.msgs\.\w+\Z")
+_BRIDGES = (("ros_gz_bridge", "parameter_bridge"), ("ros_ign_bridge", "parameter_bridge"))
 _TRANSFORM = ("tf2_ros", "static_transform_publisher")
 
 
@@ -98,6 +104,25 @@ def in_degrees(launch: Launch) -> Iterator[tuple[Located, float]]:
             number = _number(text)
             if number is not None and abs(number) > _MOST_RADIANS:
                 yield text, number
+
+
+def unbridged(launch: Launch) -> Iterator[tuple[Located, str | None]]:
+    """The words of bridges to Gazebo that end the bridge, or name a type that it cannot know: with that type."""
+    for node in _given(launch):
+        if (literal_text(node.package), literal_text(node.executable)) in _BRIDGES:
+            for word in itertools.takewhile(lambda each: each != "--ros-args", map(literal_text, node.arguments)):
+                if word is not None and _SERVICE not in word:
+                    yield from _unbridged(word)
+
+
+def _unbridged(word: Located) -> Iterator[tuple[Located, str | None]]:
+    found = _BRIDGE.match(word)
+    if found is None:
+        yield word, None
+    elif not _OF_ROS.match(found["ros"]):
+        yield word, found["ros"]
+    elif not _OF_GAZEBO.match(found["gz"]):
+        yield word, found["gz"]
 
 
 def turned(launch: Launch) -> Iterator[tuple[Argument, Argument]]:
