@@ -33,12 +33,11 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
-from bringup_lint.api import regex
 from bringup_lint.api import rule
 
 WITH_FOUR = ("lyrical", "rolling")
 """The distributions for a release of Ubuntu with CMake 4."""
-RAISED = regex(r"CMAKE_POLICY_VERSION_MINIMUM", hints="CMAKE_POLICY_VERSION_MINIMUM")
+RAISED = "CMAKE_POLICY_VERSION_MINIMUM"
 USUAL = "3.8"
 """What ``ros2 pkg create`` writes."""
 
@@ -50,7 +49,7 @@ def cmake_minimum(robot: Robot) -> Iterator[Finding]:
         for package in robot.launch.workspace.packages.values()
         for each in robot.dependencies.old_minimums(package)
     ]
-    if not found or robot.mentions(RAISED):
+    if not found or any(RAISED in source.text for source in robot.sources if source.kind != "cmake"):
         return
     ros = robot.target.ros
     has_four = ros in WITH_FOUR

@@ -12,6 +12,7 @@ declares, in one finding for each package. It needs
 - the packages and libraries that its CMakeLists.txt finds with REQUIRED under no condition but `if(BUILD_TESTING)`,
   where they are packages of ROS or rosdep has a key for them. Build tools come with any that is declared. One that
   CMake looks for and does not use is named with others only;
+- the packages of ROS whose headers its nodes in C++ include under no condition;
 - `rosidl_default_runtime`, where it generates interfaces;
 - the packages of the hardware and the controllers that its descriptions and parameter files name, where its launch
   files start the controller manager or its spawner.
@@ -25,8 +26,9 @@ the tree declares or installs it; rosdep and colcon do not know of it; it is the
 
 It is an info when all that is left out is one module that ros-base has, what something that is declared brings (launch
 files bring `launch_ros`), what packages on which this one depends declare, what launch files start by an argument
-alone, or what installed launch files of a simulator or examples start. So is what packages of simulations and tests
-leave out, unless the build stops. What something that is declared may bring by its name is named with others only.
+alone, what C++ includes of packages outside of the workspace, or what installed launch files of a simulator or examples
+start. So is what packages of simulations and tests leave out, unless the build stops. What something that is declared
+may bring by its name is named with others only.
 
 ## Why it matters on a robot
 A dependency that is missing in package.xml works on the developer's machine and fails on a fresh robot: rosdep does not
@@ -93,6 +95,7 @@ ASKED = {
     "program": "{} is run here",
     "module": "{} is imported here",
     "library": "CMake looks for {} here",
+    "header": "a header of {} is included here",
     "plugin": "a plugin of {} is named here",
     "interfaces": "what is generated here needs {} when nodes run",
 }
@@ -250,7 +253,7 @@ def key_of(need: Need) -> str:
 
 
 def tag_of(package: launch.Package, need: Need) -> str:
-    if need.use != "library":
+    if need.use not in ("library", "header"):
         return package.manifest.tag_at_runtime
     if need.of_tests:
         return "test_depend"

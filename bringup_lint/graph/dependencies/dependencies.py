@@ -28,6 +28,7 @@ from bringup_lint.graph.dependencies.misspelt_packages import misspelt_packages
 from bringup_lint.graph.dependencies.needs import Need
 from bringup_lint.graph.dependencies.needs import of_builds
 from bringup_lint.graph.dependencies.needs import of_descriptions
+from bringup_lint.graph.dependencies.needs import of_headers
 from bringup_lint.graph.dependencies.needs import of_interfaces
 from bringup_lint.graph.dependencies.needs import of_launch
 from bringup_lint.graph.dependencies.needs import of_launch_files
@@ -77,6 +78,18 @@ _COMMON = frozenset(
 """Modules that come with ros-base or Ubuntu."""
 
 
+_NEEDS = (
+    of_builds,
+    of_interfaces,
+    of_launch,
+    of_launch_files,
+    of_descriptions,
+    of_plugins,
+    of_nodes,
+    of_headers,
+)
+
+
 class Dependencies:
     """Asked as ``robot.dependencies``: what packages need, and whether anything of the tree brings it."""
 
@@ -103,7 +116,7 @@ class Dependencies:
         return found
 
     def _needs(self) -> Iterator[Need]:
-        for needs in (of_builds, of_interfaces, of_launch, of_launch_files, of_descriptions, of_plugins, of_nodes):
+        for needs in _NEEDS:
             for need in needs(self._files, self._launch):
                 owner = need.owner
                 if need.name == owner.name or owner.depends_on(need.name):
@@ -158,6 +171,12 @@ class Dependencies:
         from bringup_lint.graph.dependencies.old_minimums import old_minimums
 
         return old_minimums(package) if package.manifest.source.judged else iter(())
+
+    def differing_version(self, package: Package) -> tuple[Located, Located] | None:
+        """The version of a Python package in setup.py, and another one in package.xml."""
+        from bringup_lint.graph.dependencies.differing_version import differing_version
+
+        return differing_version(package)
 
     @property
     def unread_settings(self) -> Iterator[UnreadSetting]:

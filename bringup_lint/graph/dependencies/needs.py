@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterable
 from collections.abc import Iterator
 from functools import cache
@@ -34,6 +35,7 @@ from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers import params
 from bringup_lint.parsers import urdf
 from bringup_lint.parsers.cmake_commands import commands
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.source import Span
@@ -44,6 +46,10 @@ if TYPE_CHECKING:
     from bringup_lint.graph.workspace import Package
 
 
+CPP_SOURCES = (".cpp", ".cc", ".cxx", ".c")
+_PREPROCESSOR = regex(
+    r"^[ \t]*#[ \t]*(?:(?P<word>if|ifdef|ifndef|endif)\b|include[ \t]*[<\"](?P<folder>[a-z][a-z0-9_]*)/)", re.M, "#"
+)
 _MANAGER, _CONTROLLERS = "controller_manager", "ros2_controllers"
 _GENERATES, _RUNTIME = "rosidl_generate_interfaces", "rosidl_default_runtime"
 
@@ -52,7 +58,7 @@ class Need(NamedTuple):
     use: str
     """``node``, ``include``, ``share`` and ``program`` in a launch file, ``description`` for what xacro looks up,
     ``module`` that Python imports, ``library`` that CMake finds, ``interfaces`` that are generated, ``plugin`` that a
-    controller manager loads."""
+    controller manager loads, ``header`` that C++ includes."""
     name: Located
     owner: Package
     """The package whose file asks for it."""
@@ -275,7 +281,9 @@ def of_plugins(files: Files, launch: Launch) -> Iterator[Need]:
     """The packages of the hardware that descriptions name, and of the controllers that parameter files name, of a
     package whose launch files talk to the controller manager."""
     managing = _managing(launch)
-    for source in files.of_kind("urdf", "params") if managing else ():
+    if not managing:
+        return
+    for source in files.of_kind("urdf", "params"):
         owner = launch.workspace.owner(source)
         if owner is None or owner.name not in managing or not source.judged:
             continue
@@ -307,3 +315,27 @@ def _plugins(source: Source) -> list[Located]:
 @cache
 def _public() -> frozenset[str]:
     return frozenset(row["name"] for row in table("ros/plugins"))
+
+
+def of_headers(files: Files, launch: Launch) -> Iterator[Need]:
+    """The packages whose headers the C++ of packages includes in any case."""
+    for source in files.of_kind("cpp-node"):
+        owner = launch.workspace.owner(source)
+        if owner is None or not source.judged or not owner.builds or not is_meant(files, source, owner):
+            continue
+        for name in _included(source):
+            folders = (os.path.join(owner.folder, each, name) for each in ("include", "src", ""))
+            if not any(map(files.tree.exists, folders)):
+                yield Need("header", name, owner)
+
+
+def _included(source: Source) -> Iterator[Located]:
+    """The first folders of the headers that no condition but an include guard surrounds, each once."""
+    guards = 0 if source.name.endswith(CPP_SOURCES) or "#pragma once" in source.text else 1
+    depth, seen = 0, set[str]()
+    for match in _PREPROCESSOR.finditer(source.text):
+        if match["folder"] is None:
+            depth += -1 if match["word"] == "endif" else 1
+        elif depth <= guards and match["folder"] not in seen:
+            seen.add(match["folder"])
+            yield source.located(*match.span("folder"))

@@ -156,6 +156,8 @@ class _Needed:
             return Lack.BROUGHT if need.always and need.use != "plugin" else None
         if need.use == "plugin":
             return self._of_plugin(need)
+        if need.use == "header":
+            return Lack.PACKAGE if self._dependencies.is_of_workspace(need) else Lack.BROUGHT
         if self._is_declared(need, self._declared):
             return Lack.BROUGHT if need.always and not self._is_declared(need, self._own) else None
         if self._dependencies.stops_build(need):
@@ -215,7 +217,7 @@ class _Needed:
         if name in base() or name.endswith(_MESSAGES) or self._dependencies.is_of_workspace(need):
             return True
         is_ros = name.startswith("rosidl_") or is_released(name) or is_known_package(name)
-        return need.use == "library" and is_ros
+        return need.use in ("library", "header") and is_ros
 
     @staticmethod
     def _is_declared(need: Need, declared: frozenset[str]) -> bool:
