@@ -74,6 +74,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.hardware.pin_modes import without_pin_mode
     from bringup_lint.graph.nodes.questions.hardware.unchecked_devices import unchecked_devices
     from bringup_lint.graph.nodes.questions.hardware.unplugged_ports import unplugged_ports
+    from bringup_lint.graph.nodes.questions.lifecycle.declared_again import declared_again
     from bringup_lint.graph.nodes.questions.lifecycle.inactive_publishers import inactive_publishers
     from bringup_lint.graph.nodes.questions.lifecycle.stuck_switches import stuck_switches
     from bringup_lint.graph.nodes.questions.messages.message_fields import NoField
@@ -164,6 +165,7 @@ __all__ = [
     "consequence",
     "converted",
     "deaf_handlers",
+    "declared_again",
     "dict_ranges",
     "double_shutdown",
     "early_lookups",

@@ -83,6 +83,14 @@ class Canceled(NamedTuple):
     """The condition after which it is not one that is to be canceled."""
 
 
+class DeclaredAgain(NamedTuple):
+    """A parameter that each transition "configure" of a lifecycle node declares."""
+
+    place: Span
+    function: str
+    """``on_configure``."""
+
+
 class Swallowed(NamedTuple):
     """A handler that takes what a spin throws, after which the program ends with status 0."""
 
@@ -299,6 +307,7 @@ class CppNode:
     deaf_loops: list[DeafLoop] = field(default_factory=list)
     unstamped: list[Unstamped] = field(default_factory=list)
     restamped: list[Restamped] = field(default_factory=list)
+    declared_again: list[DeclaredAgain] = field(default_factory=list)
     swallowed: list[Swallowed] = field(default_factory=list)
     dropped: list[Dropped] = field(default_factory=list)
     early_pointers: list[EarlyPointer] = field(default_factory=list)

@@ -13,6 +13,7 @@ from bringup_lint.parsers.cpp_node.classes import node_classes
 from bringup_lint.parsers.cpp_node.classes import node_names
 from bringup_lint.parsers.cpp_node.deaf_loops import deaf_loops
 from bringup_lint.parsers.cpp_node.deaf_loops import making_loops
+from bringup_lint.parsers.cpp_node.declared_again import declared_again
 from bringup_lint.parsers.cpp_node.divisors import divisors
 from bringup_lint.parsers.cpp_node.dropped import dropped
 from bringup_lint.parsers.cpp_node.early_pointers import early_pointers
@@ -119,6 +120,7 @@ def parse(source: Source) -> CppNode:
     node.unstamped = list(unstamped(code, names, node.endpoints))
     if RESTAMPS.search(source.text):
         node.restamped = list(restamped(code))
+    node.declared_again = list(dict.fromkeys(declared_again(code)))
     node.swallowed = list(dict.fromkeys(swallowed(code)))
     node.dropped = list(dropped(code))
     node.early_pointers = list(dict.fromkeys(early_pointers(code)))
