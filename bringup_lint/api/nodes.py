@@ -40,11 +40,17 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.commands.stale_readings import stale_readings
     from bringup_lint.graph.nodes.questions.commands.unrun_checks import unrun_checks
     from bringup_lint.graph.nodes.questions.commands.zero_divisors import zero_divisors
+    from bringup_lint.graph.nodes.questions.cpp.component_ends import ended_containers
+    from bringup_lint.graph.nodes.questions.cpp.in_file import format_texts
+    from bringup_lint.graph.nodes.questions.cpp.in_file import unread_answers
+    from bringup_lint.graph.nodes.questions.cpp.in_file import wrong_durations
     from bringup_lint.graph.nodes.questions.cpp.missing_returns import missing_returns
     from bringup_lint.graph.nodes.questions.cpp.relocks import relocks
+    from bringup_lint.graph.nodes.questions.cpp.thrown import thrown
     from bringup_lint.graph.nodes.questions.cpp.time_clocks import ClockMix
     from bringup_lint.graph.nodes.questions.cpp.time_clocks import clock_mixes
     from bringup_lint.graph.nodes.questions.cpp.unset_members import unset_members
+    from bringup_lint.graph.nodes.questions.cpp.waiting_handlers import waiting_handlers
     from bringup_lint.graph.nodes.questions.cpp.zero_fractions import zero_fractions
     from bringup_lint.graph.nodes.questions.ending.deaf_handlers import deaf_handlers
     from bringup_lint.graph.nodes.questions.ending.endless_threads import endless_threads
@@ -131,6 +137,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.sources.what_ends import end_of_callbacks
     from bringup_lint.graph.nodes.sources.what_ends import end_where_called
     from bringup_lint.graph.topics.questions.undeclared import asked_in_vain
+    from bringup_lint.graph.topics.questions.undeclared import asked_quietly
     from bringup_lint.graph.topics.questions.undeclared import is_called_nowhere
     from bringup_lint.graph.topics.questions.undeclared import switchless
     from bringup_lint.graph.topics.questions.undeclared import unset
@@ -157,6 +164,7 @@ __all__ = [
     "UnfitCallback",
     "WrongUnit",
     "asked_in_vain",
+    "asked_quietly",
     "awaits_asyncio",
     "blocking_reads",
     "canceled_goals",
@@ -175,11 +183,13 @@ __all__ = [
     "end_of",
     "end_of_callbacks",
     "end_where_called",
+    "ended_containers",
     "endless_answers",
     "endless_rates",
     "endless_threads",
     "ends_thread",
     "fed_without_condition",
+    "format_texts",
     "guards_commands",
     "half_made",
     "handler_never_runs",
@@ -243,6 +253,7 @@ __all__ = [
     "swap",
     "switchless",
     "taken_attributes",
+    "thrown",
     "tried_shutdown",
     "unbound_locals",
     "unchecked_devices",
@@ -255,6 +266,7 @@ __all__ = [
     "unhandled_transforms",
     "unplugged_ports",
     "unreached_stops",
+    "unread_answers",
     "unread_parameters",
     "unread_pipes",
     "unrun_checks",
@@ -267,10 +279,12 @@ __all__ = [
     "unstamped",
     "untyped_reads",
     "valid_node_name",
+    "waiting_handlers",
     "waits",
     "window_spins",
     "without_pin_mode",
     "without_qos",
+    "wrong_durations",
     "wrong_fields",
     "wrong_units",
     "zero_divisors",

@@ -5,6 +5,7 @@ from __future__ import annotations
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
 from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.source import Located
 from bringup_lint.source import Problem
 from bringup_lint.source import Source
 from bringup_lint.source import Span
@@ -78,6 +79,23 @@ class TakenTarget(NamedTuple):
     name: str
 
 
+class Thrown(NamedTuple):
+    """What is thrown and is no exception."""
+
+    place: Span
+    kind: str
+    """``a text`` or ``a number``."""
+
+
+class WaitingHandler(NamedTuple):
+    """A function that waits for a lock, and that a signal may call."""
+
+    place: Located
+    """The log call, or the lock."""
+    name: str
+    is_log: bool
+
+
 @dataclass(eq=False, slots=True)
 class CppDriver:
     source: Source
@@ -88,4 +106,6 @@ class CppDriver:
     unchecked_devices: list[UncheckedDevice] = field(default_factory=list)
     endless_walks: list[EndlessWalk] = field(default_factory=list)
     taken_targets: list[TakenTarget] = field(default_factory=list)
+    thrown: list[Thrown] = field(default_factory=list)
+    waiting_handlers: list[WaitingHandler] = field(default_factory=list)
     problems: list[Problem] = field(default_factory=list)

@@ -91,6 +91,61 @@ class DeclaredAgain(NamedTuple):
     """``on_configure``."""
 
 
+class ComponentEnd(NamedTuple):
+    """A call of a component that ends the process which it was loaded into, or all nodes of its context."""
+
+    place: Span
+    call: str
+    component: str
+    """As it is registered: ``rover::Camera``; else the class."""
+    step: str | None
+    """The transition of a lifecycle node that calls it; None in a class that the file registers as a component."""
+    is_context: bool
+    """``rclcpp::shutdown``."""
+
+
+class WrongDuration(NamedTuple):
+    """A duration that is much shorter than what is written there means."""
+
+    place: Span
+    kind: str
+    """``cast`` and ``cut``: whole seconds are made of a fraction; ``small``: it is a few nanoseconds; ``milli``: of
+    milliseconds it makes nanoseconds."""
+    number: str
+
+
+class UnreadAnswer(NamedTuple):
+    """``return false`` of a callback of a service."""
+
+    place: Span
+    registered: Span
+    callback: str
+    has_data: bool
+    """It answers with data when it does not fail."""
+
+
+class FormatText(NamedTuple):
+    """A text in the place of a format."""
+
+    place: Span
+    macro: str
+    text: str
+    is_foreign: bool
+    """Another node sent it."""
+
+
+class StuckJoin(NamedTuple):
+    """A join of a thread that runs as long as rclcpp does."""
+
+    place: Span
+    loop: Span
+    """The condition of its loop."""
+    thread: str
+    function: str
+    """What joins it: ``on_cleanup``, ``~Receiver``."""
+    is_destructor: bool
+
+
 class Swallowed(NamedTuple):
     """A handler that takes what a spin throws, after which the program ends with status 0."""
 
@@ -170,6 +225,8 @@ class LateJoin(NamedTuple):
     joins: tuple[Span, ...]
     callback: str
     """In a sentence: ``on_start()``, ``a lambda``."""
+    is_step: bool
+    """It is a transition of a lifecycle node."""
 
 
 class MakingLoop(NamedTuple):
@@ -308,6 +365,11 @@ class CppNode:
     unstamped: list[Unstamped] = field(default_factory=list)
     restamped: list[Restamped] = field(default_factory=list)
     declared_again: list[DeclaredAgain] = field(default_factory=list)
+    stuck_joins: list[StuckJoin] = field(default_factory=list)
+    component_ends: list[ComponentEnd] = field(default_factory=list)
+    durations: list[WrongDuration] = field(default_factory=list)
+    service_answers: list[UnreadAnswer] = field(default_factory=list)
+    format_texts: list[FormatText] = field(default_factory=list)
     swallowed: list[Swallowed] = field(default_factory=list)
     dropped: list[Dropped] = field(default_factory=list)
     early_pointers: list[EarlyPointer] = field(default_factory=list)

@@ -25,6 +25,8 @@ class Asked(NamedTuple):
     name: Located
     required: bool
     """The call raises an exception when the parameter is not declared."""
+    is_quiet: bool = False
+    """The call leaves a default in place then, and nothing else looks whether the parameter is there."""
 
 
 @dataclass(frozen=True)

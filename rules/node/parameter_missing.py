@@ -3,13 +3,17 @@
 ## What it finds
 A node that asks itself for a parameter which nothing in its program declares, and a launched node that declares a
 parameter with a type but no default while no file and no launch file gives it a value. Calls under a condition, or
-whose exception is handled, are left alone. A twist_mux in Jazzy or newer that is not given `use_stamped` is a warning.
+whose exception is handled, are left alone. Calls that answer false or a default instead, `get_parameter(name, value)`
+of C++ and `get_parameter_or()`, are a warning, and so is a twist_mux in Jazzy or newer that is not given `use_stamped`.
 
 ## Why it matters on a robot
 Both raise an exception: `ParameterNotDeclaredException`, or `ParameterUninitializedException`. The node ends at its
 start, or in the middle of a drive when only a callback asks. twist_mux 4.4, which Jazzy and Kilted got in 2024, ends
 with `could not load parameter 'use_stamped'`, and nothing drives the robot any more; the 4.3 of Humble has no such
 parameter.
+
+`get_parameter(name, value)` answers false without a word, and leaves `value` as it was: the number of the parameter
+file is never used, and a switch that is documented cannot be switched.
 
 ## Bad
 ```python
@@ -35,11 +39,14 @@ When another program declares the parameter in the node before it is asked for.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.nodes import asked_in_vain
+from bringup_lint.api.nodes import asked_quietly
 from bringup_lint.api.nodes import is_called_nowhere
 from bringup_lint.api.nodes import switchless
 from bringup_lint.api.nodes import unset
@@ -63,6 +70,18 @@ def parameter_missing(robot: Robot) -> Iterator[Finding]:
             severity="info"
             if is_called_nowhere(robot.topics, name.span)
             else robot.nodes.lowered(name.span.source, "error"),
+            confidence="medium",
+        )
+    by_source: dict[Source, list[Located]] = {}
+    for name in asked_quietly(robot.topics):
+        by_source.setdefault(name.span.source, []).append(name)
+    for source, (first, *others) in by_source.items():
+        yield finding(
+            first,
+            f"Nothing declares the parameter '{first}': the call never gets a value, whatever a file or launch sets",
+            advice="declare the parameter with a default before it is asked for",
+            related=[note(each, f"nothing declares '{each}' either") for each in others],
+            severity=robot.nodes.lowered_if_vendored(source, "warning"),
             confidence="medium",
         )
     for found in unset(robot.topics):

@@ -2,7 +2,8 @@
 
 ## What it finds
 In C++ sources of nodes, a `std::thread` that is started, and that no source of its package joins, detaches or moves
-elsewhere, or that only callbacks join, as before they start the next one. In Python, a thread of a node that is not a
+elsewhere, or that only callbacks or transitions such as `on_cleanup()` join; also joins in transitions, and in
+destructors of components, of a thread whose loop ends only with rclcpp. In Python, a thread of a node that is not a
 daemon and whose `while True` nothing leaves, asks nobody whether it goes on, and calls nothing that raises after the
 shutdown, such as `publish()`; and one that spins beside the window of a program which calls `rclpy.shutdown()` nowhere.
 
@@ -81,7 +82,15 @@ def _in_cpp(robot: Robot) -> Iterator[Finding]:
                 thread,
                 f"{by} joins the thread '{thread}': the program aborts {when}",
                 advice=f"end its loop and call {thread}.join() in the destructor",
-                related=[note(late.joins[0], "no callback runs any more at the shutdown")] if late is not None else [],
+                related=[note(late.joins[0], "does not run at the shutdown")] if late is not None else [],
                 severity=severity,
                 confidence="medium",
+            )
+        for stuck in source.stuck_joins:
+            yield finding(
+                stuck.place,
+                f"{stuck.function}() never returns: only the end of rclcpp ends the thread '{stuck.thread}'",
+                advice="let the loop also ask a flag, and set it before join()",
+                related=[note(stuck.loop, "nothing else ends this loop")],
+                severity=severity,
             )

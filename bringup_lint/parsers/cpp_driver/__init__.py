@@ -5,6 +5,8 @@ from __future__ import annotations
 from bringup_lint.model.cpp_driver import CppDriver
 from bringup_lint.parsers.cpp_driver.endless_walks import WALKS
 from bringup_lint.parsers.cpp_driver.endless_walks import endless_walks
+from bringup_lint.parsers.cpp_driver.handlers import HANDLES
+from bringup_lint.parsers.cpp_driver.handlers import waiting_handlers
 from bringup_lint.parsers.cpp_driver.idle_reads import SERIAL
 from bringup_lint.parsers.cpp_driver.idle_reads import idle_reads
 from bringup_lint.parsers.cpp_driver.left_locked import BY_HAND
@@ -13,6 +15,8 @@ from bringup_lint.parsers.cpp_driver.relocks import LOCKS
 from bringup_lint.parsers.cpp_driver.relocks import relocks
 from bringup_lint.parsers.cpp_driver.taken_targets import RECEIVES
 from bringup_lint.parsers.cpp_driver.taken_targets import taken_targets
+from bringup_lint.parsers.cpp_driver.thrown import THROWS
+from bringup_lint.parsers.cpp_driver.thrown import thrown
 from bringup_lint.parsers.cpp_driver.unchecked_devices import OPENS
 from bringup_lint.parsers.cpp_driver.unchecked_devices import unchecked_devices
 from bringup_lint.parsers.cpp_driver.unchecked_indexes import ASKS
@@ -26,10 +30,11 @@ def parse(source: Source) -> CppDriver:
     """What a file does with devices and locks. Never raises; ``problems``: ``too-large``, ``too-deep``."""
     driver = CppDriver(source)
     asks = ASKS in source.text
-    is_serial, locks, by_hand, walks, receives, opens = (
-        each.search(source.text) is not None for each in (SERIAL, LOCKS, BY_HAND, WALKS, RECEIVES, OPENS)
+    is_serial, locks, by_hand, walks, receives, opens, throws, handles = (
+        each.search(source.text) is not None
+        for each in (SERIAL, LOCKS, BY_HAND, WALKS, RECEIVES, OPENS, THROWS, HANDLES)
     )
-    if not (asks or is_serial or locks or by_hand or walks or receives or opens):
+    if not (asks or is_serial or locks or by_hand or walks or receives or opens or throws or handles):
         return driver
     problem = too_much(source)
     if problem is not None:
@@ -43,4 +48,6 @@ def parse(source: Source) -> CppDriver:
     driver.endless_walks = list(endless_walks(code)) if walks else []
     driver.taken_targets = list(taken_targets(code)) if receives else []
     driver.unchecked_devices = list(unchecked_devices(code)) if opens else []
+    driver.waiting_handlers = list(waiting_handlers(code)) if handles else []
+    driver.thrown = list(thrown(code)) if throws else []
     return driver

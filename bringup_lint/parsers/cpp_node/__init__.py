@@ -11,17 +11,20 @@ from bringup_lint.parsers.cpp_node.classes import activation
 from bringup_lint.parsers.cpp_node.classes import components
 from bringup_lint.parsers.cpp_node.classes import node_classes
 from bringup_lint.parsers.cpp_node.classes import node_names
+from bringup_lint.parsers.cpp_node.component_ends import component_ends
 from bringup_lint.parsers.cpp_node.deaf_loops import deaf_loops
 from bringup_lint.parsers.cpp_node.deaf_loops import making_loops
 from bringup_lint.parsers.cpp_node.declared_again import declared_again
 from bringup_lint.parsers.cpp_node.divisors import divisors
 from bringup_lint.parsers.cpp_node.dropped import dropped
+from bringup_lint.parsers.cpp_node.durations import durations
 from bringup_lint.parsers.cpp_node.early_pointers import early_pointers
 from bringup_lint.parsers.cpp_node.early_pointers import second_owners
 from bringup_lint.parsers.cpp_node.endless_answers import ASKS
 from bringup_lint.parsers.cpp_node.endless_answers import endless_answers
 from bringup_lint.parsers.cpp_node.endpoints import endpoint
 from bringup_lint.parsers.cpp_node.endpoints import timer
+from bringup_lint.parsers.cpp_node.format_texts import format_texts
 from bringup_lint.parsers.cpp_node.handles import few_handles
 from bringup_lint.parsers.cpp_node.kept import called
 from bringup_lint.parsers.cpp_node.kept import kept
@@ -38,6 +41,8 @@ from bringup_lint.parsers.cpp_node.profiles import Profiles
 from bringup_lint.parsers.cpp_node.races import races
 from bringup_lint.parsers.cpp_node.restamped import RESTAMPS
 from bringup_lint.parsers.cpp_node.restamped import restamped
+from bringup_lint.parsers.cpp_node.service_answers import service_answers
+from bringup_lint.parsers.cpp_node.stuck_joins import stuck_joins
 from bringup_lint.parsers.cpp_node.swallowed import swallowed
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.parsers.cpp_node.text_limits import TEXT
@@ -121,6 +126,11 @@ def parse(source: Source) -> CppNode:
     if RESTAMPS.search(source.text):
         node.restamped = list(restamped(code))
     node.declared_again = list(dict.fromkeys(declared_again(code)))
+    node.stuck_joins = list(stuck_joins(code, node.components))
+    node.component_ends = list(component_ends(code, node.components))
+    node.durations = list(durations(code))
+    node.service_answers = list(service_answers(code, node.callbacks[:CALLBACKS]))
+    node.format_texts = list(format_texts(code))
     node.swallowed = list(dict.fromkeys(swallowed(code)))
     node.dropped = list(dropped(code))
     node.early_pointers = list(dict.fromkeys(early_pointers(code)))

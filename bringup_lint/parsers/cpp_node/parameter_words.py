@@ -28,6 +28,7 @@ _READ = regex(r"\b(?:get_parameter(?:_or|_value)?|has_parameter|undeclare_parame
 _TOKEN = regex(r'"(?P<text>(?:\\.|[^"\\\n])*)"(?P<after>\s*\+)?' r"|'(?:\\.|[^'\\\n])'|//[^\n]*|/\*.*?(?:\*/|\Z)", re.S)
 _MACRO = regex(r"^(?<!\\\n)[ \t]*#[ \t]*define\b(?:\\\n|[^\n])*parameter", re.M)
 _OWN = regex(r"(?:(?:this|self|\w{0,64}node\w{0,64})(?:->|\.))?get_parameter\w*\Z", re.I)
+_QUIET = ("get_parameter", "get_parameter_or")
 _OWN_DECLARING = regex(r"(?:(?:this|self|\w{0,64}node\w{0,64})(?:->|\.))?declare_parameter\Z", re.I)
 _TYPE = regex(r"(?:rclcpp::)?(?:ParameterType::)?PARAMETER_[A-Z_]+\Z")
 _HELPER = regex(r"(?=\w+\Z)\w*(?:param|declare)\w*", re.I)
@@ -84,7 +85,9 @@ def _asked(code: Code) -> Iterator[Asked]:
         if _OWN.match(call.qualified):
             tried = _is_tried(code, call)
             for read in reads(code, call):
-                yield Asked(read.name, read.required and not tried and read.name not in looked)
+                is_looked = read.name in looked
+                quiet = call.name in _QUIET and len(call.arguments) > 1 and not is_looked
+                yield Asked(read.name, read.required and not tried and not is_looked, quiet)
 
 
 def _unset(code: Code, used: set[str]) -> Iterator[Located]:

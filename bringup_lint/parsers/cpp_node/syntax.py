@@ -45,6 +45,8 @@ _WRITTEN = """
 (for_statement) @for
 (new_expression) @new
 (field_declaration) @field
+(throw_statement) @throw
+(return_statement) @return
 """
 _EXPORTED = regex(
     rb"[csA-Z](?<!\w[csA-Z])(?:(?:(?<=c)lass|(?<=s)truct)[ \t\r\n]+(?P<macro>[A-Z][A-Z0-9_]+)"

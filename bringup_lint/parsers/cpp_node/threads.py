@@ -25,6 +25,9 @@ _DECLARED = regex(r"std::thread\s+\w+\s*[({]")
 _ENDS_AT_ONCE = regex(r"\b(?:_exit|_Exit|quick_exit|abort|terminate)\s{0,4}\(", hints="xit abort terminate")
 """What ends a program without destroying its objects, or on purpose."""
 
+_STEPS = frozenset({"on_cleanup", "on_deactivate", "on_shutdown", "on_error"})
+"""Transitions of a lifecycle node, none of which Ctrl-C runs."""
+
 
 def threads(code: Code) -> Iterator[Located]:
     """The variables and members that hold a thread from here on. A thread that ``new`` makes is never
@@ -42,7 +45,7 @@ def threads(code: Code) -> Iterator[Located]:
 
 
 def late_joins(code: Code, started: list[Located], callbacks: list[Callback]) -> Iterator[LateJoin]:
-    """The members that hold a thread, where all of their joins are in callbacks, which nothing else calls."""
+    """The members that hold a thread, where all of their joins are in callbacks or transitions that nothing calls."""
     names = dict.fromkeys(str(each) for each in started)
     joins = [call for call in code.calls if call.name == "join"] if names else []
     if not joins or _ENDS_AT_ONCE.search(code.source.text):
@@ -50,12 +53,16 @@ def late_joins(code: Code, started: list[Located], callbacks: list[Callback]) ->
     bodies = Bodies(code)
     called = {call.name for call in code.calls}
     runs = {body.id: each for each in callbacks if (body := bodies.of(each)) is not None and each.name not in called}
+    for step in _STEPS - called:
+        for body in bodies.functions.get(step, ()):
+            runs[body.id] = Callback("transition", step, code.span(body))
     for name in names:
         own = [call for call in joins if _receiver(call) == name]
         callback = _common(code, own, runs) if own and not _is_local(code, name) else None
         if callback is not None:
             where = f"{callback.name}()" if callback.name else "a lambda"
-            yield LateJoin(name, tuple(code.span(call.node) for call in own), where)
+            is_step = callback.role == "transition"
+            yield LateJoin(name, tuple(code.span(call.node) for call in own), where, is_step)
 
 
 def _receiver(call: Call) -> str:

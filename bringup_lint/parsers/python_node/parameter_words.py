@@ -71,7 +71,8 @@ class _Reader:
                 continue
             if isinstance(call.func, ast.Attribute) and _OWN.match(ast.unparse(call.func)):
                 required = called_name(call) == "get_parameter" and not self._is_tried(call)
-                yield Asked(Located(name.value, self.positions.span(name)), required)
+                quiet = called_name(call) == "get_parameter_or"
+                yield Asked(Located(name.value, self.positions.span(name)), required, quiet)
 
     def _unset(self) -> Iterator[Located]:
         """What is declared with a type alone and asked for."""

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.endings import CPP
+from bringup_lint.graph.nodes.sources.with_header import with_header
 from bringup_lint.model.cpp_source import LateJoin
 from bringup_lint.model.cpp_text import blanked
 from bringup_lint.pattern import regex
@@ -26,6 +27,9 @@ _ENDS = regex(
     r"|[^:]:\s{0,4}(?:this->)?(?=(?P<looped>\w+)\s{0,4}\))|\breturn\s{1,40}(?=(?P<returned>\w+))"
 )
 """What ends a thread or may; only the name itself is taken, as one may follow another: ``copy.swap(thread_)``."""
+_BROUGHT_DOWN = regex(
+    r"nav2|hardware_interface|controller_interface|\bon_shutdown\s{0,4}\(\s{0,4}[\[s]|shutdown_callback"
+)
 _KEEPS = regex(r"\b(?:push_back|emplace_back|emplace|insert)\s{0,4}\(")
 _WORD = regex(r"\w+")
 _STATEMENT = 2000
@@ -42,7 +46,15 @@ def ends_thread(nodes: Nodes, source: Source, name: str) -> bool:
 def late_join(nodes: Nodes, source: CppNode, name: str) -> LateJoin | None:
     """The joins of a thread in callbacks, where nothing else of the package ends it."""
     found = next((each for each in source.late_joins if each.thread == name), None)
+    if found is not None and found.is_step and not _is_left_to_signals(with_header(nodes, source.source)):
+        return None
     return None if found is not None and _is_joined_elsewhere(nodes, source.source, found) else found
+
+
+def _is_left_to_signals(text: str) -> bool:
+    """Whether a text is about a lifecycle node that nothing brings down when a signal comes: others run the transitions
+    of controllers and hardware, and nodes of Nav2 do it themselves."""
+    return "LifecycleNode" in text and not _BROUGHT_DOWN.search(text)
 
 
 def _is_joined_elsewhere(nodes: Nodes, source: Source, late: LateJoin) -> bool:

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from collections.abc import Iterator
+from operator import attrgetter
 from typing import TYPE_CHECKING
 
 from bringup_lint.facts.ros.parameters import is_of_library
@@ -19,6 +21,7 @@ from bringup_lint.model.launch_values import Literal
 from bringup_lint.model.launch_values import ParameterFile
 from bringup_lint.model.launch_values import TypedValue
 from bringup_lint.model.launch_values import Value
+from bringup_lint.model.parameter_words import Asked
 from bringup_lint.model.params import matches
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
@@ -103,11 +106,20 @@ def is_called_nowhere(topics: Topics, place: Span) -> bool:
 
 def asked_in_vain(topics: Topics) -> Iterator[Located]:
     """Where a program of the workspace asks its node for a parameter that nothing in it declares, and raises."""
+    return _asked_and_lacking(topics, attrgetter("required"))
+
+
+def asked_quietly(topics: Topics) -> Iterator[Located]:
+    """The same where the call does not raise, but leaves a default in place whatever sets the parameter."""
+    return _asked_and_lacking(topics, attrgetter("is_quiet"))
+
+
+def _asked_and_lacking(topics: Topics, is_meant: Callable[[Asked], bool]) -> Iterator[Located]:
     verdicts: dict[Span, bool] = {}
     found: dict[Span, Located] = {}
     for words in topics.all_parameter_words:
         for asked in words.asked:
-            lacks = asked.required and not words.name(asked.name) and not is_of_library(asked.name)
+            lacks = is_meant(asked) and not words.name(asked.name) and not is_of_library(asked.name)
             verdicts[asked.name.span] = verdicts.get(asked.name.span, True) and lacks
             found[asked.name.span] = asked.name
     lacking = (name for span, name in found.items() if verdicts[span] and span.source.judged)

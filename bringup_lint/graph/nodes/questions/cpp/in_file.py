@@ -1,0 +1,33 @@
+"""Mistakes of C++ nodes that one file alone shows, those of a file together."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.model.cpp_source import FormatText
+from bringup_lint.model.cpp_source import UnreadAnswer
+from bringup_lint.model.cpp_source import WrongDuration
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.nodes.nodes import Nodes
+
+
+def wrong_durations(nodes: Nodes) -> Iterator[WrongDuration]:
+    """The durations that are much shorter than what is written."""
+    for node in nodes.cpp:
+        yield from node.durations
+
+
+def unread_answers(nodes: Nodes) -> Iterator[list[UnreadAnswer]]:
+    """The callbacks of services that answer ``false``, those that owe data first."""
+    for node in nodes.cpp:
+        if node.service_answers:
+            yield sorted(node.service_answers, key=lambda each: not each.has_data)
+
+
+def format_texts(nodes: Nodes) -> Iterator[list[FormatText]]:
+    """The texts that log macros take as formats, those from other nodes first."""
+    for node in nodes.cpp:
+        if node.format_texts:
+            yield sorted(node.format_texts, key=lambda each: not each.is_foreign)

@@ -1,0 +1,29 @@
+"""What C++ nodes throw that handlers of exceptions do not take."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.graph.nodes.sources.threads import package_sources
+from bringup_lint.model.cpp_driver import Thrown
+from bringup_lint.pattern import regex
+from bringup_lint.source import Source
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.nodes.nodes import Nodes
+
+_TAKES = regex(r"\bcatch\s{0,4}\(\s{0,4}(?:const\s{1,4})?(?:char|int|(?:std::)?string|auto)\b", hints="catch")
+
+
+def thrown(nodes: Nodes) -> Iterator[list[Thrown]]:
+    """Those of one source together, where no handler of its package takes a text or a number."""
+    for driver in nodes.drivers:
+        if driver.thrown:
+            owner = nodes.launch.workspace.owner(driver.source)
+            if not any(map(_may_take, package_sources(nodes.files, owner, driver.source))):
+                yield driver.thrown
+
+
+def _may_take(source: Source | None) -> bool:
+    return source is None or source.matches(_TAKES)

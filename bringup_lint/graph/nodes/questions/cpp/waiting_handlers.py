@@ -1,0 +1,47 @@
+"""Handlers of signals that wait for a lock, with the place that registers each."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.graph.nodes.sources.threads import package_sources
+from bringup_lint.model.cpp_driver import WaitingHandler
+from bringup_lint.model.cpp_text import blanked
+from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.pattern import regex
+from bringup_lint.source import Located
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.nodes.nodes import Nodes
+
+_REGISTERS = regex(
+    r"\b(?:signal\s{0,4}\(\s{0,4}SIG(?:INT|TERM|HUP|QUIT)\s{0,4},|sa_handler\s{0,4}=)\s{0,4}&?\s{0,4}"
+    r"(?:\w+::)*(?P<name>\w+)",
+    hints="signal sa_handler",
+)
+
+
+class RegisteredHandler(NamedTuple):
+    handler: WaitingHandler
+    registered: Located
+
+
+def waiting_handlers(nodes: Nodes) -> Iterator[RegisteredHandler]:
+    """Each once, where its package registers it for a signal that ends programs."""
+    for driver in nodes.drivers:
+        for handler in driver.waiting_handlers:
+            registered = _registered(nodes, handler)
+            if registered is not None:
+                yield RegisteredHandler(handler, registered)
+
+
+def _registered(nodes: Nodes, handler: WaitingHandler) -> Located | None:
+    source = handler.place.span.source
+    owner = nodes.launch.workspace.owner(source)
+    for each in package_sources(nodes.files, owner, source):
+        if each is not None and handler.name in each.text and each.matches(_REGISTERS):
+            for found in _REGISTERS.finditer(blanked(each.text)):
+                if found["name"] == handler.name:
+                    return each.located(*found.span("name"))
+    return None

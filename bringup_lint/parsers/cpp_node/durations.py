@@ -1,0 +1,79 @@
+"""Durations of a C++ file whose numbers have another unit or type than what takes them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.model.cpp_source import WrongDuration
+from bringup_lint.parsers.cpp_node.syntax import Call
+from bringup_lint.parsers.cpp_node.syntax import Code
+from bringup_lint.pattern import regex
+
+if TYPE_CHECKING:
+    from tree_sitter import Node
+
+MADE = ("Duration", "chrono::seconds")
+_DURATION = regex(r"(?:rclcpp::)?Duration\Z")
+_SECONDS = regex(r"(?:std::)?chrono::seconds\Z")
+_FRACTION = regex(r"-?\d{0,9}\.\d{0,9}[1-9]\d{0,9}[fF]?\Z|\d{1,9}\.\d{0,9}[fF]?\s{0,4}/[^/]{1,200}\Z")
+"""A number with a fraction, or a quotient that is one."""
+_WHOLE = regex(r"(?P<number>[1-9]\d*)[uUlL]*\Z")
+_MILLI = regex(
+    r"(?:1000[uUlL]*\s{0,4}\*\s{0,4})?\w{0,60}(?:[mM]illi[sS]ec\w{0,20}|[mM]illis|_ms|Ms|_msec)_?"
+    r"(?:\s{0,4}\*\s{0,4}1000[uUlL]*)?\Z"
+)
+"""A name that says milliseconds, or a thousand times its value."""
+_CAST = regex(
+    r"(?:static_cast<\s{0,4}(?:u?int(?:\d+_t)?|long|unsigned)\s{0,4}>\s{0,4}\(|\(int\)\s{0,4}\(?)\s{0,4}(?:this->)?"
+    r"(?P<name>\w+)\s{0,4}\)?\Z"
+)
+_MADE_OF = regex(r"(?:std::)?chrono::duration<double>[({](?:this->)?(?P<name>\w+)[)}]\Z")
+_SMALL = 1_000_000
+"""Nanoseconds: nobody waits for less than a millisecond by hand."""
+
+
+def durations(code: Code) -> Iterator[WrongDuration]:
+    """Those of ``rclcpp::Duration(seconds, nanoseconds)``, and ``std::chrono::seconds`` of a number with a fraction."""
+    if not any(each in code.source.text for each in MADE):
+        return
+    for call in code.calls:
+        given = [code.text(each) for each in call.arguments]
+        cast = _cast(code, call, given)
+        if cast is not None:
+            yield WrongDuration(code.span(call.node), "cast", cast)
+        elif _DURATION.match(call.qualified) and len(given) == 2 and "rclcpp" in code.source.text:
+            yield from _of_pair(code, call.node, *given)
+    for node in code.written.get("declaration", ()):
+        declarator = node.child_by_field_name("declarator")
+        value = declarator.child_by_field_name("value") if declarator is not None else None
+        if value is None or value.type not in ("argument_list", "initializer_list") or value.named_child_count != 2:
+            continue
+        if "".join(code.text(node.child_by_field_name("type")).split()) == "rclcpp::Duration":
+            yield from _of_pair(code, value, *(code.text(each) for each in value.named_children))
+
+
+def _cast(code: Code, call: Call, given: list[str]) -> str | None:
+    """The ``double`` of which whole seconds are made."""
+    if len(given) != 1:
+        return None
+    if call.name == "duration_cast":
+        is_whole = _SECONDS.match(code.text(call.template).strip("<> "))
+        found = _MADE_OF.match("".join(given[0].split())) if is_whole else None
+        return found["name"] if found is not None else None
+    found = _CAST.match(given[0]) if _SECONDS.match(call.qualified) else None
+    is_double = found is not None and re.search(rf"\b(?:double|float)\s+{re.escape(found['name'])}\b", code.source.text)
+    return found["name"] if found is not None and is_double else None
+
+
+def _of_pair(code: Code, node: Node, seconds: str, rest: str) -> Iterator[WrongDuration]:
+    span = code.span(node)
+    if _FRACTION.match(seconds):
+        yield WrongDuration(span, "cut", seconds)
+        return
+    whole, milli = _WHOLE.match(rest), _MILLI.match(rest)
+    if whole is not None and int(whole["number"]) < _SMALL:
+        yield WrongDuration(span, "small", whole["number"])
+    elif milli is not None:
+        yield WrongDuration(span, "milli", rest)

@@ -1,0 +1,55 @@
+"""Service callbacks of a C++ file that answer ``false``, which nobody reads."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.model.cpp_source import UnreadAnswer
+from bringup_lint.model.node_source import Callback
+from bringup_lint.parsers.cpp_node.syntax import Code
+from bringup_lint.parsers.cpp_node.waits import Bodies
+from bringup_lint.parsers.cpp_node.waits import runs
+from bringup_lint.pattern import regex
+
+if TYPE_CHECKING:
+    from tree_sitter import Node
+
+_SAYS = r"\b{}\s*(?:->|\.)\s*\w*(?:success|result|error|status|message)"
+"""Fields by which a response tells of a failure, whatever their first value is."""
+_FALSE = regex(r"return\s+false\s*;\Z")
+_NO_WORD = regex(r"\W")
+
+
+def service_answers(code: Code, callbacks: list[Callback]) -> Iterator[UnreadAnswer]:
+    """The first ``return false`` of each callback of a service, where the response says nothing of the failure."""
+    services = [each for each in callbacks if each.role == "service" and each.name is not None]
+    bodies = Bodies(code) if services else None
+    for callback in services:
+        body = bodies.of(callback) if bodies is not None else None
+        if body is None or code.text(body.child_by_field_name("type")) != "bool":
+            continue
+        response = _response(code, body)
+        if response is None or re.search(_SAYS.format(re.escape(response)), code.text(body)):
+            continue
+        for node in code.written.get("return", ()):
+            if runs(body, node) and _FALSE.match(code.text(node)) and not _is_told(code, node, response):
+                has_data = re.search(rf"\b{re.escape(response)}\s*(?:->|\.)", code.text(body)) is not None
+                yield UnreadAnswer(code.span(node), callback.span, str(callback.name), has_data)
+                break
+
+
+def _response(code: Code, body: Node) -> str | None:
+    """The name of the last parameter."""
+    declarator = body.child_by_field_name("declarator")
+    given = declarator.child_by_field_name("parameters") if declarator is not None else None
+    named = [each for each in given.named_children if each.type == "parameter_declaration"] if given is not None else []
+    declared = code.text(named[-1].child_by_field_name("declarator")) if len(named) > 1 else ""
+    return _NO_WORD.split(declared.strip())[-1] or None
+
+
+def _is_told(code: Code, node: Node, response: str) -> bool:
+    """Whether the block of a ``return`` sets something in the response."""
+    block = node.parent
+    return block is not None and re.search(rf"\b{re.escape(response)}\s*(?:->|\.)", code.text(block)) is not None

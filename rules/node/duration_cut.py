@@ -1,0 +1,54 @@
+"""A duration in C++ is much shorter than what is written.
+
+## What it finds
+`rclcpp::Duration(seconds, nanoseconds)` whose seconds are a fraction, or whose second number is less than a
+millisecond, or one that is called milliseconds. As an info, `std::chrono::seconds` of a `double` that is cast to a
+whole number.
+
+## Why it matters on a robot
+The seconds are a whole number: 0.5 becomes 0, and a timeout that is to be half a second is none. The second number
+counts nanoseconds: 100 is not 100 ms, and a lookup that is to wait for a transform does not wait at all.
+
+## Bad
+```cpp
+buffer_.lookupTransform("map", "base_link", stamp, rclcpp::Duration(0.5, 0));
+```
+
+## Good
+```cpp
+buffer_.lookupTransform("map", "base_link", stamp, rclcpp::Duration::from_seconds(0.5));
+```
+
+## When to ignore it
+When so short a time is meant.
+
+## References
+- rclcpp, duration.hpp: `Duration(int32_t seconds, uint32_t nanoseconds)`
+- tried with g++ 12.2: a conversion from `double` is no error in parentheses
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import nodes
+from bringup_lint.api import rule
+
+_SAYS = {
+    "cast": ("The fraction of {} is lost: 0.5 s become 0 s", "use std::chrono::duration<double>"),
+    "cut": ("The seconds of rclcpp::Duration are whole: {} loses its fraction", "use rclcpp::Duration::from_seconds"),
+    "small": (
+        "The second number of rclcpp::Duration is nanoseconds: {} ns is no time",
+        "use std::chrono::milliseconds",
+    ),
+    "milli": ("The second number of rclcpp::Duration is nanoseconds, not {}", "use std::chrono::milliseconds"),
+}
+
+
+@rule("warning", silent="the compiler converts the number, and nothing is logged")
+def duration_cut(robot: Robot) -> Iterator[Finding]:
+    for found in nodes.wrong_durations(robot.nodes):
+        message, advice = _SAYS[found.kind]
+        severity = "info" if found.kind == "cast" else robot.nodes.lowered_if_vendored(found.place.source, "warning")
+        yield finding(found.place, message.format(found.number), advice=advice, severity=severity)
