@@ -5,6 +5,11 @@
 a variable that the script sets, or from a well-known one such as `BASH_SOURCE` or `ROS_DISTRO`: a letter is left out,
 there twice, or the one beside it on the keyboard, or two are exchanged.
 
+A variable of which nothing but its assignment is in the tree, one letter away from a variable that the script reads.
+
+`$NAME` that nothing sets, where one word more or less gives a variable that the script sets, and that it reads within
+four lines of it: `[ -f "$ROVER_SWAP_FILE" ]` before `sed -i ... "$SWAP_FILE"`.
+
 Before a `/` in `rm -r` the names may differ in more. Then it is silent where the script sources files, reads variables
 with `read`, `eval` or `export $(...)`, or runs under `set -u`.
 
@@ -77,6 +82,10 @@ WELL_KNOWN = (
 ).split()
 """Variables that the shell, the login or the setup files of ROS give."""
 SIZE = 200_000
+LEAST = 6
+"""Letters of a name that is set and never read."""
+LINES = 4
+EXPORTS_ALL = regex(r"\bset[ \t]+-\w{0,6}a|\ballexport\b")
 
 
 @rule(
@@ -101,7 +110,10 @@ def _read(robot: Robot, source: Source) -> Iterator[Finding]:
     loops = LOOP.findall(source.text)
     slips: Neighbours | None = None
     seen = {*given, *loops}
-    for word, name in (read for command in commands for read in _reads(command)):
+    reads = [read for command in commands for read in _reads(command)]
+    yield from _unread(robot, source, commands, dict((name, word) for word, name in reversed(reads)))
+    yield from _longer(robot, source, commands, reads)
+    for word, name in reads:
         if name not in seen:
             seen.add(name)
             slips = slips or Neighbours((*given, *loops, *WELL_KNOWN, *variables()))
@@ -114,6 +126,63 @@ def _read(robot: Robot, source: Source) -> Iterator[Finding]:
                     related=[note(given[each], "this is set") for each in meant if each in given],
                     severity="warning",
                 )
+
+
+def _unread(robot: Robot, source: Source, commands: list[Command], reads: dict[str, Located]) -> Iterator[Finding]:
+    """The variables that are set and never read, beside one of nearly the name that is read."""
+    if EXPORTS_ALL.search(source.text):
+        return
+    slips: Neighbours | None = None
+    for command in commands:
+        if command.words and command.name not in ("local", "readonly", "declare"):
+            continue
+        for name, place in _given(command):
+            if len(name) < LEAST or source.text.count(name) > 1 or name in reads:
+                continue
+            slips = slips or Neighbours(reads)
+            meant = [each for each in slips.meant(name) if _is_slip(name, each) and not name.startswith(each)]
+            if len(meant) == 1 and not meant[0].startswith(name) and not _is_elsewhere(robot, source, name):
+                yield finding(
+                    place,
+                    f"Nothing reads {name}: {meant[0]} does not get this value",
+                    advice=f"write {meant[0]}",
+                    related=[note(reads[meant[0]], "this is read")],
+                    severity="warning",
+                )
+
+
+def _longer(
+    robot: Robot, source: Source, commands: list[Command], reads: list[tuple[Located, str]]
+) -> Iterator[Finding]:
+    """The variables that nothing sets, near one that has a word more or less, and that is set before."""
+    places = [each for command in commands for each in _given(command)]
+    given = dict(reversed(places))
+    seen = set()
+    for word, name in reads:
+        if name in given or name in seen or name.count("_") < 1:
+            continue
+        seen.add(name)
+        near = {each for other, each in reads if abs(other.line - word.line) <= LINES}
+        meant = [each for each in near if each in given and _has_one_word_more(name, each)]
+        is_made_of_it = any(each in meant and 0 <= place.line - word.line <= LINES for each, place in places)
+        if len(meant) == 1 and not is_made_of_it and not _may_be_set(robot, source, name, general=True):
+            yield finding(
+                word,
+                f"Nothing sets {name}: it is empty here",
+                advice=f"did you mean {meant[0]}?",
+                related=[note(given[meant[0]], "this is set")],
+                severity="warning",
+            )
+
+
+def _has_one_word_more(one: str, other: str) -> bool:
+    """Whether one of two names has all words of the other in their order, and one more."""
+    short, long = sorted((one.split("_"), other.split("_")), key=len)
+    return len(long) == len(short) + 1 > 2 and any(long[:at] + long[at + 1 :] == short for at in range(len(long)))
+
+
+def _is_elsewhere(robot: Robot, source: Source, name: str) -> bool:
+    return any(name in each.text for each in robot.sources if each is not source)
 
 
 def _given(command: Command) -> Iterator[tuple[str, Located]]:
