@@ -7,7 +7,7 @@ In `[ ... ]`, `test` and, where it means the same, `[[ ... ]]`:
 - a word instead of a variable: `[ -n MODE ]`, `[ false ]`;
 - `-n` with a variable without quotes;
 - `<` or `>`, which redirect, and in `[[ ]]` compare a number as text;
-- `-eq` and the like with a word that is no number;
+- `-eq` and the like with a word in the place of a number;
 - `=!`, `=<`, `=>` and `===`;
 - `-o` with a word that is no option of the shell.
 

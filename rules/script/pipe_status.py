@@ -2,7 +2,7 @@
 
 ## What it finds
 - `$?` right after a pipeline that ends with `tee`, `sed`, `cat`, `ts` or another command that only passes on what it
-  reads, in a script without `pipefail`;
+  reads, or with a shell that runs what `curl` or `wget` brings, in a script without `pipefail`;
 - a test of `$?` right after `echo`, `printf` or `sleep` that write to no file.
 
 ## Why it matters on a robot
@@ -38,9 +38,13 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.shell import SHELLS
 from bringup_lint.api.shell import Block
 from bringup_lint.api.shell import Command
+from bringup_lint.api.shell import program_name
 from bringup_lint.api.shell import shell_blocks
+from bringup_lint.api.shell import shell_input
+from bringup_lint.api.shell import unwrapped
 
 PASSES = (
     "tee",
@@ -61,6 +65,8 @@ PASSES = (
 )
 MAKES = ("echo", "printf", "cat", "ls", "yes", "true")
 """Programs whose own failure hardly matters."""
+LOADS = ("curl", "wget")
+ENDS = ("", "\n", ";")
 REPORTS = ("echo", "printf", "sleep")
 TESTS = ("[", "[[", "test")
 STATUS = regex(r"\$\?|\$\{\?\}")
@@ -90,7 +96,7 @@ def _of(blocks: tuple[Block, ...], strict: bool) -> Iterator[Finding]:
             if not strict and _passes_on(before, report) and asks.name != "trap":
                 yield finding(
                     status,
-                    f"This is the status of {report.name}, which succeeds also when {before.name} fails",
+                    f"This is the status of {_program(report)}, which succeeds also when {_program(before)} fails",
                     advice="write set -o pipefail, or ask for ${PIPESTATUS[0]}",
                     related=[note(before.words[0], "its status is lost in the pipe")],
                 )
@@ -107,7 +113,17 @@ def _of(blocks: tuple[Block, ...], strict: bool) -> Iterator[Finding]:
 
 
 def _passes_on(first: Command, last: Command) -> bool:
-    return last.ends in ("", "\n", ";") and last.name in PASSES and bool(first.words) and first.name not in MAKES
+    """Whether the last command succeeds also when the first one fails: a shell that reads nothing does nothing."""
+    if last.ends not in ENDS or not first.words:
+        return False
+    if _program(last) in SHELLS:
+        return _program(first) in LOADS and shell_input(unwrapped(last.words)[1:]) is None
+    return last.name in PASSES and first.name not in MAKES
+
+
+def _program(command: Command) -> str:
+    words = unwrapped(command.words)
+    return program_name(words[0]) if words else ""
 
 
 def _only_reports(command: Command) -> bool:

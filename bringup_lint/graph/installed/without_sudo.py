@@ -16,6 +16,10 @@ from bringup_lint.source import Source
 _OF_ROOT = regex(r"/(?:etc|lib|boot|opt/ros|usr(?:/local)?/(?:s?bin|lib|share))/[^{}]*")
 _TO_LAST = ("cp", "mv", "ln", "install")
 _TO_ALL = ("tee", "mkdir", "touch", "rm", "rmdir", "chmod", "chown")
+_FOR_ROOT = ("systemctl", "service", "usermod", "modprobe", "udevadm", "sysctl", "mount")
+"""Programs that show as well that the script is for a user."""
+_SERVICES = ("systemctl", "service")
+_IN_PLACE = regex(r"-[a-zA-Z]*i[^\n]*|--in-place[^\n]*")
 _PACKAGES = ("apt", "apt-get", "dpkg")
 _CHANGES = ("install", "update", "upgrade", "full-upgrade", "dist-upgrade", "remove", "purge", "autoremove", "-i")
 _MAY_BE_ROOT = regex(
@@ -58,6 +62,7 @@ def _forgotten(scripts: Scripts, source: Source) -> ForUser | None:
     with_sudo: list[Located] = []
     without: list[Unprivileged] = []
     done = scripts.done(source)
+    plain = any(isinstance(did, Run) and did.name in _SERVICES and not did.by_root for did in done)
     refused_elsewhere = {did.where.span for did in done if isinstance(did, Written) and did.refused}
     for did in done:
         if isinstance(did, Written):
@@ -65,12 +70,17 @@ def _forgotten(scripts: Scripts, source: Source) -> ForUser | None:
             without += [Unprivileged(did.where, did.path)] if refused else []
             continue
         path = _changed(did)
-        if path is not None and did.by_root:
+        if did.by_root and (path is not None or did.name in _FOR_ROOT):
             with_sudo.append(did.words[0])
-        elif path is None or did.command.hides_errors or did.command.ends == "||":
+        elif path is None or did.command.hides_errors or did.command.ends == "||" or (did.name == "sed" and plain):
             continue
         elif refused_elsewhere.isdisjoint(word.span for word in did.words):
             without.append(Unprivileged(did.words[0], path))
+    paths = {each.path for each in without if each.path}
+    asked = [did for did in done if isinstance(did, Run) and did.by_root and did.name not in _FOR_ROOT]
+    with_sudo += [
+        did.words[0] for did in asked if _changed(did) is None and not paths.isdisjoint(map(did.text, did.words))
+    ]
     given = _given_away(source) if without else ()
     without = [each for each in without if not each.path.startswith(given)]
     if len(with_sudo) < _LEAST or not without:
@@ -88,7 +98,10 @@ def _changed(run: Run) -> str | None:
     named = [word for word in run.words[1:] if not word.startswith("-")]
     if run.name in _PACKAGES:
         return "" if any(word in _CHANGES for word in run.words[1:]) else None
-    changed = named[-1:] if run.name in _TO_LAST else named if run.name in _TO_ALL else []
+    if run.name == "sed":
+        changed = named if any(map(_IN_PLACE.fullmatch, run.words[1:])) else []
+    else:
+        changed = named[-1:] if run.name in _TO_LAST else named if run.name in _TO_ALL else []
     return next((path for path in map(run.text, changed) if _OF_ROOT.match(path)), None)
 
 
