@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from bringup_lint.model.launch import RefusedCall
 from bringup_lint.model.python import FunctionNode
 from bringup_lint.model.python import bound_names
+from bringup_lint.model.python import called_name
 from bringup_lint.model.python_calls import misfit
 from bringup_lint.parsers.launch_python.unbound import caught_in
 from bringup_lint.parsers.python_syntax import Positions
@@ -22,8 +23,6 @@ def own_misfits(tree: ast.Module, positions: Positions) -> Iterator[RefusedCall]
     """In code that runs while launch does: of the module, of its entry, and of the functions that these name."""
     nodes = list(ast.walk(tree))
     known = _known(tree, Counter(name for node in nodes for name in bound_names(node)))
-    if not known:
-        return
     caught = caught_in(nodes, _CATCHING)
     for call in _calls(tree):
         for function, name, made in _made(call, known):
@@ -62,12 +61,20 @@ def _calls(tree: ast.Module) -> Iterator[ast.Call]:
 
 def _made(call: ast.Call, known: dict[str, FunctionNode]) -> Iterator[tuple[FunctionNode, str, ast.Call]]:
     """The function that a call runs, its name, and the call as the function gets it."""
-    if isinstance(call.func, (ast.Name, ast.Attribute)):
-        name = ast.unparse(call.func)
-        if name in known:
-            yield known[name], name, call
-        elif name.rpartition(".")[2] == "OpaqueFunction":
-            yield from _opaque(call, known)
+    name = _dotted(call.func)
+    if name in known:
+        yield known[name], name, call
+    elif called_name(call) == "OpaqueFunction":
+        yield from _opaque(call, known)
+
+
+def _dotted(function: ast.expr) -> str:
+    """``name`` or ``Class.name``; empty for what is longer."""
+    if isinstance(function, ast.Name):
+        return function.id
+    if isinstance(function, ast.Attribute) and isinstance(function.value, ast.Name):
+        return f"{function.value.id}.{function.attr}"
+    return ""
 
 
 def _opaque(call: ast.Call, known: dict[str, FunctionNode]) -> Iterator[tuple[FunctionNode, str, ast.Call]]:
