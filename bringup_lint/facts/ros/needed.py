@@ -71,7 +71,13 @@ def needed(use: str, name: str) -> Needed | None:
 
 
 COMMON = {
+    "click": "python3-click",
+    "cryptography": "python3-cryptography",
+    "lxml": "python3-lxml",
+    "netifaces": "python3-netifaces",
     "numpy": "python3-numpy",
+    "packaging": "python3-packaging",
+    "pkg_resources": "python3-pkg-resources",
     "psutil": "python3-psutil",
     "requests": "python3-requests",
     "yaml": "python3-yaml",
@@ -88,7 +94,8 @@ COMMON = {
 }
 """Modules and libraries that most robots have, and their keys."""
 _OF_ROS_BASE = frozenset(
-    "python3-numpy python3-psutil python3-requests python3-yaml eigen libssl-dev spdlog yaml-cpp".split()
+    "python3-click python3-cryptography python3-lxml python3-netifaces python3-numpy python3-packaging"
+    " python3-pkg-resources python3-psutil python3-requests python3-yaml eigen libssl-dev spdlog yaml-cpp".split()
 )
 
 
