@@ -197,9 +197,11 @@ class _Needed:
     def _is_known(self, need: Need) -> bool:
         """Whether a package is needed, or what rosdep has a key for, besides what launch and builds have anyway."""
         name = str(need.name)
+        if need.use in ("header", "interfaces"):
+            return need.use == "interfaces" or self._is_package(need)
         if _PLACEHOLDER.search(name) or package_like(self._launch, name):
             return False
-        if need.use in _NAMED or need.use in ("interfaces", "plugin"):
+        if need.use in _NAMED or need.use == "plugin":
             return True
         if name in _OF_LAUNCH:
             return need.use == "module"
