@@ -266,14 +266,16 @@ class _Reader:
         return ";" if text in ("(", ")") else text
 
     def redirects(self, before: list[Located]) -> Iterator[Redirect]:
-        """The redirections here; a number right before the operator, the last word of ``before``, belongs to it."""
+        """The redirections here. A number right before the operator, the last word of ``before``, belongs to it; not
+        to ``&>``."""
         while (token := self.peek()) is not None and token.operator:
             operator = str(token.text)
             if operator not in REDIRECTS and operator not in HERE:
                 return
             self.at += 1
             number = ""
-            if before and before[-1].isdecimal() and before[-1].span.end == token.text.span.start:
+            is_number = bool(before) and before[-1].isdecimal() and not operator.startswith("&")
+            if is_number and before[-1].span.end == token.text.span.start:
                 number = str(before.pop())
             target = None
             after = self.peek()
