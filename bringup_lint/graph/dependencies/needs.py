@@ -325,8 +325,17 @@ def of_headers(files: Files, launch: Launch) -> Iterator[Need]:
             continue
         for name in _included(source):
             folders = (os.path.join(owner.folder, each, name) for each in ("include", "src", ""))
-            if not any(map(files.tree.exists, folders)):
-                yield Need("header", name, owner)
+            package = launch.workspace.packages.get(str(name))
+            if any(map(files.tree.exists, folders)) or (package is not None and not _offers(files, package, owner)):
+                continue
+            yield Need("header", name, owner)
+
+
+def _offers(files: Files, package: Package, owner: Package) -> bool:
+    """Whether another package of the workspace, which lies outside of the one that includes headers, has headers below
+    its own name, or generates them."""
+    folders = (os.path.join(package.folder, each) for each in (f"include/{package.name}", "msg", "srv", "action"))
+    return not package.folder.startswith(f"{owner.folder}/") and any(map(files.tree.exists, folders))
 
 
 def _included(source: Source) -> Iterator[Located]:
