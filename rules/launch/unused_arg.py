@@ -4,7 +4,8 @@
 Declared arguments that neither the file nor any file that it includes reads. A variable that is only the default of
 the argument itself does not read it, a key of a dictionary neither, nor a file that only hands it on to this one. Of
 included files that are not in the tree, those of Gazebo, Nav2, slam_toolbox and others are known, and with others the
-rule is silent. Info in packages of others that the tree only holds.
+rule is silent. Info in packages of others that the tree only holds, and where another launch file of this name declares
+the argument too: `vehicle_interface.launch.xml` of several vehicles.
 
 ## Why it matters on a robot
 Setting the argument has no effect, and launch does not say so. The robot runs with another configuration than the
@@ -53,7 +54,7 @@ def unused_arg(robot: Robot) -> Iterator[Finding]:
             continue
         own = robot.launch.expansion(file)
         is_idle = not own.nodes and not own.includes and not own.handlers
-        for declared, passed in launch.unread_arguments(robot.launch, file):
+        for declared, passed, is_shared in launch.unread_arguments(robot.launch, file):
             name = declared.name
             if any(f"$(var {name}" in source.text for source in robot.of_kind("params")):
                 continue
@@ -64,5 +65,5 @@ def unused_arg(robot: Robot) -> Iterator[Finding]:
                 advice="use the argument, or remove the declaration",
                 related=[note(each, "passed here") for each in passed],
                 fix=fix(f"remove the declaration of '{name}'", codemod=drop, safe=False) if drop else None,
-                severity="info" if is_idle or robot.launch.workspace.is_vendored(file.source) else None,
+                severity="info" if is_idle or is_shared or robot.launch.workspace.is_vendored(file.source) else None,
             )

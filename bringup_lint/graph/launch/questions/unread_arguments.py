@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -27,6 +28,8 @@ class UnreadArgument(NamedTuple):
     declared: Declared
     passed: list[Located]
     """Where files that include this one give it a value."""
+    is_shared: bool
+    """Another file of this name declares it too: both offer what a third one may include under a computed path."""
 
 
 def unread_arguments(launch: Launch, file: LaunchFile) -> Iterator[UnreadArgument]:
@@ -42,7 +45,19 @@ def unread_arguments(launch: Launch, file: LaunchFile) -> Iterator[UnreadArgumen
         if declared.file is not file or name in elsewhere or name in later:
             continue
         if name not in _read(launch)[id(file)] and _mentioned(launch, file, name) <= 1 + _idle(launch, file, name):
-            yield UnreadArgument(declared, _passed(launch, file, name))
+            yield UnreadArgument(
+                declared, _passed(launch, file, name), _declaring(launch)[file.source.basename, name] > 1
+            )
+
+
+@kept
+def _declaring(launch: Launch) -> Counter[tuple[str, str]]:
+    """How many launch files of a name declare an argument."""
+    return Counter(
+        (file.source.basename, name)
+        for file in launch.launch_files
+        for name in {each.name for each in launch.expansion(file).declared if each.file is file}
+    )
 
 
 def _passed(launch: Launch, file: LaunchFile, name: str) -> list[Located]:
