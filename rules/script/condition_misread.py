@@ -11,7 +11,8 @@ In `[ ... ]`, `test` and, where it means the same, `[[ ... ]]`:
 - `=!`, `=<`, `=>` and `===`;
 - `-o` with a word that is no option of the shell.
 
-`while [ 1 ]`, `[ true ]` and `[ : ]` are taken as meant.
+`while [ 1 ]`, `while [ 0 ]`, `[ true ]` and `[ : ]` are taken as meant. Silent for `test` where the script has
+a function of this name.
 
 ## Why it matters on a robot
 A condition that is always true deletes, overwrites or starts what it should only in one case. One that ends with an
@@ -53,8 +54,11 @@ VARIABLE = regex(r"\$(?:\w+|\{\w+(?:\[[^\]@*]{0,40}\])?\}|\([^\"]+\))")
 COMPARED = regex(r"(?:\$\w+|\$\{\w+\}|[\w.-]+)(?:={1,2}|!=)(?:\$\w+|\$\{\w+\}|[\w.-]*)")
 EXPANDS = regex(r"[$`*?{@%]")
 NUMBER = regex(r"[-+]?\d+")
-FROM_TWO = regex(r"[2-9]|[1-9]\d{1,9}")
-"""Numbers before which, as text, others come that are more."""
+FROM_TWO = regex(r"(?!(?:19|20)\d{6,8}\Z)(?:[2-9]|[1-9]\d{1,9})")
+"""Numbers before which, as text, others come that are more. Days, such as 20260131, have the same number of digits."""
+DATE = regex(r"\$\(date\b|`date\b")
+OWN_TEST = regex(r"(?m)^[ \t]*(?:function[ \t]+)?test[ \t]*\([ \t]*\)")
+OF_ZSH = regex(r"#![^\n]*\bzsh\b")
 NUMERIC = ("-eq", "-ne", "-lt", "-gt", "-le", "-ge")
 NO_OPERATORS = {"=!": "!=", "=<": "-le", "=>": "-ge", "===": "="}
 MEANT = ("1", "true", ":")
@@ -95,6 +99,8 @@ def _of_brackets(command: Command) -> Iterator[tuple[Located, str, str]]:
         if name not in ("[", "[[") or not words or words[-1] != "]" * len(name):
             return
         words = words[:-1]
+    elif OWN_TEST.search(name.span.source.text):
+        return
     is_posix = name != "[["
     for redirect in command.redirects:
         target = redirect.target
@@ -102,12 +108,14 @@ def _of_brackets(command: Command) -> Iterator[tuple[Located, str, str]]:
             if is_posix and len(words) == 1:
                 message = f"'{redirect.operator}' opens a file called '{target}': nothing is compared"
                 yield target, message, "write -lt or -gt"
-            elif not is_posix and FROM_TWO.fullmatch(target):
+            elif not is_posix and FROM_TWO.fullmatch(target) and not any(map(DATE.search, words)):
                 yield (
                     target,
                     f"'{redirect.operator}' compares text here, in which 10 is less than 9",
                     "write -lt or -gt",
                 )
+    if words == ("0",) and name.span.source.line_before(name.span.start).endswith("while "):
+        return
     for each in _primaries(words) if is_posix else (words,):
         found = _of_primary([word for word in each if word not in ("(", ")", "!")], is_posix)
         if found is not None:
@@ -153,7 +161,7 @@ def _of_unary(operator: Located, word: Located, is_posix: bool) -> tuple[Located
         return word, f"'{word}' is a word, and no variable: this is always {answer}", f'write "${word}"'
     if operator == "-n" and is_posix and VARIABLE.fullmatch(raw) and not raw.startswith(("$#", "$?", "$$")):
         return word, f"This is also true where {raw} is empty: then it is [ -n ]", f'write "{raw}"'
-    if operator == "-o" and is_plain and word not in SET_OPTIONS:
+    if operator == "-o" and is_plain and word not in SET_OPTIONS and not OF_ZSH.match(word.span.source.text):
         return word, f"-o asks for an option of the shell, and none is called '{word}': never true", "write -n or ="
     return None
 

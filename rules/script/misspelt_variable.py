@@ -85,6 +85,8 @@ SIZE = 200_000
 LEAST = 6
 """Letters of a name that is set and never read."""
 LINES = 4
+OF_A_SESSION = regex(r"(?:XDG|SSH|SUDO|CI|GITHUB|GITLAB|RUNNER|BUILDKITE|JENKINS)_")
+"""Variables that a login or a build server gives."""
 EXPORTS_ALL = regex(r"\bset[ \t]+-\w{0,6}a|\ballexport\b")
 
 
@@ -159,7 +161,7 @@ def _longer(
     given = dict(reversed(places))
     seen = set()
     for word, name in reads:
-        if name in given or name in seen or name.count("_") < 1:
+        if name in given or name in seen or name.count("_") < 1 or OF_A_SESSION.match(name):
             continue
         seen.add(name)
         near = {each for other, each in reads if abs(other.line - word.line) <= LINES}

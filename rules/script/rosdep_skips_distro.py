@@ -3,7 +3,7 @@
 ## What it finds
 `rosdep update` without `--include-eol-distros` and without `--rosdistro`, followed by `rosdep install`, in a script or
 Dockerfile for a distribution that gets no more updates: it installs (`ros-X-...`, `FROM ros:X`) or sources
-(`/opt/ros/X`) it, and names no other one.
+(`/opt/ros/X`) it, and names no other one. Silent where ROSDISTRO_INDEX_URL names another list of distributions.
 
 ## Why it matters on a robot
 rosdep downloads nothing for a distribution whose end of life is over ("Skip end-of-life distro"), also where
@@ -51,7 +51,7 @@ from bringup_lint.api.shell import unwrapped
 NAMES = "|".join(distro_names())
 TAKES = regex(rf"/opt/ros/(?:{NAMES})\b|\bros-(?:{NAMES})-\w|\bros:(?:{NAMES})\b|\bROS_DISTRO[=:][\"']?(?:{NAMES})\b")
 WORDS = regex(rf"(?<![a-z])(?:{NAMES})(?![a-z])", re.I)
-CHOOSES = ("--include-eol-distros", "--rosdistro")
+CHOOSES = ("--include-eol", "--rosdistro")
 
 
 @rule("warning", symptoms=['Skip end-of-life distro "*"', "Cannot locate rosdep definition for [*]"])
@@ -92,4 +92,5 @@ def _calls(file: Dockerfile) -> Iterator[tuple[Located, ...]]:
 def _distro(source: Source) -> str:
     """The only distribution that a file names, where it installs or sources that."""
     names = {word.lower() for word in WORDS.findall(f"{source.name} {source.uncommented}")}
-    return names.pop() if len(names) == 1 and TAKES.search(source.uncommented) else ""
+    is_known = TAKES.search(source.uncommented) and "ROSDISTRO_INDEX_URL" not in source.uncommented
+    return names.pop() if len(names) == 1 and is_known else ""

@@ -51,6 +51,8 @@ from bringup_lint.api.shell import Block
 from bringup_lint.api.shell import Command
 from bringup_lint.api.shell import commands
 from bringup_lint.api.shell import shell_blocks
+from bringup_lint.api.shell import shell_commands
+from bringup_lint.api.shell import with_inner
 
 ERREXIT = regex(STRICT, re.M)
 SHEBANG = regex(r"#!\S+[ \t]+-\w*e\w*[ \t]*(?:\n|\Z)")
@@ -63,6 +65,8 @@ REPORTS = frozenset("print log err error warn warning info panic fail fatal usag
 QUIET = ("exit", "return", "cd", "popd")
 SEARCHES = ("which", "pgrep", "pidof", "grep", "egrep", "fgrep")
 NO_STATUS = ("local", "export", "declare", "readonly", "typeset", "set", "echo", "printf", "trap", "true", ":", "exec")
+TAKE_WORDS = (*NO_STATUS, "unset")
+"""Commands whose arguments are no commands that they run under a condition."""
 STATUS = ("$?", "${?}")
 FOUND = regex(r"(?P<name>\w+)=(?:\$\((?P<dollar>[^()]*)\)|`(?P<tick>[^`]*)`)")
 ASSIGNED = regex(r"(?P<name>\w+)=\$\{?\?\}?")
@@ -81,7 +85,7 @@ def status_never_seen(robot: Robot) -> Iterator[Finding]:
 def _of(source: Source) -> Iterator[Finding]:
     blocks = shell_blocks(source)
     functions = {block.name for block in blocks if block.kind == "function"}
-    are_plain = not functions.intersection(_softly(blocks))
+    are_plain = not functions.intersection((*_softly(blocks), *_handed_on(source)))
     strict = SHEBANG.match(source.text) is not None
     for at, block in enumerate(blocks):
         if block.command is not None and block.command.name == "set":
@@ -101,6 +105,17 @@ def _softly(blocks: tuple[Block, ...], *, soft: bool = False) -> Iterator[str]:
         yield from _softly(block.condition, soft=True)
         for body in block.bodies:
             yield from _softly(body, soft=soft or block.ends in ("&&", "||"))
+
+
+def _handed_on(source: Source) -> Iterator[str]:
+    """Words that another command may call in a condition, and the commands in `$(...)`, where bash has no `set -e`."""
+    outer = shell_commands(source)
+    spans = {command.words[0].span for command in outer if command.words}
+    for command in with_inner(outer):
+        if command.words and command.words[0].span not in spans:
+            yield command.name
+        if command.name not in TAKE_WORDS:
+            yield from command.words[1:]
 
 
 def _is_inverted(command: Command) -> bool:

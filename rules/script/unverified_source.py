@@ -64,7 +64,7 @@ UNCHECKED = regex(
 )
 PART = r"(?:[^\n|;&\\]|\\\n?)"
 """A character of a command, the end of a continued line included."""
-PLAIN_HTTP = rf"http://(?!{OWN_NETWORK})[^\s|;'\"\\]{{1,300}}"
+PLAIN_HTTP = rf"(?<!proxy )(?<!proxy=)(?<!-x )http://(?!\$|{OWN_NETWORK})[^\s|;'\"\\]{{1,300}}"
 FOLDERS = r"/(?:usr/share/keyrings|etc/apt/(?:keyrings|trusted\.gpg\.d))/"
 KEY = regex(
     rf"\b(?:curl|wget)\b{PART}{{0,200}}?(?P<piped>{PLAIN_HTTP}){PART}{{0,100}}\|\s*(?:\\\n\s*)?"
@@ -78,7 +78,7 @@ ADDRESS = regex(r"https://(?P<host>[a-zA-Z][\w-]*(?:\.[\w-]+)+)(?P<path>/\S*)?")
 LOCAL = regex(r"\.(?:local|lan|internal|home)$")
 LOOKED_FOR = regex(r"\bgrep\b[^|;&]*$|\bsed\b[^|;&]*['\"]\\?/[^|;&]*$")
 PRINTED = regex(r"\b(?:echo|printf|grep|sed)\b[^|;&]*$")
-CHECKED = regex(r"\b(?:sha(?:1|256|512)sum|md5sum|gpg --verify|cosign)\b")
+CHECKED = regex(r"\b(?:sha(?:1|256|512)sum|md5sum|gpg --verify|cosign)\b|--(?:with-)?fingerprint\b[^\n]{0,120}\bgrep\b")
 
 
 @rule(

@@ -42,12 +42,15 @@ from bringup_lint.api import rule
 
 GIVES = ("usermod", "adduser", "gpasswd", "loginctl")
 SELF = regex(r"\$(?:USER|\{USER\}|LOGNAME|\{LOGNAME\}|\((?:whoami|id -un)\))|`(?:whoami|id -un)`")
-OTHER = regex(r"\bSUDO_USER\b|\blogname\b|\bPKEXEC_UID\b|\b(?:USER|LOGNAME)=|\bread\b[^\n]{0,60}\bUSER\b|\bsu[ \t]+-")
-ASKS = regex(r"(?:\bEUID\b|\bid[ \t]+-u\b|\bUID\b)[^\n]{0,20}(?:-ne|!=|-gt)[ \t]*[\"']?0")
+OTHER = regex(
+    r"\bSUDO_USER\b|\blogname\b|\bPKEXEC_UID\b|\b(?:USER|LOGNAME)=|\bread\b[^\n]{0,60}\bUSER\b|\bsu[ \t]+-|\bfor[ \t]+USER\b"
+)
+ASKS = regex(r"(?:\bEUID\b|\bid[ \t]+-u\b|\bUID\b)[^\n]{0,20}(?:-ne|!=|-gt)[ \t]*[\"']?0(?![^\n]{0,20}&&[^\n{]{0,80}=)")
 REFUSES = regex(r"(?:(?!\b(?:fi|else|sudo[ \t]+[^\n]{0,20}\$(?:0|\{?BASH_SOURCE)))[\s\S]){0,300}?\bexit\b")
 COMMON = regex(r"(?:install|setup|run|start|build|update|bootstrap|init|main|deploy|configure)\.(?:sh|bash)")
 """Names that scripts of other projects have, too, of which the same page may speak."""
 PAGE = regex(r"\.(?:md|rst|txt)$", re.I)
+FORBIDS = regex(r"\b(?:not|never|without|don['’]?t|instead of)\b[^.:]{0,40}$", re.I)
 MOST = 100_000
 
 
@@ -81,5 +84,6 @@ def _why_root(robot: Robot, source: Source) -> str:
     path = rf"[\"']?(?:[\w./~${{}}-]*/)?{re.escape(shown)}(?![\w.-])"
     started = re.compile(rf"(?<![\w-])sudo[ \t]+(?:-H[ \t]+)?(?:(?:ba)?sh[ \t]+)?{path}")
     texts = (*(each.text for each in robot.sources), *robot.tree.pages(PAGE, MOST))
-    told = next((match[0] for text in texts if (match := started.search(text))), "")
+    calls = ((text[: match.start()], match[0]) for text in texts for match in started.finditer(text))
+    told = next((call for before, call in calls if not FORBIDS.search(before.rpartition("\n")[2])), "")
     return f"'{told}'" if told else ""
