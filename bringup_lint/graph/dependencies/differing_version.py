@@ -9,11 +9,14 @@ from bringup_lint.parsers import xml
 from bringup_lint.parsers.python_syntax import Positions
 from bringup_lint.parsers.python_syntax import byte_order_mark
 from bringup_lint.parsers.python_syntax import tree_of
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
     from bringup_lint.graph.workspace import Package
+
+_ZEROS = regex(r"(?:\.0)+\Z")
 
 
 def differing_version(package: Package) -> tuple[Located, Located] | None:
@@ -23,8 +26,13 @@ def differing_version(package: Package) -> tuple[Located, Located] | None:
     for build in package.builds:
         found = _of_setup(build.source) if declared and build.source.kind == "setup-py" else None
         if found is not None and declared is not None:
-            return (found, declared) if found != declared else None
+            return (found, declared) if _plain(found) != _plain(declared) else None
     return None
+
+
+def _plain(version: str) -> str:
+    """Python takes 1.0 for the same version as 1.0.0."""
+    return _ZEROS.sub("", version.strip())
 
 
 def _of_setup(source: Source) -> Located | None:

@@ -39,11 +39,23 @@ def plain_programs(tree: Tree, package: Package, started: Container[str]) -> Ite
 
 
 def programs_without_mode(tree: Tree, package: Package, started: Container[str]) -> Iterator[Located]:
-    """The names of programs in Python that a build installs into ``lib/<package>`` as plain files."""
+    """The names of programs in Python that a build installs into ``lib/<package>`` as plain files. One that another
+    file of the package imports lies there as a module."""
     for build in package.builds:
         folder = os.path.dirname(build.source.absolute)
         for name, where in build.without_mode.items():
             path = os.path.normpath(os.path.join(folder, where.replace("${PROJECT_NAME}", package.name)))
             text = tree.head(path, _READ) if name.endswith(".py") and tree.is_file(path) else ""
-            if text.startswith("#!") and _IS_RUN.search(text) and name not in started:
+            if (
+                text.startswith("#!")
+                and _IS_RUN.search(text)
+                and name not in started
+                and not _is_imported(tree, package, name)
+            ):
                 yield Located(name, where.span)
+
+
+def _is_imported(tree: Tree, package: Package, name: str) -> bool:
+    imported = re.compile(rf"^\s*(?:from|import)\s+\.?{re.escape(name.removesuffix('.py'))}\b", re.M)
+    files = (each for each in tree.walked_below(package.folder) if each.endswith(".py"))
+    return any(imported.search(tree.head(each, _READ)) for each in files)

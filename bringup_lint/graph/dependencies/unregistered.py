@@ -50,12 +50,22 @@ def unregistered(files: Files, package: Package) -> Iterator[Unregistered]:
 
 
 def _doubled(package: Package, found: dict[str, Located]) -> Iterator[Unregistered]:
-    """A class that stands for another one, too: it is registered twice, and one class of the sources not at all."""
+    """A class that stands for another one, too: it is registered twice, and one class of the sources not at all. Twice
+    with one program is a component that has a program as well."""
     first: dict[str, Located] = {}
     twice = [each for each in package.plugins if first.setdefault(str(each), each) is not each]
     left = [each for name, each in found.items() if name not in first]
-    if len(twice) == len(left) == 1 and not any("$" in name for name in first):
+    if len(twice) != 1 or len(left) != 1 or not _is_built(package, left[0]):
+        return
+    programs = [name for build in package.builds for name in build.main_plugins.values() if name == twice[0]]
+    if len(programs) != 1 and not any("$" in name for name in first):
         yield Unregistered(twice[0], left[0], False, first[str(twice[0])])
+
+
+def _is_built(package: Package, registered: Located) -> bool:
+    """Whether the build names the source that registers a class, or takes all there are."""
+    texts = [build.source.text for build in package.builds]
+    return any(registered.span.source.basename in each or "GLOB" in each for each in texts)
 
 
 def _registered(files: Files, package: Package) -> dict[str, Located]:

@@ -21,6 +21,7 @@ _WAITS = regex(
     r"\b(?P<log>(?:RCLCPP|ROS)_(?:DEBUG|INFO|WARN|ERROR|FATAL)\w*)\s{0,4}\("
     r"|\b(?P<lock>(?:std::)?(?:lock_guard|unique_lock|scoped_lock)\b)|\.\s{0,4}(?P<locked>lock\s{0,4}\(\s{0,4}\))"
 )
+_STATIC = regex(r"(?:inline\s{1,4})?static\b")
 
 
 def waiting_handlers(code: Code) -> Iterator[WaitingHandler]:
@@ -40,4 +41,5 @@ def waiting_handlers(code: Code) -> Iterator[WaitingHandler]:
 
 def _is_handler(code: Code, function: Node, body: Node) -> bool:
     head = code.text(function)[: code.offset(body.start_byte) - code.offset(function.start_byte) + 1]
-    return HANDLES.search(head) is not None
+    is_inside = any(each.type == "class_specifier" for each in code.above(function))
+    return HANDLES.search(head) is not None and (not is_inside or _STATIC.match(head) is not None)

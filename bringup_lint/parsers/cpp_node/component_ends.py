@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from bringup_lint.model.cpp_source import ComponentEnd
 from bringup_lint.parsers.cpp_node.early_pointers import class_of
-from bringup_lint.parsers.cpp_node.syntax import Call
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.pattern import regex
+
+if TYPE_CHECKING:
+    from tree_sitter import Node
 
 _PROCESS = frozenset(
     f"{scope}{name}" for scope in ("", "std::", "::") for name in ("exit", "_exit", "quick_exit", "abort", "terminate")
@@ -17,6 +20,8 @@ _CONTEXT = "rclcpp::shutdown"
 
 
 _STEP = regex(r"on_?(?:[cC]onfigure|[aA]ctivate|[dD]eactivate|[cC]leanup|[eE]rror)\Z")
+_OF_LIFECYCLE = regex(r"\bCallbackReturn\b|\bState\b|\bCallback\w{0,20}Return\w{0,20}")
+"""What a transition takes or returns; others are called ``on_error``, too."""
 
 
 def component_ends(code: Code, components: list[str]) -> Iterator[ComponentEnd]:
@@ -26,17 +31,22 @@ def component_ends(code: Code, components: list[str]) -> Iterator[ComponentEnd]:
         is_context = call.qualified == _CONTEXT
         if not is_context and call.qualified not in _PROCESS:
             continue
-        owner, method = _method(code, call)
+        function = next((each for each in code.above(call.node) if each.type == "function_definition"), None)
+        if function is None:
+            continue
+        owner, method = _method(code, function)
         if owner in by_class:
             yield ComponentEnd(code.span(call.node), call.qualified, by_class[owner], None, is_context)
-        elif owner and _STEP.match(method):
+        elif owner and _STEP.match(method) and _OF_LIFECYCLE.search(_head(code, function)):
             yield ComponentEnd(code.span(call.node), call.qualified, owner, method, is_context)
 
 
-def _method(code: Code, call: Call) -> tuple[str, str]:
-    """The class and the name of the method that a call is in; empty texts where it is in none."""
-    method = next((each for each in code.above(call.node) if each.type == "function_definition"), None)
-    if method is None:
-        return "", ""
-    qualifier, _, name = (code.defined_name(method) or "").rpartition("::")
-    return class_of(code, method, qualifier), name
+def _method(code: Code, function: Node) -> tuple[str, str]:
+    """The class and the name of a method; no class where it is a function."""
+    qualifier, _, name = (code.defined_name(function) or "").rpartition("::")
+    return class_of(code, function, qualifier), name
+
+
+def _head(code: Code, function: Node) -> str:
+    """What a function returns and takes."""
+    return " ".join(code.text(function.child_by_field_name(each)) for each in ("type", "declarator"))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -27,6 +28,7 @@ _DECLARER = regex(r"(?:(?:this|\w{0,64}node\w{0,64}|get_node\(\))(?:->|\.))?decl
 _GUARD = regex(r"(?i)has_parameter|declar|first|once|init|configured")
 _FAILS = regex(r"\bFAILURE\b|\bERROR\b|\bthrow\b|\breturn\s+false\b")
 """What a handler answers that only reports the exception."""
+_WORD = regex(r"[a-zA-Z_]\w*")
 
 
 def declared_again(code: Code) -> Iterator[DeclaredAgain]:
@@ -66,14 +68,34 @@ def _first(code: Code, bodies: Bodies, function: Node) -> Call | None:
 
 
 def _is_guarded(code: Code, call: Call, body: Node) -> bool:
-    """Whether a condition that may know of the first time is around a call, or a handler that goes on."""
+    """Whether a condition that may know of the first time is around a call or returns before it, or a handler that goes
+    on."""
+    inner = call.node
     for outer in code.above(call.node):
-        if outer.id == body.id:
-            break
-        if outer.type == "if_statement" and _GUARD.search(code.text(outer.child_by_field_name("condition"))):
+        if outer.type == "if_statement" and _knows(code, outer, body):
             return True
         if outer.type == "try_statement":
             handlers = [each for each in outer.named_children if each.type == "catch_clause"]
             if not all(_FAILS.search(code.text(each)) for each in handlers):
                 return True
+        before = (each for each in outer.named_children if each.end_byte <= inner.start_byte)
+        if outer.type == "compound_statement" and any(_returns(code, each, body) for each in before):
+            return True
+        if outer.id == body.id:
+            break
+        inner = outer
     return False
+
+
+def _returns(code: Code, statement: Node, body: Node) -> bool:
+    """Whether a statement returns, and not for a failure, where the node has been configured before."""
+    text = code.text(statement.child_by_field_name("consequence"))
+    return "return" in text and not _FAILS.search(text) and _knows(code, statement, body)
+
+
+def _knows(code: Code, branch: Node, body: Node) -> bool:
+    """Whether a condition has a name of the first time, or a flag that the function sets."""
+    condition = code.text(branch.child_by_field_name("condition"))
+    written = code.text(body)
+    flags = (rf"\b{each}\s*=\s*(?:true|false)\b" for each in _WORD.findall(condition))
+    return bool(_GUARD.search(condition)) or any(re.search(each, written) for each in flags)

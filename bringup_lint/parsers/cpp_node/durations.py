@@ -30,8 +30,10 @@ _CAST = regex(
     r"(?P<name>\w+)\s{0,4}\)?\Z"
 )
 _MADE_OF = regex(r"(?:std::)?chrono::duration<double>[({](?:this->)?(?P<name>\w+)[)}]\Z")
-_SMALL = 1_000_000
-"""Nanoseconds: nobody waits for less than a millisecond by hand."""
+_SMALL = range(2, 1_000_000)
+"""Nanoseconds: nobody waits for less than a millisecond by hand. One is the least step of a time, and meant."""
+_REST = regex(r"nanoseconds\b|\bfmod\b|\bmodf\b")
+"""What takes the fraction that whole seconds leave."""
 
 
 def durations(code: Code) -> Iterator[WrongDuration]:
@@ -41,7 +43,7 @@ def durations(code: Code) -> Iterator[WrongDuration]:
     for call in code.calls:
         given = [code.text(each) for each in call.arguments]
         cast = _cast(code, call, given)
-        if cast is not None:
+        if cast is not None and not _REST.search(code.text(code.body_of(call.node))):
             yield WrongDuration(code.span(call.node), "cast", cast)
         elif _DURATION.match(call.qualified) and len(given) == 2 and "rclcpp" in code.source.text:
             yield from _of_pair(code, call.node, *given)
@@ -73,7 +75,7 @@ def _of_pair(code: Code, node: Node, seconds: str, rest: str) -> Iterator[WrongD
         yield WrongDuration(span, "cut", seconds)
         return
     whole, milli = _WHOLE.match(rest), _MILLI.match(rest)
-    if whole is not None and int(whole["number"]) < _SMALL:
+    if whole is not None and int(whole["number"]) in _SMALL:
         yield WrongDuration(span, "small", whole["number"])
     elif milli is not None:
         yield WrongDuration(span, "milli", rest)

@@ -20,6 +20,8 @@ _SAYS = r"\b{}\s*(?:->|\.)\s*\w*(?:success|result|error|status|message)"
 """Fields by which a response tells of a failure, whatever their first value is."""
 _FALSE = regex(r"return\s+false\s*;\Z")
 _NO_WORD = regex(r"\W")
+_BRANCHES = ("comment", "if_statement", "for_statement", "for_range_loop", "while_statement", "switch_statement")
+"""Statements that may not run on the way, or that leave the function."""
 
 
 def service_answers(code: Code, callbacks: list[Callback]) -> Iterator[UnreadAnswer]:
@@ -34,7 +36,7 @@ def service_answers(code: Code, callbacks: list[Callback]) -> Iterator[UnreadAns
         if response is None or re.search(_SAYS.format(re.escape(response)), code.text(body)):
             continue
         for node in code.written.get("return", ()):
-            if runs(body, node) and _FALSE.match(code.text(node)) and not _is_told(code, node, response):
+            if runs(body, node) and _FALSE.match(code.text(node)) and not _is_told(code, body, node, response):
                 has_data = re.search(rf"\b{re.escape(response)}\s*(?:->|\.)", code.text(body)) is not None
                 yield UnreadAnswer(code.span(node), callback.span, str(callback.name), has_data)
                 break
@@ -49,7 +51,15 @@ def _response(code: Code, body: Node) -> str | None:
     return _NO_WORD.split(declared.strip())[-1] or None
 
 
-def _is_told(code: Code, node: Node, response: str) -> bool:
-    """Whether the block of a ``return`` sets something in the response."""
-    block = node.parent
-    return block is not None and re.search(rf"\b{re.escape(response)}\s*(?:->|\.)", code.text(block)) is not None
+def _is_told(code: Code, body: Node, node: Node, response: str) -> bool:
+    """Whether something in the response is set on the way to a ``return``, or may be: by a plain statement before it,
+    or by what the condition around it is given."""
+    outer = node
+    while outer.id != body.id and outer.parent is not None:
+        before, outer = outer, outer.parent
+        set_ = [each for each in outer.named_children if each.end_byte <= before.start_byte]
+        plain = set_ if outer.type == "compound_statement" else [outer.child_by_field_name("condition")]
+        texts = (code.text(each) for each in plain if each is None or each.type not in _BRANCHES)
+        if any(re.search(rf"(?<!\(void\))\b{re.escape(response)}\b", "".join(text.split())) for text in texts):
+            return True
+    return False

@@ -13,7 +13,10 @@ from bringup_lint.source import Source
 if TYPE_CHECKING:
     from bringup_lint.graph.nodes.nodes import Nodes
 
-_TAKES = regex(r"\bcatch\s{0,4}\(\s{0,4}(?:const\s{1,4})?(?:char|int|(?:std::)?string|auto)\b", hints="catch")
+_TAKES = regex(
+    r"\bcatch\s{0,4}\(\s{0,4}(?:\.\.\.|(?:const\s{1,4})?(?:char|int|unsigned|long|double|float|(?:std::)?string|auto)\b)",
+    hints="catch",
+)
 
 
 def thrown(nodes: Nodes) -> Iterator[list[Thrown]]:
