@@ -43,9 +43,13 @@ from bringup_lint.api import rule
 GIVES = ("usermod", "adduser", "gpasswd", "loginctl")
 SELF = regex(r"\$(?:USER|\{USER\}|LOGNAME|\{LOGNAME\}|\((?:whoami|id -un)\))|`(?:whoami|id -un)`")
 OTHER = regex(
-    r"\bSUDO_USER\b|\blogname\b|\bPKEXEC_UID\b|\b(?:USER|LOGNAME)=|\bread\b[^\n]{0,60}\bUSER\b|\bsu[ \t]+-|\bfor[ \t]+USER\b"
+    r"\bSUDO_USER\b|\blogname\b|\bPKEXEC_UID\b|\b(?:USER|LOGNAME)=|\bread\b[^\n]{0,60}\bUSER\b|\bsu[ \t]+-"
+    r"|\bfor[ \t]+USER\b"
 )
-ASKS = regex(r"(?:\bEUID\b|\bid[ \t]+-u\b|\bUID\b)[^\n]{0,20}(?:-ne|!=|-gt)[ \t]*[\"']?0(?![^\n]{0,20}&&[^\n{]{0,80}=)")
+ASKS = regex(
+    r"(?:\bEUID\b|\bid[ \t]+-u\b|\bUID\b)[^\n]{0,20}(?:-ne|!=|-gt)[ \t]*[\"']?0"
+    r"(?![^\n]{0,20}&&[^\n{]{0,80}=)"
+)
 REFUSES = regex(r"(?:(?!\b(?:fi|else|sudo[ \t]+[^\n]{0,20}\$(?:0|\{?BASH_SOURCE)))[\s\S]){0,300}?\bexit\b")
 COMMON = regex(r"(?:install|setup|run|start|build|update|bootstrap|init|main|deploy|configure)\.(?:sh|bash)")
 """Names that scripts of other projects have, too, of which the same page may speak."""
