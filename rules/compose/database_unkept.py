@@ -3,6 +3,7 @@
 ## What it finds
 A service with the official image of a database (PostgreSQL, MySQL, MariaDB, MongoDB, InfluxDB, CouchDB) that restarts
 by itself or has a fixed name for its container, and of which no volume covers the folder of the data.
+Silent where its command is another program, such as a backup.
 
 ## Why it matters on a robot
 The image makes a volume without a name. After `docker compose down`, and on the next robot, nothing finds it again, and
@@ -48,6 +49,7 @@ from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.compose import Service
 from bringup_lint.api.docker import image_name
+from bringup_lint.api.shell import program_name
 
 FOLDERS = {
     "postgres": "/var/lib/postgresql",
@@ -57,6 +59,7 @@ FOLDERS = {
     "influxdb": "/var/lib/influxdb",
     "couchdb": "/opt/couchdb/data",
 }
+SERVERS = ("docker-entrypoint.sh", "postgres", "mysqld", "mariadbd", "mongod", "influxd")
 KEYS = ("extends", "volumes_from")
 """What may bring a volume."""
 MOVED = regex(r"PGDATA|INFLUXD_ENGINE_PATH|INFLUXDB_DATA_DIR|data-?_?dir|dbpath", re.I)
@@ -68,7 +71,12 @@ def database_unkept(robot: Robot) -> Iterator[Finding]:
     for service in robot.compose.whole_services:
         image = service.image if service.source.judged and service.build is None else None
         folder = FOLDERS.get(image_name(image).repository) if image is not None else None
-        if image is None or folder is None or not (service.restarts or service.get("container_name")):
+        if (
+            image is None
+            or folder is None
+            or not _is_server(service)
+            or not (service.restarts or service.get("container_name"))
+        ):
             continue
         if not any(_may_keep(each, folder) for each in robot.compose.services_called(service.name)):
             yield finding(
@@ -77,6 +85,12 @@ def database_unkept(robot: Robot) -> Iterator[Finding]:
                 advice=f"mount a volume with a name at {folder}",
                 related=[note(image, "keeps its data in a volume without a name")],
             )
+
+
+def _is_server(service: Service) -> bool:
+    """Whether the container runs the database, and not a client of it."""
+    first = (*service.entrypoint[:1], *service.command[:1])
+    return all(word.startswith("-") or program_name(word) in SERVERS for word in first)
 
 
 def _may_keep(service: Service, folder: str) -> bool:

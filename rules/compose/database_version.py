@@ -47,6 +47,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.compose import Volume
 from bringup_lint.api.docker import image_name
 
 FOLDER = "/var/lib/postgresql"
@@ -62,7 +63,7 @@ def database_version(robot: Robot) -> Iterator[Finding]:
         name = image_name(image)
         if name.repository != "postgres" or name.digest or FLOATS.fullmatch(name.tag) is None:
             continue
-        kept = next((each for each in service.volumes if str(each.target).startswith(FOLDER)), None)
+        kept = next((each for each in service.volumes if str(each.target).startswith(FOLDER) and _lasts(each)), None)
         if kept is not None:
             yield finding(
                 kept.where,
@@ -70,3 +71,8 @@ def database_version(robot: Robot) -> Iterator[Finding]:
                 advice="name the major version in the image, such as postgres:17",
                 related=[note(image, "names no version")],
             )
+
+
+def _lasts(volume: Volume) -> bool:
+    """Whether it is not one in memory, of which only the place in the container is written."""
+    return volume.source is not None or volume.where is not volume.target

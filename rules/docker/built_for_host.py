@@ -2,7 +2,8 @@
 
 ## What it finds
 `--platform=$BUILDPLATFORM` at the FROM of a stage that is the image itself, or that it builds on: the last stage of the
-Dockerfile, and those that a compose file or a build command of the tree names as target.
+Dockerfile, and those that a compose file or a build command of the tree names as target. Silent where the stage
+installs compilers for another processor.
 
 ## Why it matters on a robot
 The flag is for stages that only compile, and from which COPY --from takes the result. With
@@ -34,7 +35,11 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
+
+CROSS = regex(r"\bg(?:cc|\+\+)-(?:\d+-)?(?:aarch64|arm|riscv64|x86-64)-linux-gnu|\bcrossbuild-essential-")
+"""Compilers for another processor, in an image that only compiles."""
 
 
 @rule("warning", symptoms=["exec format error"])
@@ -42,6 +47,7 @@ def built_for_host(robot: Robot) -> Iterator[Finding]:
     for file in robot.dockerfiles:
         seen = set()
         images = [each for each in file.stages if each is file.final or each in robot.compose.built_stages]
+        images = [each for each in images if not any(CROSS.search(run.value) for run in each.all("RUN"))]
         for image in images:
             for stage in image.chain:
                 flag = next((each for each in stage.start.flags if "BUILDPLATFORM" in each), None)

@@ -47,7 +47,7 @@ from bringup_lint.api.shell import unwrapped
 
 ARCHIVES = regex(
     r"archive\.debian\.org|old-releases|snapshot\.debian\.org|sources\.list(?!\.d\b)|(?:debian|ubuntu)\.sources"
-    r"|[ \t]/etc/apt/?[\"\]]*[ \t]*$",
+    r"|/etc/apt/[^\s;&|]{0,80}\*|[ \t]/etc(?:/apt)?/?[\"\]]*[ \t]*$",
     re.M,
 )
 """What gives apt other servers."""
@@ -64,7 +64,7 @@ def distribution_ended(robot: Robot) -> Iterator[Finding]:
             if release is None or bottom in seen or robot.compose.images.is_chosen(stage, tag=True):
                 continue
             update = _update(stage)
-            if update is not None and not any(map(ARCHIVES.search, _texts(stage))):
+            if update is not None and not _has_archive(robot, list(_texts(stage))):
                 seen.add(bottom)
                 name = f"{release.distribution.capitalize()} {release.number} ({release.codename})"
                 yield finding(
@@ -74,6 +74,12 @@ def distribution_ended(robot: Robot) -> Iterator[Finding]:
                     advice=f"take a newer release, or write {HOSTS[release.distribution]} into the sources of apt",
                     related=[note(update, "asks the old servers")],
                 )
+
+
+def _has_archive(robot: Robot, texts: list[str]) -> bool:
+    """Whether the steps, or a script that they name, give apt other servers."""
+    scripts = (each for each in robot.of_kind("shell-script") if any(each.basename in text for text in texts))
+    return any(map(ARCHIVES.search, (*texts, *(each.text for each in scripts))))
 
 
 def _texts(stage: Stage) -> Iterator[str]:

@@ -3,7 +3,8 @@
 ## What it finds
 An image that runs a program as another user than root, and a step of it that gives a user or group `NOPASSWD: ALL` in
 the files of sudo. Not reported: images in which somebody works, such as those that only start a shell, and those where
-a later step removes sudo or its file.
+a later step removes sudo or its file, lines for another user than the one of the image, and those under a condition
+that asks for an argument of the build.
 
 ## Why it matters on a robot
 `USER` is there so that a hole in a node is not a hole in the whole container. With this line every program of the
@@ -50,8 +51,18 @@ from bringup_lint.api.shell import SHELLS
 from bringup_lint.api.shell import program_name
 
 GIVES = regex(r"\bALL[ \t]*=[ \t]*\\?\(?[^\n;&|]{0,40}?NOPASSWD:[ \t]*ALL\b", hints="NOPASSWD")
-TAKES = regex(r"\b(?:remove|purge)\b[^\n;&|]{0,200}\bsudo\b|\brm\b[^\n;&|]{0,100}/etc/sudoers")
+TAKES = regex(
+    r"\b(?:remove|purge)\b[^\n;&|]{0,200}\bsudo\b|\b(?:rm|truncate)\b[^\n;&|]{0,100}/etc/sudoers"
+    r"|\bsed\b[^\n;&|]{0,60}/[^/\n;&|]{0,60}NOPASSWD[^/\n;&|]{0,60}/d"
+)
 
+NAMED = regex(r"(?<![\w%$@{}+-])([a-z_][a-z0-9_-]*)[ \t]+\Z")
+PLAIN = regex(r"[a-z_][a-z0-9_-]*")
+CHOOSES = regex(
+    r"\bif\b(?:(?!\b(?:fi|then)\b)[^$]){0,200}\$(?:(?!\bfi\b)[\s\S])*\Z"
+    r"|(?:\[|\btest\b)[^\n;&|$]{0,80}\$[^\n;&|]{0,80}&&[^;|]*\Z"
+)
+"""A condition that asks for an argument of the build."""
 WAITS = ("tail", "sleep")
 
 
@@ -64,7 +75,7 @@ def sudo_without_password(robot: Robot) -> Iterator[Finding]:
         user = last_user(file.final) if runs is not None and not _only_waits(runs) else None
         if user is None or user_name(user) in (None, "root"):
             continue
-        given = _given(file.final)
+        given = _given(file.final, user_name(user))
         if given is not None:
             yield finding(
                 given,
@@ -82,14 +93,17 @@ def _only_waits(runs: Instruction) -> bool:
     return not name or name in WAITS or (name in SHELLS and (len(words) == 1 or words[1].startswith(WAITS)))
 
 
-def _given(stage: Stage) -> Located | None:
+def _given(stage: Stage, user: str | None) -> Located | None:
     """The text that a step writes to a file of sudo, where no step takes it back."""
     steps = [step for one in stage.chain for step in one.all("RUN")]
     texts = [text for step in steps for text in (step.value, *step.heredocs)]
     if any(map(TAKES.search, texts)):
         return None
     for text in texts:
-        match = GIVES.search(text)
-        if match is not None and "sudoers" in text:
-            return text.part(*match.span())
+        for match in GIVES.finditer(text):
+            before = text[: match.start()]
+            named = NAMED.search(before)
+            is_other = named is not None and user is not None and PLAIN.fullmatch(user) and named[1] != user
+            if "sudoers" in text and not is_other and not CHOOSES.search(before):
+                return text.part(*match.span())
     return None

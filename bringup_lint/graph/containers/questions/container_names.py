@@ -34,5 +34,12 @@ def shared_names(files: Files, compose: Compose) -> Iterator[SharedName]:
         if not file.source.judged or file.source.template:
             continue
         for (owner, first), (other, name) in combinations(known, 2):
-            if name and name == first and start_together(files, owner, other):
+            is_kept = name == first and not any(_is_renamed(compose, each) for each in (owner, other))
+            if name and is_kept and start_together(files, owner, other):
                 yield SharedName(name, first, owner, other)
+
+
+def _is_renamed(compose: Compose, service: Service) -> bool:
+    """Whether a file that changes the service gives its container another name."""
+    others = (each for each in compose.services_called(service.name) if not each.is_whole)
+    return any(each.get("container_name") is not None for each in others)
