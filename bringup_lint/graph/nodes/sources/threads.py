@@ -30,6 +30,12 @@ _ENDS = regex(
 _BROUGHT_DOWN = regex(
     r"nav2|hardware_interface|controller_interface|\bon_shutdown\s{0,4}\(\s{0,4}[\[s]|shutdown_callback"
 )
+_RUNS_STEPS = regex(
+    r"\bdeactivate\s{0,4}\(\s{0,4}\)|\btrigger_transition\s{0,4}\("
+    r"|\b\w{0,64}node\w{0,64}(?:->|\.)\s{0,4}(?:cleanup|shutdown)\s{0,4}\(\s{0,4}\)",
+    hints="deactivate trigger_transition node",
+)
+"""What a program runs the transitions of a node with, as after its spin."""
 _KEEPS = regex(r"\b(?:push_back|emplace_back|emplace|insert)\s{0,4}\(")
 _WORD = regex(r"\w+")
 _STATEMENT = 2000
@@ -46,8 +52,11 @@ def ends_thread(nodes: Nodes, source: Source, name: str) -> bool:
 def late_join(nodes: Nodes, source: CppNode, name: str) -> LateJoin | None:
     """The joins of a thread in callbacks, where nothing else of the package ends it."""
     found = next((each for each in source.late_joins if each.thread == name), None)
-    if found is not None and found.is_step and not _is_left_to_signals(with_header(nodes, source.source)):
-        return None
+    if found is not None and found.is_step:
+        sources = package_sources(nodes.files, nodes.launch.workspace.owner(source.source), source.source)
+        runs = any(each is not None and each.matches(_RUNS_STEPS) for each in sources)
+        if runs or not _is_left_to_signals(with_header(nodes, source.source)):
+            return None
     return None if found is not None and _is_joined_elsewhere(nodes, source.source, found) else found
 
 
