@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Container
 from collections.abc import Iterator
 from collections.abc import Mapping
@@ -46,6 +47,12 @@ _PLAIN = regex(r"[\w.-]+\Z")
 _INTERFACES = ("command_interfaces", "interface_name")
 _WITH_JOINT = ("max_effort_interface", "max_velocity_interface")
 """Parameters of a gripper's controller that name a command interface with its joint, as ``finger_joint/effort``."""
+_USUAL = ("position", "velocity", "acceleration", "effort")
+_EXPORTS = (
+    r"(?:\bCommandInterface\s*[({{]|\bcommand_interfaces?\w*\.(?:emplace|push)_back\s*\()"
+    r"[^;]{{0,200}}(?:\bHW_IF_{constant}\b|\"{name}\")"
+)
+"""A command that hardware exports in C++, whatever the description says."""
 _CHECKED = ("jazzy", "kilted", "lyrical", "rolling")
 """Releases that refuse hardware for a joint which the robot does not have (component_parser.cpp)."""
 _MANAGER = "controller_manager"
@@ -80,7 +87,7 @@ def unknown_joints(files: Files, params: Params, packages: Mapping[str, Package]
         if not file.accepted or file.uncertain:
             continue
         said: set[Span] = set()
-        for found in _of_file(known, file, packages):
+        for found in _of_file(files, known, file, packages):
             said |= {found.where, *found.others}
             yield found._replace(used=params.named_elsewhere(found.controller, {file.source}))
         scope = scopes.of(file.source)
@@ -163,7 +170,7 @@ def _is_in_code(files: Files, name: str) -> bool:
     return any(f'"{name}{end}' in text for text in code for end in ('"', "/"))
 
 
-def _of_file(known: Described, file: ParameterFile, packages: Container[str]) -> Iterator[UnknownJoint]:
+def _of_file(files: Files, known: Described, file: ParameterFile, packages: Container[str]) -> Iterator[UnknownJoint]:
     if known.is_open or not known.joints:
         return
     named = list(_named(file, packages))
@@ -175,7 +182,7 @@ def _of_file(known: Described, file: ParameterFile, packages: Container[str]) ->
     if known.interfaces and not known.is_open_interface:
         for each, controller in named:
             if each.name in (*_INTERFACES, *_WITH_JOINT):
-                yield from _interfaces(known, each, controller)
+                yield from _interfaces(files, known, each, controller)
 
 
 def _named(file: ParameterFile, packages: Container[str]) -> Iterator[tuple[Parameter, str]]:
@@ -221,12 +228,22 @@ def _joints(known: Described, parameter: Parameter, controller: str) -> Iterator
         yield UnknownJoint(first.text, first.span, controller, "joint", like, tuple(one.span for one in others))
 
 
-def _interfaces(known: Described, parameter: Parameter, controller: str) -> Iterator[UnknownJoint]:
+def _interfaces(files: Files, known: Described, parameter: Parameter, controller: str) -> Iterator[UnknownJoint]:
     for item in items(parameter):
         name = item.text.rpartition("/")[2] if parameter.name in _WITH_JOINT else item.text
-        if name and name not in known.interfaces:
+        if name and name not in known.interfaces and not _is_made_in_code(files, known, name):
             like = ", ".join(sorted(known.interfaces))
             yield UnknownJoint(name, item.span, controller, "interface", like)
+
+
+def _is_made_in_code(files: Files, known: Described, name: str) -> bool:
+    """Whether hardware may export a command that no description has: code of the tree does, or it is one of the names
+    that only a driver gives, as the grippers that have ``set_gripper_max_effort``."""
+    if name not in _USUAL and not nearest(name, sorted(known.interfaces), 4):
+        return True
+    exports = re.compile(_EXPORTS.format(name=re.escape(name), constant=re.escape(name.upper())))
+    code = (files.tree.head(path, _HEAD) for path in files.tree.paths if path.endswith(CPP))
+    return any("ommand" in text and exports.search(text) is not None for text in code)
 
 
 def _uncontrolled(known: Described) -> Iterator[UnknownJoint]:
