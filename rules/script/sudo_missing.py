@@ -4,7 +4,7 @@
 In a script that starts what changes the system with `sudo`: `apt install`, `dpkg -i`, and `cp`, `mv`, `ln`, `install`,
 `mkdir`, `rm`, `touch`, `chmod`, `chown`, `tee` and a redirect below `/etc`, `/usr`, `/lib`, `/boot` and `/opt/ros`
 without it. Not reported: scripts that ask who runs them (`EUID`, `id -u`, `SUDO_USER`), that an image, a service or
-`sudo` of another script starts, and commands whose failure is expected (`||`, `2>/dev/null`).
+`sudo` of another script starts, and commands whose failure is expected (`if`, `||`, `2>/dev/null`).
 
 ## Why it matters on a robot
 The command runs as the user of the script: "Permission denied". With `set -e` the installation stops in the middle.

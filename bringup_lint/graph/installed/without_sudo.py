@@ -20,6 +20,8 @@ _FOR_ROOT = ("systemctl", "service", "usermod", "modprobe", "udevadm", "sysctl",
 """Programs that show as well that the script is for a user."""
 _SERVICES = ("systemctl", "service")
 _IN_PLACE = regex(r"-[a-zA-Z]*i[^\n]*|--in-place[^\n]*")
+_GIVES_SCRIPT = regex(r"-[nrsuzE]*[ef]|--expression|--file")
+_ASKS = regex(r"\b(?:if|elif|while|until)[ \t]+(?:![ \t]+)?\Z")
 _PACKAGES = ("apt", "apt-get", "dpkg")
 _CHANGES = ("install", "update", "upgrade", "full-upgrade", "dist-upgrade", "remove", "purge", "autoremove", "-i")
 _MAY_BE_ROOT = regex(
@@ -72,7 +74,7 @@ def _forgotten(scripts: Scripts, source: Source) -> ForUser | None:
         path = _changed(did)
         if did.by_root and (path is not None or did.name in _FOR_ROOT):
             with_sudo.append(did.words[0])
-        elif path is None or did.command.hides_errors or did.command.ends == "||" or (did.name == "sed" and plain):
+        elif path is None or _may_fail(did) or (did.name == "sed" and plain):
             continue
         elif refused_elsewhere.isdisjoint(word.span for word in did.words):
             without.append(Unprivileged(did.words[0], path))
@@ -99,10 +101,26 @@ def _changed(run: Run) -> str | None:
     if run.name in _PACKAGES:
         return "" if any(word in _CHANGES for word in run.words[1:]) else None
     if run.name == "sed":
-        changed = named if any(map(_IN_PLACE.fullmatch, run.words[1:])) else []
+        changed = _edited(run) if any(map(_IN_PLACE.fullmatch, run.words[1:])) else []
     else:
         changed = named[-1:] if run.name in _TO_LAST else named if run.name in _TO_ALL else []
     return next((path for path in map(run.text, changed) if _OF_ROOT.match(path)), None)
+
+
+def _edited(run: Run) -> list[Located]:
+    """The files of sed: all words that are neither an option nor a script."""
+    words = run.words[1:]
+    given = [index + 1 for index, word in enumerate(words) if _GIVES_SCRIPT.fullmatch(word)]
+    found = [word for index, word in enumerate(words) if index not in given and not word.startswith("-")]
+    has_script = bool(given) or any(word.startswith(("-e", "--expression=", "--file=")) for word in words)
+    return found if has_script else found[1:]
+
+
+def _may_fail(run: Run) -> bool:
+    """Whether a failure is expected."""
+    span = run.words[0].span
+    is_asked = _ASKS.search(span.source.line_before(span.start)) is not None
+    return is_asked or run.command.hides_errors or run.command.ends == "||"
 
 
 def _is_run_by_root(scripts: Scripts, source: Source) -> bool:
