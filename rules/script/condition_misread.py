@@ -58,6 +58,8 @@ FROM_TWO = regex(r"(?!(?:19|20)\d{6,8}\Z)(?:[2-9]|[1-9]\d{1,9})")
 """Numbers before which, as text, others come that are more. Days, such as 20260131, have the same number of digits."""
 DATE = regex(r"\$\(date\b|`date\b")
 OWN_TEST = regex(r"(?m)^[ \t]*(?:function[ \t]+)?test[ \t]*\([ \t]*\)")
+CONTAINERS = ("compose", "dockerfile")
+"""Where `test` may be an argument of the entrypoint."""
 OF_ZSH = regex(r"#![^\n]*\bzsh\b")
 NUMERIC = ("-eq", "-ne", "-lt", "-gt", "-le", "-ge")
 NO_OPERATORS = {"=!": "!=", "=<": "-le", "=>": "-ge", "===": "="}
@@ -99,7 +101,7 @@ def _of_brackets(command: Command) -> Iterator[tuple[Located, str, str]]:
         if name not in ("[", "[[") or not words or words[-1] != "]" * len(name):
             return
         words = words[:-1]
-    elif OWN_TEST.search(name.span.source.text):
+    elif OWN_TEST.search(name.span.source.text) or (len(words) == 1 and name.span.source.kind in CONTAINERS):
         return
     is_posix = name != "[["
     for redirect in command.redirects:

@@ -65,7 +65,7 @@ REPORTS = frozenset("print log err error warn warning info panic fail fatal usag
 QUIET = ("exit", "return", "cd", "popd")
 SEARCHES = ("which", "pgrep", "pidof", "grep", "egrep", "fgrep")
 NO_STATUS = ("local", "export", "declare", "readonly", "typeset", "set", "echo", "printf", "trap", "true", ":", "exec")
-TAKE_WORDS = (*NO_STATUS, "unset")
+TAKE_WORDS = (*NO_STATUS, "unset", "systemctl", "service")
 """Commands whose arguments are no commands that they run under a condition."""
 STATUS = ("$?", "${?}")
 FOUND = regex(r"(?P<name>\w+)=(?:\$\((?P<dollar>[^()]*)\)|`(?P<tick>[^`]*)`)")
@@ -85,7 +85,8 @@ def status_never_seen(robot: Robot) -> Iterator[Finding]:
 def _of(source: Source) -> Iterator[Finding]:
     blocks = shell_blocks(source)
     functions = {block.name for block in blocks if block.kind == "function"}
-    are_plain = not functions.intersection((*_softly(blocks), *_handed_on(source)))
+    soft = set(_softly(blocks))
+    are_plain = functions.isdisjoint((*soft, *_handed_on(source))) and not any("$" in name for name in soft)
     strict = SHEBANG.match(source.text) is not None
     for at, block in enumerate(blocks):
         if block.command is not None and block.command.name == "set":
