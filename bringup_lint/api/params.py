@@ -29,8 +29,6 @@ if TYPE_CHECKING:
     from bringup_lint.graph.params.questions.qos_overrides import OverrideProblem
     from bringup_lint.graph.params.questions.qos_overrides import QosOverride
     from bringup_lint.graph.params.questions.qos_overrides import qos_overrides
-    from bringup_lint.graph.params.questions.renamed_nodes import RenamedNode
-    from bringup_lint.graph.params.questions.renamed_nodes import renamed_nodes
     from bringup_lint.graph.params.questions.time import simulated
     from bringup_lint.graph.params.questions.time import waits_for_time
     from bringup_lint.graph.params.questions.unread import Unread
@@ -83,7 +81,6 @@ __all__ = [
     "QosOverride",
     "Refused",
     "RefusedUrl",
-    "RenamedNode",
     "SkippedSensor",
     "Undeclared",
     "Unknown",
@@ -105,7 +102,6 @@ __all__ = [
     "operator_problems",
     "qos_overrides",
     "refused_urls",
-    "renamed_nodes",
     "severity_of_refusal",
     "simulated",
     "skipped_sensors",

@@ -54,7 +54,15 @@ ARCHIVES = regex(
 HOSTS = {"debian": "archive.debian.org", "ubuntu": "old-releases.ubuntu.com"}
 
 
-@rule("error", symptoms=["does not have a Release file", "no longer has a Release file", "404  Not Found [IP: *]"])
+@rule(
+    "error",
+    symptoms=[
+        "deb.debian.org* does not have a Release file",
+        "ubuntu.com* no longer has a Release file",
+        "http://deb.debian.org* 404  Not Found",
+        "ubuntu.com* 404  Not Found",
+    ],
+)
 def distribution_ended(robot: Robot) -> Iterator[Finding]:
     seen = set()
     for file in robot.dockerfiles:

@@ -38,7 +38,10 @@ from bringup_lint.api import nodes
 from bringup_lint.api import rule
 
 
-@rule("warning", symptoms=["parameter '*' has already been declared", "ParameterAlreadyDeclaredException"])
+@rule(
+    "warning",
+    symptoms=["parameter '*' has already been declared", "rclpy.exceptions.ParameterAlreadyDeclaredException"],
+)
 def lifecycle_declares_again(robot: Robot) -> Iterator[Finding]:
     for found in nodes.declared_again(robot.nodes):
         yield finding(

@@ -102,7 +102,7 @@ def undeclared(dependencies: Dependencies, launch: Launch, package: Package) -> 
     certain = max(worst, Lack.BASE)
     least = Lack.LIKELY if certain is Lack.BASE else Lack.BROUGHT
     needs = [need for lack, need in lacks if lack <= certain]
-    others = [need for lack, need in lacks if certain < lack <= least and need.name not in _OF_LAUNCH]
+    others = [need for lack, need in lacks if certain < lack <= least]
     is_used = len(needs) >= _SEVERAL or any(need.use != "module" for need in needs)
     return Undeclared(worst, needs, others, worst < Lack.BASE or (worst is Lack.BASE and is_used))
 
