@@ -3,7 +3,8 @@
 ## What it finds
 `--platform=$BUILDPLATFORM` at the FROM of a stage that is the image itself, or that it builds on: the last stage of the
 Dockerfile, and those that a compose file or a build command of the tree names as target. Silent where the stage
-installs compilers for another processor.
+installs compilers for another processor or
+begins with `scratch`.
 
 ## Why it matters on a robot
 The flag is for stages that only compile, and from which COPY --from takes the result. With
@@ -51,7 +52,7 @@ def built_for_host(robot: Robot) -> Iterator[Finding]:
         for image in images:
             for stage in image.chain:
                 flag = next((each for each in stage.start.flags if "BUILDPLATFORM" in each), None)
-                if flag is None or flag.span in seen:
+                if flag is None or flag.span in seen or stage.origin == "scratch":
                     continue
                 seen.add(flag.span)
                 yield finding(

@@ -92,7 +92,7 @@ def _has_archive(robot: Robot, texts: list[str]) -> bool:
 
 def _texts(stage: Stage) -> Iterator[str]:
     for instruction in (each for one in stage.chain for each in one.instructions):
-        yield from (str(instruction.value), *map(str, instruction.heredocs))
+        yield from map(str, (instruction.value, *instruction.flags, *instruction.heredocs))
 
 
 def _update(stage: Stage) -> Located | None:
