@@ -317,6 +317,10 @@ def _public() -> frozenset[str]:
     return frozenset(row["name"] for row in table("ros/plugins"))
 
 
+_SHARED = ("moveit",)
+"""Folders of headers that several packages have, and not the one of that name, which has none (moveit2)."""
+
+
 def of_headers(files: Files, launch: Launch) -> Iterator[Need]:
     """The packages whose headers the C++ of packages includes in any case."""
     for source in files.of_kind("cpp-node"):
@@ -324,6 +328,8 @@ def of_headers(files: Files, launch: Launch) -> Iterator[Need]:
         if owner is None or not source.judged or not owner.builds or not is_meant(files, source, owner):
             continue
         for name in _included(source):
+            if name in _SHARED:
+                continue
             folders = (os.path.join(owner.folder, each, name) for each in ("include", "src", ""))
             package = launch.workspace.packages.get(str(name))
             if any(map(files.tree.exists, folders)) or (package is not None and not _offers(files, package, owner)):
