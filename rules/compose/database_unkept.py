@@ -3,7 +3,8 @@
 ## What it finds
 A service with the official image of a database (PostgreSQL, MySQL, MariaDB, MongoDB, InfluxDB, CouchDB) that restarts
 by itself or has a fixed name for its container, and of which no volume covers the folder of the data.
-Silent where its command is another program, such as a backup.
+Silent where its command is another program, such as a backup, and where it has a configuration of its own and another
+volume.
 
 ## Why it matters on a robot
 The image makes a volume without a name. After `docker compose down`, and on the next robot, nothing finds it again, and
@@ -97,7 +98,10 @@ def _may_keep(service: Service, folder: str) -> bool:
     if any(service.get(key) is not None for key in KEYS) or MOVED.search(service.body.span.text):
         return True
     targets = [*(str(each.target) for each in service.volumes), *map(str, service.tmpfs)]
-    return any("$" in each or _are_nested(each, folder) for each in targets)
+    if any("$" in each or _are_nested(each, folder) for each in targets):
+        return True
+    others = [each for each in targets if not each.startswith(("/etc/", "/docker-entrypoint-initdb.d"))]
+    return bool(others) and any(each.startswith("/etc/") for each in targets)
 
 
 def _are_nested(target: str, folder: str) -> bool:

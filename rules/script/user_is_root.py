@@ -50,10 +50,14 @@ ASKS = regex(
     r"(?:\bEUID\b|\bid[ \t]+-u\b|\bUID\b)[^\n]{0,20}(?:-ne|!=|-gt)[ \t]*[\"']?0"
     r"(?![^\n]{0,20}&&[^\n{]{0,80}=)"
 )
-REFUSES = regex(r"(?:(?!\b(?:fi|else|sudo[ \t]+[^\n]{0,20}\$(?:0|\{?BASH_SOURCE)))[\s\S]){0,300}?\bexit\b")
+REFUSES = regex(
+    r"(?:(?!\b(?:fi|else|sudo[ \t]+-[vn]\b|(?:command -v|which|type)[ \t]+sudo"
+    r"|sudo[ \t]+[^\n]{0,20}\$(?:0|\{?BASH_SOURCE)))[\s\S]){0,300}?\bexit\b"
+)
 COMMON = regex(r"(?:install|setup|run|start|build|update|bootstrap|init|main|deploy|configure)\.(?:sh|bash)")
 """Names that scripts of other projects have, too, of which the same page may speak."""
 PAGE = regex(r"\.(?:md|rst|txt)$", re.I)
+AS_USER = regex(r"\b(?:sudo|runuser)\b[^;&|]{0,80}[ \t]-i?u\b")
 FORBIDS = regex(r"\b(?:not|never|without|don['’]?t|instead of)\b[^.:]{0,40}$", re.I)
 MOST = 100_000
 
@@ -63,7 +67,8 @@ def user_is_root(robot: Robot) -> Iterator[Finding]:
     found: dict[Source, list[Located]] = {}
     for source, run in robot.scripts.run(*GIVES):
         itself = next((word for word in run.words[1:] if SELF.fullmatch(word)), None)
-        if itself is not None and not OTHER.search(source.text):
+        is_theirs = itself is not None and AS_USER.search(itself.span.source.line_before(itself.span.start))
+        if itself is not None and not is_theirs and not OTHER.search(source.text):
             found.setdefault(source, []).append(itself)
     for source, (first, *others) in found.items():
         why = "" if robot.scripts.is_for_image(source) else _why_root(robot, source)
