@@ -28,6 +28,7 @@ _DECLARER = regex(r"(?:(?:this|\w{0,64}node\w{0,64}|get_node\(\))(?:->|\.))?decl
 _GUARD = regex(r"(?i)has_parameter|declar|first|once|init|configured")
 _FAILS = regex(r"\bFAILURE\b|\bERROR\b|\bthrow\b|\breturn\s+false\b")
 """What a handler answers that only reports the exception."""
+_LEAVES = regex(r"\b(?:return|continue)\b")
 _WORD = regex(r"[a-zA-Z_]\w*")
 
 
@@ -88,9 +89,10 @@ def _is_guarded(code: Code, call: Call, body: Node) -> bool:
 
 
 def _returns(code: Code, statement: Node, body: Node) -> bool:
-    """Whether a statement returns, and not for a failure, where the node has been configured before."""
+    """Whether a statement leaves the function or this round of its loop, and not for a failure, where the node has been
+    configured before."""
     text = code.text(statement.child_by_field_name("consequence"))
-    return "return" in text and not _FAILS.search(text) and _knows(code, statement, body)
+    return _LEAVES.search(text) is not None and not _FAILS.search(text) and _knows(code, statement, body)
 
 
 def _knows(code: Code, branch: Node, body: Node) -> bool:

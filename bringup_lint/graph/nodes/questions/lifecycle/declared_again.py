@@ -25,6 +25,8 @@ _DECLARING = ("declare_parameter", "declare_parameters")
 _RETAKES = regex(r"\bundeclare_parameter\b|\bParameterAlreadyDeclared", hints="Declared undeclare_parameter")
 _GUARD = regex(r"(?i)has_parameter|declar|first|once|init|configured")
 
+_FAILS = regex(r"FAILURE|ERROR|False")
+
 
 def declared_again(nodes: Nodes) -> Iterator[DeclaredAgain]:
     """The first unguarded declaration of each function that configures a node."""
@@ -46,8 +48,19 @@ def _first(syntax: Syntax, node: NodeClass) -> ast.Call | None:
 
 
 def _is_guarded(syntax: Syntax, call: ast.Call) -> bool:
-    """Whether a condition that may know of the first time is around a call, or a handler."""
-    return any(
-        isinstance(outer, ast.Try) or (isinstance(outer, ast.If) and _GUARD.search(ast.unparse(outer.test)) is not None)
-        for outer, _ in syntax.within(call)
-    )
+    """Whether a condition that may know of the first time is around a call or leaves before it, or a handler."""
+    function = syntax.function(call)
+    inside = list(ast.walk(function)) if function is not None else []
+    set_ = (each for each in inside if isinstance(each, ast.Assign) and isinstance(each.value, ast.Constant))
+    flags = {ast.unparse(target) for each in set_ for target in each.targets}
+    left = (each for each in inside if isinstance(each, ast.If) and _leaves(each) and each.lineno < call.lineno)
+    around = [outer for outer, _ in syntax.within(call)]
+    tests = [ast.unparse(each.test) for each in (*left, *around) if isinstance(each, ast.If)]
+    is_known = any(_GUARD.search(test) or any(flag in test for flag in flags) for test in tests)
+    return is_known or any(isinstance(outer, ast.Try) for outer in around)
+
+
+def _leaves(branch: ast.If) -> bool:
+    """Whether a branch leaves the function or this round of its loop, and not for a failure."""
+    last = branch.body[-1]
+    return isinstance(last, (ast.Return, ast.Continue)) and not _FAILS.search(ast.unparse(last))
