@@ -134,6 +134,7 @@ def _unread(robot: Robot, source: Source, commands: list[Command], reads: dict[s
     """The variables that are set and never read, beside one of nearly the name that is read."""
     if EXPORTS_ALL.search(source.text):
         return
+    given = {name for command in commands for name, _ in _given(command)}
     slips: Neighbours | None = None
     for command in commands:
         if command.words and command.name not in ("local", "readonly", "declare"):
@@ -143,7 +144,9 @@ def _unread(robot: Robot, source: Source, commands: list[Command], reads: dict[s
                 continue
             slips = slips or Neighbours(reads)
             meant = [each for each in slips.meant(name) if _is_slip(name, each) and not name.startswith(each)]
-            if len(meant) == 1 and not meant[0].startswith(name) and not _is_elsewhere(robot, source, name):
+            if len(meant) != 1 or meant[0].startswith(name) or _is_elsewhere(robot, source, name):
+                continue
+            if meant[0] in given or _may_be_set(robot, source, meant[0], general=True):
                 yield finding(
                     place,
                     f"Nothing reads {name}: {meant[0]} does not get this value",

@@ -159,7 +159,8 @@ def _redirected(source: Source) -> list[Located]:
     if shebang is None or shebang[1] not in ("sh", "dash") or not source.judged or source.template:
         return []
     commands = shell_commands(source) if "&>" in source.text else []
-    return [each.words[0] for each in commands if each.words and any(map(_takes_both, each.redirects))]
+    found = (each for each in commands if each.words and each.ends != "&")
+    return [each.words[0] for each in found if any(map(_takes_both, each.redirects))]
 
 
 def _takes_both(redirect: Redirect) -> bool:
