@@ -33,6 +33,7 @@ When the image is for development only. Give it a target of its own then: `FROM 
 - CWE-250: Execution with Unnecessary Privileges
 """
 
+import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -63,6 +64,8 @@ CHOOSES = regex(
     r"|(?:\[|\btest\b)[^\n;&|$]{0,80}\$[^\n;&|]{0,80}&&[^;|]*\Z"
 )
 """A condition that asks for an argument of the build."""
+DEVELOPMENT = regex(r"(?:^|[-_])dev(?:el|elop|elopment|elopers?|container)?(?:$|[-_])", re.I)
+"""The name of a stage in which somebody works."""
 WAITS = ("tail", "sleep")
 
 
@@ -70,6 +73,8 @@ WAITS = ("tail", "sleep")
 def sudo_without_password(robot: Robot) -> Iterator[Finding]:
     for file in robot.dockerfiles:
         if "NOPASSWD" not in file.source.text or file.final is None or not is_deployed(robot.compose, file):
+            continue
+        if DEVELOPMENT.search(file.final.name or ""):
             continue
         runs = file.final.last("CMD")
         user = last_user(file.final) if runs is not None and not _only_waits(runs) else None

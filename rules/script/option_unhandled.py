@@ -5,7 +5,7 @@ In a loop `while getopts STRING NAME` whose `case $NAME in` is all that looks at
 
 - a letter of STRING for which there is no branch, also no `*`;
 - a letter of a branch that is not in STRING, beside one of STRING that has no branch;
-- `$OPTARG` in the branch of a letter without a colon in STRING.
+- `$OPTARG`, without a default, in the branch of a letter without a colon in STRING.
 
 ## Why it matters on a robot
 The script accepts the option and does as if it were not there: `-p 7126` still talks to the usual port, `-d can1` sets
@@ -57,7 +57,7 @@ LETTERS = regex(r":?(?:[A-Za-z0-9]:?)+")
 LETTER = regex(r"[A-Za-z0-9]")
 CATCHES_ALL = regex(r"[*?\[].*")
 """A pattern, without quotes or a backslash, that fits other letters, too."""
-ARGUMENT = regex(r"\$\{?OPTARG\b")
+ARGUMENT = regex(r"\$\{?OPTARG\b(?!:?[-+=?])")
 
 
 @rule("warning", silent="getopts accepts the option, and nothing looks at it")
