@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.model.cpp_source import ComponentEnd
 from bringup_lint.parsers.cpp_node.early_pointers import class_of
+from bringup_lint.parsers.cpp_node.syntax import Call
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.pattern import regex
 
@@ -20,6 +22,7 @@ _CONTEXT = "rclcpp::shutdown"
 
 
 _STEP = regex(r"on_?(?:[cC]onfigure|[aA]ctivate|[dD]eactivate|[cC]leanup|[eE]rror)\Z")
+_FORKS = regex(r"\bv?fork\s{0,4}\(")
 _OF_LIFECYCLE = regex(r"\bCallbackReturn\b|\bState\b|\bCallback\w{0,20}Return\w{0,20}")
 """What a transition takes or returns; others are called ``on_error``, too."""
 
@@ -32,13 +35,19 @@ def component_ends(code: Code, components: list[str]) -> Iterator[ComponentEnd]:
         if not is_context and call.qualified not in _PROCESS:
             continue
         function = next((each for each in code.above(call.node) if each.type == "function_definition"), None)
-        if function is None:
+        if function is None or (not is_context and _is_other(code, call, function)):
             continue
         owner, method = _method(code, function)
         if owner in by_class:
             yield ComponentEnd(code.span(call.node), call.qualified, by_class[owner], None, is_context)
         elif owner and _STEP.match(method) and _OF_LIFECYCLE.search(_head(code, function)):
             yield ComponentEnd(code.span(call.node), call.qualified, owner, method, is_context)
+
+
+def _is_other(code: Code, call: Call, function: Node) -> bool:
+    """Whether a call is one of a method of the file, or in the child that a function forks."""
+    own = re.search(rf"\b(?:void|bool|int|auto)\s+{re.escape(call.qualified)}\s*\(", code.source.text)
+    return own is not None or _FORKS.search(code.text(function)) is not None
 
 
 def _method(code: Code, function: Node) -> tuple[str, str]:
