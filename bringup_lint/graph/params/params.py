@@ -374,12 +374,17 @@ class Params:
         return package.made(executable) is None and self.launch().workspace.lacks(package, executable)
 
     def read_by(self, file: ParameterFile) -> str:
-        """``rcl`` when at least one node gets the file as it is, ``pyyaml`` when all get it through PyYAML, else
-        empty."""
+        """``rcl`` when at least one node gets the file as it is, ``pyyaml`` when all get it through PyYAML, or none
+        gets it and a launch file that names it reads YAML, else empty."""
         ways = {load.how for load in self.loads(file)}
         if ways & {"rcl", "substituted"}:
             return "rcl"
-        return "pyyaml" if ways else ""
+        name = file.source.basename
+        readers = () if ways else self.files.of_kind("launch-python")
+        return "pyyaml" if ways or any(name in each.text and each.matches(_READS_YAML) for each in readers) else ""
+
+
+_READS_YAML = regex(r"\byaml\.(?:safe_|full_|unsafe_)?load\b")
 
 
 def _last(parameter: Parameter) -> str:
