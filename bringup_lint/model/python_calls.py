@@ -4,9 +4,14 @@ from __future__ import annotations
 
 import ast
 
+MOST = 250
+"""Arguments of a function that are looked at."""
+
 
 def misfit(call: ast.Call, taken: ast.arguments, is_method: bool) -> str | None:
-    """What is wrong with the arguments of a call, in words; None when nothing is, or ``*`` may hide some."""
+    """What is wrong with the arguments of a call, in words; None when nothing is, or ``*`` or their number hides it."""
+    if len(taken.posonlyargs) + len(taken.args) + len(taken.kwonlyargs) > MOST:
+        return None
     if any(isinstance(each, ast.Starred) for each in call.args) or any(each.arg is None for each in call.keywords):
         return None
     names = [each.arg for each in (*taken.posonlyargs, *taken.args)][1 if is_method else 0 :]

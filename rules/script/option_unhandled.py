@@ -57,6 +57,8 @@ LETTERS = regex(r":?(?:[A-Za-z0-9]:?)+")
 LETTER = regex(r"[A-Za-z0-9]")
 CATCHES_ALL = regex(r"[*?\[].*")
 """A pattern, without quotes or a backslash, that fits other letters, too."""
+MOST = 200
+"""Branches, and uses of the option, that are looked at."""
 ARGUMENT = regex(r"\$\{?OPTARG\b(?!:?[-+=?])")
 
 
@@ -115,7 +117,8 @@ def _is_only_one(case: Block, name: Located) -> bool:
     first = case.items[0].span.start
     asks = re.compile(r"\}?[\"']?\s+in(?:\s|#[^\n]*\n|\()*[^\n]{0,40}")
     before = [use for use in uses if use.end() < first]
-    is_asked = bool(before) and asks.fullmatch(text, before[-1].end(), first) is not None
+    is_short = len(uses) <= MOST and len(case.items) <= MOST
+    is_asked = is_short and bool(before) and asks.fullmatch(text, before[-1].end(), first) is not None
     return is_asked and all("case" in text[use.start() - 8 : use.start()] or _is_said(text, use) for use in uses)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -143,3 +144,57 @@ def test_time_grows_as_the_statements_of_a_node(rule: str, statement: str, tmp_p
         lint("--no-cache", "--quiet", "--select", rule, ".", cwd=tmp_path)
 
     assert is_linear(check, 200)
+
+
+BOAT = "#include <rclcpp/rclcpp.hpp>\nclass Boat : public rclcpp_lifecycle::LifecycleNode {{\n{}}};\n"
+
+
+def configured(size: int) -> str:
+    steps = "".join(f"R Boat{each}::on_configure() {{ setup(); }}\n" for each in range(size))
+    return BOAT.format(f"void setup() {{ {'row(1);' * size} }}\n") + steps
+
+
+def handled(size: int) -> str:
+    handlers = (f'void stop{each}(int number) {{ RCLCPP_INFO(log, "ends"); }}\n' for each in range(size))
+    made = (f"signal(SIGINT, stop{each});\n" for each in range(size))
+    return f"#include <rclcpp/rclcpp.hpp>\n{''.join(handlers)}int main() {{ rclcpp::Node node; {''.join(made)} }}\n"
+
+
+def published(size: int) -> str:
+    made = 'q.reliable();\nqueue_ = create_publisher<std_msgs::msg::String>("depth", q);\n'
+    return BOAT.format(f"void make() {{ rclcpp::QoS q(1);\n{made * size} }}\n")
+
+
+def answered(size: int) -> str:
+    answers = "return false;\n" * size
+    made = 'service_ = create_service<S>("row", std::bind(&Boat::row, this, _1, _2));'
+    row = f"bool row(const S::SharedPtr asked, S::SharedPtr given) {{\n{answers} given->speed = 1; return true; }}\n"
+    return BOAT.format(f"{row}void make() {{ {made} }}\n")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("rule", "made"),
+    [
+        ("node/lifecycle-declares-again", configured),
+        ("node/signal-handler-waits", handled),
+        ("node/qos-command-best-effort", published),
+        ("node/service-answer-unread", answered),
+    ],
+)
+def test_time_grows_as_what_a_cpp_file_repeats(rule: str, made: Callable[[int], str], tmp_path: Path) -> None:
+    def check(size: int) -> None:
+        (tmp_path / "boat.cpp").write_text(made(size))
+        lint("--no-cache", "--quiet", "--select", rule, ".", cwd=tmp_path)
+
+    assert is_linear(check, 100)
+
+
+@pytest.mark.slow
+def test_time_grows_as_the_services_of_one_container_name(tmp_path: Path) -> None:
+    def check(size: int) -> None:
+        services = (f"  rover{each}:\n    image: rover:1\n    container_name: rover\n" for each in range(size))
+        (tmp_path / "compose.yaml").write_text(f"services:\n{''.join(services)}")
+        lint("--no-cache", "--quiet", "--select", "compose/container-name-shared", ".", cwd=tmp_path)
+
+    assert is_linear(check, 50)

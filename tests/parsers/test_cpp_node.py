@@ -250,3 +250,17 @@ def test_what_callbacks_keep_is_known_in_time_that_grows_as_the_file_does() -> N
 def test_recovery_from_errors_ends() -> None:
     with pytest.raises(OutOfTime):
         parse(Source("relay.cpp", NODE + "<!-- " * 20_000))
+
+
+def test_a_duration_of_very_many_digits_is_no_small_one() -> None:
+    text = f"#include <rclcpp/rclcpp.hpp>\nvoid f(rclcpp::Node &) {{ g(rclcpp::Duration(0, {'1' * 5000})); }}\n"
+    assert not parse(Source("rover.cpp", text)).durations
+    (short,) = parse(Source("rover.cpp", text.replace("1" * 5000, "100"))).durations
+    assert short.number == "100"
+
+
+def test_profiles_of_which_a_file_makes_very_many_by_one_name_are_not_known() -> None:
+    made = 'rclcpp::QoS depth(1);\nqueue_ = create_publisher<std_msgs::msg::String>("depth", depth);\n'
+    endpoints = parse(Source("rover.cpp", f"class A : rclcpp::Node {{ void f() {{\n{made * 101} }} }};")).endpoints
+    assert len(endpoints) == 101
+    assert not any(each.qos for each in endpoints)

@@ -386,3 +386,35 @@ def test_conditions_that_are_partly_known_keep_what_is_unknown() -> None:
     (node,) = (action for action in walk_actions(file.actions) if isinstance(action, Node))
     (condition,) = node.conditions
     assert [type(operand).__name__ for operand in condition.predicate.operands] == ["Operation", "Literal"]
+
+
+def test_a_decorator_of_any_depth_is_read() -> None:
+    file = read(
+        f"""
+        class Rover:
+            @({"+".join("1" * 2000)})
+            def made():
+                return []
+
+            @staticmethod
+            def started():
+                return []
+
+        def generate_launch_description():
+            return LaunchDescription([*Rover.started(1), *Rover.made(1)])
+        """
+    )
+    assert [call.owner for call in file.calls_refused] == ["Rover.started"]
+
+
+def test_calls_of_functions_with_very_many_arguments_are_not_judged() -> None:
+    file = read(
+        f"""
+        def started({", ".join(f"a{each}" for each in range(300))}):
+            return []
+
+        def generate_launch_description():
+            return LaunchDescription(started(1))
+        """
+    )
+    assert not file.calls_refused

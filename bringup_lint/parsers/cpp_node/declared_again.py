@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
+from itertools import islice
 from typing import TYPE_CHECKING
 
 from bringup_lint.model.cpp_source import DeclaredAgain
@@ -17,6 +17,10 @@ if TYPE_CHECKING:
     from tree_sitter import Node
 
 DECLARES = "declare_parameter"
+CALLS = 400
+"""Calls of one file whose guards are looked for."""
+FUNCTIONS = 40
+"""Functions of one file that configure a node and are looked into."""
 DEPTH = 3
 """Calls of methods of the same file that are followed."""
 _STEP = regex(r"(?:\w+::)*(?:on_?[cC]|c)onfigure\Z")
@@ -29,6 +33,7 @@ _GUARD = regex(r"(?i)has_parameter|declar|first|once|init|configured")
 _FAILS = regex(r"\bFAILURE\b|\bERROR\b|\bthrow\b|\breturn\s+false\b")
 """What a handler answers that only reports the exception."""
 _LEAVES = regex(r"\b(?:return|continue)\b")
+_FLAG = regex(r"\b([a-zA-Z_]\w*)\s*=\s*(?:true|false)\b")
 _WORD = regex(r"[a-zA-Z_]\w*")
 
 
@@ -40,64 +45,97 @@ def declared_again(code: Code) -> Iterator[DeclaredAgain]:
     bodies = Bodies(code)
     if DECLARES in bodies.functions:
         return
+    guards = _Guards(code)
+    for function, step in islice(_steps(code), FUNCTIONS):
+        call = _first(code, bodies, function, guards)
+        if call is not None:
+            yield DeclaredAgain(code.span(call.node), step)
+
+
+def _steps(code: Code) -> Iterator[tuple[Node, str]]:
+    """The functions that configure a node, with their names."""
     for function in code.written.get("function", ()):
         name = code.defined_name(function) or ""
         step = name.rpartition("::")[2]
         is_plugin = "WeakPtr" in code.text(function.child_by_field_name("declarator"))
         if _STEP.match(name) and (step != _PLUGIN or is_plugin):
-            call = _first(code, bodies, function)
-            if call is not None:
-                yield DeclaredAgain(code.span(call.node), step)
+            yield function, step
 
 
-def _first(code: Code, bodies: Bodies, function: Node) -> Call | None:
+def _first(code: Code, bodies: Bodies, function: Node, guards: _Guards) -> Call | None:
     """The first declaration that a function makes, itself or through methods of its file, and that nothing guards."""
     todo, seen = [(function, 0)], {function.id}
     while todo:
         body, depth = todo.pop(0)
         for call in bodies.own(body):
-            if _is_guarded(code, call, body):
-                continue
-            if call.arguments and _DECLARER.match(call.qualified):
-                return call
+            declares = bool(call.arguments) and _DECLARER.match(call.qualified) is not None
             inner = bodies.functions.get(call.name, [])
             own = call.qualified in (call.name, f"this->{call.name}")
-            if own and len(inner) == 1 and inner[0].id not in seen and depth < DEPTH:
-                seen.add(inner[0].id)
-                todo.append((inner[0], depth + 1))
+            follows = own and len(inner) == 1 and inner[0].id not in seen and depth < DEPTH
+            if not (declares or follows) or guards.of(call, body):
+                continue
+            if declares:
+                return call
+            seen.add(inner[0].id)
+            todo.append((inner[0], depth + 1))
     return None
 
 
-def _is_guarded(code: Code, call: Call, body: Node) -> bool:
-    """Whether a condition that may know of the first time is around a call or returns before it, or a handler that goes
-    on."""
-    inner = call.node
-    for outer in code.above(call.node):
-        if outer.type == "if_statement" and _knows(code, outer, body):
-            return True
-        if outer.type == "try_statement":
-            handlers = [each for each in outer.named_children if each.type == "catch_clause"]
-            if not all(_FAILS.search(code.text(each)) for each in handlers):
+class _Guards:
+    """What is around calls and before them; each statement is looked at once for a function."""
+
+    def __init__(self, code: Code) -> None:
+        self.code = code
+        self._asked = 0
+        self._flags: dict[int, frozenset[str]] = {}
+        self._known: dict[tuple[int, int], bool] = {}
+        self._left: dict[tuple[int, int], bool] = {}
+        self._taken: dict[int, bool] = {}
+
+    def of(self, call: Call, body: Node) -> bool:
+        """Whether a condition that may know of the first time is around a call or returns before it, or a handler that
+        goes on. True where too many were asked for."""
+        self._asked += 1
+        inner = call.node
+        for outer in self.code.above(call.node):
+            if self._asked > CALLS or (outer.type == "if_statement" and self._knows(outer, body)):
                 return True
-        before = (each for each in outer.named_children if each.end_byte <= inner.start_byte)
-        if outer.type == "compound_statement" and any(_returns(code, each, body) for each in before):
-            return True
-        if outer.id == body.id:
-            break
-        inner = outer
-    return False
+            if outer.type == "try_statement" and self._takes(outer):
+                return True
+            before = (each for each in outer.named_children if each.end_byte <= inner.start_byte)
+            if outer.type == "compound_statement" and any(self._returns(each, body) for each in before):
+                return True
+            if outer.id == body.id:
+                break
+            inner = outer
+        return False
 
+    def _takes(self, attempt: Node) -> bool:
+        if attempt.id not in self._taken:
+            handlers = [each for each in attempt.named_children if each.type == "catch_clause"]
+            self._taken[attempt.id] = not all(_FAILS.search(self.code.text(each)) for each in handlers)
+        return self._taken[attempt.id]
 
-def _returns(code: Code, statement: Node, body: Node) -> bool:
-    """Whether a statement leaves the function or this round of its loop, and not for a failure, where the node has been
-    configured before."""
-    text = code.text(statement.child_by_field_name("consequence"))
-    return _LEAVES.search(text) is not None and not _FAILS.search(text) and _knows(code, statement, body)
+    def _returns(self, statement: Node, body: Node) -> bool:
+        """Whether a statement leaves the function or this round of its loop, and not for a failure, where the node has
+        been configured before."""
+        key = (statement.id, body.id)
+        if key not in self._left:
+            text = self.code.text(statement.child_by_field_name("consequence"))
+            is_left = _LEAVES.search(text) is not None and not _FAILS.search(text)
+            self._left[key] = is_left and self._knows(statement, body)
+        return self._left[key]
 
+    def _knows(self, branch: Node, body: Node) -> bool:
+        """Whether a condition has a name of the first time, or a flag that the function sets."""
+        key = (branch.id, body.id)
+        if key not in self._known:
+            condition = self.code.text(branch.child_by_field_name("condition"))
+            has_flag = not self._flags_of(body).isdisjoint(_WORD.findall(condition))
+            self._known[key] = has_flag or _GUARD.search(condition) is not None
+        return self._known[key]
 
-def _knows(code: Code, branch: Node, body: Node) -> bool:
-    """Whether a condition has a name of the first time, or a flag that the function sets."""
-    condition = code.text(branch.child_by_field_name("condition"))
-    written = code.text(body)
-    flags = (rf"\b{each}\s*=\s*(?:true|false)\b" for each in _WORD.findall(condition))
-    return bool(_GUARD.search(condition)) or any(re.search(each, written) for each in flags)
+    def _flags_of(self, body: Node) -> frozenset[str]:
+        if body.id not in self._flags:
+            self._flags[body.id] = frozenset(_FLAG.findall(self.code.text(body)))
+        return self._flags[body.id]

@@ -19,7 +19,7 @@ _DURATION = regex(r"(?:rclcpp::)?Duration\Z")
 _SECONDS = regex(r"(?:std::)?chrono::seconds\Z")
 _FRACTION = regex(r"-?\d{0,9}\.\d{0,9}[1-9]\d{0,9}[fF]?\Z|\d{1,9}\.\d{0,9}[fF]?\s{0,4}/[^/]{1,200}\Z")
 """A number with a fraction, or a quotient that is one."""
-_WHOLE = regex(r"(?P<number>[1-9]\d*)[uUlL]*\Z")
+_WHOLE = regex(r"(?P<number>[1-9]\d{0,18})[uUlL]*\Z")
 _MILLI = regex(
     r"(?:1000[uUlL]*\s{0,4}\*\s{0,4})?\w{0,60}(?:[mM]illi[sS]ec\w{0,20}|[mM]illis|_ms|Ms|_msec)_?"
     r"(?:\s{0,4}\*\s{0,4}1000[uUlL]*)?\Z"

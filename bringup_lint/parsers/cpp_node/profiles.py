@@ -23,6 +23,10 @@ _READING = regex(r"\s*(?:\.|->)\s*(?:get_rmw_qos_profile|\w+\s*\(\s*\)\s*(?:==|!
 _LOOPS = frozenset({"for_statement", "for_range_loop", "while_statement", "do_statement"})
 
 
+MOST = 100
+"""Places of a file that may make or change a variable of one name, and are looked at."""
+
+
 class Profiles:
     """Those of one file, whose variables are looked up by their names."""
 
@@ -43,6 +47,9 @@ class Profiles:
 
     def _variable(self, name: str, use: Node) -> str | None:
         """The expression that makes the profile which a variable holds where it is used."""
+        places = (self._declared, self._fields, self._assigned, self._called_on)
+        if any(len(each.get(name, ())) > MOST for each in places):
+            return None
         scope = self._scope(name, use)
         made = [node for node in self._declared.get(name, ()) if self.code.body_of(node) == scope]
         fields = self._fields.get(name, []) if scope is None else []

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from itertools import islice
 from typing import TYPE_CHECKING
 
 from bringup_lint.model.cpp_source import UnreadAnswer
@@ -16,6 +17,8 @@ from bringup_lint.pattern import regex
 if TYPE_CHECKING:
     from tree_sitter import Node
 
+ANSWERS = 50
+"""``return false`` of one callback that are looked at."""
 _SAYS = r"\b{}\s*(?:->|\.)\s*\w*(?:success|result|error|status|message)"
 """Fields by which a response tells of a failure, whatever their first value is."""
 _FALSE = regex(r"return\s+false\s*;\Z")
@@ -35,8 +38,9 @@ def service_answers(code: Code, callbacks: list[Callback]) -> Iterator[UnreadAns
         response = _response(code, body)
         if response is None or re.search(_SAYS.format(re.escape(response)), code.text(body)):
             continue
-        for node in code.written.get("return", ()):
-            if runs(body, node) and _FALSE.match(code.text(node)) and not _is_told(code, body, node, response):
+        returns = (each for each in code.written.get("return", ()) if _FALSE.match(code.text(each)))
+        for node in islice((each for each in returns if runs(body, each)), ANSWERS):
+            if not _is_told(code, body, node, response):
                 has_data = re.search(rf"\b{re.escape(response)}\s*(?:->|\.)", code.text(body)) is not None
                 yield UnreadAnswer(code.span(node), callback.span, str(callback.name), has_data)
                 break

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import islice
 from typing import TYPE_CHECKING
 
 from bringup_lint.model.cpp_source import StuckJoin
@@ -16,6 +17,8 @@ if TYPE_CHECKING:
     from tree_sitter import Node
 
 STARTS = "std::thread"
+THREADS = 40
+"""Threads of one file that are looked at."""
 _STARTED = regex(
     r"std::(?:thread|make_unique<std::thread>|make_shared<std::thread>)[({]"
     r"(?:&(?:\w+::)*(?P<method>\w+),|\[(?:this|[&=])\](?:\(\))?\{(?:this->)?(?P<called>\w+)\(\);\})"
@@ -32,7 +35,8 @@ def stuck_joins(code: Code, components: list[str]) -> Iterator[StuckJoin]:
         return
     bodies = Bodies(code)
     destructors = {f"~{each.rpartition('::')[2]}" for each in components}
-    loops = {name: loop for name, body in _threads(code, bodies) if (loop := _endless(code, body)) is not None}
+    started = islice(_threads(code, bodies), THREADS)
+    loops = {name: loop for name, body in started if (loop := _endless(code, body)) is not None}
     joins = [call for call in code.calls if call.name == "join"] if loops else []
     for call in joins:
         owner = call.qualified.removeprefix("this->").removesuffix("join").rstrip("->.")

@@ -42,7 +42,7 @@ def _known(tree: ast.Module, bound: Counter[str]) -> dict[str, FunctionNode]:
         methods = [each for each in owner.body if isinstance(each, _FUNCTIONS)]
         count = Counter(each.name for each in methods)
         for each in methods:
-            if count[each.name] == 1 and [ast.unparse(word) for word in each.decorator_list] == ["staticmethod"]:
+            if count[each.name] == 1 and [_dotted(word) for word in each.decorator_list] == ["staticmethod"]:
                 found[f"{owner.name}.{each.name}"] = each
     return found
 

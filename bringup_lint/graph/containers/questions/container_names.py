@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import combinations
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.containers.questions.ports import start_together
@@ -17,6 +16,10 @@ if TYPE_CHECKING:
     from bringup_lint.source import Located
 
 
+_MOST = 100
+"""Services of one name that are compared with another one."""
+
+
 class SharedName(NamedTuple):
     """The name that a second service gives to its container as well."""
 
@@ -27,16 +30,23 @@ class SharedName(NamedTuple):
 
 
 def shared_names(files: Files, compose: Compose) -> Iterator[SharedName]:
-    """The names of containers that ``docker compose up`` is to start twice, each pair of services of one file once."""
+    """The names of containers that ``docker compose up`` is to start twice, each service of a file that has
+    the name of an earlier one once."""
     for file in compose.files:
         named = [(each, each.scalar("container_name")) for each in file.services]
         known = [(each, name) for each, name in named if name is not None and not is_variable(name)]
         if not file.source.judged or file.source.template:
             continue
-        for (owner, first), (other, name) in combinations(known, 2):
-            is_kept = name == first and not any(_is_renamed(compose, each) for each in (owner, other))
-            if name and is_kept and start_together(files, owner, other):
-                yield SharedName(name, first, owner, other)
+        by_name: dict[str, list[tuple[Service, Located]]] = {}
+        for other, name in known:
+            if not name or _is_renamed(compose, other):
+                continue
+            before = by_name.setdefault(str(name), [])
+            found = next((each for each in before if start_together(files, each[0], other)), None)
+            if found is not None:
+                yield SharedName(name, found[1], found[0], other)
+            if len(before) < _MOST:
+                before.append((other, name))
 
 
 def _is_renamed(compose: Compose, service: Service) -> bool:

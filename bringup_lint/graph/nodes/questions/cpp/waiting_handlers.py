@@ -11,6 +11,7 @@ from bringup_lint.model.cpp_text import blanked
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
+from bringup_lint.source import Source
 
 if TYPE_CHECKING:
     from bringup_lint.graph.nodes.nodes import Nodes
@@ -40,8 +41,19 @@ def _registered(nodes: Nodes, handler: WaitingHandler) -> Located | None:
     source = handler.place.span.source
     owner = nodes.launch.workspace.owner(source)
     for each in package_sources(nodes.files, owner, source):
-        if each is not None and handler.name in each.text and each.matches(_REGISTERS):
-            for found in _REGISTERS.finditer(blanked(each.text)):
-                if found["name"] == handler.name:
-                    return each.located(*found.span("name"))
+        found = _places(each).get(handler.name) if each is not None and each.matches(_REGISTERS) else None
+        if found is not None:
+            return found
     return None
+
+
+def _places(source: Source) -> dict[str, Located]:
+    """Name of a handler -> the first place of a source that registers it."""
+    return source.once(_places, lambda: _found(source))
+
+
+def _found(source: Source) -> dict[str, Located]:
+    found: dict[str, Located] = {}
+    for each in _REGISTERS.finditer(blanked(source.text)):
+        found.setdefault(each["name"], source.located(*each.span("name")))
+    return found
