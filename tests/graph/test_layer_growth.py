@@ -172,10 +172,19 @@ def answered(size: int) -> str:
     return BOAT.format(f"{row}void make() {{ {made} }}\n")
 
 
+def joined(size: int) -> str:
+    runs = (f"void run{each}() {{ row(); }}\nstd::thread t{each}_;\n" for each in range(size))
+    starts = (f"t{each}_ = std::thread(&Boat::run{each}, this);\n" for each in range(size))
+    joins = (f"t{each}_.join();\n" for each in range(size))
+    made = f"{''.join(runs)}void start() {{ {''.join(starts)} }}\nR on_cleanup() {{ {''.join(joins)} }}\n"
+    return BOAT.format(made)
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("rule", "made"),
     [
+        ("node/thread-not-joined", joined),
         ("node/lifecycle-declares-again", configured),
         ("node/signal-handler-waits", handled),
         ("node/qos-command-best-effort", published),

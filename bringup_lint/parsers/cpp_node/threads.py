@@ -56,8 +56,11 @@ def late_joins(code: Code, started: list[Located], callbacks: list[Callback]) ->
     for step in _STEPS - called:
         for body in bodies.functions.get(step, ()):
             runs[body.id] = Callback("transition", step, code.span(body))
+    by_thread: dict[str, list[Call]] = {}
+    for call in joins:
+        by_thread.setdefault(_receiver(call), []).append(call)
     for name in names:
-        own = [call for call in joins if _receiver(call) == name]
+        own = by_thread.get(name, [])
         callback = _common(code, own, runs) if own and not _is_local(code, name) else None
         if callback is not None:
             where = f"{callback.name}()" if callback.name else "a lambda"

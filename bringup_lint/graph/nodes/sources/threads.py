@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.endings import CPP
+from bringup_lint.graph.memo import kept
 from bringup_lint.graph.nodes.sources.with_header import with_header
 from bringup_lint.model.cpp_source import LateJoin
 from bringup_lint.model.cpp_text import blanked
@@ -55,9 +56,22 @@ def late_join(nodes: Nodes, source: CppNode, name: str) -> LateJoin | None:
     if found is not None and found.is_step:
         sources = package_sources(nodes.files, nodes.launch.workspace.owner(source.source), source.source)
         runs = any(each is not None and each.matches(_RUNS_STEPS) for each in sources)
-        if runs or not _is_left_to_signals(with_header(nodes, source.source)):
+        if runs or not _is_left(nodes, source.source):
             return None
     return None if found is not None and _is_joined_elsewhere(nodes, source.source, found) else found
+
+
+def _is_left(nodes: Nodes, source: Source) -> bool:
+    known = _left(nodes)
+    if source not in known:
+        known[source] = _is_left_to_signals(with_header(nodes, source))
+    return known[source]
+
+
+@kept
+def _left(nodes: Nodes) -> dict[Source, bool]:
+    """By source, what was found of it and of its header in this run."""
+    return {}
 
 
 def _is_left_to_signals(text: str) -> bool:
