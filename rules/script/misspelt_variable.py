@@ -162,14 +162,20 @@ def _longer(
     """The variables that nothing sets, near one that has a word more or less, and that is set before."""
     places = [each for command in commands for each in _given(command)]
     given = dict(reversed(places))
+    by_line: dict[int, set[str]] = {}
+    for word, name in reads:
+        by_line.setdefault(word.line, set()).add(name)
     seen = set()
     for word, name in reads:
         if name in given or name in seen or name.count("_") < 1 or OF_A_SESSION.match(name):
             continue
         seen.add(name)
-        near = {each for other, each in reads if abs(other.line - word.line) <= LINES}
+        lines = range(word.line - LINES, word.line + LINES + 1)
+        near = {each for line in lines for each in by_line.get(line, ())}
         meant = [each for each in near if each in given and _has_one_word_more(name, each)]
-        is_made_of_it = any(each in meant and 0 <= place.line - word.line <= LINES for each, place in places)
+        is_made_of_it = bool(meant) and any(
+            each in meant and 0 <= place.line - word.line <= LINES for each, place in places
+        )
         if len(meant) == 1 and not is_made_of_it and not _may_be_set(robot, source, name, general=True):
             yield finding(
                 word,

@@ -207,3 +207,13 @@ def test_time_grows_as_the_services_of_one_container_name(tmp_path: Path) -> Non
         lint("--no-cache", "--quiet", "--select", "compose/container-name-shared", ".", cwd=tmp_path)
 
     assert is_linear(check, 50)
+
+
+@pytest.mark.slow
+def test_time_grows_as_the_variables_of_a_script(tmp_path: Path) -> None:
+    def check(size: int) -> None:
+        lines = (f"PART_{each}x=1\necho $PART_{each}y $PART_ONE_{each}q\n" for each in range(size))
+        (tmp_path / "start.sh").write_text(f"#!/bin/bash\n{''.join(lines)}")
+        lint("--no-cache", "--quiet", "--select", "script/misspelt-variable", ".", cwd=tmp_path)
+
+    assert is_linear(check, 50)
