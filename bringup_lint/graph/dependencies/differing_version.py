@@ -9,14 +9,11 @@ from bringup_lint.parsers import xml
 from bringup_lint.parsers.python_syntax import Positions
 from bringup_lint.parsers.python_syntax import byte_order_mark
 from bringup_lint.parsers.python_syntax import tree_of
-from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
     from bringup_lint.graph.workspace import Package
-
-_ZEROS = regex(r"(?:\.0)+\Z")
 
 
 def differing_version(package: Package) -> tuple[Located, Located] | None:
@@ -32,7 +29,10 @@ def differing_version(package: Package) -> tuple[Located, Located] | None:
 
 def _plain(version: str) -> str:
     """Python takes 1.0 for the same version as 1.0.0."""
-    return _ZEROS.sub("", version.strip())
+    parts = version.strip().split(".")
+    while len(parts) > 1 and parts[-1] == "0":
+        parts.pop()
+    return ".".join(parts)
 
 
 def _of_setup(source: Source) -> Located | None:
