@@ -28,5 +28,6 @@ def _is_plain(code: Code, name: str) -> bool:
     """Whether a variable of the file only ever gets a text without a ``%`` that is written there, or a number."""
     if not name.isidentifier():
         return False
+    name = re.escape(name)
     given = re.findall(rf"\b{name}\s*(?:\+?=(?!=)|[({{])\s*([^;]{{0,200}})", code.source.text)
     return bool(given) and all(_PLAIN.match(each.strip()) for each in given)
