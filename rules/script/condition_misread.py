@@ -101,7 +101,7 @@ def _of_brackets(command: Command) -> Iterator[tuple[Located, str, str]]:
         if name not in ("[", "[[") or not words or words[-1] != "]" * len(name):
             return
         words = words[:-1]
-    elif OWN_TEST.search(name.span.source.text) or (len(words) == 1 and name.span.source.kind in CONTAINERS):
+    elif name.span.source.matches(OWN_TEST) or (len(words) == 1 and name.span.source.kind in CONTAINERS):
         return
     is_posix = name != "[["
     for redirect in command.redirects:

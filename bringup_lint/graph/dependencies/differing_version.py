@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 from typing import TYPE_CHECKING
 
+from bringup_lint.model.python import called_name
 from bringup_lint.parsers import xml
 from bringup_lint.parsers.python_syntax import Positions
 from bringup_lint.parsers.python_syntax import byte_order_mark
@@ -39,11 +40,7 @@ def _of_setup(source: Source) -> Located | None:
     """What ``setup(version="...")`` says in plain words."""
     tree = tree_of(source)
     calls = [node for node in ast.walk(tree) if isinstance(node, ast.Call)] if tree is not None else []
-    for given in (each for call in calls if _name(call.func) == "setup" for each in call.keywords):
+    for given in (each for call in calls if called_name(call) == "setup" for each in call.keywords):
         if given.arg == "version" and isinstance(given.value, ast.Constant) and isinstance(given.value.value, str):
             return Located(given.value.value, Positions(source, byte_order_mark(source)).span(given.value))
     return None
-
-
-def _name(function: ast.expr) -> str:
-    return function.id if isinstance(function, ast.Name) else getattr(function, "attr", "")

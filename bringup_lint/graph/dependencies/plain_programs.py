@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
 _SCRIPTS = (".py", ".sh", ".bash")
 _IS_RUN = regex(r"^if\s{1,4}__name__\s{0,4}==", re.M, "__name__")
+_IMPORTS = regex(r"^[ \t]*(?:from|import)[ \t]+\.?(\w+)\b", re.M, "from import")
 _READ = 200_000
 
 
@@ -41,21 +42,19 @@ def plain_programs(tree: Tree, package: Package, started: Container[str]) -> Ite
 def programs_without_mode(tree: Tree, package: Package, started: Container[str]) -> Iterator[Located]:
     """The names of programs in Python that a build installs into ``lib/<package>`` as plain files. One that another
     file of the package imports lies there as a module."""
+    imported: set[str] | None = None
     for build in package.builds:
         folder = os.path.dirname(build.source.absolute)
         for name, where in build.without_mode.items():
             path = os.path.normpath(os.path.join(folder, where.replace("${PROJECT_NAME}", package.name)))
             text = tree.head(path, _READ) if name.endswith(".py") and tree.is_file(path) else ""
-            if (
-                text.startswith("#!")
-                and _IS_RUN.search(text)
-                and name not in started
-                and not _is_imported(tree, package, name)
-            ):
-                yield Located(name, where.span)
+            if text.startswith("#!") and _IS_RUN.search(text) and name not in started:
+                imported = _imported(tree, package) if imported is None else imported
+                if name.removesuffix(".py") not in imported:
+                    yield Located(name, where.span)
 
 
-def _is_imported(tree: Tree, package: Package, name: str) -> bool:
-    imported = re.compile(rf"^\s*(?:from|import)\s+\.?{re.escape(name.removesuffix('.py'))}\b", re.M)
+def _imported(tree: Tree, package: Package) -> set[str]:
+    """The first modules of the imports in the heads of a package's files."""
     files = (each for each in tree.walked_below(package.folder) if each.endswith(".py"))
-    return any(imported.search(tree.head(each, _READ)) for each in files)
+    return {name for each in files for name in _IMPORTS.findall(tree.head(each, _READ))}

@@ -39,6 +39,7 @@ _UNTYPED = ("ardent", "bouncy", "crystal", "dashing", "eloquent", "foxy")
 """Distributions in which a declared parameter may take any type."""
 _CODE = (".py", *CPP, ".rs")
 _QUOTED = regex(r"[\"']([\w.]{3,80})[\"']")
+_READS_YAML = regex(r"\byaml\.(?:safe_|full_|unsafe_)?load\b", hints="yaml")
 _MOST_SOURCES = 4000
 
 
@@ -381,10 +382,7 @@ class Params:
             return "rcl"
         name = file.source.basename
         readers = () if ways else self.files.of_kind("launch-python")
-        return "pyyaml" if ways or any(name in each.text and each.matches(_READS_YAML) for each in readers) else ""
-
-
-_READS_YAML = regex(r"\byaml\.(?:safe_|full_|unsafe_)?load\b")
+        return "pyyaml" if ways or any(each.matches(_READS_YAML) and name in each.text for each in readers) else ""
 
 
 def _last(parameter: Parameter) -> str:

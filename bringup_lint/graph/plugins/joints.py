@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.discover.tree import is_below
 from bringup_lint.endings import CPP
+from bringup_lint.graph.memo import kept
 from bringup_lint.graph.params.values import Item
 from bringup_lint.graph.params.values import items
 from bringup_lint.graph.plugins.described import Described
@@ -166,8 +167,18 @@ def _parts(parameter: Parameter) -> list[Item]:
 
 def _is_in_code(files: Files, name: str) -> bool:
     """Whether a source names a joint or a sensor: hardware may export it by itself."""
-    code = (files.tree.head(path, _HEAD) for path in files.tree.paths if path.endswith(CPP))
-    return any(f'"{name}{end}' in text for text in code for end in ('"', "/"))
+    return any(f'"{name}{end}' in text for text in _code(files) for end in ('"', "/"))
+
+
+@kept
+def _code(files: Files) -> list[str]:
+    return [files.tree.head(path, _HEAD) for path in files.tree.paths if path.endswith(CPP)]
+
+
+@kept
+def _exporting(files: Files) -> list[str]:
+    """The code that may export commands."""
+    return [text for text in _code(files) if "ommand" in text]
 
 
 def _of_file(files: Files, known: Described, file: ParameterFile, packages: Container[str]) -> Iterator[UnknownJoint]:
@@ -242,8 +253,7 @@ def _is_made_in_code(files: Files, known: Described, name: str) -> bool:
     if name not in _USUAL and not nearest(name, sorted(known.interfaces), 4):
         return True
     exports = re.compile(_EXPORTS.format(name=re.escape(name), constant=re.escape(name.upper())))
-    code = (files.tree.head(path, _HEAD) for path in files.tree.paths if path.endswith(CPP))
-    return any("ommand" in text and exports.search(text) is not None for text in code)
+    return any(exports.search(text) is not None for text in _exporting(files))
 
 
 def _uncontrolled(known: Described) -> Iterator[UnknownJoint]:

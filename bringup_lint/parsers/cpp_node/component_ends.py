@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -19,10 +18,9 @@ _PROCESS = frozenset(
     f"{scope}{name}" for scope in ("", "std::", "::") for name in ("exit", "_exit", "quick_exit", "abort", "terminate")
 )
 _CONTEXT = "rclcpp::shutdown"
-
-
 _STEP = regex(r"on_?(?:[cC]onfigure|[aA]ctivate|[dD]eactivate|[cC]leanup|[eE]rror)\Z")
-_FORKS = regex(r"\bv?fork\s{0,4}\(")
+_DECLARED = regex(r"\b(?:void|bool|int|auto)\s+(\w+)\s*\(")
+_FORK = ("fork", "vfork")
 _OF_LIFECYCLE = regex(r"\bCallbackReturn\b|\bState\b|\bCallback\w{0,20}Return\w{0,20}")
 """What a transition takes or returns; others are called ``on_error``, too."""
 
@@ -30,12 +28,14 @@ _OF_LIFECYCLE = regex(r"\bCallbackReturn\b|\bState\b|\bCallback\w{0,20}Return\w{
 def component_ends(code: Code, components: list[str]) -> Iterator[ComponentEnd]:
     """The calls in the methods of components, and in transitions of lifecycle nodes, in the order of the text."""
     by_class = {each.rpartition("::")[2]: each for each in components}
+    own = frozenset(_DECLARED.findall(code.source.text))
+    forking = {function.id for call in code.calls if call.name in _FORK and (function := _function(code, call))}
     for call in code.calls:
         is_context = call.qualified == _CONTEXT
-        if not is_context and call.qualified not in _PROCESS:
+        if not is_context and (call.qualified not in _PROCESS or call.qualified in own):
             continue
-        function = next((each for each in code.above(call.node) if each.type == "function_definition"), None)
-        if function is None or (not is_context and _is_other(code, call, function)):
+        function = _function(code, call)
+        if function is None or (not is_context and function.id in forking):
             continue
         owner, method = _method(code, function)
         if owner in by_class:
@@ -44,10 +44,8 @@ def component_ends(code: Code, components: list[str]) -> Iterator[ComponentEnd]:
             yield ComponentEnd(code.span(call.node), call.qualified, owner, method, is_context)
 
 
-def _is_other(code: Code, call: Call, function: Node) -> bool:
-    """Whether a call is one of a method of the file, or in the child that a function forks."""
-    own = re.search(rf"\b(?:void|bool|int|auto)\s+{re.escape(call.qualified)}\s*\(", code.source.text)
-    return own is not None or _FORKS.search(code.text(function)) is not None
+def _function(code: Code, call: Call) -> Node | None:
+    return next((each for each in code.above(call.node) if each.type == "function_definition"), None)
 
 
 def _method(code: Code, function: Node) -> tuple[str, str]:

@@ -39,7 +39,7 @@ _WORD = regex(r"[a-zA-Z_]\w*")
 
 def declared_again(code: Code) -> Iterator[DeclaredAgain]:
     """The first unguarded declaration of each function that configures a node."""
-    text = blanked(code.source.text)
+    text = blanked(code.source.text) if DECLARES in code.source.text else ""
     if DECLARES not in text or _RETAKES.search(text):
         return
     bodies = Bodies(code)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -29,6 +28,7 @@ _CAST = regex(
     r"(?:static_cast<\s{0,4}(?:u?int(?:\d+_t)?|long|unsigned)\s{0,4}>\s{0,4}\(|\(int\)\s{0,4}\(?)\s{0,4}(?:this->)?"
     r"(?P<name>\w+)\s{0,4}\)?\Z"
 )
+_DOUBLE = regex(r"\b(?:double|float)\s+(\w+)\b")
 _MADE_OF = regex(r"(?:std::)?chrono::duration<double>[({](?:this->)?(?P<name>\w+)[)}]\Z")
 _SMALL = range(2, 1_000_000)
 """Nanoseconds: nobody waits for less than a millisecond by hand. One is the least step of a time, and meant."""
@@ -40,13 +40,13 @@ def durations(code: Code) -> Iterator[WrongDuration]:
     """Those of ``rclcpp::Duration(seconds, nanoseconds)``, and ``std::chrono::seconds`` of a number with a fraction."""
     if not any(each in code.source.text for each in MADE):
         return
+    doubles = frozenset(_DOUBLE.findall(code.source.text))
     for call in code.calls:
-        given = [code.text(each) for each in call.arguments]
-        cast = _cast(code, call, given)
+        cast = _cast(code, call, doubles) if len(call.arguments) == 1 else None
         if cast is not None and not _REST.search(code.text(code.body_of(call.node))):
             yield WrongDuration(code.span(call.node), "cast", cast)
-        elif _DURATION.match(call.qualified) and len(given) == 2 and "rclcpp" in code.source.text:
-            yield from _of_pair(code, call.node, *given)
+        elif len(call.arguments) == 2 and _DURATION.match(call.qualified) and "rclcpp" in code.source.text:
+            yield from _of_pair(code, call.node, *map(code.text, call.arguments))
     for node in code.written.get("declaration", ()):
         declarator = node.child_by_field_name("declarator")
         value = declarator.child_by_field_name("value") if declarator is not None else None
@@ -56,17 +56,14 @@ def durations(code: Code) -> Iterator[WrongDuration]:
             yield from _of_pair(code, value, *(code.text(each) for each in value.named_children))
 
 
-def _cast(code: Code, call: Call, given: list[str]) -> str | None:
-    """The ``double`` of which whole seconds are made."""
-    if len(given) != 1:
-        return None
+def _cast(code: Code, call: Call, doubles: frozenset[str]) -> str | None:
+    """The ``double`` of which whole seconds are made by a call with one argument."""
     if call.name == "duration_cast":
         is_whole = _SECONDS.match(code.text(call.template).strip("<> "))
-        found = _MADE_OF.match("".join(given[0].split())) if is_whole else None
+        found = _MADE_OF.match("".join(code.text(call.arguments[0]).split())) if is_whole else None
         return found["name"] if found is not None else None
-    found = _CAST.match(given[0]) if _SECONDS.match(call.qualified) else None
-    is_double = found is not None and re.search(rf"\b(?:double|float)\s+{re.escape(found['name'])}\b", code.source.text)
-    return found["name"] if found is not None and is_double else None
+    found = _CAST.match(code.text(call.arguments[0])) if _SECONDS.match(call.qualified) else None
+    return found["name"] if found is not None and found["name"] in doubles else None
 
 
 def _of_pair(code: Code, node: Node, seconds: str, rest: str) -> Iterator[WrongDuration]:

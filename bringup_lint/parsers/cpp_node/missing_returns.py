@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.model.cpp_source import MissingReturn
 from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.parsers.cpp_node.syntax import LOOPS
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.pattern import regex
 
@@ -23,7 +24,6 @@ _NO_NAMES = frozenset({"main", "if", "for", "while", "switch", "catch"})
 _DECLARATORS = ("pointer_declarator", "reference_declarator")
 _MACRO = regex(r"[A-Z][A-Z0-9_]*\Z")
 _LEAVES = frozenset({"return_statement", "throw_statement", "continue_statement"})
-_LOOPS = frozenset({"while_statement", "do_statement", "for_statement", "for_range_loop"})
 _UNFOLLOWED = regex(
     r"g(?<!\wg)oto\b|c(?<!\wc)o(?:_(?:return|await|yield)|nstexpr)\b|_(?<!\w_)(?:_?asm|_builtin_unreachable\b)"
     r"|n(?<!\wn)oreturn\b"
@@ -147,7 +147,7 @@ def _way(code: Code, node: Node, depth: int) -> Way:
             return _expression(code, node)
         case "labeled_statement" | "case_statement" | "attributed_statement":
             return _STOPS
-    return _loop(code, node, depth + 1) if node.type in _LOOPS else _GOES_ON
+    return _loop(code, node, depth + 1) if node.type in LOOPS else _GOES_ON
 
 
 def _branches(code: Code, node: Node, depth: int) -> Way:
@@ -210,7 +210,7 @@ def _expression(code: Code, node: Node) -> Way:
 
 def _when(code: Code, last: Node) -> str:
     """When the last statement of a body that returns elsewhere is left at its end; empty: always."""
-    if last.type in _LOOPS:
+    if last.type in LOOPS:
         return "after this loop"
     if last.type == "if_statement":
         return _when_unmet(code, last)

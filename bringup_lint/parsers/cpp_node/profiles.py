@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -9,6 +10,7 @@ from typing import TYPE_CHECKING
 from bringup_lint.model.node_source import Qos
 from bringup_lint.parsers.cpp_node.qos import quality
 from bringup_lint.parsers.cpp_node.syntax import FUNCTIONS
+from bringup_lint.parsers.cpp_node.syntax import LOOPS
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.pattern import regex
 
@@ -20,9 +22,6 @@ _CHANGED = regex(r"(?P<name>[A-Za-z_]\w*)\s*\.\s*\w+\s*\(")
 _CALLED_ON = regex(r"\w+(?=\.|->)")
 _NAME = regex(r"\w+")
 _READING = regex(r"\s*(?:\.|->)\s*(?:get_rmw_qos_profile|\w+\s*\(\s*\)\s*(?:==|!=))")
-_LOOPS = frozenset({"for_statement", "for_range_loop", "while_statement", "do_statement"})
-
-
 MOST = 100
 """Places of a file that may make or change a variable of one name, and are looked at."""
 
@@ -89,7 +88,7 @@ class Profiles:
             call = self.code.text(node)[len(name) :]
             if _READING.match(call):
                 continue
-            if scope is None or any(outer.type in _LOOPS for outer in self.code.above(use) if _is_in(outer, scope)):
+            if scope is None or any(outer.type in LOOPS for outer in self.code.above(use) if _is_in(outer, scope)):
                 return None
             if node.start_byte > use.start_byte:
                 continue
@@ -111,12 +110,12 @@ class Profiles:
     @cached_property
     def _assigned(self) -> dict[str, list[Node]]:
         """Assignments to a variable or to a part of it."""
-        return self._by_name("assignment", lambda node: self._head(node.child_by_field_name("left")))
+        return self._by_name("assignment", lambda node: self._start(_NAME, node.child_by_field_name("left")))
 
     @cached_property
     def _called_on(self) -> dict[str, list[Node]]:
         """Calls on a variable or on what it points to."""
-        return self._by_name("call", self._owner_name)
+        return self._by_name("call", lambda node: self._start(_CALLED_ON, node))
 
     def _by_name(self, kind: str, name_of: Callable[[Node], str | None]) -> dict[str, list[Node]]:
         found: dict[str, list[Node]] = {}
@@ -138,12 +137,8 @@ class Profiles:
         has_value = node.child_by_field_name("default_value") is not None
         return self.code.text(node.child_by_field_name("declarator")) if has_value else None
 
-    def _head(self, node: Node | None) -> str | None:
-        found = _NAME.match(self.code.text(node))
-        return found[0] if found is not None else None
-
-    def _owner_name(self, node: Node) -> str | None:
-        found = _CALLED_ON.match(self.code.text(node))
+    def _start(self, pattern: re.Pattern[str], node: Node | None) -> str | None:
+        found = pattern.match(self.code.text(node))
         return found[0] if found is not None else None
 
 

@@ -30,15 +30,17 @@ _BRANCHES = ("comment", "if_statement", "for_statement", "for_range_loop", "whil
 def service_answers(code: Code, callbacks: list[Callback]) -> Iterator[UnreadAnswer]:
     """The first ``return false`` of each callback of a service, where the response says nothing of the failure."""
     services = [each for each in callbacks if each.role == "service" and each.name is not None]
-    bodies = Bodies(code) if services else None
+    if not services:
+        return
+    bodies = Bodies(code)
+    returns = [each for each in code.written.get("return", ()) if _FALSE.match(code.text(each))]
     for callback in services:
-        body = bodies.of(callback) if bodies is not None else None
+        body = bodies.of(callback)
         if body is None or code.text(body.child_by_field_name("type")) != "bool":
             continue
         response = _response(code, body)
         if response is None or re.search(_SAYS.format(re.escape(response)), code.text(body)):
             continue
-        returns = (each for each in code.written.get("return", ()) if _FALSE.match(code.text(each)))
         for node in islice((each for each in returns if runs(body, each)), ANSWERS):
             if not _is_told(code, body, node, response):
                 has_data = re.search(rf"\b{re.escape(response)}\s*(?:->|\.)", code.text(body)) is not None
@@ -61,8 +63,8 @@ def _is_told(code: Code, body: Node, node: Node, response: str) -> bool:
     outer = node
     while outer.id != body.id and outer.parent is not None:
         before, outer = outer, outer.parent
-        set_ = [each for each in outer.named_children if each.end_byte <= before.start_byte]
-        plain = set_ if outer.type == "compound_statement" else [outer.child_by_field_name("condition")]
+        earlier = [each for each in outer.named_children if each.end_byte <= before.start_byte]
+        plain = earlier if outer.type == "compound_statement" else [outer.child_by_field_name("condition")]
         texts = (code.text(each) for each in plain if each is None or each.type not in _BRANCHES)
         if any(re.search(rf"(?<!\(void\))\b{re.escape(response)}\b", "".join(text.split())) for text in texts):
             return True

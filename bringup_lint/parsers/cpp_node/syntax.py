@@ -66,6 +66,7 @@ _BRANCHES = frozenset(
     "conditional_expression lambda_expression".split()
 )
 FUNCTIONS = frozenset({"function_definition", "lambda_expression"})
+LOOPS = frozenset({"for_statement", "for_range_loop", "while_statement", "do_statement"})
 
 
 @cache

@@ -15,7 +15,6 @@ if TYPE_CHECKING:
     from bringup_lint.model.compose import Service
     from bringup_lint.source import Located
 
-
 _MOST = 100
 """Services of one name that are compared with another one."""
 
@@ -33,10 +32,10 @@ def shared_names(files: Files, compose: Compose) -> Iterator[SharedName]:
     """The names of containers that ``docker compose up`` is to start twice, each service of a file that has
     the name of an earlier one once."""
     for file in compose.files:
-        named = [(each, each.scalar("container_name")) for each in file.services]
-        known = [(each, name) for each, name in named if name is not None and not is_variable(name)]
         if not file.source.judged or file.source.template:
             continue
+        named = [(each, each.scalar("container_name")) for each in file.services]
+        known = [(each, name) for each, name in named if name is not None and not is_variable(name)]
         by_name: dict[str, list[tuple[Service, Located]]] = {}
         for other, name in known:
             if not name or _is_renamed(compose, other):

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from bringup_lint.facts.ros.launch_arguments import OF_LAUNCH
 from bringup_lint.graph.launch.reads import uses
 from bringup_lint.graph.memo import kept
+from bringup_lint.graph.memo import memo
 from bringup_lint.model.launch_values import Argument
 from bringup_lint.model.launch_values import literal
 from bringup_lint.model.launch_values import walk
@@ -44,7 +45,7 @@ def unread_arguments(launch: Launch, file: LaunchFile) -> Iterator[UnreadArgumen
         name = declared.name
         if declared.file is not file or name in elsewhere or name in later:
             continue
-        if name not in _read(launch)[id(file)] and _mentioned(launch, file, name) <= 1 + _idle(launch, file, name):
+        if name not in _read(launch)[id(file)] and _mentioned(launch, file, name) <= 1 + _idle(launch, file)[name]:
             yield UnreadArgument(
                 declared, _passed(launch, file, name), _declaring(launch)[file.source.basename, name] > 1
             )
@@ -103,12 +104,12 @@ def _used(launch: Launch, file: LaunchFile) -> Iterator[str]:
 def _idle_reads(launch: Launch, file: LaunchFile) -> Iterator[Argument]:
     """Those that are bound to a variable which is used nowhere, or only as the default of the argument itself, and what
     is only handed on."""
-    handed = [each.span.start for each in _handed(launch)[id(file)]]
+    handed = Counter(each.span.start for each in _handed(launch)[id(file)])
     bound: dict[int, list[str]] = {}
     for read, variable in file.bound:
         bound.setdefault(id(read), []).append(variable)
     for read in file.reads:
-        count = handed.count(read.span.start)
+        count = handed[read.span.start]
         variables = bound.get(id(read))
         if variables is None:
             if count:
@@ -117,9 +118,10 @@ def _idle_reads(launch: Launch, file: LaunchFile) -> Iterator[Argument]:
             yield read
 
 
-def _idle(launch: Launch, file: LaunchFile, name: str) -> int:
-    """How often a file mentions a name without an effect, other than where it declares it."""
-    return sum(read.name == name for read in _idle_reads(launch, file))
+@memo
+def _idle(launch: Launch, file: LaunchFile) -> Counter[str]:
+    """How often a file mentions each name without an effect, other than where it declares it."""
+    return Counter(str(read.name) for read in _idle_reads(launch, file))
 
 
 def _mentioned(launch: Launch, file: LaunchFile, name: str) -> int:

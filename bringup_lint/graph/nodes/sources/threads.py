@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.endings import CPP
-from bringup_lint.graph.memo import kept
+from bringup_lint.graph.memo import memo
 from bringup_lint.graph.nodes.sources.with_header import with_header
 from bringup_lint.model.cpp_source import LateJoin
 from bringup_lint.model.cpp_text import blanked
@@ -14,9 +14,7 @@ from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 
 if TYPE_CHECKING:
-    from bringup_lint.graph.files import Files
     from bringup_lint.graph.nodes.nodes import Nodes
-    from bringup_lint.graph.workspace import Package
     from bringup_lint.model.cpp_source import CppNode
 
 FILES = 400
@@ -46,7 +44,7 @@ _STATEMENT = 2000
 def ends_thread(nodes: Nodes, source: Source, name: str) -> bool:
     """Whether the package of a C++ source joins or detaches a thread, or hands it to something that may. True where too
     much is there to be read."""
-    sources = package_sources(nodes.files, nodes.launch.workspace.owner(source), source)
+    sources = package_sources(nodes, source)
     return any(each is None or name in _ended(each, name) for each in sources)
 
 
@@ -54,35 +52,24 @@ def late_join(nodes: Nodes, source: CppNode, name: str) -> LateJoin | None:
     """The joins of a thread in callbacks, where nothing else of the package ends it."""
     found = next((each for each in source.late_joins if each.thread == name), None)
     if found is not None and found.is_step:
-        sources = package_sources(nodes.files, nodes.launch.workspace.owner(source.source), source.source)
+        sources = package_sources(nodes, source.source)
         runs = any(each is not None and each.matches(_RUNS_STEPS) for each in sources)
         if runs or not _is_left(nodes, source.source):
             return None
     return None if found is not None and _is_joined_elsewhere(nodes, source.source, found) else found
 
 
+@memo
 def _is_left(nodes: Nodes, source: Source) -> bool:
-    known = _left(nodes)
-    if source not in known:
-        known[source] = _is_left_to_signals(with_header(nodes, source))
-    return known[source]
-
-
-@kept
-def _left(nodes: Nodes) -> dict[Source, bool]:
-    """By source, what was found of it and of its header in this run."""
-    return {}
-
-
-def _is_left_to_signals(text: str) -> bool:
-    """Whether a text is about a lifecycle node that nothing brings down when a signal comes: others run the transitions
-    of controllers and hardware, and nodes of Nav2 do it themselves."""
+    """Whether a source and its header are about a lifecycle node that nothing brings down when a signal comes: others
+    run the transitions of controllers and hardware, and nodes of Nav2 do it themselves."""
+    text = with_header(nodes, source)
     return "LifecycleNode" in text and not _BROUGHT_DOWN.search(text)
 
 
 def _is_joined_elsewhere(nodes: Nodes, source: Source, late: LateJoin) -> bool:
     """Whether the package ends a thread in other ways than by the joins in callbacks."""
-    sources = list(package_sources(nodes.files, nodes.launch.workspace.owner(source), source))
+    sources = list(package_sources(nodes, source))
     if None in sources:
         return True
     ends = [place for each in sources if each is not None for place in _ended(each, late.thread).get(late.thread, ())]
@@ -112,8 +99,9 @@ def _end_of_statement(text: str, start: int) -> int:
     return end if end >= 0 else min(len(text), start + _STATEMENT)
 
 
-def package_sources(files: Files, package: Package | None, source: Source) -> Iterator[Source | None]:
+def package_sources(nodes: Nodes, source: Source) -> Iterator[Source | None]:
     """The file and the others of its package; None where these are too many, or not known."""
+    files, package = nodes.files, nodes.launch.workspace.owner(source)
     yield source
     if package is None:
         yield None

@@ -37,7 +37,7 @@ def _called(nodes: Nodes, source: Source, functions: set[str]) -> set[str]:
     called = {name for name in functions if _OF_BASES.match(name)}
     if functions == called:
         return called
-    for each in package_sources(nodes.files, nodes.launch.workspace.owner(source), source):
+    for each in package_sources(nodes, source):
         if each is not None:
             called.update(_named(blanked(each.text), functions))
     return called

@@ -22,10 +22,8 @@ _TAKES = regex(
 def thrown(nodes: Nodes) -> Iterator[list[Thrown]]:
     """Those of one source together, where no handler of its package takes a text or a number."""
     for driver in nodes.drivers:
-        if driver.thrown:
-            owner = nodes.launch.workspace.owner(driver.source)
-            if not any(map(_may_take, package_sources(nodes.files, owner, driver.source))):
-                yield driver.thrown
+        if driver.thrown and not any(map(_may_take, package_sources(nodes, driver.source))):
+            yield driver.thrown
 
 
 def _may_take(source: Source | None) -> bool:

@@ -42,7 +42,7 @@ def _is_named_elsewhere(nodes: Nodes, node: CppNode, member: UnsetMember, declar
     member, and has no class of that name itself."""
     owner, name = re.escape(member.owner), re.escape(member.name)
     known = {node.source.absolute, declaring.absolute}
-    for each in package_sources(nodes.files, nodes.launch.workspace.owner(node.source), node.source):
+    for each in package_sources(nodes, node.source):
         if each is None or each.absolute in known:
             continue
         if re.search(rf"\b{name}\b", each.text) and re.search(rf"\b{owner}\b", each.text):

@@ -38,9 +38,7 @@ def waiting_handlers(nodes: Nodes) -> Iterator[RegisteredHandler]:
 
 
 def _registered(nodes: Nodes, handler: WaitingHandler) -> Located | None:
-    source = handler.place.span.source
-    owner = nodes.launch.workspace.owner(source)
-    for each in package_sources(nodes.files, owner, source):
+    for each in package_sources(nodes, handler.place.span.source):
         found = _places(each).get(handler.name) if each is not None and each.matches(_REGISTERS) else None
         if found is not None:
             return found

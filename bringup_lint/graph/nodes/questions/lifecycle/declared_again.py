@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -43,21 +44,38 @@ def declared_again(nodes: Nodes) -> Iterator[DeclaredAgain]:
 
 def _first(syntax: Syntax, node: NodeClass) -> ast.Call | None:
     methods = {name: each.node for name, each in node.methods.items() if isinstance(each.node, ast.FunctionDef)}
-    calls = calls_through(methods, _STEP, DEPTH, lambda call: _is_guarded(syntax, call))
+    calls = calls_through(methods, _STEP, DEPTH, _Guards(syntax).of)
     return next((each for each in calls if called_name(each) in _DECLARING and is_own(each.func)), None)
 
 
-def _is_guarded(syntax: Syntax, call: ast.Call) -> bool:
-    """Whether a condition that may know of the first time is around a call or leaves before it, or a handler."""
-    function = syntax.function(call)
-    inside = list(ast.walk(function)) if function is not None else []
-    set_ = (each for each in inside if isinstance(each, ast.Assign) and isinstance(each.value, ast.Constant))
-    flags = {ast.unparse(target) for each in set_ for target in each.targets}
-    left = (each for each in inside if isinstance(each, ast.If) and _leaves(each) and each.lineno < call.lineno)
-    around = [outer for outer, _ in syntax.within(call)]
-    tests = [ast.unparse(each.test) for each in (*left, *around) if isinstance(each, ast.If)]
-    is_known = any(_GUARD.search(test) or any(flag in test for flag in flags) for test in tests)
-    return is_known or any(isinstance(outer, ast.Try) for outer in around)
+class _Guards:
+    """What is around calls and before them; each function is looked at once."""
+
+    def __init__(self, syntax: Syntax) -> None:
+        self._syntax = syntax
+        self._functions: dict[int, tuple[set[int], float]] = {}
+
+    def of(self, call: ast.Call) -> bool:
+        """Whether a condition that may know of the first time is around a call or leaves before it, or a handler."""
+        knowing, left = self._of_function(self._syntax.function(call))
+        around = [outer for outer, _ in self._syntax.within(call)]
+        return left < call.lineno or any(isinstance(each, ast.Try) or id(each) in knowing for each in around)
+
+    def _of_function(self, function: ast.AST | None) -> tuple[set[int], float]:
+        """The conditions of a function that may know of the first time, and the line of the first that leaves."""
+        if id(function) not in self._functions:
+            inside = list(ast.walk(function)) if function is not None else []
+            fixed = (each for each in inside if isinstance(each, ast.Assign) and isinstance(each.value, ast.Constant))
+            flags = {ast.unparse(target) for each in fixed for target in each.targets}
+            branches = [each for each in inside if isinstance(each, ast.If) and _knows(each, flags)]
+            left = min((each.lineno for each in branches if _leaves(each)), default=math.inf)
+            self._functions[id(function)] = {id(each) for each in branches}, left
+        return self._functions[id(function)]
+
+
+def _knows(branch: ast.If, flags: set[str]) -> bool:
+    test = ast.unparse(branch.test)
+    return _GUARD.search(test) is not None or any(flag in test for flag in flags)
 
 
 def _leaves(branch: ast.If) -> bool:
