@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
+from bringup_lint.model.declared_again import DeclaredAgain
 from bringup_lint.model.node_source import Callback
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import Misread
@@ -81,14 +82,6 @@ class Canceled(NamedTuple):
     span: Span
     asked: Span
     """The condition after which it is not one that is to be canceled."""
-
-
-class DeclaredAgain(NamedTuple):
-    """A parameter that each transition "configure" of a lifecycle node declares."""
-
-    place: Span
-    function: str
-    """``on_configure``."""
 
 
 class ComponentEnd(NamedTuple):

@@ -3,8 +3,7 @@
 ## What it finds
 `--platform=$BUILDPLATFORM` at the FROM of a stage that is the image itself, or that it builds on: the last stage of the
 Dockerfile, and those that a compose file or a build command of the tree names as target. Silent where the stage
-installs compilers for another processor or
-begins with `scratch`.
+installs compilers for another processor or begins with `scratch`.
 
 ## Why it matters on a robot
 The flag is for stages that only compile, and from which COPY --from takes the result. With

@@ -2,8 +2,8 @@
 
 ## What it finds
 `$@`, `$*` or `${@}` without quotes as a whole command, or as a word of the command of `exec`, in the entry script of a
-container: one that a Dockerfile or compose file names, or that is called `entrypoint`. Silent where it is for zsh
-or sets IFS, and where the CMD of a Dockerfile that names it is one argument with a whole command line.
+container: one that a Dockerfile or compose file names, or that is called `entrypoint`. Silent where it is for zsh or
+sets IFS, and where the CMD of a Dockerfile that names it is one argument with a whole command line.
 
 ## Why it matters on a robot
 The shell splits each argument at its blanks again, and replaces its patterns by the names of files. With

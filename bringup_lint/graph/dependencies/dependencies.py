@@ -12,6 +12,9 @@ from bringup_lint.facts.ros.needed import base
 from bringup_lint.facts.ros.needed import instead_of
 from bringup_lint.facts.ros.needed import not_rosdep
 from bringup_lint.facts.ros.needed import of_key
+from bringup_lint.graph.dependencies.build_needs import of_builds
+from bringup_lint.graph.dependencies.build_needs import of_headers
+from bringup_lint.graph.dependencies.build_needs import of_interfaces
 from bringup_lint.graph.dependencies.built_alone import Apart
 from bringup_lint.graph.dependencies.idle_globs import IdleGlob
 from bringup_lint.graph.dependencies.idle_globs import idle_globs
@@ -26,16 +29,13 @@ from bringup_lint.graph.dependencies.missing_files import missing_files
 from bringup_lint.graph.dependencies.misspelt_packages import MisspeltPackage
 from bringup_lint.graph.dependencies.misspelt_packages import misspelt_packages
 from bringup_lint.graph.dependencies.needs import Need
-from bringup_lint.graph.dependencies.needs import of_builds
 from bringup_lint.graph.dependencies.needs import of_descriptions
-from bringup_lint.graph.dependencies.needs import of_headers
-from bringup_lint.graph.dependencies.needs import of_interfaces
 from bringup_lint.graph.dependencies.needs import of_launch
 from bringup_lint.graph.dependencies.needs import of_launch_files
 from bringup_lint.graph.dependencies.needs import of_nodes
-from bringup_lint.graph.dependencies.needs import of_plugins
 from bringup_lint.graph.dependencies.plain_programs import plain_programs
 from bringup_lint.graph.dependencies.plain_programs import programs_without_mode
+from bringup_lint.graph.dependencies.plugin_needs import of_plugins
 from bringup_lint.graph.dependencies.provided import Provided
 from bringup_lint.graph.dependencies.ros1_programs import ros1_programs
 from bringup_lint.graph.dependencies.subpackages import LeftOut

@@ -1,24 +1,18 @@
-"""What the files of a package ask of other packages: in launch files, at the top of nodes, and in CMake."""
+"""What the launch files, descriptions and Python modules of a package ask of other packages."""
 
 from __future__ import annotations
 
 import os
-import re
 from collections.abc import Iterable
 from collections.abc import Iterator
-from functools import cache
 from typing import TYPE_CHECKING
 
-from bringup_lint.facts import table
-from bringup_lint.facts.ros.brought import is_released
 from bringup_lint.facts.ros.needed import Needed
 from bringup_lint.facts.ros.needed import needed
 from bringup_lint.facts.ros.simulation import is_simulation
 from bringup_lint.graph.dependencies.imports import imported
-from bringup_lint.graph.dependencies.required_packages import required_packages
 from bringup_lint.graph.dependencies.shares import shares_of_description
 from bringup_lint.graph.dependencies.shares import shares_of_python
-from bringup_lint.graph.launch.packages import is_known_package
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.modules import modules
 from bringup_lint.graph.purpose import Purpose
@@ -32,13 +26,8 @@ from bringup_lint.model.launch_values import PackageShare
 from bringup_lint.model.launch_values import Value
 from bringup_lint.model.launch_values import walk
 from bringup_lint.named_tuple import NamedTuple
-from bringup_lint.parsers import params
-from bringup_lint.parsers import urdf
-from bringup_lint.parsers.cmake_commands import commands
-from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
-from bringup_lint.source import Span
 
 if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
@@ -46,12 +35,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.workspace import Package
 
 
-CPP_SOURCES = (".cpp", ".cc", ".cxx", ".c")
-_PREPROCESSOR = regex(
-    r"^[ \t]*#[ \t]*(?:(?P<word>if|ifdef|ifndef|endif)\b|include[ \t]*[<\"](?P<folder>[a-z][a-z0-9_]*)/)", re.M, "#"
-)
-_MANAGER, _CONTROLLERS = "controller_manager", "ros2_controllers"
-_GENERATES, _RUNTIME = "rosidl_generate_interfaces", "rosidl_default_runtime"
+_CONTROLLERS = "ros2_controllers"
 
 
 class Need(NamedTuple):
@@ -148,7 +132,7 @@ def _is_of_robot(files: Files, launch: Launch, file: LaunchFile, owner: Package)
 
 def _is_kept(file: LaunchFile, owner: Package) -> bool:
     """Whether a launch file of ROS 2 may be installed."""
-    return not file.ros1 and (not owner.installs_known or _is_installed(owner, file.source))
+    return not file.ros1 and (not owner.installs_known or is_installed(owner, file.source))
 
 
 def _simulates(launch: Launch, file: LaunchFile) -> bool:
@@ -172,7 +156,8 @@ def _shares(value: Value) -> Iterator[Located]:
             yield Located(each.package.value, each.package.span)
 
 
-def _is_installed(owner: Package, source: Source) -> bool:
+def is_installed(owner: Package, source: Source) -> bool:
+    """Whether a package installs a file, as such or in its Python package."""
     return owner.takes(source.absolute) or _is_of_module(owner, source)
 
 
@@ -246,111 +231,5 @@ def of_descriptions(files: Files, launch: Launch) -> Iterator[Need]:
         if owner is None or not source.judged or is_simulation(source.basename):
             continue
         if is_meant(files, source, owner):
-            always = _is_installed(owner, source)
+            always = is_installed(owner, source)
             yield from (Need("description", name, owner, always) for name in shares_of_description(source))
-
-
-def of_builds(files: Files, launch: Launch) -> Iterator[Need]:
-    """The packages that CMake must find in any case, or ends."""
-    for package in launch.workspace.packages.values():
-        for build in package.builds:
-            if build.source.kind == "cmake" and os.path.dirname(build.source.absolute) == package.folder:
-                for name, of_tests in required_packages(build.source):
-                    yield Need("library", name, package, of_tests=of_tests)
-
-
-def of_interfaces(files: Files, launch: Launch) -> Iterator[Need]:
-    """What the messages, services and actions of a package need when nodes use them."""
-    for package in launch.workspace.packages.values():
-        generating = (
-            find_command(build.source, _GENERATES) for build in package.builds if build.source.kind == "cmake"
-        )
-        where = next(filter(None, generating), None)
-        if where is not None:
-            yield Need("interfaces", Located(_RUNTIME, where), package)
-
-
-def find_command(source: Source, name: str) -> Span | None:
-    """The first argument of the first command of a name."""
-    if name not in source.text:
-        return None
-    return next((each.arguments[0].span for each in commands(source) if each.name == name and each.arguments), None)
-
-
-def of_plugins(files: Files, launch: Launch) -> Iterator[Need]:
-    """The packages of the hardware that descriptions name, and of the controllers that parameter files name, of a
-    package whose launch files talk to the controller manager."""
-    managing = _managing(launch)
-    if not managing:
-        return
-    for source in files.of_kind("urdf", "params"):
-        owner = launch.workspace.owner(source)
-        if owner is None or owner.name not in managing or not source.judged:
-            continue
-        if is_meant(files, source, owner) and (not owner.installs_known or _is_installed(owner, source)):
-            for plugin in _plugins(source):
-                package = plugin.partition("/")[0]
-                is_public = plugin in _public() and (is_released(package) or is_known_package(package))
-                is_known = is_public or package in launch.workspace.packages
-                if is_known and not is_simulation(package):
-                    yield Need("plugin", Located(package, plugin.span), owner)
-
-
-def _managing(launch: Launch) -> frozenset[str]:
-    """The packages whose launch files start what belongs to the controller manager."""
-    started = (node for node in launch.nodes if literal_text(node.package) == _MANAGER)
-    owners = (launch.workspace.owner(node.file.source) for node in started)
-    return frozenset(owner.name for owner in owners if owner is not None)
-
-
-def _plugins(source: Source) -> list[Located]:
-    """The classes that a description or a parameter file names."""
-    if source.kind == "urdf":
-        return urdf.parse(source).plugins
-    named = (each for block in params.parse(source).blocks for each in block.parameters)
-    types = (each for each in named if each.name.rpartition(".")[2] == "type" and isinstance(each.value.data, str))
-    return [Located(str(each.value.data), each.span) for each in types]
-
-
-@cache
-def _public() -> frozenset[str]:
-    return frozenset(row["name"] for row in table("ros/plugins"))
-
-
-_SHARED = ("moveit",)
-"""Folders of headers that several packages have, and not the one of that name, which has none (moveit2)."""
-
-
-def of_headers(files: Files, launch: Launch) -> Iterator[Need]:
-    """The packages whose headers the C++ of packages includes in any case."""
-    for source in files.of_kind("cpp-node"):
-        owner = launch.workspace.owner(source)
-        if owner is None or not source.judged or not owner.builds or not is_meant(files, source, owner):
-            continue
-        for name in _included(source):
-            if name in _SHARED:
-                continue
-            folders = (os.path.join(owner.folder, each, name) for each in ("include", "src", ""))
-            package = launch.workspace.packages.get(str(name))
-            if any(map(files.tree.exists, folders)) or (package is not None and not _offers(files, package, owner)):
-                continue
-            yield Need("header", name, owner)
-
-
-def _offers(files: Files, package: Package, owner: Package) -> bool:
-    """Whether another package of the workspace, which lies outside of the one that includes headers, has headers below
-    its own name, or generates them."""
-    folders = (os.path.join(package.folder, each) for each in (f"include/{package.name}", "msg", "srv", "action"))
-    return not package.folder.startswith(f"{owner.folder}/") and any(map(files.tree.exists, folders))
-
-
-def _included(source: Source) -> Iterator[Located]:
-    """The first folders of the headers that no condition but an include guard surrounds, each once."""
-    guards = 0 if source.name.endswith(CPP_SOURCES) or "#pragma once" in source.text else 1
-    depth, seen = 0, set[str]()
-    for match in _PREPROCESSOR.finditer(source.text):
-        if match["folder"] is None:
-            depth += -1 if match["word"] == "endif" else 1
-        elif depth <= guards and match["folder"] not in seen:
-            seen.add(match["folder"])
-            yield source.located(*match.span("folder"))

@@ -27,7 +27,8 @@ from bringup_lint.source import Source
 
 
 def parse(source: Source) -> CppDriver:
-    """What a file does with devices and locks. Never raises; ``problems``: ``too-large``, ``too-deep``."""
+    """What a file does with devices, locks and signals, and what it throws. Never raises; ``problems``: ``too-large``,
+    ``too-deep``."""
     driver = CppDriver(source)
     asks = ASKS in source.text
     is_serial, locks, by_hand, walks, receives, opens, throws, handles = (

@@ -6,8 +6,10 @@ from collections.abc import Iterator
 from itertools import islice
 from typing import TYPE_CHECKING
 
-from bringup_lint.model.cpp_source import DeclaredAgain
 from bringup_lint.model.cpp_text import blanked
+from bringup_lint.model.declared_again import GUARD
+from bringup_lint.model.declared_again import RETAKES
+from bringup_lint.model.declared_again import DeclaredAgain
 from bringup_lint.parsers.cpp_node.syntax import Call
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.parsers.cpp_node.waits import Bodies
@@ -26,10 +28,7 @@ DEPTH = 3
 _STEP = regex(r"(?:\w+::)*(?:on_?[cC]|c)onfigure\Z")
 _PLUGIN = "configure"
 """The same step of the plugins of Nav2, which get a node that lives longer than they do."""
-_RETAKES = regex(r"\bundeclare_parameter\b|\bParameterAlreadyDeclared", hints="Declared undeclare_parameter")
-"""What gives parameters back, or takes the exception."""
 _DECLARER = regex(r"(?:(?:this|\w{0,64}node\w{0,64}|get_node\(\))(?:->|\.))?declare_parameter\Z")
-_GUARD = regex(r"(?i)has_parameter|declar|first|once|init|configured")
 _FAILS = regex(r"\bFAILURE\b|\bERROR\b|\bthrow\b|\breturn\s+false\b")
 """What a handler answers that only reports the exception."""
 _LEAVES = regex(r"\b(?:return|continue)\b")
@@ -40,7 +39,7 @@ _WORD = regex(r"[a-zA-Z_]\w*")
 def declared_again(code: Code) -> Iterator[DeclaredAgain]:
     """The first unguarded declaration of each function that configures a node."""
     text = blanked(code.source.text) if DECLARES in code.source.text else ""
-    if DECLARES not in text or _RETAKES.search(text):
+    if DECLARES not in text or RETAKES.search(text):
         return
     bodies = Bodies(code)
     if DECLARES in bodies.functions:
@@ -132,7 +131,7 @@ class _Guards:
         if key not in self._known:
             condition = self.code.text(branch.child_by_field_name("condition"))
             has_flag = not self._flags_of(body).isdisjoint(_WORD.findall(condition))
-            self._known[key] = has_flag or _GUARD.search(condition) is not None
+            self._known[key] = has_flag or GUARD.search(condition) is not None
         return self._known[key]
 
     def _flags_of(self, body: Node) -> frozenset[str]:

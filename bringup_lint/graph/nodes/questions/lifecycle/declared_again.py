@@ -10,7 +10,9 @@ from typing import TYPE_CHECKING
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import calls_through
 from bringup_lint.graph.nodes.sources.with_header import headers
-from bringup_lint.model.cpp_source import DeclaredAgain
+from bringup_lint.model.declared_again import GUARD
+from bringup_lint.model.declared_again import RETAKES
+from bringup_lint.model.declared_again import DeclaredAgain
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.python import called_name
 from bringup_lint.model.python import is_own
@@ -23,9 +25,6 @@ DEPTH = 3
 """Calls of methods of the same class that are followed."""
 _STEP = "on_configure"
 _DECLARING = ("declare_parameter", "declare_parameters")
-_RETAKES = regex(r"\bundeclare_parameter\b|\bParameterAlreadyDeclared", hints="Declared undeclare_parameter")
-_GUARD = regex(r"(?i)has_parameter|declar|first|once|init|configured")
-
 _FAILS = regex(r"FAILURE|ERROR|False")
 
 
@@ -36,7 +35,7 @@ def declared_again(nodes: Nodes) -> Iterator[DeclaredAgain]:
         if not any(" declare_parameter(" in each for each in header):
             yield from source.declared_again
     for file, node in nodes.node_classes:
-        if node.is_lifecycle and _STEP in node.methods and not _RETAKES.search(file.source.text):
+        if node.is_lifecycle and _STEP in node.methods and not RETAKES.search(file.source.text):
             call = _first(nodes.syntax(file), node)
             if call is not None:
                 yield DeclaredAgain(file.span_of(call), _STEP)
@@ -75,7 +74,7 @@ class _Guards:
 
 def _knows(branch: ast.If, flags: set[str]) -> bool:
     test = ast.unparse(branch.test)
-    return _GUARD.search(test) is not None or any(flag in test for flag in flags)
+    return GUARD.search(test) is not None or any(flag in test for flag in flags)
 
 
 def _leaves(branch: ast.If) -> bool:
