@@ -180,10 +180,27 @@ def joined(size: int) -> str:
     return BOAT.format(made)
 
 
+def ended(size: int) -> str:
+    calls = "".join(f"exit({each});\n" for each in range(size))
+    return BOAT.format(f"Boat() {{ {calls} }}\n") + "RCLCPP_COMPONENTS_REGISTER_NODE(Boat)\n"
+
+
+def logged(size: int) -> str:
+    return BOAT.format(f"void row() {{ {''.join(f'RCLCPP_INFO(log, t{each}.c_str());' for each in range(size))} }}\n")
+
+
+def waited(size: int) -> str:
+    calls = (f"sleep_for(std::chrono::seconds(static_cast<int>(t{each})));\n" for each in range(size))
+    return BOAT.format(f"void row() {{ {''.join(calls)} }}\n")
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("rule", "made"),
     [
+        ("node/component-ends-container", ended),
+        ("node/log-format-foreign", logged),
+        ("node/duration-cut", waited),
         ("node/thread-not-joined", joined),
         ("node/lifecycle-declares-again", configured),
         ("node/signal-handler-waits", handled),
@@ -195,6 +212,17 @@ def test_time_grows_as_what_a_cpp_file_repeats(rule: str, made: Callable[[int], 
     def check(size: int) -> None:
         (tmp_path / "boat.cpp").write_text(made(size))
         lint("--no-cache", "--quiet", "--select", rule, ".", cwd=tmp_path)
+
+    assert is_linear(check, 100)
+
+
+@pytest.mark.slow
+def test_time_grows_as_the_guarded_declarations_of_a_python_node(tmp_path: Path) -> None:
+    def check(size: int) -> None:
+        asks = (f"        if self.first{at}:\n            self.declare_parameter('p{at}', 1)\n" for at in range(size))
+        head = "from rclpy.lifecycle import LifecycleNode\n\n\nclass Boat(LifecycleNode):\n"
+        (tmp_path / "boat.py").write_text(f"{head}    def on_configure(self, state):\n{''.join(asks)}")
+        lint("--no-cache", "--quiet", "--select", "node/lifecycle-declares-again", ".", cwd=tmp_path)
 
     assert is_linear(check, 100)
 
