@@ -51,7 +51,7 @@ def container_name_scaled(robot: Robot) -> Iterator[Finding]:
     for service in robot.compose.services:
         name = service.scalar("container_name")
         count = _count(service) if name not in (None, "", "null", "~") and service.source.judged else None
-        if name is not None and count is not None and not _is_changed(robot, service):
+        if name is not None and count is not None and not robot.compose.is_set_elsewhere(service, *KEYS):
             yield finding(
                 name,
                 f"'{name}' can be the name of one container only, and there are to be {count}: docker compose "
@@ -69,9 +69,3 @@ def _count(service: Service) -> Located | None:
     replicas = deploy.scalar("replicas") if isinstance(deploy, Mapping) else None
     given = replicas.value if replicas is not None else service.scalar("scale")
     return given if given is not None and given.isdigit() and int(given) > 1 else None
-
-
-def _is_changed(robot: Robot, service: Service) -> bool:
-    """Whether another file gives the service another name or number."""
-    others = (each for each in robot.compose.services_called(service.name) if each is not service)
-    return any(each.get(key) is not None for each in others for key in KEYS)

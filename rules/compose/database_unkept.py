@@ -69,6 +69,7 @@ MOVED = regex(r"PGDATA|INFLUXD_ENGINE_PATH|INFLUXDB_DATA_DIR|data-?_?dir|dbpath"
 
 @rule("warning", silent="the database makes an empty one, as at its first start")
 def database_unkept(robot: Robot) -> Iterator[Finding]:
+    kept: dict[tuple[str, str], bool] = {}
     for service in robot.compose.whole_services:
         image = service.image if service.source.judged and service.build is None else None
         folder = FOLDERS.get(image_name(image).repository) if image is not None else None
@@ -79,7 +80,10 @@ def database_unkept(robot: Robot) -> Iterator[Finding]:
             or not (service.restarts or service.get("container_name"))
         ):
             continue
-        if not any(_may_keep(each, folder) for each in robot.compose.services_called(service.name)):
+        known = (str(service.name), folder)
+        if known not in kept:
+            kept[known] = any(_may_keep(each, folder) for each in robot.compose.services_called(service.name))
+        if not kept[known]:
             yield finding(
                 service.name,
                 "No volume covers the data of this database: after docker compose down, it begins empty",

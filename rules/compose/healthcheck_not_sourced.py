@@ -57,7 +57,8 @@ REPLACES = ("AMENT_PREFIX_PATH", "PATH", "BASH_ENV", "ENV")
 def healthcheck_not_sourced(robot: Robot) -> Iterator[Finding]:
     for runner in robot.runners.all:
         service = runner.service
-        word = _test(service) if service is not None and not _is_changed(robot, service) else None
+        is_own = service is not None and not robot.compose.is_set_elsewhere(service, "healthcheck")
+        word = _test(service) if service is not None and is_own else None
         if word is not None and _has_no_ros(robot, runner):
             yield finding(
                 word,
@@ -66,12 +67,6 @@ def healthcheck_not_sourced(robot: Robot) -> Iterator[Finding]:
                 advice="let the test source the setup file: bash -c 'source ... && ros2 ...'",
                 related=[note(runner.where, "the service")],
             )
-
-
-def _is_changed(robot: Robot, service: Service) -> bool:
-    """Whether another file gives the service a health check of its own."""
-    others = (each for each in robot.compose.services_called(service.name) if each is not service)
-    return any(each.get("healthcheck") is not None for each in others)
 
 
 def _test(service: Service) -> Located | None:

@@ -50,6 +50,16 @@ class Compose:
         """The services of one name: those of several files may be one that is put together."""
         return self._by_name.get(name, [])
 
+    def is_set_elsewhere(self, service: Service, *keys: str) -> bool:
+        """Whether another service of the same name, which may be the same one in another file, sets one of these
+        keys."""
+        return any(each is not service for key in keys for each in self._setting((str(service.name), key)))
+
+    @memo
+    def _setting(self, name_and_key: tuple[str, str]) -> list[Service]:
+        name, key = name_and_key
+        return [each for each in self.services_called(name) if each.get(key) is not None]
+
     @cached_property
     def _by_name(self) -> dict[str, list[Service]]:
         found: dict[str, list[Service]] = {}

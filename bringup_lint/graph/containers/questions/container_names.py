@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from bringup_lint.graph.containers.questions.ports import start_together
+from bringup_lint.graph.containers.questions.started_together import start_together
 from bringup_lint.model.compose import is_variable
 from bringup_lint.named_tuple import NamedTuple
 
@@ -31,6 +31,7 @@ class SharedName(NamedTuple):
 def shared_names(files: Files, compose: Compose) -> Iterator[SharedName]:
     """The names of containers that ``docker compose up`` is to start twice, each service of a file that has
     the name of an earlier one once."""
+    renamed = _renamed(compose)
     for file in compose.files:
         if not file.source.judged or file.source.template:
             continue
@@ -38,7 +39,7 @@ def shared_names(files: Files, compose: Compose) -> Iterator[SharedName]:
         known = [(each, name) for each, name in named if name is not None and not is_variable(name)]
         by_name: dict[str, list[tuple[Service, Located]]] = {}
         for other, name in known:
-            if not name or _is_renamed(compose, other):
+            if not name or str(other.name) in renamed:
                 continue
             before = by_name.setdefault(str(name), [])
             found = next((each for each in before if start_together(files, each[0], other)), None)
@@ -48,7 +49,7 @@ def shared_names(files: Files, compose: Compose) -> Iterator[SharedName]:
                 before.append((other, name))
 
 
-def _is_renamed(compose: Compose, service: Service) -> bool:
-    """Whether a file that changes the service gives its container another name."""
-    others = (each for each in compose.services_called(service.name) if not each.is_whole)
-    return any(each.get("container_name") is not None for each in others)
+def _renamed(compose: Compose) -> set[str]:
+    """The services to whose containers a file that changes them gives a name."""
+    changed = (each for each in compose.services if not each.is_whole)
+    return {str(each.name) for each in changed if each.get("container_name") is not None}

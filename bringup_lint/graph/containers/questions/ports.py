@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import os
 import posixpath
-import re
 from collections.abc import Iterator
 from itertools import combinations
 from typing import TYPE_CHECKING
 
 from bringup_lint.addresses import is_wildcard
+from bringup_lint.graph.containers.questions.started_together import start_together
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.model.compose import Service
 from bringup_lint.model.compose_ports import Published
@@ -111,17 +111,3 @@ def _common(first: Published, second: Published) -> int | None:
         return None
     port = max(first.host.start, second.host.start)
     return port if port < min(first.host.stop, second.host.stop) else None
-
-
-def start_together(files: Files, one: Service, other: Service) -> bool:
-    """Whether some choice of profiles surely starts both, and nobody starts one of them alone by its name."""
-    if one is other:
-        return True
-    if one.profiles and other.profiles and not one.profiles & other.profiles:
-        return False
-    names = "|".join(re.escape(str(each.name)) for each in (one, other))
-    alone = re.compile(
-        rf"\bcompose\b[^\n]{{0,200}}[ \"'](?:up|run|start|create)\b[^\n]{{0,200}}[ \"'](?:\$|(?:{names})(?![\w-]))"
-    )
-    said = (each for each in files.sources if alone.search(each.text))
-    return not any(files.same_robot(each, one.source) for each in said)
