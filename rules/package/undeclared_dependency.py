@@ -27,8 +27,8 @@ the tree declares or installs it; rosdep and colcon do not know of it; it is the
 It is an info when all that is left out is one module that ros-base has, what something that is declared brings (launch
 files bring `launch_ros`), what packages on which this one depends declare, what launch files start by an argument
 alone, what C++ includes of packages outside of the workspace, or what installed launch files of a simulator or examples
-start. So is what packages of simulations and tests leave out, unless the build stops. What something that is declared
-may bring by its name is named with others only.
+start. So is what packages of simulations and tests leave out, unless the build stops or a launch file ends. What
+something that is declared may bring by its name is named with others only.
 
 ## Why it matters on a robot
 A dependency that is missing in package.xml works on the developer's machine and fails on a fresh robot: rosdep does not
@@ -87,6 +87,8 @@ SHOWN = 30
 """Places, or names, that a finding shows."""
 NAMED = 3
 """Packages that a message names."""
+STARTED = ("node", "include", "share", "plugin")
+"""Uses that end something where the package is not there."""
 ASKED = {
     "node": "{} is started here",
     "include": "a launch file of {} is included here",
@@ -160,8 +162,13 @@ def _finding(robot: Robot, package: launch.Package, found: Undeclared) -> Findin
 
 
 def _is_certain(robot: Robot, package: launch.Package, found: Undeclared) -> bool:
-    """Whether the robot lacks something, or the build of the workspace stops."""
-    return found.lack is Lack.BUILD or robot.dependencies.is_for_robot(package)
+    """Whether the robot lacks something, the build of the workspace stops, or a launch file ends."""
+    return found.lack is Lack.BUILD or _ends(found) or robot.dependencies.is_for_robot(package)
+
+
+def _ends(found: Undeclared) -> bool:
+    """Whether something does not start where only what is declared is installed."""
+    return found.lack is Lack.NOWHERE or (found.lack is Lack.PACKAGE and found.needs[0].use in STARTED)
 
 
 def _names(needs: list[Need]) -> str:
@@ -190,7 +197,7 @@ def _why(robot: Robot, package: launch.Package, found: Undeclared) -> str:
             "rosdep does not install" if robot.dependencies.uses_rosdep else "nothing of this tree declares or installs"
         )
         return f"{how} {first.name}, and on a freshly installed robot {_end(first)}"
-    if found.lack is Lack.PACKAGE and first.use in ("node", "include", "share", "plugin"):
+    if _ends(found):
         return f"{unknown}, and where {first.name} is not there {_end(first)}"
     if found.lack in (Lack.BASE, Lack.BROUGHT):
         is_there = "they are" if len(needs) > 1 else "it is"

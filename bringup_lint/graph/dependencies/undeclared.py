@@ -164,7 +164,7 @@ class _Needed:
             return Lack.BUILD
         if self._dependencies.is_lacking(need):
             return Lack.NOWHERE
-        if need.always and _is_named_itself(need):
+        if need.always and self._is_named_itself(need):
             return self._of_always(need)
         if need.use not in _NAMED or not need.is_kept or self._may_come(need):
             return None
@@ -250,6 +250,14 @@ class _Needed:
         word = re.compile(f"{before}{re.escape(need.name)}{after}", re.I)
         return any(word.search(build.source.text) for build in self._package.builds)
 
+    def _is_named_itself(self, need: Need) -> bool:
+        """Whether a launch file for more than a trial names a package itself: the default of an argument is a choice.
+        In a package for simulations, all launch files are for one."""
+        if need.use not in _NAMED:
+            return True
+        is_trial = _TRIAL.search(need.name.span.source.basename) and self._dependencies.is_for_robot(self._package)
+        return need.name.span.text.strip("'\"") == need.name and not is_trial
+
     def _is_in_base(self, need: Need) -> bool:
         name = str(need.name)
         return name in base() or (need.use in ("module", "library") and COMMON.get(name, "") in of_ros_base())
@@ -272,11 +280,3 @@ class _Needed:
 def _bare(key: str) -> str:
     """A rosdep key without what differs between its spellings."""
     return _DECORATION.sub("", key).replace("_", "-")
-
-
-def _is_named_itself(need: Need) -> bool:
-    """Whether a launch file for more than a trial names a package itself: the default of an argument is a choice."""
-    if need.use not in _NAMED:
-        return True
-    is_written = need.name.span.text.strip("'\"") == need.name
-    return is_written and not _TRIAL.search(need.name.span.source.basename)
