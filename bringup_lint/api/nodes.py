@@ -54,6 +54,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.cpp.zero_fractions import zero_fractions
     from bringup_lint.graph.nodes.questions.ending.deaf_handlers import deaf_handlers
     from bringup_lint.graph.nodes.questions.ending.endless_threads import endless_threads
+    from bringup_lint.graph.nodes.questions.ending.given_up import given_up
     from bringup_lint.graph.nodes.questions.ending.late_spins import late_spins
     from bringup_lint.graph.nodes.questions.ending.safe_state import fed_without_condition
     from bringup_lint.graph.nodes.questions.ending.safe_state import publish_after_deactivate
@@ -190,6 +191,7 @@ __all__ = [
     "ends_thread",
     "fed_without_condition",
     "format_texts",
+    "given_up",
     "guards_commands",
     "half_made",
     "handler_never_runs",

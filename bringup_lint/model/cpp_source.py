@@ -201,6 +201,16 @@ class MessageRace(NamedTuple):
     """The other thread is that of the controller manager."""
 
 
+class GivenUp(NamedTuple):
+    """A return of the constructor of a node that has nothing which could run."""
+
+    left: Span
+    lost: Span
+    """What the constructor would make after it."""
+    owner: str
+    """The class that is made."""
+
+
 class EarlyPointer(NamedTuple):
     """``shared_from_this()`` while the object is made."""
 
@@ -365,6 +375,7 @@ class CppNode:
     format_texts: list[FormatText] = field(default_factory=list)
     swallowed: list[Swallowed] = field(default_factory=list)
     dropped: list[Dropped] = field(default_factory=list)
+    given_up: list[GivenUp] = field(default_factory=list)
     early_pointers: list[EarlyPointer] = field(default_factory=list)
     second_owners: list[Located] = field(default_factory=list)
     """Where a shared pointer is made of ``this``, which is a node."""

@@ -25,6 +25,7 @@ from bringup_lint.parsers.cpp_node.endless_answers import endless_answers
 from bringup_lint.parsers.cpp_node.endpoints import endpoint
 from bringup_lint.parsers.cpp_node.endpoints import timer
 from bringup_lint.parsers.cpp_node.format_texts import format_texts
+from bringup_lint.parsers.cpp_node.given_up import given_up
 from bringup_lint.parsers.cpp_node.handles import few_handles
 from bringup_lint.parsers.cpp_node.kept import called
 from bringup_lint.parsers.cpp_node.kept import kept
@@ -133,6 +134,7 @@ def parse(source: Source) -> CppNode:
     node.format_texts = list(format_texts(code))
     node.swallowed = list(dict.fromkeys(swallowed(code)))
     node.dropped = list(dropped(code))
+    node.given_up = list(given_up(code))
     node.early_pointers = list(dict.fromkeys(early_pointers(code)))
     node.second_owners = list(second_owners(code, node.classes))
     node.time_members = list(time_members(code))

@@ -1,0 +1,80 @@
+"""Constructors of nodes that log an error and return before they have made anything, in Python and in C++."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterator
+from itertools import islice
+from typing import TYPE_CHECKING
+
+from bringup_lint.graph.nodes.sources.syntax import Syntax
+from bringup_lint.graph.nodes.sources.syntax import own
+from bringup_lint.graph.nodes.sources.syntax import own_calls
+from bringup_lint.model.cpp_source import GivenUp
+from bringup_lint.model.node_source import NodeClass
+from bringup_lint.model.python import called_name
+from bringup_lint.model.python import is_own
+from bringup_lint.model.python import is_self
+from bringup_lint.pattern import regex
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.nodes.nodes import Nodes
+
+_LOGS = frozenset({"error", "fatal", "critical"})
+_ENDS = frozenset({"shutdown", "try_shutdown", "exit", "_exit", "quit", "abort", "kill", "destroy_node"})
+_MAKES = regex(
+    r"create_|\w*(?:Thread|Timer|Server|Client|Listener|Subscriber|Updater|Handler|Executor)\Z|spin|add_\w+_callback"
+)
+"""What may run something later."""
+_OF_NODES = regex(r"(?:declare_|get_|has_|set_|undeclare_)")
+"""The beginnings of methods of a node that make nothing."""
+
+
+def given_up(nodes: Nodes) -> Iterator[GivenUp]:
+    """The first return of each constructor after which its node has neither timer nor topic nor service."""
+    for file, cls in nodes.node_classes:
+        made = cls.methods.get("__init__")
+        if made is None or cls.name is None or cls.base is not None or cls.is_lifecycle or len(cls.bases) != 1:
+            continue
+        returns = [each for each in own(made.node.body) if isinstance(each, ast.Return)]
+        lost = next((each for each in own_calls(made.node.body) if _may_make(cls, each)), None) if returns else None
+        if lost is not None:
+            early = (each for each in returns if _at(each) < _at(lost) and _gives_up(nodes.syntax(file), each))
+            yield from (GivenUp(file.span_of(each), file.span_of(lost), str(cls.name)) for each in islice(early, 1))
+    for source in nodes.cpp:
+        yield from source.given_up
+
+
+def _at(node: ast.stmt | ast.expr) -> tuple[int, int]:
+    return node.lineno, node.col_offset
+
+
+def _may_make(cls: NodeClass, call: ast.Call) -> bool:
+    """Whether a call may make what runs later: itself, in a method, or in what is handed the node."""
+    if is_own(call.func):
+        method = cls.methods.get(call.func.attr)
+        if method is not None:
+            return any(_MAKES.match(called_name(each)) for each in ast.walk(method.node) if isinstance(each, ast.Call))
+        return not _OF_NODES.match(call.func.attr)
+    given = [*call.args, *(each.value for each in call.keywords)]
+    is_base = called_name(call) == "__init__"
+    return _MAKES.match(called_name(call)) is not None or (not is_base and any(map(is_self, given)))
+
+
+def _gives_up(syntax: Syntax, left: ast.Return) -> bool:
+    """Whether a return is in a branch that logs an error, and leaves nothing by which anybody else would know."""
+    outer, field = next(syntax.above(left))
+    if not isinstance(outer, (ast.If, ast.ExceptHandler)):
+        return False
+    block = list(own(getattr(outer, field)))
+    calls = [each for each in block if isinstance(each, ast.Call)]
+    if not any(map(_is_log, calls)) or any(called_name(each) in _ENDS for each in calls):
+        return False
+    flags = [each.attr for each in block if is_own(each) and isinstance(each.ctx, ast.Store)]
+    text = syntax.file.source.text
+    return not any(re.search(rf"(?<!self)\.{re.escape(each)}\b", text) for each in flags)
+
+
+def _is_log(call: ast.Call) -> bool:
+    return isinstance(call.func, ast.Attribute) and call.func.attr in _LOGS and "logger" in ast.unparse(call.func.value)

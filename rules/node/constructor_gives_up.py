@@ -1,0 +1,60 @@
+"""The constructor of a node gives up, and the process goes on.
+
+## What it finds
+A `return` in the constructor of a node, after an error is logged, at which the node has neither a timer nor a topic nor
+a service yet. Silent where the branch shuts down, throws, exits or sets something that others ask for, and where
+anything that may run later was made before.
+
+## Why it matters on a robot
+The device was not there yet, or a file is missing: the node logs one line and stays. `spin()` waits for callbacks that
+do not exist. The process is alive, `ros2 node list` shows it, and so `respawn`, `Restart=on-failure` and `on_exit` do
+nothing. When the device appears a second later, nobody tries again.
+
+## Bad
+```cpp
+Lidar() : Node("lidar") {
+  if (!port_.open("/dev/lidar")) { RCLCPP_ERROR(get_logger(), "no lidar"); return; }
+  timer_ = create_wall_timer(100ms, [this] { read(); });
+}
+```
+
+## Good
+```cpp
+Lidar() : Node("lidar") {
+  if (!port_.open("/dev/lidar")) { throw std::runtime_error("no lidar"); }
+  timer_ = create_wall_timer(100ms, [this] { read(); });
+}
+```
+
+## When to ignore it
+When somebody watches the topics of the node, and starts it again.
+
+## References
+- launch, execute_process.py: `respawn` and `on_exit` begin with the end of the process
+- systemd.service(5), `Restart=`
+- rclcpp, executor.cpp: `spin()` returns only when the context is shut down
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import nodes
+from bringup_lint.api import note
+from bringup_lint.api import rule
+
+
+@rule("warning", silent="the node logs an error of its own words, and stays in the list of nodes")
+def constructor_gives_up(robot: Robot) -> Iterator[Finding]:
+    for found in nodes.given_up(robot.nodes):
+        source = found.left.source
+        raised = "raise RuntimeError(...)" if source.name.endswith(".py") else "throw std::runtime_error(...)"
+        yield finding(
+            found.left,
+            f"After this error {found.owner} has no timer, topic or service: the process stays alive and does nothing, "
+            "so that neither respawn nor Restart= starts it again",
+            advice=f"{raised} here, so that the process ends with a failure",
+            related=[note(found.lost, "never reached then")],
+            severity=robot.nodes.lowered(source, "warning"),
+        )
