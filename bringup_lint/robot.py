@@ -64,7 +64,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.observed.observed import Observed
     from bringup_lint.graph.params.map_images import LostImage
     from bringup_lint.graph.params.params import Params
-    from bringup_lint.graph.params.questions.misspelt_words import MisspeltWord
+    from bringup_lint.graph.params.questions.misspelt_words import MisspeltValue
     from bringup_lint.graph.plugins.plugins import Plugins
     from bringup_lint.graph.provenance import Provenance
     from bringup_lint.graph.runners.runners import Runners
@@ -420,7 +420,7 @@ class Robot:
         return lost_images(self.files)
 
     @property
-    def misspelt_words(self) -> Iterator[MisspeltWord]:
+    def misspelt_words(self) -> Iterator[MisspeltValue]:
         """Values of parameter files, and of YAML files that programs read themselves, which are a letter away from the
         words that their program knows."""
         from bringup_lint.graph.params.questions.misspelt_words import misspelt_words

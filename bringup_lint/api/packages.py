@@ -6,7 +6,7 @@ from bringup_lint.on_demand import on_demand
 from bringup_lint.type_names import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from bringup_lint.graph.dependencies.misspelt_builds import MisspeltWord
+    from bringup_lint.graph.dependencies.misspelt_builds import MisspeltBuild
     from bringup_lint.graph.dependencies.setup_settings import UnreadSetting
     from bringup_lint.model.package import Manifest
     from bringup_lint.parsers.package_grammar import tags_of_format
@@ -15,7 +15,7 @@ else:
 
 __all__ = [
     "Manifest",
-    "MisspeltWord",
+    "MisspeltBuild",
     "UnreadSetting",
     "tags_of_format",
 ]

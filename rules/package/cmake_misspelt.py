@@ -39,7 +39,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
-from bringup_lint.api.packages import MisspeltWord
+from bringup_lint.api.packages import MisspeltBuild
 
 _EFFECTS = {
     "command": "CMake knows no command {word}: the build of {name} stops",
@@ -73,5 +73,5 @@ def cmake_misspelt(robot: Robot) -> Iterator[Finding]:
             )
 
 
-def _related(each: MisspeltWord) -> list[Related]:
+def _related(each: MisspeltBuild) -> list[Related]:
     return [note(each.place, f"{each.meant} is here")] if each.place is not None else []

@@ -53,7 +53,7 @@ from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
     from bringup_lint.graph.dependencies.interface_lines import RefusedDefinition
-    from bringup_lint.graph.dependencies.misspelt_builds import MisspeltWord
+    from bringup_lint.graph.dependencies.misspelt_builds import MisspeltBuild
     from bringup_lint.graph.dependencies.misspelt_depends import MisspeltDependency
     from bringup_lint.graph.dependencies.setup_settings import UnreadSetting
     from bringup_lint.graph.files import Files
@@ -158,7 +158,7 @@ class Dependencies:
         found = self._files.parsed(package_xml.parse, self._files.of_kind("ros-package"))
         return [each for each in found if each.source.judged and not self._files.is_test_data(each.source)]
 
-    def misspelt_words(self, package: Package) -> Iterator[MisspeltWord]:
+    def misspelt_words(self, package: Package) -> Iterator[MisspeltBuild]:
         """Words of the CMakeLists.txt of a package that mean nothing, and that are a letter away from one that does."""
         from bringup_lint.graph.dependencies.misspelt_builds import misspelt_words
 

@@ -51,7 +51,7 @@ _BUILT_IN = frozenset(
 """Variables that others than the file set."""
 
 
-class MisspeltWord(NamedTuple):
+class MisspeltBuild(NamedTuple):
     """``kind``: a ``command``, a ``word`` of one, a ``target``, a ``package``, a ``variable``, a ``folder``, or the
     ``project`` that is another one than the package."""
 
@@ -69,7 +69,7 @@ def _words() -> dict[str, frozenset[str]]:
     return {**found, "install": named_for("install") | {"TARGETS", "FILES", "PROGRAMS", "DIRECTORY", "SCRIPT", "CODE"}}
 
 
-def misspelt_words(workspace: Workspace, package: Package) -> Iterator[MisspeltWord]:
+def misspelt_words(workspace: Workspace, package: Package) -> Iterator[MisspeltBuild]:
     sources = [build.source for build in package.builds if build.source.kind == "cmake"]
     given = [command for source in sources for command in commands(source)]
     seen = _Seen(package, workspace, given)
@@ -142,7 +142,7 @@ def _near(word: Located, *known: Neighbours) -> str | None:
     return near[0] if len(near) == 1 and f"{near[0]}s" != word and f"{word}s" != near[0] else None
 
 
-def _of_command(seen: _Seen, command: Command) -> Iterator[MisspeltWord]:
+def _of_command(seen: _Seen, command: Command) -> Iterator[MisspeltBuild]:
     package, words = seen.package, command.arguments
     if words and command.name not in seen.defined and seen.uses[command.name] == 1 and _is_unknown(command):
         first = words[0].span
@@ -152,14 +152,14 @@ def _of_command(seen: _Seen, command: Command) -> Iterator[MisspeltWord]:
         name = first.source.located(end - len(command.name), end)
         near = _near(Located(command.name, name.span), _slips_of_command(""))
         if near and name.lower() == command.name:
-            yield MisspeltWord("command", name, near, package)
+            yield MisspeltBuild("command", name, near, package)
             return
     known = _words().get(command.name, frozenset())
     unknown = [word for word in words if known and word not in known and _CAPITALS.match(word)]
     for word in unknown:
         near = _near(word, _slips_of_command(command.name)) if word not in seen.read else None
         if near:
-            yield MisspeltWord("word", word, near, package)
+            yield MisspeltBuild("word", word, near, package)
     yield from _of_targets(seen, command)
     yield from _of_packages(seen, command)
     yield from _of_folders(seen, command)
@@ -168,18 +168,18 @@ def _of_command(seen: _Seen, command: Command) -> Iterator[MisspeltWord]:
             name = word.part(*match.span(1))
             near = None if name in seen.set or name in _BUILT_IN else _near(name, _SLIPS_OF_VARIABLES)
             if near:
-                yield MisspeltWord("variable", name, near, package)
+                yield MisspeltBuild("variable", name, near, package)
     if command.name in ("if", "elseif"):
         for word in words:
             if _CAPITALS.match(word) and word not in seen.set and _near(word, _SLIPS_OF_TESTING):
-                yield MisspeltWord("variable", word, "BUILD_TESTING", package)
+                yield MisspeltBuild("variable", word, "BUILD_TESTING", package)
 
 
 def _is_unknown(command: Command) -> bool:
     return command.name not in named_for("command") and command.name not in _ALIKE
 
 
-def _of_targets(seen: _Seen, command: Command) -> Iterator[MisspeltWord]:
+def _of_targets(seen: _Seen, command: Command) -> Iterator[MisspeltBuild]:
     words = command.arguments
     used: list[Located] = words[:1] if command.name in _OF_TARGETS else []
     if command.name == "install" and words[:1] == ["TARGETS"]:
@@ -189,15 +189,15 @@ def _of_targets(seen: _Seen, command: Command) -> Iterator[MisspeltWord]:
         if word not in seen.made and _TARGET.match(word) and not word.isupper():
             near = _near(word, seen.slips_of_targets)
             if near:
-                yield MisspeltWord("target", word, near, seen.package, seen.made[near])
+                yield MisspeltBuild("target", word, near, seen.package, seen.made[near])
 
 
-def _of_packages(seen: _Seen, command: Command) -> Iterator[MisspeltWord]:
+def _of_packages(seen: _Seen, command: Command) -> Iterator[MisspeltBuild]:
     words = command.arguments
     if command.name == "find_package" and words and words[0] not in seen.packages and _NAME.match(words[0]):
         near = _near(words[0], seen.slips_of_depends, near_current())
         if near:
-            yield MisspeltWord("package", words[0], near, seen.package, seen.depends.get(near))
+            yield MisspeltBuild("package", words[0], near, seen.package, seen.depends.get(near))
     if command.name not in _OF_PACKAGES:
         return
     behind = words
@@ -209,24 +209,24 @@ def _of_packages(seen: _Seen, command: Command) -> Iterator[MisspeltWord]:
             near = _near(word, seen.slips_of_found, seen.slips_of_depends)
             if near:
                 place = seen.found.get(near) or seen.depends.get(near)
-                yield MisspeltWord("package", word, near, seen.package, place)
+                yield MisspeltBuild("package", word, near, seen.package, place)
 
 
-def _of_folders(seen: _Seen, command: Command) -> Iterator[MisspeltWord]:
+def _of_folders(seen: _Seen, command: Command) -> Iterator[MisspeltBuild]:
     if command.name != "install":
         return
     for before, word in zip(command.arguments, command.arguments[1:]):
         first = word.part(0, len(word.partition("/")[0]))
         near = _near(first, _SLIPS_OF_FOLDERS) if before == "DESTINATION" and "/" in word else None
         if near:
-            yield MisspeltWord("folder", first, near, seen.package)
+            yield MisspeltBuild("folder", first, near, seen.package)
 
 
-def _of_project(package: Package, given: list[Command]) -> Iterator[MisspeltWord]:
+def _of_project(package: Package, given: list[Command]) -> Iterator[MisspeltBuild]:
     """ament_package() ends when the project is not called like the package."""
     if not any(each.name in ("ament_package", "ament_auto_package") for each in given):
         return
     projects = [each for each in given if each.name == "project"]
     first = projects[0].arguments[0] if len(projects) == 1 and projects[0].arguments else None
     if first is not None and not projects[0].conditional and _NAME.match(first) and first != package.name:
-        yield MisspeltWord("project", first, package.name, package, package.manifest.name)
+        yield MisspeltBuild("project", first, package.name, package, package.manifest.name)

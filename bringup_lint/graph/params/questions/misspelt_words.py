@@ -30,7 +30,7 @@ _SHORTEST = 4
 """Letters of a word that is misspelt by no accident: ``rad`` may be for what is not ``raw``."""
 
 
-class MisspeltWord(NamedTuple):
+class MisspeltValue(NamedTuple):
     value: Located
     name: str
     meant: str
@@ -38,7 +38,7 @@ class MisspeltWord(NamedTuple):
     effect: str
 
 
-def misspelt_words(params: Params) -> Iterator[MisspeltWord]:
+def misspelt_words(params: Params) -> Iterator[MisspeltValue]:
     """In parameter files, then in other YAML files that a program reads itself."""
     rows: dict[str, list[FixedWords]] = {}
     for each in fixed_words():
@@ -51,7 +51,7 @@ def misspelt_words(params: Params) -> Iterator[MisspeltWord]:
     yield from _of_files(params.files)
 
 
-def _of_parameter(params: Params, parameter: Parameter, fixed: FixedWords) -> Iterator[MisspeltWord]:
+def _of_parameter(params: Params, parameter: Parameter, fixed: FixedWords) -> Iterator[MisspeltValue]:
     for item in params.items(parameter):
         at = item.span.text.find(item.text)
         start = item.span.start + at
@@ -67,7 +67,7 @@ def _has_beside(parameter: Parameter, name: str) -> bool:
     return any(each.name == beside for each in parameter.block.parameters)
 
 
-def _of_files(files: Files) -> Iterator[MisspeltWord]:
+def _of_files(files: Files) -> Iterator[MisspeltValue]:
     tree = files.tree
     for path in tree.paths:
         lowered = path.lower()
@@ -81,7 +81,7 @@ def _of_files(files: Files) -> Iterator[MisspeltWord]:
             yield from _of_source(source, {each.name: each for each in rows})
 
 
-def _of_source(source: Source, rows: dict[str, FixedWords]) -> Iterator[MisspeltWord]:
+def _of_source(source: Source, rows: dict[str, FixedWords]) -> Iterator[MisspeltValue]:
     for start in source.line_starts:
         match = _LINE.match(source.text[start : start + 300].partition("\n")[0])
         if match is not None and match[1] in rows:
@@ -90,9 +90,9 @@ def _of_source(source: Source, rows: dict[str, FixedWords]) -> Iterator[Misspelt
                 yield found
 
 
-def _misspelt(value: Located, fixed: FixedWords) -> MisspeltWord | None:
+def _misspelt(value: Located, fixed: FixedWords) -> MisspeltValue | None:
     text = str(value)
     if len(text) < _SHORTEST or text.lower() in map(str.lower, fixed.words):
         return None
     near = [each for each in nearest(text, fixed.words, 1) if not numbered(each, text)]
-    return MisspeltWord(value, fixed.name, near[0], fixed.ends, fixed.effect) if len(near) == 1 else None
+    return MisspeltValue(value, fixed.name, near[0], fixed.ends, fixed.effect) if len(near) == 1 else None
