@@ -123,7 +123,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.python.refused_logs import RefusedLog
     from bringup_lint.graph.nodes.questions.python.refused_logs import refused_logs
     from bringup_lint.graph.nodes.questions.python.unbound_locals import unbound_locals
-    from bringup_lint.graph.nodes.questions.python.undefined_names import undefined
+    from bringup_lint.graph.nodes.questions.python.undefined_names import undefined_in
     from bringup_lint.graph.nodes.resolved.starting import chain_to
     from bringup_lint.graph.nodes.resolved.starting import is_stopped
     from bringup_lint.graph.nodes.resolved.starting import is_tool
@@ -260,7 +260,7 @@ __all__ = [
     "unbound_locals",
     "unchecked_devices",
     "unchecked_messages",
-    "undefined",
+    "undefined_in",
     "unfinished_classes",
     "unfit_callbacks",
     "unfit_calls",

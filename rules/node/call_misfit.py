@@ -1,10 +1,10 @@
 """A call whose arguments do not fit the function that it calls.
 
 ## What it finds
-In Python nodes, calls of functions and classes of the same file and of methods of the class itself that hand over too
-many arguments, too few, or one under a name that the function does not have. Functions that have decorators, several
-definitions or a subclass that defines them anew are left out, and so are calls with `*` or `**`. It is an info in
-packages that others wrote and the tree only carries.
+In Python nodes, and the Python modules beside them, calls of functions and classes of the same file and of methods of
+the class itself that hand over too many arguments, too few, or one under a name that the function does not have.
+Functions that have decorators, several definitions or a subclass that defines them anew are left out, and so are
+calls with `*` or `**`. It is an info in packages that others wrote and the tree only carries.
 
 ## Why it matters on a robot
 Python looks at the arguments when the line runs. In the branch for an error, a goal or an emergency stop that may be
@@ -55,7 +55,8 @@ def call_misfit(robot: Robot) -> Iterator[Finding]:
         where = f"in {found.function}()" if found.function is not None else "when the file is loaded"
         end = nodes.end_of(robot.nodes.syntax(found.file), found.call, caught=found.caught)
         started = found.function != "main" or robot.nodes.runs_main(found.file.source)
-        idle = found.idle or not started or (found.function or "").startswith("test")
+        idle = found.idle and robot.nodes.is_idle(found.file, found.function)
+        idle = idle or not started or (found.function or "").startswith("test")
         taken = found.definition.args.args
         yield finding(
             found.file.span_of(found.call),

@@ -1,11 +1,12 @@
 """A local name is used before it has a value.
 
 ## What it finds
-In the functions of Python nodes, a name that the function assigns only further down, as when `global` is missing for
-one of the file; a name that a `try` alone assigns, whose `except` only prints or logs, and that is used right after it;
-and one that an `if` without `else` alone assigns, and that is used after it in any case. Loops, where a turn before may
-have set it, are left out, and so is what runs only under a condition. It is an info in packages that others wrote and
-the tree only carries.
+In the functions of Python nodes, and of the Python modules beside them, a name that the function assigns only further
+down, as when `global` is missing for one of the file; a name that a `try` alone assigns, whose `except` only prints
+or logs, and that is used right after it, in a loop too, where the first turn may fail; and one that an `if` without
+`else` alone assigns, and that is used after it in any case. Other loops, where a turn before may have set it, are
+left out, and so is what runs only under a condition. It is an info in packages that others wrote and the tree only
+carries.
 
 ## Why it matters on a robot
 An assignment anywhere in a function makes the name local to all of it. Python finds out when the line runs: on the
@@ -54,9 +55,10 @@ from bringup_lint.api import rule
     ],
 )
 def unbound_local(robot: Robot) -> Iterator[Finding]:
-    for file in robot.nodes.robot_sources:
+    for file in robot.nodes.robot_code:
         for found in nodes.unbound_locals(robot.nodes.syntax(file)):
             name, severity = found.name.id, "error"
+            idle = found.idle and robot.nodes.is_idle(file, found.function)
             end = nodes.end_of(robot.nodes.syntax(file), found.name, caught=found.caught)
             message = f"UnboundLocalError in {found.function}(): {name} is assigned there, thus local, and unset: {end}"
             advice = f"assign {name} before it is used"
@@ -81,5 +83,5 @@ def unbound_local(robot: Robot) -> Iterator[Finding]:
                 message,
                 advice=advice,
                 related=related,
-                severity="info" if found.idle else robot.nodes.lowered_if_vendored(file.source, severity),
+                severity="info" if idle else robot.nodes.lowered_if_vendored(file.source, severity),
             )

@@ -1,8 +1,9 @@
 """A name is used that nothing imports or defines.
 
 ## What it finds
-Names that the source of a node looks up and that neither the function, the file nor Python defines: a message type or
-`sys` that is never imported, a variable of another function, a method that is called without `self.`, a misspelt name.
+Names that the source of a node, or a Python module beside it, looks up and that neither the function, the file nor
+Python defines: a message type or `sys` that is never imported, a variable of another function, a method that is called
+without `self.`, a misspelt name, or `xrange` and the like, which only Python 2 has.
 
 It is an info after `spin()` and the `join()` of a thread, where the node has done its work, in tests, in examples and
 in a function that nothing calls or that is only a stub. It is a warning in an `except`, which runs only after a
@@ -42,8 +43,8 @@ from bringup_lint.api import rule
 
 @rule("error", fix="unsafe", symptoms=["NameError: name '*' is not defined"])
 def undefined_name(robot: Robot) -> Iterator[Finding]:
-    for file in robot.nodes.robot_sources:
-        for found in nodes.undefined(robot.nodes.syntax(file)):
+    for file in robot.nodes.robot_code:
+        for found in nodes.undefined_in(robot.nodes, file):
             name, module = found.name.id, found.module
             when = f"when {found.function}() is called" if found.function else "when the file is loaded"
             when = f"in a branch of {found.function}()" if found.branch and not found.handling else when
@@ -54,11 +55,12 @@ def undefined_name(robot: Robot) -> Iterator[Finding]:
             started = found.function != "main" or robot.nodes.runs_main(file.source)
             severity = "info" if found.late or not started else "warning" if found.handling or found.branch else "error"
             where = found.function or "the file"
+            idle = found.idle and robot.nodes.is_idle(file, found.function)
             edits = nodes.import_edits(file, module, name) if module is not None else []
             yield finding(
                 file.span_of(found.name),
                 f"NameError {when}: {name} is never {'defined' if module is None else 'imported'}, and {end}",
                 advice=f"add '{line}'" if module is not None else f"define {name} where {where} sees it",
                 fix=fix(f"add '{line}'", *edits) if edits else None,
-                severity="info" if found.idle else robot.nodes.lowered_if_vendored(file.source, severity),
+                severity="info" if idle else robot.nodes.lowered_if_vendored(file.source, severity),
             )

@@ -13,6 +13,7 @@ from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.memo import memo
+from bringup_lint.graph.modules import modules
 from bringup_lint.graph.nodes.resolved.programs import Program
 from bringup_lint.graph.nodes.resolved.programs import made
 from bringup_lint.graph.nodes.resolved.programs import program_of
@@ -256,6 +257,26 @@ class Nodes:
     def robot_sources(self) -> list[NodeSource]:
         """The judged sources but tests: those whose ends are looked at."""
         return [file for file in self.judged if self.purpose(file.source) not in _UNJUDGED]
+
+    @cached_property
+    def robot_code(self) -> list[NodeSource]:
+        """Those, and the Python modules of the tree that are no nodes themselves, but tests."""
+        paths = [source.absolute for source in modules(self.files) if "/." not in f"/{source.name}"]
+        found = [*self.robot_sources, *self.with_modules, *(self._modules.at(path) for path in paths)]
+        code = (each for each in found if each is not None and each.tree is not None and each.source.judged)
+        return [each for each in dict.fromkeys(code) if self.purpose(each.source) not in _UNJUDGED]
+
+    def is_plain(self, file: NodeSource) -> bool:
+        """Whether a file is none of the sources of nodes, but a module or program beside them."""
+        return file not in self._known
+
+    @cached_property
+    def _known(self) -> frozenset[NodeSource]:
+        return frozenset(self.sources)
+
+    def is_idle(self, file: NodeSource, function: str | None) -> bool:
+        """Whether a function that nothing of its file calls is called by no other file either, as far as is looked."""
+        return not self.is_plain(file) or function is None or not self._unused.is_in_others(function)
 
     @property
     def node_classes(self) -> Iterator[tuple[NodeSource, NodeClass]]:

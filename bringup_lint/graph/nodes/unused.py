@@ -4,6 +4,7 @@ file, and no build description a C++ file."""
 from __future__ import annotations
 
 import os
+from collections import Counter
 from collections.abc import Iterator
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -126,6 +127,15 @@ class Unused:
     def makes(self, name: str) -> bool:
         """Whether the code of the tree mentions a class other than to define or import it."""
         return name in self._mentioned
+
+    def is_in_others(self, name: str) -> bool:
+        """Whether several Python files have a word."""
+        return self._files_with[name] > 1
+
+    @cached_property
+    def _files_with(self) -> Counter[str]:
+        """Word -> how many Python files have it."""
+        return Counter(word for text in self._texts() for word in set(_WORD.findall(text)))
 
     @cached_property
     def _mentioned(self) -> frozenset[str]:

@@ -15,7 +15,9 @@ from bringup_lint.pattern import regex
 _TAKES = regex(r"create_|add_|register|set_\w+_callback|\w*(?:Subscriber|Action(?:Server|Client)|Synchronizer|Updater)")
 """Functions and classes of ROS that take callbacks."""
 EXITS = "the node exits"
+PROGRAM = "the program ends"
 THREAD = "its thread ends, while the node goes on"
+THREAD_ALONE = "its thread ends, while the program goes on"
 SPINNING = "the thread that spins ends: no callback runs any more"
 CALLBACK = "the callback goes no further"
 """Of a MultiThreadedExecutor, which older releases do not let an exception out of."""
@@ -29,11 +31,22 @@ def end_of(syntax: Syntax, node: ast.AST, *, caught: bool = False) -> str:
         return TRY_BLOCK
     function = syntax.function(node)
     threads = syntax.once(_Threads)
+    if not syntax.once(_knows_ros):
+        if function in threads.own:
+            return THREAD_ALONE
+        ends = function is None or (function in threads.of_main and syntax.file.main is not None)
+        return PROGRAM if ends else CALLER
     if function is None or function in threads.of_main:
         return EXITS
     if function in threads.own:
         return THREAD
     return threads.end_of_callbacks if function in threads.of_callbacks else threads.end_of_others
+
+
+def _knows_ros(syntax: Syntax) -> bool:
+    """Whether a file has to do with nodes itself, and is no module or program beside them."""
+    imported = (name or "" for name in syntax.file.imports.values())
+    return bool(syntax.file.classes) or any(name.startswith("rclpy") for name in imported)
 
 
 def end_where_called(syntax: Syntax, node: ast.AST) -> str:

@@ -42,7 +42,7 @@ class UnfitCall(NamedTuple):
 
 def unfit_calls(nodes: Nodes) -> Iterator[UnfitCall]:
     overridden = _overridden(nodes)
-    for file in nodes.robot_sources:
+    for file in nodes.robot_code:
         yield from _in_file(file, nodes.syntax(file), overridden)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterator
+from functools import cached_property
 
 from bringup_lint.graph.nodes.sources.idle import is_idle
 from bringup_lint.graph.nodes.sources.idle import is_late
@@ -133,11 +134,11 @@ class _Locals:
     def after_failures(self) -> Iterator[Unbound]:
         """Uses after a ``try`` that alone gives a name its value, when a handler of it goes on."""
         for statement in self._nodes:
-            if isinstance(statement, ast.Try) and not self._is_in_loop(statement):
+            if isinstance(statement, ast.Try):
                 handler = next((each for each in statement.handlers if self._goes_on(each)), None)
                 if handler is not None:
                     inside = {part for each in statement.body for part in walk(each)}
-                    made = {name: first for each in statement.body for name, first in self._made(each, inside)}
+                    made = {name: at for each in statement.body for name, at in self._made(each, statement, inside)}
                     yield from self._behind(statement, made, handler)
 
     def after_choices(self) -> Iterator[Unbound]:
@@ -180,7 +181,11 @@ class _Locals:
             return True
         function = node.func if isinstance(node, ast.Call) else None
         name = ast.unparse(function).rpartition(".")[2] if function is not None else ""
-        return bool(_ENDS.match(name)) or (name == "error" and "pars" in ast.unparse(node))
+        return (
+            name in self._syntax.once(_raising)
+            or bool(_ENDS.match(name))
+            or (name == "error" and "pars" in ast.unparse(node))
+        )
 
     def _behind(
         self, statement: ast.stmt, made: dict[str, PlacedNode], without: ast.ExceptHandler | ast.If
@@ -197,6 +202,8 @@ class _Locals:
                 yield self._found(use, made[use.id], without)
             if use is not None or self._leaves(following):
                 return
+            for name in self._bound_again.get(following, ()):
+                made.pop(name, None)
 
     def _steps(self, statement: ast.stmt) -> _Steps:
         if statement not in self._known:
@@ -204,13 +211,27 @@ class _Locals:
             self._known[statement] = _Steps(leaves, [] if leaves else list(self._certain(statement)))
         return self._known[statement]
 
-    def _made(self, statement: ast.stmt, inside: set[ast.AST]) -> Iterator[tuple[str, PlacedNode]]:
-        """The names that a statement of a ``try`` gives the result of a call which may fail."""
-        if not isinstance(statement, ast.Assign) or not any(_may_fail(each) for each in walk(statement.value)):
+    def _made(self, part: ast.stmt, statement: ast.Try, inside: set[ast.AST]) -> Iterator[tuple[str, PlacedNode]]:
+        """The names that a part of a ``try`` gives the result of a call which may fail, and that nothing before the end
+        of the statement binds elsewhere."""
+        if not isinstance(part, ast.Assign) or not any(_may_fail(each) for each in walk(part.value)):
             return
-        for target in statement.targets:
-            if isinstance(target, ast.Name) and all(each in inside for each in self._bound.get(target.id, [statement])):
+        end = statement.end_lineno or statement.lineno
+        for target in part.targets:
+            bindings = self._bound.get(target.id, [statement]) if isinstance(target, ast.Name) else [statement]
+            if isinstance(target, ast.Name) and all(each in inside or each.lineno > end for each in bindings):
                 yield target.id, target
+
+    @cached_property
+    def _bound_again(self) -> dict[ast.stmt, set[str]]:
+        """Statement -> the names that it, or a part of it, binds."""
+        found: dict[ast.stmt, set[str]] = {}
+        for name, places in self._bound.items():
+            for place in places:
+                for outer in (place, *(outer for outer, _ in self._syntax.within(place))):
+                    if isinstance(outer, ast.stmt):
+                        found.setdefault(outer, set()).add(name)
+        return found
 
     def _certain(self, statement: ast.stmt) -> Iterator[ast.Name]:
         """The uses of a statement that run whenever it does, in the order of the text."""
@@ -232,6 +253,12 @@ class _Locals:
             caught=self._syntax.catches(use, _CAUGHT),
             idle=is_idle(self._syntax, use) or is_late(self._syntax, use) or _hardly_runs(without),
         )
+
+
+def _raising(syntax: Syntax) -> frozenset[str]:
+    """The names of the functions of a file that always raise."""
+    functions = (each for each in syntax.file.nodes if isinstance(each, (ast.FunctionDef, ast.AsyncFunctionDef)))
+    return frozenset(each.name for each in functions if any(isinstance(part, ast.Raise) for part in each.body))
 
 
 def _may_fail(node: ast.AST) -> bool:

@@ -7,6 +7,7 @@ import builtins
 import sys
 from collections.abc import Iterable
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from bringup_lint.facts import table
 from bringup_lint.graph.nodes.sources.idle import is_idle
@@ -20,12 +21,25 @@ from bringup_lint.model.python import walk
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
+if TYPE_CHECKING:
+    from bringup_lint.graph.nodes.nodes import Nodes
+    from bringup_lint.model.node_source import NodeSource
+
 _DYNAMIC = regex(
     r"\b(?:exec|eval|globals|locals|__import__|importlib|builtins)\b|\bvars\(",
     hints="exec eval globals locals __import__ importlib builtins vars(",
 )
-_OF_MODULES = frozenset({"__file__", "__path__", "__class__", "__module__", "__qualname__", "__annotations__", "_"})
-"""Names that no statement binds; ``_`` is that of gettext.install()."""
+_OF_MODULES = frozenset(
+    ("__file__", "__path__", "__class__", "__module__", "__qualname__", "__annotations__", "_", "WindowsError")
+)
+"""Names that no statement binds: ``_`` is that of gettext.install(), and one is looked up on Windows alone."""
+_OF_PYTHON_2 = frozenset(
+    ("basestring", "cmp", "execfile", "file", "long", "raw_input", "reduce", "reload", "unichr", "unicode", "xrange")
+)
+_BOTH_PYTHONS = regex(
+    r"\bversion_info\b|\bsys\.version\b|\bPY[23]\b|\bsix\b|\bpython2\b|\bpython_version\b",
+    hints="version_info sys.version py2 py3 six python2 python_version",
+)
 _CAUGHT = frozenset({"NameError", "Exception", "BaseException"})
 _BINDING_NOTHING = frozenset((ast.Attribute, ast.Call, ast.Constant, ast.Expr, ast.keyword, ast.Assign))
 """The most frequent syntax that binds no name by itself."""
@@ -47,6 +61,18 @@ class Undefined(NamedTuple):
     """It is in an ``except``, which runs only after something else has failed."""
     branch: bool = False
     """It is in a branch of its function, which may not run."""
+
+
+def undefined_in(nodes: Nodes, file: NodeSource) -> list[Undefined]:
+    """Those of a source of nodes; of another file none where a program loads it that gives it names, as SCons does,
+    and none that it may look up in Python 2 alone."""
+    found = list(undefined(nodes.syntax(file)))
+    if not found or not nodes.is_plain(file):
+        return found
+    if any(each.function is None and each.name.id not in _OF_PYTHON_2 for each in found):
+        return []
+    has_both = file.source.matches(_BOTH_PYTHONS)
+    return [each for each in found if each.name.id not in _OF_PYTHON_2 or not (each.branch or has_both)]
 
 
 def undefined(syntax: Syntax) -> Iterator[Undefined]:
