@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.containers.questions.shell_texts import checks_of
     from bringup_lint.graph.containers.questions.shell_texts import shell_texts
     from bringup_lint.graph.containers.ros_in_image import distro_of
+    from bringup_lint.graph.containers.ros_in_image import holds_ros
     from bringup_lint.graph.host.container_folders import CONTAINER_KINDS
     from bringup_lint.graph.host.container_folders import container_folders
     from bringup_lint.graph.host.container_folders import is_deployed_to
@@ -86,6 +87,7 @@ __all__ = [
     "foreign_programs",
     "foreign_workspaces",
     "has_dash",
+    "holds_ros",
     "image_name",
     "image_user",
     "is_deployed",

@@ -36,6 +36,7 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
@@ -43,6 +44,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.docker import Stage
 from bringup_lint.api.docker import commands_of
 from bringup_lint.api.docker import ended_release
+from bringup_lint.api.ros import distro_names
 from bringup_lint.api.shell import unwrapped
 
 ARCHIVES = regex(
@@ -51,6 +53,7 @@ ARCHIVES = regex(
     re.M,
 )
 """What gives apt other servers."""
+ROS_NAMES = regex(rf"(?<![a-z])(?:{'|'.join(distro_names())})(?![a-z])", re.I)
 HOSTS = {"debian": "archive.debian.org", "ubuntu": "old-releases.ubuntu.com"}
 
 
@@ -81,7 +84,13 @@ def distribution_ended(robot: Robot) -> Iterator[Finding]:
                     "the build stops",
                     advice=f"take a newer release, or write {HOSTS[release.distribution]} into the sources of apt",
                     related=[note(update, "asks the old servers")],
+                    severity="info" if _is_kept(file.source, release.codename) else None,
                 )
+
+
+def _is_kept(source: Source, codename: str) -> bool:
+    """Whether the path says for which ended release the file is: it is kept beside those for later ones."""
+    return codename in source.name.lower() or ROS_NAMES.search(source.name) is not None
 
 
 def _has_archive(robot: Robot, texts: list[str]) -> bool:

@@ -4,7 +4,7 @@
 FROM without a tag, or with `:latest`. Digests, earlier stages, `scratch` and variables are not reported, and neither
 are images that the tree builds, or that no registry can hold (a name without a namespace that is not an official
 image). One image is one finding, however many Dockerfiles build on it. It is info for stages from which files are
-only copied, and for images that a robot hardly runs by themselves.
+only copied, for images without ROS, and for images that a robot hardly runs by themselves.
 
 ## Why it matters on a robot
 The next build uses another Ubuntu, another ROS or another compiler, although nothing in the repository has changed.
@@ -37,6 +37,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.docker import Dockerfile
 from bringup_lint.api.docker import Stage
 from bringup_lint.api.docker import can_be_pulled
+from bringup_lint.api.docker import holds_ros
 from bringup_lint.api.docker import image_name
 from bringup_lint.api.docker import is_deployed
 
@@ -63,7 +64,8 @@ def no_pin(robot: Robot) -> Iterator[Finding]:
 
 def _is_kept(robot: Robot, file: Dockerfile, stage: Stage) -> bool:
     """Whether the image becomes part of one that a robot may run, rather than of a stage from which files are taken."""
-    return file.final is not None and stage in file.final.chain and is_deployed(robot.compose, file)
+    final = file.final
+    return final is not None and stage in final.chain and holds_ros(final) and is_deployed(robot.compose, file)
 
 
 def _is_pulled(robot: Robot, image: str) -> bool:

@@ -56,6 +56,7 @@ from bringup_lint.api.compose import Service
 from bringup_lint.api.compose import reach
 from bringup_lint.api.docker import Stage
 from bringup_lint.api.docker import can_be_pulled
+from bringup_lint.api.docker import holds_ros
 from bringup_lint.api.docker import image_user
 from bringup_lint.api.docker import is_deployed
 from bringup_lint.api.docker import last_user
@@ -134,8 +135,10 @@ def _found(robot: Robot) -> Iterator[AsRoot]:
         if (users and all(service.user is not None for service in users)) or image_user(stage) != "root":
             continue
         if not _drops_in_script(robot, stage) and not _entrypoint_is_unknown(robot, stage):
-            lowered = not is_deployed(robot.compose, file) or _serves_logins(stage) or _runs_packaged(stage)
-            yield AsRoot(stage, [service for service in users if service.user is None], lowered)
+            services = [service for service in users if service.user is None]
+            of_robot = is_deployed(robot.compose, file) and (holds_ros(stage) or any(map(reach, services)))
+            lowered = not of_robot or _serves_logins(stage) or _runs_packaged(stage)
+            yield AsRoot(stage, services, lowered)
 
 
 def _finding(image: AsRoot, *others: AsRoot) -> Finding:

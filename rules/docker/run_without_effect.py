@@ -3,7 +3,8 @@
 ## What it finds
 A `RUN` that does nothing but `source` a file, `export` variables, `cd` or define an `alias`, and one that ends with an
 `export`. One finding for each stage. A file that is sourced for nothing is an info where no later step of the stage
-calls anything of ROS without a setup file of its own.
+calls anything of ROS without a setup file of its own, and so is a folder that is entered where nothing after it is
+relative to it.
 
 ## Why it matters on a robot
 Every RUN has a shell of its own, and nothing of its environment is in the image: the next step builds without the
@@ -29,6 +30,7 @@ When the step only proves that the file can be read.
 """
 
 from collections.abc import Iterator
+from itertools import takewhile
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
@@ -43,6 +45,12 @@ from bringup_lint.api.shell import Command
 OF_THE_SHELL = ("source", ".", "export", "cd", "alias", "unset")
 OF_ROS = regex(r"\b(?:colcon|ros2|ament_\w+|cmake|rosdep[ \t]+install|ROS_DISTRO)\b")
 """What a step needs the environment of a workspace for."""
+FROM_HERE = regex(
+    r"(?:^|[\s=\"'])(?:\.{1,2}(?=[/\s]|$)|[\w.-]+/|[\w-]+\.(?:sh|bash|py|txt)\b)|\b(?:make|cmake|colcon|catkin|npm|yarn|cargo)\b"
+    r"|\bgit\b(?!\s+(?:clone|-C)\b)"
+)
+"""A relative path in a command line, or a program that works on the folder in which it is started."""
+STARTS = ("RUN", "CMD", "ENTRYPOINT")
 BUILDS = regex(r"\b(?:colcon|ros2|ament_\w+|cmake)\b")
 """The same where the image knows ROS_DISTRO by itself."""
 ADVICE = {
@@ -81,11 +89,16 @@ def _lost(stage: Stage) -> Iterator[Command]:
 
 
 def _is_idle(stage: Stage, lost: Command) -> bool:
-    """Whether a file is sourced, and no step after it would find anything of ROS in its environment."""
+    """Whether a file is sourced, and no step after it would find anything of ROS in its environment, or a folder is
+    entered to which none of them refers."""
+    later = [each for each in stage.instructions if each.keyword.span.start > lost.words[0].span.start]
+    if lost.name == "cd":
+        steps = [each for each in takewhile(lambda each: each.name != "WORKDIR", later) if each.name in STARTS]
+        return not any(FROM_HERE.search("\n".join([each.value, *each.heredocs])) for each in steps)
     if lost.name not in ("source", "."):
         return False
     needs = BUILDS if "ROS_DISTRO" in " ".join(lost.words) else OF_ROS
-    later = (run for run in stage.all("RUN") if run.keyword.span.start > lost.words[0].span.start)
+    later = [each for each in later if each.name == "RUN"]
     steps = ("\n".join([run.value, *run.heredocs]) for run in later)
     return not any(needs.search(step) and "setup." not in step for step in steps)
 

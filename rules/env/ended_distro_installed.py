@@ -42,6 +42,7 @@ from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.ros import distro_end
+from bringup_lint.api.ros import distro_names
 from bringup_lint.api.ros import distros_since
 from bringup_lint.api.ros import ros1
 
@@ -53,7 +54,7 @@ TAKES = regex(
     rf"|\bFROM[ \t]{{1,8}}\S{{0,80}}?\bros:(?P<image>{NAMES})\b",
     hints=" ".join((*FIRST, *SECOND)),
 )
-WORDS = regex(rf"(?<![a-z])(?:{NAMES})(?![a-z])", re.I)
+WORDS = regex(rf"(?<![a-z])(?:{'|'.join(distro_names())})(?![a-z])", re.I)
 REMARK = regex(r"(?:^|[ \t])#")
 KINDS = ("shell-script", "systemd-unit", "dockerfile")
 VERSION = regex(r"(?:^|[/._-])(?:1[4-9]|2\d)\.(?:04|10)/")

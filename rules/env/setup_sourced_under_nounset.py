@@ -4,7 +4,7 @@
 `source .../setup.bash` in a script, or in the text after `bash -c` of a unit, a container or a cron job, after
 `set -u`, `set -eu...` or `set -o nounset`, without a `set +u` in between. A script that begins with `#!/bin/bash -u`
 counts, too. Only setup files below `/opt/ros/`, `install/` and `devel/` count, because another `setup.sh` may be
-anything. Silent if the script sets AMENT_TRACE_SETUP_FILES.
+anything. Silent if the script sets AMENT_TRACE_SETUP_FILES or COLCON_TRACE.
 
 ## Why it matters on a robot
 The ROS setup files read variables that are not set: the script exits there, and the service with it.
@@ -27,7 +27,7 @@ When the environment of the script always sets AMENT_TRACE_SETUP_FILES.
 
 ## References
 - bash(1), "set -u"
-- ament_package, `prefix_level/setup.sh`: reads AMENT_TRACE_SETUP_FILES
+- ament_package, `prefix_level/setup.sh`: reads AMENT_TRACE_SETUP_FILES; colcon-bash, `prefix.bash.em`: COLCON_TRACE
 """
 
 from collections.abc import Iterable
@@ -52,8 +52,8 @@ from bringup_lint.api.shell import unwrapped
 SETUP = regex(r"(?:^|/)(?:opt/ros/[^/]+|install|install_\w+|devel)/(?:local_)?setup\.(?:bash|sh)$")
 """The files of a distribution or of a built workspace; another setup.sh may be anything."""
 
-TRACE = regex(r"AMENT_TRACE_SETUP_FILES=|\$\{AMENT_TRACE_SETUP_FILES:?=")
-"""What sets the variable that each setup file reads first."""
+TRACE = regex(r"(?:\$\{)?(?:AMENT_TRACE_SETUP_FILES|COLCON_TRACE):?=")
+"""What sets the variable that the setup files of a distribution, or of a workspace, read first."""
 _SHEBANG = regex(r"#![^\n]{0,80}sh[ \t]+-\w{0,9}u\w{0,9}\b", hints="#!")
 _ON, _OFF = regex(r"-[a-zA-Z]*u[a-zA-Z]*"), regex(r"\+[a-zA-Z]*u[a-zA-Z]*")
 

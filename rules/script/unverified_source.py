@@ -74,6 +74,10 @@ KEY = regex(
     rf"|\bapt-key\b{PART}{{0,100}}?--fetch-keys\s+[\"']?(?P<fetched>{PLAIN_HTTP})",
     hints="http:// apt-key",
 )
+UNSIGNED_INSTALLS = (
+    "apt installs what nobody signed: whoever has the server or the way to it can give the robot a package"
+)
+SIGNED_BY = "import the key of the repository and name it with signed-by="
 ADDRESS = regex(r"https://(?P<host>[a-zA-Z][\w-]*(?:\.[\w-]+)+)(?P<path>/\S*)?")
 LOCAL = regex(r"\.(?:local|lan|internal|home)$")
 LOOKED_FOR = regex(r"\bgrep\b[^|;&]*$|\bsed\b[^|;&]*['\"]\\?/[^|;&]*$")
@@ -90,11 +94,8 @@ def unverified_source(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("shell-script", "dockerfile"):
         if source.judged and not source.template and source.origin is None:
             unsigned = [_word(source, match) for match in UNSIGNED.finditer(source.text) if _is_said(source, match)]
-            yield from _finding(
-                unsigned,
-                "apt installs what nobody signed: whoever has the server or the way to it can give the robot a package",
-                "import the key of the repository and name it with signed-by=",
-            )
+            trusts = [word for word in unsigned if word.endswith("=yes")]
+            yield from _finding(unsigned, UNSIGNED_INSTALLS, SIGNED_BY if trusts else "remove the option")
             if not CHECKED.search(source.text):
                 yield from _finding(
                     [_word(source, match) for match in KEY.finditer(source.text) if _is_said(source, match)],

@@ -7,7 +7,7 @@ One of these in a unit:
 - a key that it accepts but ignores;
 - one of the five start limit keys that [Service] still accepts although they belong in [Unit].
 
-A name that still has its effect is info.
+A name that still has its effect is info, and so is a line that systemd ignores and that nothing replaces.
 
 ## Why it matters on a robot
 The unit works on the release for which it was written. After an upgrade of the robot's operating system, the
@@ -93,7 +93,8 @@ def _key(line: Line, old: Legacy, *, safe: bool) -> Finding:
     if old.effect == "ignored":
         advice = f"remove the line: {old.replacement}= replaces it" if old.replacement else "remove the line"
         removal = fix("remove the line", delete_lines(line.assignment), safe=safe)
-        return finding(key, f"{key}= was removed: systemd ignores the line", advice=advice, fix=removal)
+        message, severity = f"{key}= was removed: systemd ignores the line", None if old.replacement else "info"
+        return finding(key, message, advice=advice, fix=removal, severity=severity)
     if old.effect.startswith("moved:"):
         home = old.effect.partition(":")[2]
         text = f"{old.replacement}={line.value}"

@@ -1,12 +1,12 @@
 """PIDFile= of a service that does not fork.
 
 ## What it finds
-`PIDFile=` in a service with another type than `forking`. One finding names the lines of one unit. It is an info with
-`Type=oneshot`, whose program is to end.
+`PIDFile=` in a service with another type than `forking`. One finding names the lines of one unit.
 
 ## Why it matters on a robot
 At the start, systemd reads the file with Type=forking only. The unit looks as if a program were watched by its PID,
-which some service scripts write with care, and in truth systemd watches the process that it started itself. Two units
+which some service scripts write with care, and in truth systemd watches the process that it started itself. It only
+removes the file after the stop. Two units
 with one PIDFile= remove each other's file when they stop.
 
 ## Bad
@@ -41,7 +41,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.systemd import Unit
 
 
-@rule("warning", silent="systemd reads the file of a forking service only, and says nothing of any other")
+@rule("info", silent="systemd reads the file of a forking service only, and says nothing of any other")
 def pidfile_unused(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
         kind, path = unit.get("Type"), unit.get("PIDFile")
@@ -55,7 +55,6 @@ def pidfile_unused(robot: Robot) -> Iterator[Finding]:
             + ("the line has no effect" if kind == "oneshot" else f"{unit.name} is not watched by it"),
             advice="remove the line, or use Type=forking where the program forks and writes the file",
             related=[note(kind, "the type")] if kind else (),
-            severity="info" if kind == "oneshot" else None,
         )
 
 

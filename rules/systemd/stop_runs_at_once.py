@@ -54,7 +54,7 @@ def stop_runs_at_once(robot: Robot) -> Iterator[Finding]:
     after = _ordered(robot)
     for unit in robot.units.services:
         kind = unit.get("Type")
-        if unit.uncertain or kind not in ENDING or unit.flag("RemainAfterExit") or _starts_again(unit):
+        if unit.uncertain or kind not in ENDING or unit.flag("RemainAfterExit") or _starts_again(robot, unit):
             continue
         started = robot.units.started(unit)
         work = [set_up(process) for process in started]
@@ -79,9 +79,9 @@ def stop_runs_at_once(robot: Robot) -> Iterator[Finding]:
             )
 
 
-def _starts_again(unit: Unit) -> bool:
-    """Whether systemd runs the work again and again, so that it is meant to end."""
-    return unit.get("Restart") in ("always", "on-success")
+def _starts_again(robot: Robot, unit: Unit) -> bool:
+    """Whether systemd or a timer runs the work again and again, so that it is meant to end."""
+    return unit.get("Restart") in ("always", "on-success") or unit.name in robot.units.triggered
 
 
 def _ordered(robot: Robot) -> dict[str, list[tuple[Unit, Located]]]:

@@ -5,8 +5,8 @@
 `GROUP`. Silent for a `static_node=`, whose tags logind reads from a file.
 
 ## Why it matters on a robot
-73-seat-late.rules gives the logged-in user access to tagged devices. Nothing evaluates a tag that is set
-later: every user except root gets 'permission denied'.
+73-seat-late.rules gives the logged-in user access to tagged devices as they appear. A tag that is set later counts at
+the next login at the computer itself: until then, and over ssh, every user except root gets 'permission denied'.
 
 ## Bad
 ```udev
@@ -25,6 +25,7 @@ If another rule gives the device its permissions, for example by `GROUP` and `MO
 the tag is left over.
 
 ## References
+- systemd, src/login/logind-acl.c: at a login, all devices with the tag are opened to the user
 - https://github.com/libusb/hidapi/issues/326
 - https://github.com/raspberrypi/picotool/issues/199
 """
@@ -48,6 +49,7 @@ def uaccess_too_late(robot: Robot) -> Iterator[Finding]:
             if token.value == "uaccess" and token.operator != "-=":
                 yield finding(
                     token.span,
-                    f"73-seat-late.rules evaluates this tag before {line.source.basename} is read: users get no access",
+                    f"73-seat-late.rules evaluates this tag before {line.source.basename} is read: who is logged in "
+                    "when the device is plugged in gets no access",
                     advice="move the rule to a file such as 70-robot.rules, or use GROUP and MODE",
                 )

@@ -15,7 +15,7 @@ SHELLS = frozenset({"sh", "bash", "dash", "zsh", "ksh"})
 SH_IS_BASH = regex(r"\bln\s[^\n;|]{0,40}\bbash\s+(?:/usr)?/bin/sh\b|\bdash/sh\s+(?:boolean\s+)?false\b")
 """Steps that put bash in the place of dash as /bin/sh."""
 STRICT = (
-    r"(?<![\w#-])(?<!#[ \t])set[ \t]+(?:[-+]\w{1,9}[ \t]+(?:pipefail[ \t]+)?){0,4}-(?:\w{0,8}e|o[ \t]+errexit)"
+    r"(?<![\w#-])(?<!#[ \t])set[ \t]+(?:[-+]\w{1,9}[ \t]+(?:[a-z]{5,12}[ \t]+)?){0,4}-(?:\w{0,8}e|o[ \t]+errexit)"
     r"|^#![^\n]{0,80}[ \t]-\w{0,8}e"
 )
 """Part of a pattern (with re.M): the first failing command ends the script, by ``set -e`` or ``#!/bin/bash -e``."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from bringup_lint.facts.ros.distros import distros_since
 from bringup_lint.graph.containers.base_images import ros_distro
 from bringup_lint.graph.containers.base_images import ubuntu_codename
@@ -10,7 +12,15 @@ from bringup_lint.model.dockerfile import Stage
 from bringup_lint.parsers.dockerfile_variables import variables
 from bringup_lint.pattern import regex
 
+_NAMED = regex(r"\b(?:ros2?\b|ros[-_:]|colcon\b|rosdep\b|ament|rmw_|rclpy|rclcpp)", re.I, "ros colcon ament rmw_ rcl")
 _INSTALLED = regex(r"\binstall\b[^\n;&]*?\bros-(?P<distro>[a-z]+|\$\{?ROS_DISTRO\}?)-[a-z]")
+
+
+def holds_ros(stage: Stage) -> bool:
+    """Whether an image begins with one of ROS, or a step or a program of it names ROS."""
+    if ros_distro(stage.origin):
+        return True
+    return any(_NAMED.search(each.value) for one in stage.chain for each in one.instructions)
 
 
 def distro_of(stage: Stage) -> str:

@@ -222,7 +222,8 @@ def secret(name: str, value: Located, holder: str) -> Secret | None:
     weak = _WEAK.match(text) is not None
     if not weak and (_NO_VALUE.match(text) or is_stand_in(text) or has_placeholder(text)):
         return None
-    return Secret(part, name, holder, weak, _stands_in(part))
+    sample = _stands_in(part) or (in_address is not None and text == "pass")
+    return Secret(part, name, holder, weak, sample)
 
 
 def assigned_secret(text: Located) -> Secret | None:

@@ -23,7 +23,9 @@ _RELAYS = frozenset(
 _OWN_PLACE = regex(r"/(?:opt|srv)/", 0, "/opt/ /srv/")
 _NEEDS_ROOT = regex(
     r"\b(?:ip (?:-\S+ ){0,8}link|ifconfig|modprobe|insmod|mount|iptables|nft|sysctl|systemctl|nvpmodel|jetson_clocks"
-    r"|slcand|hciconfig|rfkill|reboot|poweroff|shutdown|chown|setcap)\b"
+    r"|slcand|hci(?:config|attach)|btattach|rfkill|reboot|poweroff|shutdown|chown|setcap|ufw|apt-get|dpkg|raspi-config"
+    r"|user(?:add|mod)|hostnamectl|update-grub)\b|\bapt (?:-\S+ ){0,4}(?:install|update|upgrade)\b"
+    r"|/boot/(?:firmware/)?\w+\.txt"
 )
 """What a script does that only root may."""
 _CONTAINERS = frozenset(
@@ -46,7 +48,7 @@ class Work(Enum):
     ROS = "ROS"
     PROBABLY_ROS = "a script outside the tree, in a tree for ROS"
     IN_HOME = "a program in the home of a user, who can change it"
-    SET_UP_IN_HOME = "the same, once: what sets something up may need root"
+    SET_UP_IN_HOME = "the same, where what it does once, or anything that it does, may need root"
     OWN_SCRIPT = "a script that the distribution does not ship"
     OWN_PROGRAM = "a program that no package of the distribution brings"
     RELAY = "a program that relays data"
@@ -98,12 +100,17 @@ def needless_root(process: Process, units: Units) -> NeedlessRoot | None:
     for path in paths:
         home = _HOME.match(path)
         if home:
-            return NeedlessRoot(Work.SET_UP_IN_HOME if ends else Work.IN_HOME, path, home[1])
-    if ends:
+            sets_up = ends or _needs_root(process, units)
+            return NeedlessRoot(Work.SET_UP_IN_HOME if sets_up else Work.IN_HOME, path, home[1])
+    if ends or _needs_root(process, units):
         return None
     if _INTERPRETER.match(process.name) and len(paths) > 1 and not paths[1].startswith(_OF_DISTRIBUTION):
         return NeedlessRoot(Work.OWN_SCRIPT, paths[1])
     if process.name in _RELAYS:
         return NeedlessRoot(Work.RELAY, process.program)
-    own = _OWN_PLACE.match(process.program) and not any(_NEEDS_ROOT.search(text) for text in process.texts)
-    return NeedlessRoot(Work.OWN_PROGRAM, process.program) if own else None
+    return NeedlessRoot(Work.OWN_PROGRAM, process.program) if _OWN_PLACE.match(process.program) else None
+
+
+def _needs_root(process: Process, units: Units) -> bool:
+    """Whether the unit does something that only root may, in any of its command lines."""
+    return any(_NEEDS_ROOT.search(text) for each in units.processes(process.unit) for text in each.texts)
