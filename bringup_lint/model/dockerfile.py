@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from collections.abc import Iterator
 from collections.abc import Mapping
 from functools import cached_property
@@ -91,6 +92,10 @@ class Stage:
         return list(self.chain)[-1].resolved
 
 
+_FROM = regex(r"(?:--|,)from=([\w.-]+)")
+"""The stage of a COPY, or of a mount of RUN."""
+
+
 @dataclass(eq=False)
 class Dockerfile:
     source: Source
@@ -113,6 +118,25 @@ class Dockerfile:
 
     def stage(self, name: str) -> Stage | None:
         return self._named.get(name.lower())
+
+    def needed(self, images: Iterable[Stage]) -> set[Stage]:
+        """The stages that a build of these images runs: those below them, and those from which files are taken."""
+        found: set[Stage] = set()
+        todo = list(images)
+        while todo:
+            for stage in todo.pop().chain:
+                if stage not in found:
+                    found.add(stage)
+                    flags = (flag for each in stage.instructions for flag in each.flags)
+                    names = (match[1] for flag in flags for match in _FROM.finditer(flag))
+                    todo += [each for name in names if (each := self._taken(name)) is not None]
+        return found
+
+    def _taken(self, name: str) -> Stage | None:
+        """The stage that ``--from=`` names, by its name or its number."""
+        if name.isdigit() and len(name) < 5:
+            return self.stages[int(name)] if int(name) < len(self.stages) else None
+        return self.stage(name)
 
     @cached_property
     def instructions(self) -> list[Instruction]:

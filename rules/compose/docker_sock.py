@@ -38,9 +38,10 @@ from bringup_lint.api import rule
 from bringup_lint.api.compose import Volume
 
 MANAGES = regex(
-    r"(?:^|/)(?:watchtower|portainer(?:-[a-z]+)?|dozzle|diun|autoheal|docker-autoheal|lazydocker)(?=[:@]|$)"
+    r"(?:^|/)(?:watchtower|portainer(?:-[a-z]+)?|dozzle|diun|autoheal|docker-autoheal|lazydocker|yacht|dockge|traefik"
+    r"|nginx-proxy|docker-gen|cadvisor|telegraf|promtail|docker-socket-proxy|openhands)(?=[:@]|$)"
 )
-"""Images that do nothing but manage containers, and work only through the socket."""
+"""Images that manage or watch containers, and work only through the socket."""
 
 
 @rule("warning", silent="the socket works as it was mounted", tags=["CWE-250"])

@@ -5,6 +5,8 @@
 Dockerfile, and those that a compose file or a build command of the tree names as target. Silent where the stage
 installs compilers for another processor or begins with `scratch`.
 
+It is an info where nothing of the tree builds for another platform.
+
 ## Why it matters on a robot
 The flag is for stages that only compile, and from which COPY --from takes the result. With
 `docker buildx build --platform linux/arm64` on a PC the image is marked as one for arm64 and holds programs for amd64:
@@ -40,6 +42,12 @@ from bringup_lint.api import rule
 
 CROSS = regex(r"\bg(?:cc|\+\+)-(?:\d+-)?(?:aarch64|arm|riscv64|x86-64)-linux-gnu|\bcrossbuild-essential-")
 """Compilers for another processor, in an image that only compiles."""
+OTHER_PLATFORMS = regex(
+    r"--platform[ =]+[\"']?linux/|\bplatforms?:[ \t]*(?:\n[ \t]*-[ \t]*)?[\"'\[ ]*linux/|\bbinfmt\b|setup-qemu"
+    r"|qemu-user-static",
+    hints="linux/ binfmt qemu",
+)
+"""What builds or runs images for another platform than that of the computer."""
 
 
 @rule("warning", symptoms=["exec format error"])
@@ -59,4 +67,5 @@ def built_for_host(robot: Robot) -> Iterator[Finding]:
                     "This image gets the programs of the computer that builds it, whatever platform it is built for",
                     advice="leave --platform out of the stages of which the image consists",
                     related=[] if stage is image else [note(image.start.value, "the image builds on it")],
+                    severity=None if robot.mentions(OTHER_PLATFORMS) else "info",
                 )

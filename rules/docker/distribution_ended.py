@@ -42,7 +42,7 @@ from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.docker import Stage
-from bringup_lint.api.docker import commands_of
+from bringup_lint.api.docker import commands_of_run
 from bringup_lint.api.docker import ended_release
 from bringup_lint.api.ros import distro_names
 from bringup_lint.api.shell import unwrapped
@@ -54,6 +54,8 @@ ARCHIVES = regex(
 )
 """What gives apt other servers."""
 ROS_NAMES = regex(rf"(?<![a-z])(?:{'|'.join(distro_names())})(?![a-z])", re.I)
+STRICT = regex(r"\bset\s+-\w{0,8}e|errexit")
+"""Without it, the shell of a here-document goes on after a failure."""
 HOSTS = {"debian": "archive.debian.org", "ubuntu": "old-releases.ubuntu.com"}
 
 
@@ -69,8 +71,10 @@ HOSTS = {"debian": "archive.debian.org", "ubuntu": "old-releases.ubuntu.com"}
 def distribution_ended(robot: Robot) -> Iterator[Finding]:
     seen = set()
     for file in robot.dockerfiles:
+        images = [each for each in file.stages if each in robot.compose.built_stages]
+        built = file.needed(images or file.stages[-1:])
         for stage in file.stages:
-            release = ended_release(stage.origin)
+            release = ended_release(stage.origin) if stage in built else None
             bottom = list(stage.chain)[-1]
             if release is None or bottom in seen or robot.compose.images.is_chosen(stage, tag=True):
                 continue
@@ -106,7 +110,8 @@ def _texts(stage: Stage) -> Iterator[str]:
 
 def _update(stage: Stage) -> Located | None:
     """The first command that asks for the lists of packages, where its failure stops the build."""
-    for command in commands_of(stage):
+    steps = (run for run in stage.all("RUN") if not run.heredocs or any(map(STRICT.search, run.heredocs)))
+    for command in (each for run in steps for each in commands_of_run(run)):
         words = unwrapped(command.words)
         if words and words[0] in ("apt", "apt-get") and "update" in words and command.ends != "||":
             return words[0]

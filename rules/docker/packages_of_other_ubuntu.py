@@ -63,13 +63,17 @@ SOURCES = regex(r"sources\.list(?:\.d)?(?:/[\w.-]*)?[\s\"\]]*$")
 
 @rule("error", symptoms=["E: Unable to locate package ros-*"])
 def packages_of_other_ubuntu(robot: Robot) -> Iterator[Finding]:
+    seen: set[Stage] = set()
     for file in robot.dockerfiles:
         for stage in file.stages:
+            if not seen.isdisjoint(stage.chain):
+                continue
             codename = ubuntu_codename(stage.origin)
             if not codename or robot.compose.images.is_chosen(stage, tag=True):
                 continue
             package = _foreign(stage, codename)
             if package is not None:
+                seen.add(stage)
                 yield _finding(package, stage.start.value, codename, package)
     yield from _of_services(robot)
 

@@ -93,8 +93,8 @@ def _is_idle(stage: Stage, lost: Command) -> bool:
     entered to which none of them refers."""
     later = [each for each in stage.instructions if each.keyword.span.start > lost.words[0].span.start]
     if lost.name == "cd":
-        steps = [each for each in takewhile(lambda each: each.name != "WORKDIR", later) if each.name in STARTS]
-        return not any(FROM_HERE.search("\n".join([each.value, *each.heredocs])) for each in steps)
+        from_there = [each for each in takewhile(lambda each: each.name != "WORKDIR", later) if each.name in STARTS]
+        return not any(FROM_HERE.search("\n".join([each.value, *each.heredocs])) for each in from_there)
     if lost.name not in ("source", "."):
         return False
     needs = BUILDS if "ROS_DISTRO" in " ".join(lost.words) else OF_ROS

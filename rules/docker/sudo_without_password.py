@@ -66,6 +66,8 @@ CHOOSES = regex(
 """A condition that asks for an argument of the build."""
 DEVELOPMENT = regex(r"(?:^|[-_])dev(?:el|elop|elopment|elopers?|container)?(?:$|[-_])", re.I)
 """The name of a stage in which somebody works."""
+SUDO = regex(r"(?:^|[;&|][ \t]*)sudo[ \t]", re.M)
+"""The start of a command that needs it."""
 WAITS = ("tail", "sleep")
 
 
@@ -87,6 +89,7 @@ def sudo_without_password(robot: Robot) -> Iterator[Finding]:
                 f"Every program of the image can become root without a password: USER {user} protects nothing",
                 advice="leave the line out of the image that runs on the robot",
                 related=[note(user, "the user that it runs as")],
+                severity="info" if _is_needed(file.final, given) else None,
             )
 
 
@@ -96,6 +99,12 @@ def _only_waits(runs: Instruction) -> bool:
     words = [word for word in given if not word.startswith("-")]
     name = program_name(words[0]) if words else ""
     return not name or name in WAITS or (name in SHELLS and (len(words) == 1 or words[1].startswith(WAITS)))
+
+
+def _is_needed(stage: Stage, given: Located) -> bool:
+    """Whether later steps of the same Dockerfile call sudo: without the line they would fail."""
+    later = (each for each in stage.all("RUN") if each.keyword.span.start > given.span.end)
+    return any(SUDO.search(each.value) for each in later)
 
 
 def _given(stage: Stage, user: str | None) -> Located | None:

@@ -3,7 +3,7 @@
 ## What it finds
 Launch files that give the argument `use_sim_time` to some of their nodes. Other nodes that depend on time
 (localisation, mapping, planning, control, robot state) get neither the argument nor a parameter file, or a parameter
-with nearly that name.
+with nearly that name. Silent for robot_state_publisher, which takes the time of the joint states.
 
 ## Why it matters on a robot
 In a simulation, or when a recording is replayed, half of the nodes use another time. Transforms are too old or in
@@ -72,9 +72,9 @@ def use_sim_time_not_propagated(robot: Robot) -> Iterator[Finding]:
                 continue
             if launch.literal_text(node.executable) == "static_transform_publisher" or chosen_by_clock(node):
                 continue
-            if is_of_part(robot, node):
-                continue
             typo = misspelt(node)
+            if typo is None and copies_stamps(node):
+                continue
             why = f": '{typo}' is another parameter" if typo is not None else ""
             yield finding(
                 node.span,
@@ -104,11 +104,9 @@ def pass_on(node: launch.Started, given: launch.Started) -> Fix | None:
     return fix("pass use_sim_time to the node", codemod=change, safe=False) if change else None
 
 
-def is_of_part(robot: Robot, node: launch.Started) -> bool:
-    """Whether a robot_state_publisher is one for a sensor or another part with fixed joints: it has a name of its own,
-    and publishes /tf_static once."""
-    named = node.name is not None and launch.literal_text(node.name) != "robot_state_publisher"
-    return named and robot.launch.role(node).role == "state"
+def copies_stamps(node: launch.Started) -> bool:
+    """Whether the transforms of a node get the time of the messages from which they come, whatever its own clock is."""
+    return launch.literal_text(node.executable) == "robot_state_publisher"
 
 
 def chosen_by_clock(node: launch.Started) -> bool:

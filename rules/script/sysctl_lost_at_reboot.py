@@ -60,6 +60,13 @@ SCRIPT = regex(r"[\w.-]{1,80}\.(?:ba)?sh\b")
 STARTS = regex(r"(?m)^[ \t]*(?:exec[ \t]+)?(?:ros2[ \t]+(?:launch|run)[ \t]|\"?\$@)")
 """The script sets the parameter at each start of the robot's software."""
 CHANGES = regex(r"\b(?:sysctl|iptables|modprobe)\b|/proc/sys/", hints="sysctl iptables modprobe /proc/sys/")
+KNOWN = regex(
+    r"^[ \t]*#[^\n]{0,200}\b(?:persist|re-?run"
+    r"|(?:each|every|once per|after (?:a |the |each |every )?)[ \t]?(?:re)?(?:boot|start-?up))",
+    re.M | re.I,
+    "persist run boot start",
+)
+"""A comment that says that the script is to be run after each boot."""
 INSTALLERS = ("apt", "apt-get", "pip", "pip3", "dpkg")
 
 
@@ -86,7 +93,7 @@ def sysctl_lost_at_reboot(robot: Robot) -> Iterator[Finding]:
                 by_script[source] = lost
     at_each_start = _of_starts(robot) if by_script else set()
     for source, (first, *others) in by_script.items():
-        if robot.scripts.starts_by_itself(source) or source.basename in at_each_start:
+        if robot.scripts.starts_by_itself(source) or source.basename in at_each_start or KNOWN.search(source.text):
             continue
         yield finding(
             first.where,

@@ -108,4 +108,4 @@ def _key(line: Line, old: Legacy, *, safe: bool) -> Finding:
         change = fix(f"rename to {old.replacement}", (key, old.replacement), safe=safe)
         message = f"{key}= is obsolete ({old.note}), and still has its effect"
         return finding(key, message, advice=f"use {old.replacement}=", fix=change, severity="info")
-    return finding(key, f"{key}= is obsolete", advice=old.note)
+    return finding(key, f"{key}= is obsolete", advice=old.note, severity="info")
