@@ -34,6 +34,9 @@ if TYPE_CHECKING:
     from bringup_lint.graph.installed.script_functions import functions
     from bringup_lint.graph.installed.without_sudo import without_sudo
     from bringup_lint.graph.runners.questions.edits_without_effect import lost_edits
+    from bringup_lint.graph.runners.questions.errexit import Statement
+    from bringup_lint.graph.runners.questions.errexit import ended_by_failure
+    from bringup_lint.graph.runners.questions.errexit import is_inverted
     from bringup_lint.graph.runners.questions.every_command import every_command
     from bringup_lint.graph.runners.questions.every_command import with_inner
     from bringup_lint.model.shell import Block
@@ -49,6 +52,7 @@ if TYPE_CHECKING:
     from bringup_lint.parsers.shell import shell_commands
     from bringup_lint.parsers.shell_syntax import Mistake
     from bringup_lint.parsers.shell_syntax import syntax_mistake
+    from bringup_lint.parsers.shell_tokens import substitutions
     from bringup_lint.parsers.shell_tokens import tokens
 else:
     __getattr__ = on_demand(globals())
@@ -66,16 +70,19 @@ __all__ = [
     "Option",
     "Redirect",
     "Run",
+    "Statement",
     "Task",
     "Word",
     "Written",
     "background_jobs",
     "commands",
+    "ended_by_failure",
     "every_command",
     "functions",
     "has_busybox",
     "in_tree",
     "is_forgiven",
+    "is_inverted",
     "lost_edits",
     "masked_units",
     "may_fail",
@@ -92,6 +99,7 @@ __all__ = [
     "shell_commands",
     "shell_input",
     "short_calls",
+    "substitutions",
     "syntax_mistake",
     "tasks",
     "tokens",

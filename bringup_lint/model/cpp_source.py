@@ -140,13 +140,11 @@ class StuckJoin(NamedTuple):
 
 
 class Swallowed(NamedTuple):
-    """A failure after which the program ends with status 0."""
+    """A handler that takes what a spin throws, after which the program ends with status 0."""
 
     place: Span
-    """What the handler takes; or the loop that is left out."""
+    """What it takes."""
     spin: Span
-    """What throws; or the branch that logs the failure."""
-    is_caught: bool = True
 
 
 class Dropped(NamedTuple):

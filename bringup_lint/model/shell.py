@@ -129,7 +129,7 @@ class Block:
     """The body; for ``branches`` every branch."""
     arrays: tuple[tuple[str, int], ...] = ()
     """Arrays that a command assigns: name and number of words."""
-    arithmetic: str = ""
+    arithmetic: Located | None = None
     """The text of ``((...))``."""
     redirects: tuple[Redirect, ...] = ()
     """The redirections of a compound command."""

@@ -53,7 +53,7 @@ def shell_commands(source: Source) -> list[Command]:
 
 def shell_blocks(source: Source) -> tuple[Block, ...]:
     """The statements of a whole script file."""
-    return blocks(script_text(source))
+    return script_blocks(source)
 
 
 def words(line: Located) -> Iterator[Located]:
@@ -123,7 +123,7 @@ class _Reader:
 
     def statement(self, depth: int) -> Block | None:
         block = self.command(depth)
-        if block is None or block.kind == "command":
+        if block is None or block.command is not None:
             return block
         redirects = tuple(self.redirects([]))
         return replace(block, redirects=redirects, ends=self.end())
@@ -157,7 +157,7 @@ class _Reader:
             return Block("group", bodies=(self.statements(frozenset({")"}), depth + 1),))
         return self.simple()
 
-    def arithmetic(self) -> str:
+    def arithmetic(self) -> Located:
         """The text between ``((`` and ``))``."""
         start = self.tokens[self.at + 1].text.span
         self.at += 2
@@ -166,7 +166,7 @@ class _Reader:
             end = token.text.span
             self.at += 1
         self.at += 2
-        return start.source.text[start.end : end.end]
+        return start.source.located(start.end, end.end)
 
     def for_loop(self, depth: int) -> Block:
         self.at += 1

@@ -2,12 +2,14 @@
 
 ## What it finds
 In the list form of ENTRYPOINT, CMD, `entrypoint:` and `command:`: a whole command line as one word, a shell that is
-given a command line without `-c`, and a shell with `-c` whose command is only the first of several words.
+given a command line without `-c`, a shell with `-c` whose command is only the first of several words, and a word in
+single quotes of its own where no shell or script reads them.
 
 ## Why it matters on a robot
 Docker starts the first word as a program, and looks for one with blanks in its name. A shell without `-c` takes its
 first word for the name of a script. With `-c`, the second word is the command line, and those after it are `$0`, `$1`
-and so on: `bash -c ros2 launch rover rover.launch.py` runs `ros2` without arguments.
+and so on: `bash -c ros2 launch rover rover.launch.py` runs `ros2` without arguments. Quotes in a word
+reach the program.
 
 ## Bad
 ```dockerfile
@@ -46,6 +48,9 @@ from bringup_lint.api.shell import unwrapped
 OPTION = regex(r"-[a-zA-Z]*c")
 LINE = regex(r"(?:ros2|source|\.|cd|exec|python3?|bash|sh|\S*/[\w.-]+)[ \t]+\S")
 """The beginning of a command line with arguments."""
+QUOTED = regex(r"'[^']+'")
+READERS = frozenset(("ros2", "su", "ssh", "xargs", "watch", "screen", "tmux", "eval"))
+"""Programs that read quotes in their words themselves, or hand them to a shell."""
 TAKES = regex(r"\$[@*0-9{]")
 
 
@@ -61,6 +66,8 @@ def start_not_run(robot: Robot) -> Iterator[Finding]:
     for runner in robot.runners.in_containers:
         for line in runner.main:
             wrong = _wrong(unwrapped(line.argv))
+            if wrong is None and not any(step.script is not None for step in line.steps):
+                wrong = _quoted(unwrapped(line.argv))
             if wrong is None or wrong.word.span in seen:
                 continue
             seen.add(wrong.word.span)
@@ -91,6 +98,17 @@ def _wrong(words: tuple[Located, ...]) -> Wrong | None:
             "write -c before it",
         )
     return _of_command(program_name(first), rest)
+
+
+def _quoted(words: tuple[Located, ...]) -> Wrong | None:
+    """A word with quotes that nobody takes away."""
+    if not words or program_name(words[0]) in READERS or program_name(words[0]) in SHELLS:
+        return None
+    for word in words[1:]:
+        if QUOTED.fullmatch(word):
+            message = f"No shell reads this list: {program_name(words[0])} gets the quotes as part of its argument"
+            return Wrong(word, message, f"write {word[1:-1]} without the single quotes")
+    return None
 
 
 def _of_command(shell: str, words: list[Located]) -> Wrong | None:

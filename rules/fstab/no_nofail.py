@@ -4,7 +4,7 @@
 A mount of a block device without `nofail`, `noauto`, `_netdev` or `x-systemd.automount`. The mounts of the system
 itself (/, /boot, /efi, /usr, /var, /home, /etc, /opt, /srv, /tmp, /root, /nix, /run) are not reported. /data,
 /persist, /userdata and /state, where images keep what has to last, are an info. A task of Ansible that writes the line
-by the module `mount` counts, too.
+by the module `mount` counts, too, and so does a script that appends the line to /etc/fstab.
 
 ## Why it matters on a robot
 If the disk is missing or its file system is damaged, systemd waits 90 seconds for the device and then opens the
@@ -38,6 +38,7 @@ from bringup_lint.api import fix
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.shell import Module
+from bringup_lint.api.shell import Written
 from bringup_lint.api.shell import tasks
 from bringup_lint.api.yaml import Mapping
 
@@ -48,6 +49,12 @@ DISK = regex(r"/dev/|(?:PART)?(?:UUID|LABEL)=")
 ON_DISK = ("ext2", "ext3", "ext4", "xfs", "btrfs", "f2fs", "vfat", "exfat", "ntfs", "ntfs3", "auto")
 OPTIONAL = regex(r"nofail|noauto|_netdev|x-systemd\.automount|\{\{")
 
+FIELD = r"(?:\{\{[^{}\n]*\}\}|[^\s{}#])+"
+APPENDED = regex(
+    rf"^[ \t]*(?P<device>(?:/dev/|(?:PART)?(?:UUID|LABEL)=){FIELD})[ \t]+(?P<target>{FIELD})[ \t]+(?P<type>{FIELD})"
+    rf"[ \t]+(?P<options>{FIELD})",
+    re.M,
+)
 STATE = ("/data", "/persist", "/persistent", "/userdata", "/state")
 """Where images with a read-only root keep what has to last, on the same disk."""
 
@@ -80,10 +87,27 @@ def no_nofail(robot: Robot) -> Iterator[Finding]:
                 severity="info" if target.rstrip("/") in STATE else None,
                 fix=fix("add nofail", (end, ",nofail,x-systemd.device-timeout=10s"), safe=False),
             )
+    for _, did in robot.scripts.written("fstab"):
+        if did.path == "/etc/fstab" and did.appends:
+            yield from _of_line(did)
     for source in robot.of_kind("ansible"):
         if source.judged and MODULE.search(source.text) and robot.purpose(source).value == "robot":
             for task in tasks(source):
                 yield from (_of_module(each) for each in task.modules if _stops_boot(each))
+
+
+def _of_line(did: Written) -> Iterator[Finding]:
+    for line in APPENDED.finditer(str(did.text or "")):
+        target = line["target"]
+        is_disk = line["type"] in ON_DISK or "{{" in line["type"]
+        if is_disk and not OPTIONAL.search(line["options"]) and not _is_system(target):
+            device = "this disk" if "{{" in line["device"] else line["device"]
+            yield finding(
+                did.where,
+                f"Without {device} the boot ends in the emergency shell after 90 s",
+                advice="write nofail,x-systemd.device-timeout=10s into the options of the line",
+                severity="info" if target.rstrip("/") in STATE else None,
+            )
 
 
 def _is_system(target: str) -> bool:

@@ -4,6 +4,9 @@
 `xhost +` without a name, also where `xhost -` of the same script turns it on again later. `xhost +local:` and
 `xhost +si:localuser:root` let in whom they name and are not reported.
 
+`chmod 777`, `chmod 666` and the like on a copy of the X server's authority file, such as `/tmp/.docker.xauth`; an info
+where the mode only lets everybody read it.
+
 ## Why it matters on a robot
 It stays off until the user logs out, or until the program between the two has ended. Every user, program and
 container that reaches the display can read its keyboard and screen and type into its windows: the terminal in which the
@@ -36,7 +39,13 @@ from bringup_lint.api import Robot
 from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.shell import Run
+
+COOKIE = regex(r"(?:.*/)?[\w.-]*(?:[xX]auth|Xauthority)[\w.-]*")
+WRITABLE = regex(r"0?[0-7]{0,2}[2367]|[ugo]*[ao][ugo]*[+=]\w*w\w*|\+\w*w\w*")
+READABLE = regex(r"0?[0-7]{0,2}[4567]|[ugo]*[ao][ugo]*[+=]\w*r\w*|\+\w*r\w*")
 
 
 @rule("warning", silent="xhost says that anyone can connect, which is what was asked for")
@@ -56,3 +65,18 @@ def display_open(robot: Robot) -> Iterator[Finding]:
             advice="name who needs it, for example xhost +si:localuser:root for a container",
             related=[*until, *(note(other, "here too") for other in others)],
         )
+    for _, run in robot.scripts.run("chmod"):
+        yield from _of_mode(run)
+
+
+def _of_mode(run: Run) -> Iterator[Finding]:
+    words = [word for word in run.words[1:] if not word.startswith("--")]
+    if len(words) > 1 and (WRITABLE.fullmatch(words[0]) or READABLE.fullmatch(words[0])):
+        for word in words[1:]:
+            if COOKIE.fullmatch(run.text(word)):
+                yield finding(
+                    word,
+                    f"chmod {words[0]} gives every user of this computer the key to the screen and the keyboard",
+                    advice="leave mode 600, and let the container run as the user who owns the file",
+                    severity=None if WRITABLE.fullmatch(words[0]) else "info",
+                )

@@ -4,11 +4,12 @@
 After `set -e` (or `#!/bin/bash -e`), outside of conditions:
 
 - `$?` right after a command, where the branch for a failure is never reached;
-- a test whether NAME is empty after `NAME=$(which PROGRAM)`, and with `command -v`, `pgrep`, `pidof` and `grep`, which
-  fail where they find nothing.
+- a test whether NAME is empty after `NAME=$(which PROGRAM)`, and with `command -v`, `pgrep`, `pidof`, `grep` and
+  `getent`, which fail where they find nothing, with `ls`, `dpkg` and the like whose errors go to `/dev/null`, and with
+  `systemctl is-active`. With `pipefail` one of them anywhere in a pipe.
 
-A warning where the branch does something, and info where it only prints a message and ends the script. Silent where it
-only ends it.
+A warning where the branch does something, and where the command before prints nothing itself. Info where the branch
+only prints a message and ends the script. Silent where it only ends it.
 
 ## Why it matters on a robot
 The script ends at the command itself. What is meant for the robot without the program or the process, such as its
@@ -41,122 +42,59 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
-from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
-from bringup_lint.api.shell import STRICT
 from bringup_lint.api.shell import Block
 from bringup_lint.api.shell import Command
+from bringup_lint.api.shell import Statement
 from bringup_lint.api.shell import commands
-from bringup_lint.api.shell import shell_blocks
-from bringup_lint.api.shell import shell_commands
-from bringup_lint.api.shell import with_inner
+from bringup_lint.api.shell import ended_by_failure
+from bringup_lint.api.shell import is_inverted
+from bringup_lint.api.shell import program_name
+from bringup_lint.api.shell import substitutions
+from bringup_lint.api.shell import unwrapped
 
-ERREXIT = regex(STRICT, re.M)
-SHEBANG = regex(r"#!\S+[ \t]+-\w*e\w*[ \t]*(?:\n|\Z)")
-ON = regex(r"-[a-zA-Z]*e[a-zA-Z]*")
-OFF = regex(r"\+[a-zA-Z]*e[a-zA-Z]*")
 TESTS = ("[", "[[", "test")
 SAYS = frozenset("echo printf cat exit return cd popd die".split())
 REPORTS = frozenset("print log err error warn warning info panic fail fatal usage help msg message".split())
 """Words in the names of functions that only say something."""
 QUIET = ("exit", "return", "cd", "popd")
-SEARCHES = ("which", "pgrep", "pidof", "grep", "egrep", "fgrep")
+SEARCHES = ("which", "pgrep", "pidof", "grep", "egrep", "fgrep", "getent")
+QUERIES = ("command -v", "type -p", "type -P", "systemctl is-active", "systemctl is-enabled")
+FAILING = ("ls ", "dpkg ", "dpkg-query ", "rospack find", "ros2 pkg", "docker inspect")
+"""What says an error where nothing is there."""
+FOR_NOTHING = {"": True, "inactive": True, "disabled": True, "failed": True, "active": False, "enabled": False}
+"""Values that a variable is compared with, and whether it has them only where the command failed."""
+PIPEFAIL = regex(r"^[ \t]*set[ \t][^\n#]*\bpipefail\b", re.M, "pipefail")
+SILENT = ("[", "[[", "test", "which", "pgrep", "pidof")
 NO_STATUS = ("local", "export", "declare", "readonly", "typeset", "set", "echo", "printf", "trap", "true", ":", "exec")
-TAKE_WORDS = (*NO_STATUS, "unset", "systemctl", "service")
-"""Commands whose arguments are no commands that they run under a condition."""
 STATUS = ("$?", "${?}")
-FOUND = regex(r"(?P<name>\w+)=(?:\$\((?P<dollar>[^()]*)\)|`(?P<tick>[^`]*)`)")
+FOUND = regex(r"(?P<name>\w+)=")
 ASSIGNED = regex(r"(?P<name>\w+)=\$\{?\?\}?")
 ENDS = ("", "\n", ";")
-NEAR = 3
+NEAR = 12
 """Statements between an assignment and the test."""
 
 
 @rule("warning", silent="the script ends at the command before, with its message alone")
 def status_never_seen(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("shell-script"):
-        if source.judged and not source.template and ERREXIT.search(source.text):
-            yield from _of(source)
+        if source.judged and not source.template:
+            pipefail = source.matches(PIPEFAIL)
+            for statement in ended_by_failure(source):
+                yield from _dead(statement, pipefail)
 
 
-def _of(source: Source) -> Iterator[Finding]:
-    blocks = shell_blocks(source)
-    functions = {block.name for block in blocks if block.kind == "function"}
-    soft = set(_softly(blocks))
-    are_plain = functions.isdisjoint((*soft, *_handed_on(source))) and not any("$" in name for name in soft)
-    strict = SHEBANG.match(source.text) is not None
-    for at, block in enumerate(blocks):
-        if block.command is not None and block.command.name == "set":
-            strict = _after_set(block.command, strict)
-        elif block.kind == "function":
-            if are_plain and "set +" not in source.text:
-                yield from _in_list(block.bodies[0])
-        elif strict and not _turns(block):
-            yield from _at(blocks, at)
-
-
-def _softly(blocks: tuple[Block, ...], *, soft: bool = False) -> Iterator[str]:
-    """The commands under whose names `set -e` has no effect: in conditions, and before `&&` and `||`."""
-    for block in blocks:
-        if block.command is not None and (soft or block.command.ends in ("&&", "||") or _is_inverted(block.command)):
-            yield block.command.name
-        yield from _softly(block.condition, soft=True)
-        for body in block.bodies:
-            yield from _softly(body, soft=soft or block.ends in ("&&", "||"))
-
-
-def _handed_on(source: Source) -> Iterator[str]:
-    """Words that another command may call in a condition, and the commands in `$(...)`, where bash has no `set -e`."""
-    outer = shell_commands(source)
-    spans = {command.words[0].span for command in outer if command.words}
-    for command in with_inner(outer):
-        if command.words and command.words[0].span not in spans:
-            yield command.name
-        if command.name not in TAKE_WORDS:
-            yield from command.words[1:]
-
-
-def _is_inverted(command: Command) -> bool:
-    if not command.words:
-        return False
-    span = command.words[0].span
-    return span.source.line_before(span.start).rstrip().endswith("!")
-
-
-def _after_set(command: Command, strict: bool) -> bool:
-    words = command.words[1:]
-    if any(map(OFF.fullmatch, words)) or ("+o" in words and "errexit" in words):
-        return False
-    return strict or any(map(ON.fullmatch, words)) or ("-o" in words and "errexit" in words)
-
-
-def _turns(block: Block) -> bool:
-    """Whether `set` is called within."""
-    inner = (*block.condition, *(each for body in block.bodies for each in body))
-    return any((each.command is not None and each.command.name == "set") or _turns(each) for each in inner)
-
-
-def _in_list(blocks: tuple[Block, ...]) -> Iterator[Finding]:
-    for at in range(len(blocks)):
-        yield from _at(blocks, at)
-
-
-def _at(blocks: tuple[Block, ...], at: int) -> Iterator[Finding]:
-    block = blocks[at]
-    if block.ends not in ("&&", "||"):
-        for body in block.bodies:
-            yield from _in_list(body)
-    command = block.command
-    before = blocks[at - 1].command if at else None
-    ended = blocks[at - 1].ends if at and before is None else before.ends if before is not None else "\n"
-    if command is None or command.ends not in ENDS or ended in ("&&", "||") or _is_inverted(command):
+def _dead(statement: Statement, pipefail: bool) -> Iterator[Finding]:
+    command = statement.block.command
+    if command is None or statement.after in ("&&", "||"):
         return
-    dead = _asked_status(blocks[at + 1 : at + 3]) if command.words and command.name not in NO_STATUS else None
-    if dead is None and not command.words and ended != "|":
-        dead = _asked_text(command, blocks[at + 1 : at + 1 + NEAR])
+    following = statement.among[statement.at + 1 :]
+    dead = _asked_status(following[:2]) if command.words and command.name not in NO_STATUS else None
+    if dead is None and not command.words and statement.after != "|":
+        dead = _asked_text(command, following[:NEAR], pipefail)
     if dead is None:
         return
     where, body = dead
@@ -167,12 +105,28 @@ def _at(blocks: tuple[Block, ...], at: int) -> Iterator[Finding]:
         return
     yield finding(
         where,
-        "The script has set -e: where this command fails, it ends there, and what is meant for this case never runs"
-        if acts
-        else "The script has set -e: where the command before fails, it ends there, and this message is never printed",
+        f"The script has set -e: {_told(bool(acts), bool(command.words))}",
         advice="write 'if ! COMMAND; then'" if command.words else "write || true behind the command in $(...)",
         related=[note(first, "a failure ends the script here")],
-        severity="warning" if acts else "info",
+        severity="warning" if acts or not command.words or _is_silent(command) else "info",
+    )
+
+
+def _told(acts: bool, has_words: bool) -> str:
+    if acts:
+        return "where this command fails, it ends there, and what is meant for this case never runs"
+    if has_words:
+        return "where the command before fails, it ends there, and this message is never printed"
+    return "where nothing is found, it ends there without a word, and this message is never printed"
+
+
+def _is_silent(command: Command) -> bool:
+    """Whether a command prints nothing when it fails."""
+    words = set(command.words)
+    return (
+        command.name in SILENT
+        or (command.name in ("grep", "cmp") and bool(words & {"-q", "-s"}))
+        or command.hides_errors
     )
 
 
@@ -205,24 +159,57 @@ def _asked_status(after: tuple[Block, ...]) -> tuple[Located, tuple[Block, ...]]
     return (test.words[1], body) if body else None
 
 
-def _asked_text(command: Command, after: tuple[Block, ...]) -> tuple[Located, tuple[Block, ...]] | None:
+def _asked_text(command: Command, after: tuple[Block, ...], pipefail: bool) -> tuple[Located, tuple[Block, ...]] | None:
     """The test whether nothing was found, with what is meant for this."""
-    found = FOUND.fullmatch(command.assignments[0]) if len(command.assignments) == 1 else None
-    if found is None:
+    found = FOUND.match(command.assignments[0]) if len(command.assignments) == 1 else None
+    if found is None or not _finds_nothing(command.assignments[0], found.end(), pipefail):
         return None
-    group = "dollar" if found["dollar"] is not None else "tick"
-    inner = commands(command.assignments[0].part(*found.span(group)))
-    if not inner or any(each.ends in ("||", "&&", ";") for each in inner):
-        return None
-    last = inner[-1]
-    if last.name not in SEARCHES and [str(word) for word in last.words[:2]] != ["command", "-v"]:
-        return None
-    names = (f"${found['name']}", f"${{{found['name']}}}")
+    name = found["name"]
     for at, block in enumerate(after):
+        for each in _all((block,)):
+            if any(word.startswith((f"{name}=", f"{name}+=")) for word in each.assignments):
+                return None
         test = _test(block)
-        if test is not None and len(test.words) > 2 and test.words[2] in names and test.words[1] in ("-z", "-n"):
-            body = _branch(after[at:], test.words[1] == "-z")
-            return (test.words[2], body) if body else None
+        if test is not None and any(f"${name}" in word or f"${{{name}}}" in word for word in test.words):
+            asked = _asks_for_nothing(test.words[1:], name)
+            body = _branch(after[at:], asked[1]) if asked is not None else ()
+            return (asked[0], body) if asked is not None and body else None
+    return None
+
+
+def _finds_nothing(word: Located, start: int, pipefail: bool) -> bool:
+    """Whether the value is that of a search which fails where it finds nothing."""
+    texts = list(substitutions(word))
+    if len(texts) != 1 or word[start:] not in (f"$({texts[0]})", f"`{texts[0]}`"):
+        return False
+    inner = commands(texts[0])
+    if not inner or any(each.depth or each.ends in ("||", "&&", ";") for each in inner):
+        return False
+    return any(_is_search(each) for each in (inner if pipefail else inner[-1:]))
+
+
+def _is_search(command: Command) -> bool:
+    words = unwrapped(command.words)
+    name = program_name(words[0]) if words else ""
+    if name in SEARCHES:
+        return True
+    asked = " ".join([name, *(word for word in words[1:3] if not word.startswith("--"))])
+    return asked.startswith(QUERIES) or (command.hides_errors and asked.startswith(FAILING))
+
+
+def _asks_for_nothing(words: tuple[Located, ...], name: str) -> tuple[Located, bool] | None:
+    """The variable in a test whether it is empty, and whether the test holds where it is."""
+    words = tuple(word for word in words if word not in ("]", "]]"))
+    is_empty = True
+    if words[:1] == ("!",):
+        words, is_empty = words[1:], False
+    names = (f"${name}", f"${{{name}}}")
+    if len(words) == 1 and words[0] in names:
+        return words[0], not is_empty
+    if len(words) == 2 and words[0] in ("-z", "-n") and words[1] in names:
+        return words[1], is_empty == (words[0] == "-z")
+    if len(words) == 3 and words[0] in names and words[1] in ("=", "==", "!=") and words[2] in FOR_NOTHING:
+        return words[0], is_empty == ((words[1] != "!=") == FOR_NOTHING[words[2]])
     return None
 
 
@@ -234,7 +221,7 @@ def _test(block: Block) -> Command | None:
     else:
         command = block.command
         is_single = command is not None and command.ends in ("&&", "||")
-    is_test = command is not None and command.name in TESTS and is_single and not _is_inverted(command)
+    is_test = command is not None and command.name in TESTS and is_single and not is_inverted(command)
     return command if is_test else None
 
 

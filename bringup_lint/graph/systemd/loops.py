@@ -112,7 +112,7 @@ def flat(found: Iterable[Block]) -> Iterator[Block]:
 def raised_in(found: list[Block], names: Names) -> Iterator[tuple[str, float]]:
     """Variables that every round raises, and by how much."""
     for block in found:
-        texts = [block.arithmetic] if block.arithmetic else []
+        texts: list[str] = [block.arithmetic] if block.arithmetic else []
         command = block.command
         if command is not None:
             yield from _assigned_sums(command.assignments, names)
@@ -138,7 +138,7 @@ def _assigned_sums(assignments: Iterable[str], names: Names) -> Iterator[tuple[s
 def limits_in(found: list[Block], names: Names) -> Iterator[tuple[str, float, int]]:
     """(variable, limit, 1 when it must be exceeded): comparisons that end the loop."""
     for block in found:
-        for compared in _ARITHMETIC.finditer(block.arithmetic):
+        for compared in _ARITHMETIC.finditer(block.arithmetic or ""):
             limit = names.number(compared[3])
             if limit is not None:
                 yield compared[1], limit, _COMPARED[compared[2]]
