@@ -4,7 +4,8 @@
 FROM without a tag, or with `:latest`. Digests, earlier stages, `scratch` and variables are not reported, and neither
 are images that the tree builds, or that no registry can hold (a name without a namespace that is not an official
 image). One image is one finding, however many Dockerfiles build on it. It is info for stages from which files are
-only copied, for images without ROS, and for images that a robot hardly runs by themselves.
+only copied, for images without ROS that install no packages of a distribution, and for images that a robot hardly runs
+by themselves.
 
 ## Why it matters on a robot
 The next build uses another Ubuntu, another ROS or another compiler, although nothing in the repository has changed.
@@ -33,6 +34,7 @@ from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.docker import Dockerfile
 from bringup_lint.api.docker import Stage
@@ -40,6 +42,9 @@ from bringup_lint.api.docker import can_be_pulled
 from bringup_lint.api.docker import holds_ros
 from bringup_lint.api.docker import image_name
 from bringup_lint.api.docker import is_deployed
+
+DISTRIBUTION = regex(r"(?:ubuntu|debian|fedora|alpine|archlinux)")
+INSTALLS = regex(r"\b(?:apt|apt-get|dnf|yum|pacman)\b|\bapk[ \t]+add\b")
 
 
 @rule("warning", silent="the build takes whatever image it finds under the tag")
@@ -65,7 +70,15 @@ def no_pin(robot: Robot) -> Iterator[Finding]:
 def _is_kept(robot: Robot, file: Dockerfile, stage: Stage) -> bool:
     """Whether the image becomes part of one that a robot may run, rather than of a stage from which files are taken."""
     final = file.final
-    return final is not None and stage in final.chain and holds_ros(final) and is_deployed(robot.compose, file)
+    if final is None or stage not in final.chain or not is_deployed(robot.compose, file):
+        return False
+    is_distribution = DISTRIBUTION.fullmatch(image_name(stage.resolved).repository) is not None
+    return holds_ros(final) or (is_distribution and _installs(final))
+
+
+def _installs(stage: Stage) -> bool:
+    """Whether the image takes packages, which only some releases of a distribution have."""
+    return any(INSTALLS.search(run.value) for one in stage.chain for run in one.all("RUN"))
 
 
 def _is_pulled(robot: Robot, image: str) -> bool:

@@ -12,12 +12,16 @@ from bringup_lint.model.dockerfile import Stage
 from bringup_lint.parsers.dockerfile_variables import variables
 from bringup_lint.pattern import regex
 
-_NAMED = regex(r"\b(?:ros2?\b|ros[-_:]|colcon\b|rosdep\b|ament|rmw_|rclpy|rclcpp)", re.I, "ros colcon ament rmw_ rcl")
+_NAMED = regex(
+    r"\b(?:ros2?\b|ros[-_:]|colcon\b|rosdep\b|ament|rmw_|rclpy|rclcpp|xrce|fastdds|cyclonedds|mavlink)",
+    re.I,
+    "ros colcon ament rmw_ rcl xrce dds mavlink",
+)
 _INSTALLED = regex(r"\binstall\b[^\n;&]*?\bros-(?P<distro>[a-z]+|\$\{?ROS_DISTRO\}?)-[a-z]")
 
 
 def holds_ros(stage: Stage) -> bool:
-    """Whether an image begins with one of ROS, or a step or a program of it names ROS."""
+    """Whether an image begins with one of ROS, or names ROS or what robots talk with beside it in a step."""
     if ros_distro(stage.origin):
         return True
     return any(_NAMED.search(each.value) for one in stage.chain for each in one.instructions)
