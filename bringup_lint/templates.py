@@ -48,8 +48,13 @@ _MARK = regex(r"[{@<%]|__")
 _SHELL = regex(r"\A#![^\n]*\b(?:ba|da|z|k)?sh\b", hints="#!")
 _SHELL_SUFFIXES = (".sh", ".bash", ".zsh")
 _COMMENT = regex(r"^[ \t]*#[^\n]*", re.M)
-_FILLED = regex(r"\bs(?P<mark>[|/#,:;%!~+])\^?[\"'\\]{0,2}(?P<token>@[A-Za-z_]\w*@|\{\{[ \t]*\w+[ \t]*\}\})")
+_FILLED = regex(
+    r"(?:\bs|;s)(?P<mark>[|/#,:;!~+])(?:(?!(?P=mark))[^\n]){0,40}?"
+    r"(?P<token>@[A-Za-z_]\w*@|\{\{[ \t]*\w+[ \t]*\}\}|%{1,2}[A-Z]\w*%{1,2})"
+)
 """A placeholder that a command of sed looks for."""
+_BETWEEN_ATS = regex(r"\bs[\"']?@\w+@[^@\n]{0,200}@")
+"""A command of sed with ``@`` between its parts."""
 _GO = regex(
     r"\{\{-?[ \t]*(?:\.|(?:json|range|index|if|with|end|else|len|printf?|println|join)\b)(?:(?!\{\{|\}\}).)*\}\}"
 )
@@ -58,12 +63,13 @@ _FORMATS = regex(r"\b(?:docker|podman|kubectl|crictl|nerdctl)\b")
 
 
 def _of_others(name: str, text: str) -> str:
-    """The text of a script without the placeholders that it fills in itself, or hands to a program."""
+    """The text of a script without the placeholders that it fills in itself, or hands to a program, and without the
+    ``@(...)`` of patterns, which no template of a script has under its final name."""
     if _suffix(name) not in _SHELL_SUFFIXES and not _SHELL.match(text):
         return text
     if not _MARK.search(text):
         return text
-    text = _COMMENT.sub("", text)
+    text = _BETWEEN_ATS.sub("", _COMMENT.sub("", text)).replace("@(", "(")
     for token in {match["token"] for match in _FILLED.finditer(text)}:
         text = text.replace(token, "")
     return _GO.sub("", text) if _FORMATS.search(text) else text

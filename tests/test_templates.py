@@ -16,6 +16,10 @@ SCRIPT = "#!/bin/bash\n"
         "docker ps --format '{{.Names}}\\t{{.Status}}'\n",
         'docker inspect -f "{{range .Mounts}}{{ .Source }}{{end}}" helm\n',
         "# Fills in @PILOT@.\n",
+        "sed -e 's|%PILOT%|'\"$USER\"'|g;s|%PORT%|/dev/sonar|g' helm.service\n",
+        "sed -i 's/helm (= @VERSION@), //' control\n",
+        'sed -i "s@HELM_PILOT@${USER}@g" /etc/helm.conf\n',
+        "if [[ $SIZE =~ ([0-9]+)x([0-9]+)@([0-9]+) ]]; then exit 0; fi\n",
     ],
 )
 def test_script_that_fills_in_others(text: str) -> None:
@@ -29,6 +33,7 @@ def test_script_that_fills_in_others(text: str) -> None:
         ("USER_NAME=@PILOT@\n", "configure"),
         ("sed s/@PILOT@/$USER/ helm.in\nPORT=@PORT@\n", "configure"),
         ("echo '{{.Names}}'\n", "jinja"),
+        ("NAME=%%BOARD%%\n", "percent"),
     ],
 )
 def test_script_that_is_filled_in(text: str, language: str) -> None:
