@@ -41,6 +41,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.commands.unrun_checks import unrun_checks
     from bringup_lint.graph.nodes.questions.commands.zero_divisors import zero_divisors
     from bringup_lint.graph.nodes.questions.cpp.component_ends import ended_containers
+    from bringup_lint.graph.nodes.questions.cpp.in_file import blind_waits
     from bringup_lint.graph.nodes.questions.cpp.in_file import format_texts
     from bringup_lint.graph.nodes.questions.cpp.in_file import unread_answers
     from bringup_lint.graph.nodes.questions.cpp.in_file import wrong_durations
@@ -167,6 +168,7 @@ __all__ = [
     "asked_in_vain",
     "asked_quietly",
     "awaits_asyncio",
+    "blind_waits",
     "blocking_reads",
     "canceled_goals",
     "chain_to",

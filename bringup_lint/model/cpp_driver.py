@@ -42,6 +42,14 @@ class Relock(NamedTuple):
     """The guard names the type of the mutex."""
 
 
+class BlindWait(NamedTuple):
+    """A wait for a condition variable that looks at nothing before."""
+
+    place: Span
+    lock: Span
+    name: str
+
+
 class LeftLocked(NamedTuple):
     """A mutex that an early ``return`` leaves locked."""
 
@@ -102,6 +110,7 @@ class CppDriver:
     unchecked_indexes: list[UncheckedIndex] = field(default_factory=list)
     idle_reads: list[IdleRead] = field(default_factory=list)
     relocks: list[Relock] = field(default_factory=list)
+    blind_waits: list[BlindWait] = field(default_factory=list)
     left_locked: list[LeftLocked] = field(default_factory=list)
     unchecked_devices: list[UncheckedDevice] = field(default_factory=list)
     endless_walks: list[EndlessWalk] = field(default_factory=list)

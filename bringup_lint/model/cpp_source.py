@@ -140,11 +140,13 @@ class StuckJoin(NamedTuple):
 
 
 class Swallowed(NamedTuple):
-    """A handler that takes what a spin throws, after which the program ends with status 0."""
+    """A failure after which the program ends with status 0."""
 
     place: Span
-    """What it takes."""
+    """What the handler takes; or the loop that is left out."""
     spin: Span
+    """What throws; or the branch that logs the failure."""
+    is_caught: bool = True
 
 
 class Dropped(NamedTuple):

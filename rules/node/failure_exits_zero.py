@@ -2,9 +2,10 @@
 
 ## What it finds
 A `try` of `main` around a spin whose handler of `std::exception`, `std::runtime_error`, `...` or `Exception` only
-reports, where `main` returns nothing but 0 and the source has no other way to end with a status. It is a warning where
-units, containers or the like start the programs of the robot, and an info where people do. The programs of a package
-are one finding.
+reports, where `main` returns nothing but 0 and the source has no other way to end with a status. In C++ also a loop
+`while (started && rclcpp::ok())` that is left out after `main` has logged the failure. It is a warning where units,
+containers or the like start the programs of the robot, and an info where people do. The programs of a package are one
+finding.
 
 ## Why it matters on a robot
 What a callback throws ends the spin, and with it the node. The status says that all went well: `Restart=on-failure` and
@@ -42,6 +43,8 @@ from bringup_lint.api import nodes
 from bringup_lint.api import note
 from bringup_lint.api import rule
 
+_CAUSES = {True: "what a callback throws comes out here", False: "the failure is logged here"}
+
 
 @rule("warning", symptoms=["process has finished cleanly"])
 def failure_exits_zero(robot: Robot) -> Iterator[Finding]:
@@ -57,10 +60,14 @@ def failure_exits_zero(robot: Robot) -> Iterator[Finding]:
             first.place,
             "A failure ends this node with status 0: Restart=on-failure does not start it again, and launch says "
             "'finished cleanly'",
-            advice="raise it again in the handler" if source.name.endswith(".py") else "return EXIT_FAILURE here",
+            advice="raise it again in the handler" if source.name.endswith(".py") else _return(first),
             related=[
-                note(first.spin, "what a callback throws comes out here"),
+                note(first.spin, _CAUSES[first.is_caught]),
                 *(note(each.place, "this handler does the same") for each in others),
             ],
             severity=robot.nodes.lowered(source, "warning") if is_supervised else "info",
         )
+
+
+def _return(found: nodes.Swallowed) -> str:
+    return "return EXIT_FAILURE here" if found.is_caught else "return EXIT_FAILURE where the failure is logged"

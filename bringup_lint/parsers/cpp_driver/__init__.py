@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from bringup_lint.model.cpp_driver import CppDriver
+from bringup_lint.parsers.cpp_driver.blind_waits import WAITS
+from bringup_lint.parsers.cpp_driver.blind_waits import blind_waits
 from bringup_lint.parsers.cpp_driver.endless_walks import WALKS
 from bringup_lint.parsers.cpp_driver.endless_walks import endless_walks
 from bringup_lint.parsers.cpp_driver.handlers import HANDLES
@@ -31,11 +33,11 @@ def parse(source: Source) -> CppDriver:
     ``too-deep``."""
     driver = CppDriver(source)
     asks = ASKS in source.text
-    is_serial, locks, by_hand, walks, receives, opens, throws, handles = (
+    is_serial, locks, by_hand, walks, receives, opens, throws, handles, waits = (
         each.search(source.text) is not None
-        for each in (SERIAL, LOCKS, BY_HAND, WALKS, RECEIVES, OPENS, THROWS, HANDLES)
+        for each in (SERIAL, LOCKS, BY_HAND, WALKS, RECEIVES, OPENS, THROWS, HANDLES, WAITS)
     )
-    if not (asks or is_serial or locks or by_hand or walks or receives or opens or throws or handles):
+    if not (asks or is_serial or locks or by_hand or walks or receives or opens or throws or handles or waits):
         return driver
     problem = too_much(source)
     if problem is not None:
@@ -50,5 +52,6 @@ def parse(source: Source) -> CppDriver:
     driver.taken_targets = list(taken_targets(code)) if receives else []
     driver.unchecked_devices = list(unchecked_devices(code)) if opens else []
     driver.waiting_handlers = list(waiting_handlers(code)) if handles else []
+    driver.blind_waits = list(blind_waits(code)) if waits else []
     driver.thrown = list(thrown(code)) if throws else []
     return driver

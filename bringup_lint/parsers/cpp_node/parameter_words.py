@@ -27,9 +27,9 @@ _READ = regex(r"\b(?:get_parameter(?:_or|_value)?|has_parameter|undeclare_parame
 """What is before the name of a parameter that is only read."""
 _TOKEN = regex(r'"(?P<text>(?:\\.|[^"\\\n])*)"(?P<after>\s*\+)?' r"|'(?:\\.|[^'\\\n])'|//[^\n]*|/\*.*?(?:\*/|\Z)", re.S)
 _MACRO = regex(r"^(?<!\\\n)[ \t]*#[ \t]*define\b(?:\\\n|[^\n])*parameter", re.M)
-_OWN = regex(r"(?:(?:this|self|\w{0,64}node\w{0,64})(?:->|\.))?get_parameter\w*\Z", re.I)
+_OWN = regex(r"(?:(?:this|self|\w{0,64}node\w{0,64}|p?nh_?)(?:->|\.))?get_parameter\w*\Z", re.I)
 _QUIET = ("get_parameter", "get_parameter_or")
-_OWN_DECLARING = regex(r"(?:(?:this|self|\w{0,64}node\w{0,64})(?:->|\.))?declare_parameter\Z", re.I)
+_OWN_DECLARING = regex(r"(?:(?:this|self|\w{0,64}node\w{0,64}|p?nh_?)(?:->|\.))?declare_parameter\Z", re.I)
 _TYPE = regex(r"(?:rclcpp::)?(?:ParameterType::)?PARAMETER_[A-Z_]+\Z")
 _HELPER = regex(r"(?=\w+\Z)\w*(?:param|declare)\w*", re.I)
 """The name of a function that may declare parameters for others."""

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.model.cpp_source import Swallowed
 from bringup_lint.model.cpp_text import blanked
+from bringup_lint.parsers.cpp_node.given_up import LOGS
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.pattern import regex
 
@@ -19,16 +20,22 @@ _FAILS = regex(
 """What may end a program with another status, anywhere in its source."""
 _GOES_ON = regex(r"\b(?:throw|return|goto)\b|[^=!<>]=(?!=)|\+\+|--")
 """What a handler does that only reports."""
+_RUNS = regex(
+    r"while\s{0,4}\(\s{0,4}(?:(?P<first>\w{1,60})\s{0,4}&&\s{0,4}rclcpp::ok\s{0,4}\(\s{0,4}\)"
+    r"|rclcpp::ok\s{0,4}\(\s{0,4}\)\s{0,4}&&\s{0,4}(?P<last>\w{1,60}))\s{0,4}\)",
+    hints="while",
+)
+"""A loop that a variable leaves out."""
 _TAKES_MUCH = regex(r"\.\.\.|\b(?:exception|runtime_error)\b")
-_RETURNS = regex(r"\breturn\b([^;]{0,80});")
 _LOOPS = frozenset({"for_statement", "for_range_loop", "while_statement", "do_statement", "lambda_expression"})
 
 
 def swallowed(code: Code) -> Iterator[Swallowed]:
-    """Those of a ``try`` around a spin, where ``main`` returns 0 in each case."""
+    """Those of a ``try`` around a spin, and the loops of ``main`` that a failure leaves out, where it returns 0."""
     text = code.source.text
-    if "catch" not in text or _FAILS.search(blanked(text)):
+    if ("catch" not in text and not _RUNS.search(text)) or _FAILS.search(blanked(text)):
         return
+    yield from _left_out(code)
     for call in code.calls:
         attempt = _attempt(code, call.node) if call.name == "spin" else None
         if attempt is None:
@@ -37,6 +44,35 @@ def swallowed(code: Code) -> Iterator[Swallowed]:
             if each.type == "catch_clause" and _is_quiet(code, each):
                 place = code.span(each.child_by_field_name("parameters") or each)
                 yield Swallowed(place, code.span(call.node))
+
+
+def _left_out(code: Code) -> Iterator[Swallowed]:
+    """``while (started && rclcpp::ok())``, where ``main`` has logged an error when the first is false."""
+    for loop in code.written.get("while", ()):
+        found = _RUNS.match(code.text(loop))
+        main = code.body_of(loop) if found is not None else None
+        if found is None or main is None or code.defined_name(main) != "main":
+            continue
+        failed = _logged(code, main, loop, found["first"] or found["last"])
+        if failed is not None and _returns_zero(code, main):
+            start = code.span(loop).start
+            yield Swallowed(code.source.span(start, start + found.end()), code.span(failed), False)
+            return
+
+
+def _logged(code: Code, main: Node, loop: Node, name: str) -> Node | None:
+    """The branch before a loop that logs an error when a variable is false."""
+    todo = [main]
+    while todo:
+        node = todo.pop()
+        if node.type == "if_statement" and node.end_byte <= loop.start_byte:
+            asked = "".join(code.text(node.child_by_field_name("condition")).split())
+            field = {f"({name})": "alternative", f"(!{name})": "consequence"}.get(asked)
+            branch = node.child_by_field_name(field) if field is not None else None
+            if branch is not None and LOGS.search(blanked(code.text(branch))):
+                return branch
+        todo += reversed(node.named_children)
+    return None
 
 
 def _attempt(code: Code, spin: Node) -> Node | None:
@@ -49,12 +85,15 @@ def _attempt(code: Code, spin: Node) -> Node | None:
             attempt = attempt or outer
         if outer.type == "function_definition":
             is_main = code.defined_name(outer) == "main"
-            return attempt if is_main and _returns_zero(blanked(code.text(outer))) else None
+            return attempt if is_main and _returns_zero(code, outer) else None
     return None
 
 
-def _returns_zero(main: str) -> bool:
-    return all(found[1].strip() in ("0", "EXIT_SUCCESS") for found in _RETURNS.finditer(main))
+def _returns_zero(code: Code, main: Node) -> bool:
+    """Whether ``main`` itself, and not a lambda in it, returns nothing but 0."""
+    inside = (each for each in code.written.get("return", ()) if main.start_byte < each.start_byte < main.end_byte)
+    own = (code.text(each) for each in inside if (body := code.body_of(each)) is not None and body.id == main.id)
+    return all(each.removeprefix("return").rstrip("; ").strip() in ("0", "EXIT_SUCCESS") for each in own)
 
 
 def _is_quiet(code: Code, handler: Node) -> bool:

@@ -41,7 +41,10 @@ CPP_FILES = 300
 """C++ files of one program that are read."""
 _ASIDE = regex(r"/(?:tests?|examples?|build|install|log)/")
 _CLASS = regex(r"\b(?:class|struct)\s+[\w\s]{1,120}:(?P<bases>[^:{};()](?:[^{};()]|::){0,400})\{", hints="class struct")
-_INCLUDE = regex(r"^[ \t]*#[ \t]*include[ \t]*[<\"](?P<package>[\w-]+)/", re.M)
+_INCLUDE = regex(
+    r"^[ \t]*#[ \t]*include[ \t]*[<\"](?!pluginlib/class_list_macros)(?P<package>[\w-]+)/", re.M, hints="include"
+)
+"""A header of a package; the one with which plugins are exported loads none."""
 _LOCAL = regex(r"^[ \t]*#[ \t]*include[ \t]*[<\"]([^>\"\n]+)[>\"]", re.M)
 _MAIN = regex(r"\bint\s+main\s*\(|\bRCLCPP_COMPONENTS_REGISTER_NODE\b", hints="main RCLCPP_COMPONENTS_REGISTER_NODE")
 _NODE = regex(r"\brclcpp(?:_lifecycle)?::(?:Lifecycle)?Node\b", hints="rclcpp")

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.model.cpp_driver import BlindWait
 from bringup_lint.model.cpp_source import FormatText
 from bringup_lint.model.cpp_source import UnreadAnswer
 from bringup_lint.model.cpp_source import WrongDuration
@@ -31,3 +32,10 @@ def format_texts(nodes: Nodes) -> Iterator[list[FormatText]]:
     for node in nodes.cpp:
         if node.format_texts:
             yield sorted(node.format_texts, key=lambda each: not each.is_foreign)
+
+
+def blind_waits(nodes: Nodes) -> Iterator[list[BlindWait]]:
+    """The waits for condition variables that look at nothing before."""
+    for driver in nodes.drivers:
+        if driver.blind_waits:
+            yield driver.blind_waits
