@@ -42,6 +42,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.commands.zero_divisors import zero_divisors
     from bringup_lint.graph.nodes.questions.cpp.component_ends import ended_containers
     from bringup_lint.graph.nodes.questions.cpp.in_file import blind_waits
+    from bringup_lint.graph.nodes.questions.cpp.in_file import early_members
     from bringup_lint.graph.nodes.questions.cpp.in_file import format_texts
     from bringup_lint.graph.nodes.questions.cpp.in_file import unread_answers
     from bringup_lint.graph.nodes.questions.cpp.in_file import wrong_durations
@@ -180,6 +181,7 @@ __all__ = [
     "dict_ranges",
     "double_shutdown",
     "early_lookups",
+    "early_members",
     "early_reads",
     "early_results",
     "empty_defaults",

@@ -213,6 +213,16 @@ class GivenUp(NamedTuple):
     """The class that is made."""
 
 
+class EarlyMember(NamedTuple):
+    """A member that is made of one which is made after it."""
+
+    used: Span
+    declared: Span
+    later: Span
+    """Where the other is declared."""
+    name: str
+
+
 class EarlyPointer(NamedTuple):
     """``shared_from_this()`` while the object is made."""
 
@@ -378,6 +388,7 @@ class CppNode:
     swallowed: list[Swallowed] = field(default_factory=list)
     dropped: list[Dropped] = field(default_factory=list)
     given_up: list[GivenUp] = field(default_factory=list)
+    early_members: list[EarlyMember] = field(default_factory=list)
     early_pointers: list[EarlyPointer] = field(default_factory=list)
     second_owners: list[Located] = field(default_factory=list)
     """Where a shared pointer is made of ``this``, which is a node."""

@@ -18,6 +18,7 @@ from bringup_lint.parsers.cpp_node.declared_again import declared_again
 from bringup_lint.parsers.cpp_node.divisors import divisors
 from bringup_lint.parsers.cpp_node.dropped import dropped
 from bringup_lint.parsers.cpp_node.durations import durations
+from bringup_lint.parsers.cpp_node.early_members import early_members
 from bringup_lint.parsers.cpp_node.early_pointers import early_pointers
 from bringup_lint.parsers.cpp_node.early_pointers import second_owners
 from bringup_lint.parsers.cpp_node.endless_answers import ASKS
@@ -135,6 +136,7 @@ def parse(source: Source) -> CppNode:
     node.swallowed = list(dict.fromkeys(swallowed(code)))
     node.dropped = list(dropped(code))
     node.given_up = list(given_up(code))
+    node.early_members = list(early_members(code))
     node.early_pointers = list(dict.fromkeys(early_pointers(code)))
     node.second_owners = list(second_owners(code, node.classes))
     node.time_members = list(time_members(code))

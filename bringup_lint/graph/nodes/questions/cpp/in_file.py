@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.model.cpp_driver import BlindWait
+from bringup_lint.model.cpp_source import EarlyMember
 from bringup_lint.model.cpp_source import FormatText
 from bringup_lint.model.cpp_source import UnreadAnswer
 from bringup_lint.model.cpp_source import WrongDuration
@@ -39,3 +40,9 @@ def blind_waits(nodes: Nodes) -> Iterator[list[BlindWait]]:
     for driver in nodes.drivers:
         if driver.blind_waits:
             yield driver.blind_waits
+
+
+def early_members(nodes: Nodes) -> Iterator[EarlyMember]:
+    """The members that are made of one which is made after them."""
+    for node in nodes.cpp:
+        yield from node.early_members
