@@ -11,9 +11,9 @@ Services of the robot itself that listen on all addresses and ask for no passwor
 - **warning**: `rosbridge_server` and `foxglove_bridge`, which publish for their clients, in a tree that mentions
   `cmd_vel`; information in others. A mosquitto broker with `allow_anonymous true`, a ser2net `accepter: tcp,PORT`
   without an address, and the `[inet_http_server]` of supervisord on all addresses without a user. A compose service
-  with the image of a database (`mongo`, `redis`, `influxdb:1`; `postgres`, `mysql` and `elasticsearch` where a
-  variable takes the password away), of Node-RED or of mosquitto 1 that is on the host network or publishes its port,
-  and sets no password. A server (Flask, uvicorn, websockets, aiohttp, NiceGUI, `http.server`, a socket and others) on
+  with the image of a database (`mongo`, `redis`, `valkey`, `memcached`, `influxdb:1`, `elasticsearch:7`; `postgres`,
+  `mysql` and later ones of `elasticsearch` where a variable takes the password away), of Node-RED, mosquitto 1 or EMQX
+  that is on the host network or publishes its port, and sets no password. A server (Flask, uvicorn, websockets, aiohttp, NiceGUI, `http.server`, a socket and others) on
   all addresses in a node that publishes velocities, goals or other commands, and has no login. The address may be the
   default of a parameter, an option or a variable that nothing in the tree sets.
 
