@@ -13,9 +13,10 @@ Services of the robot itself that listen on all addresses and ask for no passwor
   without an address, and the `[inet_http_server]` of supervisord on all addresses without a user. A compose service
   with the image of a database (`mongo`, `redis`, `valkey`, `memcached`, `influxdb:1`, `elasticsearch:7`; `postgres`,
   `mysql` and later ones of `elasticsearch` where a variable takes the password away), of Node-RED, mosquitto 1 or EMQX
-  that is on the host network or publishes its port, and sets no password. A server (Flask, uvicorn, websockets, aiohttp, NiceGUI, `http.server`, a socket and others) on
-  all addresses in a node that publishes velocities, goals or other commands, and has no login. The address may be the
-  default of a parameter, an option or a variable that nothing in the tree sets.
+  that is on the host network or publishes its port, and sets no password. A server (Flask, uvicorn, websockets,
+  aiohttp, NiceGUI, `http.server`, a socket and others) on all addresses in a node that publishes velocities, goals or
+  other commands, and has no login. The address may be the default of a parameter, an option or a variable that
+  nothing in the tree sets.
 
 Not reported: a service on the loopback address, with a password, with limits of its own (`topics_glob`,
 `capabilities` without `clientPublish`, `acl_file`), with parameters that are not known, and services for simulation,
