@@ -2,8 +2,8 @@
 
 ## What it finds
 `cmake_minimum_required(VERSION ...)` and `cmake_policy(VERSION ...)` of a package with a version below 3.5, and without
-a range that reaches it. It is an info in packages of ROS 1 and of others, and where the tree names distributions and is
-not for Lyrical or Rolling alone; nothing is said where a file sets CMAKE_POLICY_VERSION_MINIMUM.
+a range that reaches it. It is an info where the robot does not run Lyrical or Rolling, and nothing is said where a file
+sets CMAKE_POLICY_VERSION_MINIMUM.
 
 ## Why it matters on a robot
 CMake 4 ends with an error at the line: it does not know how CMake before 3.5 behaved. Ubuntu 26.04, for which Lyrical
@@ -34,7 +34,6 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import rule
-from bringup_lint.api.launch import Package
 
 WITH_FOUR = ("lyrical", "rolling")
 """The distributions for a release of Ubuntu with CMake 4."""
@@ -60,10 +59,5 @@ def cmake_minimum(robot: Robot) -> Iterator[Finding]:
             version,
             f"{where} refuses {command}(VERSION {version}), and {package.name} is not built",
             advice=f"write VERSION {USUAL}, which has all that distributions of ROS 2 need",
-            severity=None if has_four or _is_for_any(robot, package) else "info",
+            severity=None if has_four else "info",
         )
-
-
-def _is_for_any(robot: Robot, package: Package) -> bool:
-    """Whether a package of the tree's authors may be built for each distribution of ROS 2."""
-    return not robot.target.named and robot.dependencies.must_declare(package)
