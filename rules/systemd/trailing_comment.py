@@ -1,8 +1,8 @@
 """A comment after a value becomes part of the value.
 
 ## What it finds
-A blank and # or ; after a value. systemd recognizes comments only on lines of their own. Exec lines (where a
-shell may read the comment), descriptions and quoted values are exempt.
+A blank and # or ; after a value, also in the files of systemd-networkd. systemd recognizes comments only on lines of
+their own. Exec lines (where a shell may read the comment), descriptions and quoted values are exempt.
 
 ## Why it matters on a robot
 The value is the whole rest of the line. `User=robot # the robot's account` names a user that does not exist,
@@ -29,6 +29,7 @@ Only when the # or ; belongs to the value.
 - journal: "Failed to determine user credentials: No such process"
 """
 
+import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -36,8 +37,13 @@ from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.systemd import lift_comment
+
+IN_NETWORK = regex(
+    r"^(?!Description)(?P<key>[A-Z]\w{1,40})[ \t]{0,8}=[^\n#;\"']{1,200}?[ \t](?P<comment>[#;][^\n]*)", re.M, "="
+)
 
 
 @rule(
@@ -62,6 +68,16 @@ def trailing_comment(robot: Robot) -> Iterator[Finding]:
             advice="move the comment to a line of its own above",
             fix=fix("move the comment above", *changes) if on_one_line else None,
         )
+    for source in robot.of_kind("networkd"):
+        if source.judged and not source.template:
+            for found in IN_NETWORK.finditer(source.text):
+                comment = source.located(*found.span("comment"))
+                taken = f"{found['key']}= takes '{_shortened(comment)}' as part of the value"
+                yield finding(
+                    comment,
+                    f"systemd has no trailing comments: {taken}",
+                    advice="move the comment to a line of its own above",
+                )
 
 
 def _shortened(text: Located) -> str:
