@@ -118,6 +118,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.python.missing_modules import missing_modules
     from bringup_lint.graph.nodes.questions.python.missing_qos import without_qos
     from bringup_lint.graph.nodes.questions.python.pipes import unread_pipes
+    from bringup_lint.graph.nodes.questions.python.plain_attributes import plain_attributes
     from bringup_lint.graph.nodes.questions.python.python_releases import NotThere
     from bringup_lint.graph.nodes.questions.python.python_releases import not_there
     from bringup_lint.graph.nodes.questions.python.python_releases import python_of
@@ -230,6 +231,7 @@ __all__ = [
     "nested_spins",
     "never_run",
     "not_there",
+    "plain_attributes",
     "publish_after_deactivate",
     "python_of",
     "python_relocks",

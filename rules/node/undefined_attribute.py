@@ -2,12 +2,13 @@
 
 ## What it finds
 `self.x`, and `self.x += 1`, in a Python node when no code sets `x` and neither its base classes nor rclpy define it;
-and assignments to `self.subscriptions`, `self.publishers`, `self.clients`, `self.services`, `self.timers` and the other
-properties of `rclpy.node.Node` that cannot be set; and `get_parameter('x').double_value` or `.as_double()`, which are
-those of ParameterValue and of C++; and attributes that only a subscription sets and that a timer or another
-subscription uses without asking whether the message came; and attributes whose every assignment comes behind
-a use of them; and those that a `try` of the constructor sets, whose `except` goes on, and that the constructor
-or a callback uses afterwards. Classes with bases that are not in the tree are left out. It is an info in a method that
+and assignments to `self.subscriptions`, `self.publishers`, `self.clients`, `self.services`, `self.timers` and the
+other properties of `rclpy.node.Node` that cannot be set; and `get_parameter('x').double_value` or `.as_double()`,
+which are those of ParameterValue and of C++; and attributes that only a subscription sets and that a timer or another
+subscription uses without asking whether the message came; and attributes whose every assignment comes behind a use of
+them; and those that a `try` of the constructor sets, whose `except` goes on, and that the constructor or a callback
+uses afterwards. The same holds for classes beside the nodes, in Python modules of the tree too, that build on nothing
+and that the code makes. Classes with bases that are not in the tree are left out. It is an info in a method that
 nothing calls, and after the `join()` of a thread, where the node has done its work. It is an info in packages that
 others wrote and the tree only carries.
 
@@ -56,6 +57,7 @@ from bringup_lint.api import rule
 )
 def undefined_attribute(robot: Robot) -> Iterator[Finding]:
     yield from _missing(robot)
+    yield from _of_plain_classes(robot)
     yield from _taken(robot)
     yield from _late(robot)
     yield from _early(robot)
@@ -72,6 +74,21 @@ def _missing(robot: Robot) -> Iterator[Finding]:
             advice=f"write self.{first.like}" if first.like else f"set self.{name} in __init__()",
             related=[note(each.file.span_of(each.place), f"nothing sets self.{each.place.attr}") for each in others],
             severity="info" if first.idle else robot.nodes.lowered_if_vendored(first.file.source, "error"),
+        )
+
+
+def _of_plain_classes(robot: Robot) -> Iterator[Finding]:
+    for first, *others in nodes.plain_attributes(robot.nodes):
+        name = first.place.attr
+        end = nodes.end_of(robot.nodes.syntax(first.file), first.place, caught=first.caught)
+        idle = first.idle and robot.nodes.is_idle(first.file, first.function)
+        severity = "warning" if first.function.startswith("__") and first.function != "__init__" else "error"
+        yield finding(
+            first.file.span_of(first.place),
+            f"AttributeError when {first.function}() runs: nothing sets self.{name} in {first.owner}, and {end}",
+            advice=f"set self.{name} in __init__()",
+            related=[note(each.file.span_of(each.place), f"used in {each.function}() too") for each in others],
+            severity="info" if idle else robot.nodes.lowered_if_vendored(first.file.source, severity),
         )
 
 

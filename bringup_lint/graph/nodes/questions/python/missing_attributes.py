@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.nodes import Nodes
     from bringup_lint.model.node_source import NodeSource
 
-_DYNAMIC = regex(
+DYNAMIC = regex(
     r"__(?:getattr|dict__|slots__|setattr__)|setattr(?<=\bsetattr)\b|(?:vars|exec)\((?<=\b.{5})|patch(?<=\bpatch)\.object",
     hints="__getattr __dict__ __slots__ __setattr__ setattr vars( exec( patch.object",
 )
@@ -122,7 +122,7 @@ def family_of(nodes: Nodes, node: NodeClass, heirs: Heirs) -> list[NodeClass] | 
         if each.base is None and plain[0] not in ROOTS:
             return None
     files = {nodes.file_of(each) for each in lineage}
-    if any(file.stars or file.source.matches(_DYNAMIC) for file in files):
+    if any(file.stars or file.source.matches(DYNAMIC) for file in files):
         return None
     named = heirs.get(node.name, ()) if node.name is not None else ()
     return [*lineage, *heirs.get(node, ()), *named]
