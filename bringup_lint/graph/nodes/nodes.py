@@ -26,6 +26,7 @@ from bringup_lint.graph.purpose import of_source
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
 from bringup_lint.model.python import is_self
+from bringup_lint.parsers.python_node import let_go
 from bringup_lint.parsers.python_node import parse
 from bringup_lint.parsers.python_node.classes import ROOTS
 from bringup_lint.pattern import regex
@@ -72,6 +73,8 @@ class Nodes:
         """Forget the syntax that belongs to this run alone."""
         if "_modules" in self.__dict__:
             self._modules.let_go()
+        if "robot_code" in self.__dict__:
+            let_go(file.source for file in self.robot_code if self.is_plain(file))
 
     @cached_property
     def judged(self) -> list[NodeSource]:
