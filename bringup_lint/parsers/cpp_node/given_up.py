@@ -42,10 +42,11 @@ def given_up(code: Code) -> Iterator[GivenUp]:
         return
     bodies = Bodies(code)
     returns = _returns(code)
+    making = _Making(code, bodies)
     for function in code.written.get("function", ()):
         owner = _made(code, function)
         calls = list(bodies.own(function)) if owner is not None else []
-        lost = next((each for each in calls if _may_make(code, bodies, each)), None)
+        lost = next((each for each in calls if making.may(each)), None)
         if owner is None or lost is None or _FLAG.search(blanked(code.text(function))):
             continue
         idle = _idle_until(code, function, lost)
@@ -65,14 +66,28 @@ def _made(code: Code, function: Node) -> str | None:
     return class_made(code, function)
 
 
-def _may_make(code: Code, bodies: Bodies, call: Call) -> bool:
-    """Whether a call of a constructor may make what runs later: itself, in a method, or in what is handed the node."""
-    if any(_HANDED.search(code.text(each)) for each in call.arguments if each.type != "lambda_expression"):
-        return True
-    if call.qualified not in (call.name, f"this->{call.name}") or _OF_NODES.match(call.name):
-        return False
-    methods = bodies.functions.get(call.name, ())
-    return len(methods) != 1 or _MAY_MAKE.search(blanked(code.text(methods[0]))) is not None
+class _Making:
+    """What the calls of constructors may make that runs later."""
+
+    def __init__(self, code: Code, bodies: Bodies) -> None:
+        self._code = code
+        self._bodies = bodies
+        self._known: dict[int, bool] = {}
+
+    def may(self, call: Call) -> bool:
+        """Whether a call may make it itself, in a method, or in what is handed the node."""
+        given = (each for each in call.arguments if each.type != "lambda_expression")
+        if any(_HANDED.search(self._code.text(each)) for each in given):
+            return True
+        if call.qualified not in (call.name, f"this->{call.name}") or _OF_NODES.match(call.name):
+            return False
+        methods = self._bodies.functions.get(call.name, ())
+        return len(methods) != 1 or self._makes(methods[0])
+
+    def _makes(self, method: Node) -> bool:
+        if method.id not in self._known:
+            self._known[method.id] = _MAY_MAKE.search(blanked(self._code.text(method))) is not None
+        return self._known[method.id]
 
 
 def _idle_until(code: Code, function: Node, made: Call) -> int:

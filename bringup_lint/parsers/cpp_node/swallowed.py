@@ -26,6 +26,7 @@ _RUNS = regex(
     hints="while",
 )
 """A loop that a variable leaves out."""
+_ASKED = regex(r"\(\s{0,4}(?P<not>!?)\s{0,4}(?P<name>\w{1,60})\s{0,4}\)\Z")
 _TAKES_MUCH = regex(r"\.\.\.|\b(?:exception|runtime_error)\b")
 _LOOPS = frozenset({"for_statement", "for_range_loop", "while_statement", "do_statement", "lambda_expression"})
 
@@ -48,31 +49,34 @@ def swallowed(code: Code) -> Iterator[Swallowed]:
 
 def _left_out(code: Code) -> Iterator[Swallowed]:
     """``while (started && rclcpp::ok())``, where ``main`` has logged an error when the first is false."""
-    for loop in code.written.get("while", ()):
+    main = next((each for each in code.written.get("function", ()) if code.defined_name(each) == "main"), None)
+    logged = _logged(code, main) if main is not None else {}
+    for loop in code.written.get("while", ()) if logged else ():
         found = _RUNS.match(code.text(loop))
-        main = code.body_of(loop) if found is not None else None
-        if found is None or main is None or code.defined_name(main) != "main":
+        failed = logged.get(found["first"] or found["last"]) if found is not None else None
+        body = code.body_of(loop) if failed is not None else None
+        if found is None or main is None or failed is None or body is None or body.id != main.id:
             continue
-        failed = _logged(code, main, loop, found["first"] or found["last"])
-        if failed is not None and _returns_zero(code, main):
-            start = code.span(loop).start
-            yield Swallowed(code.source.span(start, start + found.end()), code.span(failed), False)
+        if failed.end_byte <= loop.start_byte:
+            if _returns_zero(code, main):
+                start = code.span(loop).start
+                yield Swallowed(code.source.span(start, start + found.end()), code.span(failed), False)
             return
 
 
-def _logged(code: Code, main: Node, loop: Node, name: str) -> Node | None:
-    """The branch before a loop that logs an error when a variable is false."""
+def _logged(code: Code, main: Node) -> dict[str, Node]:
+    """Variable -> the first branch of ``main`` that logs an error when it is false."""
+    found: dict[str, Node] = {}
     todo = [main]
     while todo:
         node = todo.pop()
-        if node.type == "if_statement" and node.end_byte <= loop.start_byte:
-            asked = "".join(code.text(node.child_by_field_name("condition")).split())
-            field = {f"({name})": "alternative", f"(!{name})": "consequence"}.get(asked)
-            branch = node.child_by_field_name(field) if field is not None else None
-            if branch is not None and LOGS.search(blanked(code.text(branch))):
-                return branch
+        asked = _ASKED.match(code.text(node.child_by_field_name("condition"))) if node.type == "if_statement" else None
+        if asked is not None:
+            branch = node.child_by_field_name("consequence" if asked["not"] else "alternative")
+            if branch is not None and asked["name"] not in found and LOGS.search(blanked(code.text(branch))):
+                found[asked["name"]] = branch
         todo += reversed(node.named_children)
-    return None
+    return found
 
 
 def _attempt(code: Code, spin: Node) -> Node | None:
