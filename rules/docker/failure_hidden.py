@@ -131,12 +131,37 @@ def _of_stage(stage: Stage) -> Iterator[Hidden]:
             yield hidden
 
 
+class Chain(NamedTuple):
+    """The commands of one script, each looked at once."""
+
+    blocks: Sequence[Block]
+    stops: list[int]
+    """For each command, the first one from it on after which neither ``&&`` nor ``|`` stands."""
+    succeed: list[bool]
+    """For each command, and for the end: whether all from it on succeeds without an installation."""
+    last_update: int
+    """The last update of the package lists whose failure counts; -1 without one."""
+
+
+def _chain(blocks: Sequence[Block]) -> Chain:
+    last = len(blocks) - 1
+    stops, succeed = list(range(len(blocks))), [True] * (len(blocks) + 1)
+    for at in range(last, -1, -1):
+        if at < last and _ends(blocks[at]) in ("&&", "|"):
+            stops[at] = stops[at + 1]
+        succeed[at] = succeed[at + 1] and _name(blocks[at]) in INDEPENDENT
+    counts = (at for at in range(last, -1, -1) if _updates_lists(blocks[at]) and _ends(blocks[at]) != "||")
+    return Chain(blocks, stops, succeed, next(counts, -1))
+
+
 def _hidden(blocks: Sequence[Block], pipefail: bool) -> Iterator[Hidden]:
+    chain = _chain(blocks)
     for at, block in enumerate(blocks):
         if _updates_lists(block) and _ends(block) == "||" and at + 1 < len(blocks):
-            yield from _hidden_update(block, blocks[at + 1], blocks[at + 2 :])
+            if chain.last_update < at + 2:
+                yield from _hidden_update(block, blocks[at + 1])
         elif block.command is not None and _brings(block.command):
-            hiding = _hiding(blocks, at, pipefail)
+            hiding = _hiding(chain, at, pipefail)
             if hiding is not None:
                 yield Hidden(block.command.words[0], hiding)
         if block.kind == "branches":
@@ -158,48 +183,40 @@ def _updates_lists(block: Block) -> bool:
     return _name(block) in PACKAGE_LISTS and "update" in _words(block)
 
 
-def _hidden_update(block: Block, fallback: Block, later: Sequence[Block]) -> Iterator[Hidden]:
-    """An update of the package lists whose failure is hidden, and that no other one makes up for."""
+def _hidden_update(block: Block, fallback: Block) -> Iterator[Hidden]:
+    """An update of the package lists whose failure is hidden."""
     name = _name(fallback)
-    if name in PASSIVE and not any(_updates_lists(each) and _ends(each) != "||" for each in later):
+    if name in PASSIVE:
         how, advice = f"'|| {name}' takes the failure for its own", f"remove '|| {name}'"
         yield Hidden(_words(block)[0], Hiding(_words(fallback)[0], how, advice, result=OLD_LISTS))
 
 
-def _hiding(blocks: Sequence[Block], at: int, pipefail: bool) -> Hiding | None:
+def _hiding(chain: Chain, at: int, pipefail: bool) -> Hiding | None:
     """What runs although a command failed, and how it comes to that; None where the build ends."""
+    blocks, stop = chain.blocks, chain.stops[at]
     builds = _name(blocks[at]) == "colcon"
-    meant = _name(blocks[at]) not in ("colcon", "rosdep")
-    here = at
-    while here + 1 < len(blocks):
-        ends, following = _ends(blocks[here]), blocks[here + 1]
-        if ends == "|" and here == at:
-            tees = builds and not pipefail and _name(following) == "tee"
-            if not tees:
-                return None
-            return Hiding(_words(following)[0], "tee succeeds all the same", "write set -o pipefail before the command")
-        if ends == "||":
-            if _name(following) not in PASSIVE or (here == at and meant):
-                return None
-            if meant and not _succeeds(blocks[here + 1 :]):
-                return None
-            fallback = _name(following)
-            remedy = SKIP if _name(blocks[here]) == "rosdep" else f"remove '|| {fallback}'"
-            advice = remedy if here == at else GROUP
-            return Hiding(_words(following)[0], f"'|| {fallback}' takes the failure for its own", advice)
-        if ends not in ("&&", "|"):
-            if any(STATUS.search(word) for word in _words(following)):
-                return None
-            if not builds and not _succeeds(blocks[here + 1 :]):
-                return None
-            return Hiding(_words(following)[0], "the next command runs", JOIN, "this runs all the same")
-        here += 1
-    return None
+    if _ends(blocks[at]) == "|" and stop > at:
+        tees = builds and not pipefail and _name(blocks[at + 1]) == "tee"
+        what, advice = "tee succeeds all the same", "write set -o pipefail before the command"
+        return Hiding(_words(blocks[at + 1])[0], what, advice) if tees else None
+    if stop + 1 == len(blocks):
+        return None
+    following = blocks[stop + 1]
+    if _ends(blocks[stop]) == "||":
+        return _fallback(chain, at, following)
+    if any(STATUS.search(word) for word in _words(following)) or not (builds or chain.succeed[stop + 1]):
+        return None
+    return Hiding(_words(following)[0], "the next command runs", JOIN, "this runs all the same")
 
 
-def _succeeds(blocks: Sequence[Block]) -> bool:
-    """Whether all that follows an installation succeeds without it."""
-    return all(_name(each) in INDEPENDENT for each in blocks)
+def _fallback(chain: Chain, at: int, following: Block) -> Hiding | None:
+    """The command after ``||`` that does nothing about a failure."""
+    stop, name = chain.stops[at], _name(following)
+    meant = _name(chain.blocks[at]) not in ("colcon", "rosdep")
+    if name not in PASSIVE or (meant and (stop == at or not chain.succeed[stop + 1])):
+        return None
+    remedy = SKIP if _name(chain.blocks[stop]) == "rosdep" else f"remove '|| {name}'"
+    return Hiding(_words(following)[0], f"'|| {name}' takes the failure for its own", remedy if stop == at else GROUP)
 
 
 def _ends(block: Block) -> str:
