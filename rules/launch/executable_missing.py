@@ -6,7 +6,7 @@ registration) provides, console scripts that setup.cfg does not put into `lib/<p
 `install(FILES)` installs without their executable bit. Of common public packages (Navigation2, robot_localization,
 slam_toolbox, controller_manager, joy, teleop_twist_joy, tf2_ros, ...): executables that no distribution has, and those
 that have another name in the robot's distribution, as `spawner.py` from Humble on. A node that does not start by
-default is a warning.
+default is a warning; a program that is commented out in CMake is an info where nothing includes the launch file.
 
 `ros2 run` in units, scripts, containers and other files that start processes is checked in the same way, also where a
 script hands it to tmux, a terminal window or an alias; in a script that only people start, it is a warning. Not
@@ -36,6 +36,7 @@ external project generates.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
@@ -76,6 +77,8 @@ class Start(NamedTuple):
     distro: str | None = None
     judged: bool = True
     """What public packages have is asked, too: the file is judged, and does not ask itself which distribution runs."""
+    is_left: bool = False
+    """Nothing of the tree includes the launch file."""
     node: Span | None = None
     """The action of the launch file."""
 
@@ -132,6 +135,7 @@ def _of_launch_files(robot: Robot) -> Iterator[Start]:
                 severity="warning" if node.by_default is not True else None,
                 distro=launch.distribution_of(robot.launch, node.file),
                 judged=node.file in judged and not launch.looks_at_distribution(node.file),
+                is_left=id(node.file) not in robot.launch.included,
                 node=node.span,
             )
 
@@ -155,7 +159,7 @@ def _of_commands(robot: Robot) -> Iterator[Start]:
 def of_workspace(robot: Robot, start: Start, package: launch.Package) -> Iterator[Finding]:
     executable = start.executable
     if robot.launch.workspace.lacks(package, executable) and not package.made(executable):
-        yield missing(start, package)
+        yield missing(robot, start, package)
     elif executable in package.without_mode and package.installs_known:
         yield without_mode(robot, start, package)
 
@@ -250,8 +254,19 @@ def without_mode(robot: Robot, start: Start, package: launch.Package) -> Finding
     )
 
 
-def missing(start: Start, package: launch.Package) -> Finding:
+def missing(robot: Robot, start: Start, package: launch.Package) -> Finding:
     executable = start.executable
+    packages = robot.launch.workspace.packages.values()
+    homes = [each for each in packages if executable in each.executables]
+    if len(homes) == 1:
+        return finding(
+            executable,
+            f"{package.name} has no executable '{executable}': {start.effect}",
+            advice=f"start it from the package {homes[0].name}",
+            chain=start.chain(),
+            related=[*start.used, note(homes[0].executables[executable], f"the executable of {homes[0].name}")],
+            severity=start.severity,
+        )
     near = nearest(executable, sorted(package.executables), 3)
     longer = [each for each in package.executables if each.startswith(f"{executable}_")]
     near = near or (longer if len(longer) == 1 else [])
@@ -264,8 +279,15 @@ def missing(start: Start, package: launch.Package) -> Finding:
         chain=start.chain(),
         related=start.used + (related or [note(build, "what the package installs") for build in builds]),
         fix=_fix(executable, near[0]) if len(near) == 1 else None,
-        severity=start.severity,
+        severity="info" if start.is_left and _is_commented_out(package, executable) else start.severity,
     )
+
+
+def _is_commented_out(package: launch.Package, executable: str) -> bool:
+    """Whether the line of a CMakeLists.txt that would build it is a comment."""
+    makes = r"\b(?:add_executable|ament_add_gtest)[ \t]*\([ \t]*"
+    target = re.compile(rf"^[ \t]*#[^\n]{{0,80}}{makes}{re.escape(executable)}\b", re.M)
+    return any(target.search(build.source.text) for build in package.builds)
 
 
 def _fix(executable: Located, name: str) -> Fix | None:

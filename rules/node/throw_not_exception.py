@@ -2,7 +2,8 @@
 
 ## What it finds
 `throw` of a text, `errno`, `strerror()` or a number, outside every `try` of its function, in a package in which no
-handler takes such a thing. Once a source, with the other places.
+handler takes such a thing. Once a source, with the other places. It is an info where the package has no handler that
+would take an exception either.
 
 ## Why it matters on a robot
 `catch (const std::exception &)`, around a callback, in the component manager and in lifecycle transitions, does not
@@ -39,11 +40,11 @@ from bringup_lint.api import rule
 
 @rule("warning", symptoms=["terminate called after throwing an instance of 'char const*'"])
 def throw_not_exception(robot: Robot) -> Iterator[Finding]:
-    for first, *others in nodes.thrown(robot.nodes):
+    for (first, *others), is_handled in nodes.thrown(robot.nodes):
         yield finding(
             first.place,
             f"This throws {first.kind}, which no handler of std::exception takes: the process ends in an abort",
             advice="throw std::runtime_error with the text",
             related=[note(each.place, "the same here") for each in others],
-            severity=robot.nodes.lowered_if_vendored(first.place.source, "warning"),
+            severity=robot.nodes.lowered_if_vendored(first.place.source, "warning" if is_handled else "info"),
         )

@@ -146,7 +146,7 @@ class _Needed:
     def lack(self, need: Need) -> Lack | None:
         """None when it is not known to be one, or the package.xml says why it is left out."""
         name = str(need.name)
-        if not self._is_known(need) or self._is_explained(need) or self._is_circular(name):
+        if not self._is_known(need) or self._is_explained(need) or self._is_circular(need):
             return None
         if need.use == "interfaces":
             return None if "rosidl_core_runtime" in self._own else Lack.BROUGHT
@@ -237,10 +237,16 @@ class _Needed:
         name = str(need.name)
         return name in self._explained and not (name in self._left_out and need.use in _STARTED)
 
-    def _is_circular(self, name: str) -> bool:
-        """Whether a package depends on the one that needs it, so that it cannot be declared."""
-        needed = self._launch.workspace.packages.get(name)
-        return needed is not None and self._package.name in self._launch.workspace.required(needed)
+    def _is_circular(self, need: Need) -> bool:
+        """Whether a package depends on the one that needs it, so that it cannot be declared: by its package.xml, or
+        because it starts what only looks into its share folder."""
+        needed = self._launch.workspace.packages.get(str(need.name))
+        if needed is None:
+            return False
+        starts = need.use == "share" and any(
+            each.use in _STARTED and each.name == self._package.name for each in self._dependencies.undeclared(needed)
+        )
+        return starts or self._package.name in self._launch.workspace.required(needed)
 
     def _is_used(self, need: Need) -> bool:
         """Whether CMake does more with a library than to look for it: a line that is left over needs no dependency."""

@@ -19,11 +19,19 @@ _TAKES = regex(
 )
 
 
-def thrown(nodes: Nodes) -> Iterator[list[Thrown]]:
-    """Those of one source together, where no handler of its package takes a text or a number."""
+_MISSES = regex(
+    r"\bcatch\s{0,4}\(\s{0,4}(?:const\s{1,4})?(?:std\s{0,2}::|\w{1,60}(?:[eE]xception|[eE]rror)\b)", hints="catch"
+)
+"""A handler of exceptions."""
+
+
+def thrown(nodes: Nodes) -> Iterator[tuple[list[Thrown], bool]]:
+    """Those of one source together, where no handler of its package takes a text or a number; with whether there is
+    one that would take an exception."""
     for driver in nodes.drivers:
-        if driver.thrown and not any(map(_may_take, package_sources(nodes, driver.source))):
-            yield driver.thrown
+        sources = list(package_sources(nodes, driver.source)) if driver.thrown else []
+        if driver.thrown and not any(map(_may_take, sources)):
+            yield driver.thrown, any(each is not None and each.matches(_MISSES) for each in sources)
 
 
 def _may_take(source: Source | None) -> bool:
