@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from collections.abc import Iterator
+from functools import cached_property
 
 from bringup_lint.dataclass import replace
 from bringup_lint.model.shell import Block
@@ -82,6 +83,7 @@ class _Reader:
     def __init__(self, found: list[Token]) -> None:
         self.tokens = found
         self.at = 0
+        self.after_process: dict[int, str] = {}
 
     def peek(self, ahead: int = 0) -> Token | None:
         at = self.at + ahead
@@ -263,7 +265,48 @@ class _Reader:
         """The operator that ends the command before it."""
         token = self.peek()
         text = str(token.text) if token is not None and token.operator else ""
+        if text == "(" and self.is_process(self.at):
+            return self.end_after_process()
         return ";" if text in ("(", ")") else text
+
+    def is_process(self, at: int) -> bool:
+        """Whether the bracket there is that of ``<(`` or ``>(``."""
+        before, bracket = self.tokens[at - 1], self.tokens[at]
+        is_arrow = before.operator and before.text in ("<", ">")
+        return is_arrow and before.text.span.end == bracket.text.span.start
+
+    def end_after_process(self) -> str:
+        """The ``&&`` or ``||`` behind the words of a command, some of which are ``<(...)``."""
+        at = self.at
+        passed: list[int] = []
+        end = ";"
+        while at < len(self.tokens):
+            token = self.tokens[at]
+            if at in self.after_process:
+                end = self.after_process[at]
+                break
+            if not token.operator or token.text in REDIRECTS or token.text in HERE:
+                at += 1
+            elif token.text == "(" and self.is_process(at):
+                passed.append(at)
+                at = self.closing.get(at, len(self.tokens)) + 1
+            else:
+                end = str(token.text) if token.text in ("&&", "||") else ";"
+                break
+        self.after_process.update(dict.fromkeys(passed, end))
+        return end
+
+    @cached_property
+    def closing(self) -> dict[int, int]:
+        """Where each bracket is closed."""
+        found: dict[int, int] = {}
+        opened: list[int] = []
+        for at, token in enumerate(self.tokens):
+            if token.operator and token.text == "(":
+                opened.append(at)
+            elif token.operator and token.text == ")" and opened:
+                found[opened.pop()] = at
+        return found
 
     def redirects(self, before: list[Located]) -> Iterator[Redirect]:
         """The redirections here. A number right before the operator, the last word of ``before``, belongs to it; not

@@ -4,8 +4,9 @@
 In a script under `set -e`, outside of branches and loops, a command that fails when what it makes is there already:
 `rosdep init`, `groupadd` and `useradd`, `mkdir` without `-p` and `ln -s` without `-f` for a path that is known.
 
-An info for users and groups. Silent where the script removes the path before or asks for it, in scripts that build an
-image, and for temporary folders.
+An info for users and groups. Silent where the script removes the path or a folder above it, asks for one of them, or
+ends early where some file is there; in functions that are called under a condition; in scripts that build an image or
+set up a development container; and for temporary folders.
 
 ## Why it matters on a robot
 Set-up scripts are run again: after a step that failed, after an update, for the next user. The second run ends at this
@@ -43,16 +44,21 @@ from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.shell import Block
 from bringup_lint.api.shell import Command
 from bringup_lint.api.shell import ended_by_failure
+from bringup_lint.api.shell import is_inverted
 from bringup_lint.api.shell import program_name
-from bringup_lint.api.shell import runs_in_image
 from bringup_lint.api.shell import shell_blocks
 from bringup_lint.api.shell import unwrapped
 
 HAS_COMMAND = regex(r"\brosdep[ \t]+init\b|\b(?:groupadd|useradd|mkdir|ln)[ \t]")
 KNOWN = regex(r"(?:/|~/|\$HOME/|\$\{HOME\}/)(?!tmp/|run/|dev/shm/|proc/|sys/)[\w./@+-]+")
-ASKS = r"(?:\[|\b(?:test|rm|getent|id|grep|unlink|userdel|groupdel|ls)\b)"
+ASKS = r"(?:\[|\b(?:test|rm|rmdir|getent|id|grep|unlink|userdel|groupdel|ls)\b)"
+IS_THERE = regex(r"-[edfhLrsx]")
+FOUND_BY = ("which", "type", "dpkg", "pgrep", "id", "getent", "grep")
+"""Programs that are asked whether something was done before."""
+ENDS = ("exit", "return", "exec")
 FILE = regex(r"\.\w+\Z|/s?bin/[^/]+\Z")
 """What is no folder; a link to a folder gets the next link inside."""
 ADVICE = {
@@ -69,14 +75,18 @@ def second_run_ends(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("shell-script"):
         if not source.judged or source.template or not source.matches(HAS_COMMAND):
             continue
-        if runs_in_image(source) or robot.scripts.is_for_image(source):
+        if robot.scripts.is_for_image(source):
             continue
-        statements = shell_blocks(source)
-        always = {id(statements), *(id(block.bodies[0]) for block in statements if block.kind == "function")}
+        always = list(_always(shell_blocks(source)))
+        if any(map(_ends_early, always)):
+            continue
+        lists = set(map(id, always))
         for statement in ended_by_failure(source):
-            command = statement.block.command if id(statement.among) in always else None
+            command = statement.block.command if id(statement.among) in lists else None
             found = _made(command) if command is not None and statement.after not in ("&&", "||", "|") else None
             if found is not None and not _is_asked_for(source, found[1]):
+                if robot.scripts.sets_up_image(source):
+                    break
                 program, made = found
                 yield finding(
                     made,
@@ -84,6 +94,44 @@ def second_run_ends(robot: Robot) -> Iterator[Finding]:
                     advice=ADVICE[program],
                     severity="info" if program in ("groupadd", "useradd") else None,
                 )
+
+
+def _always(statements: tuple[Block, ...]) -> Iterator[tuple[Block, ...]]:
+    """The lists of statements that run each time: that of the script, and of the functions that it calls there."""
+    functions = {block.name: block.bodies[0] for block in statements if block.kind == "function"}
+    left = [statements]
+    while left:
+        listed = left.pop()
+        yield listed
+        for before, block in zip((None, *listed), listed, strict=False):
+            is_alone = before is None or before.command is None or before.command.ends not in ("&&", "||")
+            if block.command is not None and is_alone and block.command.name in functions:
+                left.append(functions.pop(block.command.name))
+
+
+def _ends_early(statements: tuple[Block, ...]) -> bool:
+    """Whether the script ends under the condition that something is there."""
+    for at, block in enumerate(statements):
+        asked = block.condition if block.kind == "branches" else statements[at : at + 1]
+        then = block.bodies[0] if block.kind == "branches" and block.bodies else statements[at + 1 : at + 2]
+        if any(map(_asks, asked)) and any(name in ENDS for name in _named(then)):
+            return True
+    return False
+
+
+def _asks(block: Block) -> bool:
+    command = block.command
+    if command is None or command.ends == "||" or "!" in command.words or is_inverted(command):
+        return False
+    return command.name in FOUND_BY or "-v" in command.words[1:2] or any(map(IS_THERE.fullmatch, command.words))
+
+
+def _named(blocks: tuple[Block, ...]) -> Iterator[str]:
+    for block in blocks:
+        if block.command is not None:
+            yield block.command.name
+        for body in block.bodies:
+            yield from _named(body)
 
 
 def _made(command: Command) -> tuple[str, Located] | None:
@@ -105,6 +153,10 @@ def _made(command: Command) -> tuple[str, Located] | None:
 
 
 def _is_asked_for(source: Source, made: Located) -> bool:
-    """Whether the script looks for what it makes, or removes it."""
+    """Whether the script looks for what it makes, or removes it, or a folder above it."""
     name = "20-default" if made == "rosdep" else made.rpartition("/")[2]
-    return re.search(rf"{ASKS}[^\n]*{re.escape(name)}", source.text) is not None
+    if re.search(rf"{ASKS}[^\n]*{re.escape(name)}", source.text):
+        return True
+    parts = made.split("/")
+    above = ["/".join(parts[:end]) for end in range(3 if made.startswith("/") else 2, len(parts))]
+    return any(re.search(rf"{ASKS}[^\n]*[ \t\"']{re.escape(each)}/?(?![\w./@+-])", source.text) for each in above)

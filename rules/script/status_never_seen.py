@@ -9,7 +9,8 @@ After `set -e` (or `#!/bin/bash -e`), outside of conditions:
   `systemctl is-active`. With `pipefail` one of them anywhere in a pipe.
 
 A warning where the branch does something, and where the command before prints nothing itself. Info where the branch
-only prints a message and ends the script. Silent where it only ends it.
+only prints a message, or cleans up, and ends the script, and in scripts that run while an image is built, whose failure
+is seen there and then. Silent where it only ends it, and where the script reads another one that has `set +e`.
 
 ## Why it matters on a robot
 The script ends at the command itself. What is meant for the robot without the program or the process, such as its
@@ -42,6 +43,7 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
@@ -53,12 +55,14 @@ from bringup_lint.api.shell import commands
 from bringup_lint.api.shell import ended_by_failure
 from bringup_lint.api.shell import is_inverted
 from bringup_lint.api.shell import program_name
+from bringup_lint.api.shell import shell_commands
 from bringup_lint.api.shell import substitutions
 from bringup_lint.api.shell import unwrapped
 
 TESTS = ("[", "[[", "test")
 SAYS = frozenset("echo printf cat exit return cd popd die".split())
-REPORTS = frozenset("print log err error warn warning info panic fail fatal usage help msg message".split())
+CLEANS = frozenset("rm rmdir umount popd cd".split())
+REPORTS = frozenset("echo printf print log err error warn warning info panic fail fatal usage help msg message".split())
 """Words in the names of functions that only say something."""
 QUIET = ("exit", "return", "cd", "popd")
 SEARCHES = ("which", "pgrep", "pidof", "grep", "egrep", "fgrep", "getent")
@@ -68,6 +72,7 @@ FAILING = ("ls ", "dpkg ", "dpkg-query ", "rospack find", "ros2 pkg", "docker in
 FOR_NOTHING = {"": True, "inactive": True, "disabled": True, "failed": True, "active": False, "enabled": False}
 """Values that a variable is compared with, and whether it has them only where the command failed."""
 PIPEFAIL = regex(r"^[ \t]*set[ \t][^\n#]*\bpipefail\b", re.M, "pipefail")
+OFF = regex(r"\bset[ \t]+\+\w{0,8}e")
 SILENT = ("[", "[[", "test", "which", "pgrep", "pidof")
 NO_STATUS = ("local", "export", "declare", "readonly", "typeset", "set", "echo", "printf", "trap", "true", ":", "exec")
 STATUS = ("$?", "${?}")
@@ -84,10 +89,17 @@ def status_never_seen(robot: Robot) -> Iterator[Finding]:
         if source.judged and not source.template:
             pipefail = source.matches(PIPEFAIL)
             for statement in ended_by_failure(source):
-                yield from _dead(statement, pipefail)
+                yield from _dead(robot, source, statement, pipefail)
 
 
-def _dead(statement: Statement, pipefail: bool) -> Iterator[Finding]:
+def _is_turned_off(robot: Robot, source: Source) -> bool:
+    """Whether a script that this one reads has ``set +e``, maybe in a function."""
+    reads = (each for each in shell_commands(source) if each.name in (".", "source") and each.words[1:])
+    read = {each.words[1].rpartition("/")[2] for each in reads}
+    return any(each.basename in read and OFF.search(each.text) for each in robot.of_kind("shell-script"))
+
+
+def _dead(robot: Robot, source: Source, statement: Statement, pipefail: bool) -> Iterator[Finding]:
     command = statement.block.command
     if command is None or statement.after in ("&&", "||"):
         return
@@ -101,14 +113,16 @@ def _dead(statement: Statement, pipefail: bool) -> Iterator[Finding]:
     first = (*command.words, *command.assignments)[0]
     named = [each.name for each in _all(body)]
     acts = [name for name in named if name not in SAYS and REPORTS.isdisjoint(name.split("_"))]
-    if all(name in QUIET for name in named):
+    only_cleans = "exit" in named and CLEANS.issuperset(acts)
+    if all(name in QUIET for name in named) or _is_turned_off(robot, source):
         return
+    is_found_late = (acts and not only_cleans) or not command.words or _is_silent(command)
     yield finding(
         where,
         f"The script has set -e: {_told(bool(acts), bool(command.words))}",
         advice="write 'if ! COMMAND; then'" if command.words else "write || true behind the command in $(...)",
         related=[note(first, "a failure ends the script here")],
-        severity="warning" if acts or not command.words or _is_silent(command) else "info",
+        severity="warning" if is_found_late and not robot.scripts.sets_up_image(source) else "info",
     )
 
 

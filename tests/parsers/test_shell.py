@@ -7,6 +7,7 @@ from hypothesis import given
 from hypothesis import settings
 from hypothesis import strategies as st
 
+from bringup_lint.parsers.shell import blocks
 from bringup_lint.parsers.shell import commands
 from bringup_lint.parsers.shell import shell_commands
 from bringup_lint.parsers.shell_tokens import substitutions
@@ -137,3 +138,18 @@ def test_substitutions(text: str, inner: list[str]) -> None:
     found = commands(Source("start.sh", text).located(0, len(text)))
     words = (word for command in found for word in command.words)
     assert [str(each) for word in words for each in substitutions(word)] == inner
+
+
+@pytest.mark.parametrize(
+    ("text", "ends"),
+    [
+        ("while read -r a; do :; done < <(ls) || true", "||"),
+        ("grep a <(sort b | uniq) c > d || true", "||"),
+        ("diff <(a) <(b) && c", "&&"),
+        ("diff <(a) <(b)\nc || true", ";"),
+        ("diff <(a) <(b", ";"),
+    ],
+)
+def test_what_ends_a_command_with_processes_among_its_words(text: str, ends: str) -> None:
+    block = blocks(Source("x.sh", text).located(0, len(text)))[0]
+    assert (block.command.ends if block.command else block.ends) == ends

@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from bringup_lint.dataclass import dataclass
 from bringup_lint.discover.starters import STARTING
 from bringup_lint.graph.files import Files
+from bringup_lint.graph.image_builds import runs_in_image
 from bringup_lint.graph.installed.script import Run
 from bringup_lint.graph.installed.script import Written
 from bringup_lint.graph.installed.script import runs
@@ -26,6 +27,9 @@ _AT_BOOT = regex(r"^### BEGIN INIT INFO(?:\n#[^\n]*){0,20}\n# *Default-Start: *\
 """The head of an init script (LSB 5.0, "Comment Conventions for Init Scripts") that has run levels."""
 _PART = regex(r"\{\{ [^{}]* \}\}|\$\{\w+\}|\$\w+")
 _ITSELF = regex(r"\$\{?(?:0|BASH_SOURCE)\b")
+_STEP = r"^[ \t]*RUN[ \t](?:[^\n]*\\\n)*[^\n]*"
+_ENTERS = regex(r"\b(?:on_|arch-)?chroot\b|\bsystemd-nspawn\b|\bvirt-customize\b|\bqemu-\w{1,20}-static\b")
+"""What a script says that runs commands in the system of an image."""
 SIZE = 200_000
 """Characters of a script that is read for what it does."""
 
@@ -65,6 +69,22 @@ class Scripts:
     def is_for_image(self, source: Source) -> bool:
         """Whether a Dockerfile or compose file names the script, so that a container may run it."""
         return any(source.basename in each.text for each in self.files.of_kind("dockerfile", "compose"))
+
+    def sets_up_image(self, source: Source) -> bool:
+        """Whether a script runs once while an image is built: a step of a Dockerfile or a devcontainer.json names it,
+        or another script that runs commands in the system of an image."""
+        if runs_in_image(source):
+            return True
+        name = source.basename
+        step = re.compile(rf"{_STEP}{re.escape(name)}", re.M | re.I)
+        return (
+            any(name in each.text for each in self.files.of_kind("devcontainer"))
+            or any(name in each.text and step.search(each.text) for each in self.files.of_kind("dockerfile"))
+            or any(
+                name in each.text and _ENTERS.search(each.text) and each is not source
+                for each in self.files.of_kind("shell-script")
+            )
+        )
 
     def _saying(self, *parts: str) -> Iterator[Source]:
         for source in self.files.of_kind(*KINDS):
