@@ -20,6 +20,8 @@ from bringup_lint.type_names import cast
 Made = TypeVar("Made")
 
 _WORD = regex(r"[^ \t\n\r\f\v]+")
+_NEAR = 2_000
+"""Characters of a line before a place that are looked at."""
 _REMARKS = regex(r"(?m)^[ \t]*#[^\n]*")
 """Lines of a comment."""
 
@@ -141,8 +143,9 @@ class Source:
         return self.text[starts[line - 1] : end].rstrip("\r\n")
 
     def line_before(self, offset: int) -> str:
-        """The text of a line before an offset in it."""
-        return self.text[self.text.rfind("\n", 0, offset) + 1 : offset]
+        """The text of a line before an offset in it; of a very long line only what is near."""
+        near = max(0, offset - _NEAR)
+        return self.text[max(near, self.text.rfind("\n", near, offset) + 1) : offset]
 
     @property
     def absolute(self) -> str:

@@ -43,8 +43,8 @@ from bringup_lint.api import rule
 CROSS = regex(r"\bg(?:cc|\+\+)-(?:\d+-)?(?:aarch64|arm|riscv64|x86-64)-linux-gnu|\bcrossbuild-essential-")
 """Compilers for another processor, in an image that only compiles."""
 OTHER_PLATFORMS = regex(
-    r"--platform[ =]+[\"']?linux/|\bplatforms?:[ \t]*(?:\n[ \t]*-[ \t]*)?[\"'\[ ]*linux/|\bbinfmt\b|setup-qemu"
-    r"|qemu-user-static",
+    r"--platform[ =]+[\"']?linux/|\bplatforms?:[ \t]*(?:\n[ \t]*-[ \t]*)?(?:[\"'\[][\"'\[ ]*)?linux/|\bbinfmt\b"
+    r"|setup-qemu|qemu-user-static",
     hints="linux/ binfmt qemu",
 )
 """What builds or runs images for another platform than that of the computer."""

@@ -29,8 +29,8 @@ When the step only proves that the file can be read.
 - https://docs.docker.com/reference/dockerfile/#environment-replacement: ENV stays in the image
 """
 
+from bisect import bisect_right
 from collections.abc import Iterator
-from itertools import takewhile
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
@@ -68,13 +68,13 @@ def run_without_effect(robot: Robot) -> Iterator[Finding]:
             found = list(_lost(stage))
             if not found:
                 continue
-            first = found[0]
+            first, later = found[0], _Later(stage)
             yield finding(
                 first.words[0],
                 f"'{first.name}' changes only the shell of this step: nothing of it is left in the next one",
                 advice=ADVICE.get(first.name, "join it with the step that needs it"),
                 related=[note(other.words[0], "this step too") for other in found[1:]],
-                severity="info" if all(_is_idle(stage, command) for command in found) else None,
+                severity="info" if all(map(later.is_idle, found)) else None,
             )
 
 
@@ -88,19 +88,30 @@ def _lost(stage: Stage) -> Iterator[Command]:
             yield commands[-1]
 
 
-def _is_idle(stage: Stage, lost: Command) -> bool:
-    """Whether a file is sourced, and no step after it would find anything of ROS in its environment, or a folder is
-    entered to which none of them refers."""
-    later = [each for each in stage.instructions if each.keyword.span.start > lost.words[0].span.start]
-    if lost.name == "cd":
-        from_there = [each for each in takewhile(lambda each: each.name != "WORKDIR", later) if each.name in STARTS]
-        return not any(FROM_HERE.search("\n".join([each.value, *each.heredocs])) for each in from_there)
-    if lost.name not in ("source", "."):
-        return False
-    needs = BUILDS if "ROS_DISTRO" in " ".join(lost.words) else OF_ROS
-    later = [each for each in later if each.name == "RUN"]
-    steps = ("\n".join([run.value, *run.heredocs]) for run in later)
-    return not any(needs.search(step) and "setup." not in step for step in steps)
+class _Later:
+    """What the steps of a stage do, from each of them on, with the folder and the environment in which they start."""
+
+    def __init__(self, stage: Stage) -> None:
+        self._starts = [each.keyword.span.start for each in stage.instructions]
+        here, ros, builds = False, False, False
+        found = [(here, ros, builds)]
+        for each in reversed(stage.instructions):
+            text = "\n".join([each.value, *each.heredocs])
+            here = each.name != "WORKDIR" and (here or (each.name in STARTS and FROM_HERE.search(text) is not None))
+            if each.name == "RUN" and "setup." not in text:
+                ros, builds = ros or OF_ROS.search(text) is not None, builds or BUILDS.search(text) is not None
+            found.append((here, ros, builds))
+        self._found = found[::-1]
+
+    def is_idle(self, lost: Command) -> bool:
+        """Whether a file is sourced, and no step after it would find anything of ROS in its environment, or a folder is
+        entered to which none of them refers."""
+        here, ros, builds = self._found[bisect_right(self._starts, lost.words[0].span.start)]
+        if lost.name == "cd":
+            return not here
+        if lost.name not in ("source", "."):
+            return False
+        return not (builds if "ROS_DISTRO" in " ".join(lost.words) else ros)
 
 
 def _only_of_shell(command: Command) -> bool:

@@ -34,7 +34,7 @@ Never.
 - https://mywiki.wooledge.org/BashFAQ/105
 """
 
-import re
+from collections import Counter
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -50,7 +50,14 @@ from bringup_lint.api.shell import ended_by_failure
 from bringup_lint.api.shell import shell_commands
 
 COUNTS = regex(r"\s*(?P<name>[A-Za-z_]\w*)\s*(?:\+\+|--)\s*")
-HAS_COUNT = regex(r"(?:\(\(|\blet)\s*[\"']?\s*[A-Za-z_]\w*\s*(?:\+\+|--)")
+HAS_COUNT = regex(r"(?:\(\(|\blet)\s*(?:[\"']\s*)?[A-Za-z_]\w*\s*(?:\+\+|--)")
+CHANGES = (
+    regex(r"(?<![\w$])(?P<name>[A-Za-z_]\w*)\s*[-+*/%]?=(?!=)"),
+    regex(r"(?:\+\+|--)[ \t]*(?P<name>[A-Za-z_]\w*)"),
+    regex(r"\$\(\(\s*(?P<name>[A-Za-z_]\w*)\s*(?:\+\+|--)"),
+)
+READS = regex(r"\b(?:for|select|read|getopts|mapfile|readarray|printf\s+-v|eval)\b([^\n;]*)")
+WORD = regex(r"\w+")
 ZERO = regex(r"(?P<name>[A-Za-z_]\w*)=0?")
 DECLARES = ("local", "declare", "typeset", "export", "readonly")
 OTHER_SHELL = regex(r"#![^\n]*\b(?:sh|dash|ash|zsh|ksh)\b")
@@ -70,6 +77,7 @@ def _of(source: Source) -> Iterator[Finding]:
             if found := ZERO.fullmatch(word):
                 zeros.setdefault(found["name"], []).append(word)
     said = set()
+    changes: Counter[str] = Counter()
     for statement in ended_by_failure(source):
         where = _counted(statement.block)
         found = COUNTS.fullmatch(where) if where is not None else None
@@ -77,7 +85,8 @@ def _of(source: Source) -> Iterator[Finding]:
             continue
         name = found["name"]
         said.add(name)
-        if _changes(source.text, name) == len(zeros[name]):
+        changes = changes or _changes(source.text)
+        if changes[name] == len(zeros[name]):
             yield finding(
                 where,
                 f"{name} is 0 at first, so this counts as a failure: under set -e the script ends here",
@@ -93,10 +102,9 @@ def _counted(block: Block) -> Located | None:
     return block.command.words[1] if block.command.name == "let" and len(block.command.words) == 2 else None
 
 
-def _changes(text: str, name: str) -> int:
-    """The places where a variable may get another value than by counting after its use."""
-    name = re.escape(name)
-    given = rf"(?<![\w$]){name}\s*(?:[-+*/%]?=)(?!=)|(?:\+\+|--)\s*{name}\b"
-    read = rf"\b(?:for|select|read|getopts|mapfile|readarray|printf\s+-v|eval)\b[^\n;]*\b{name}\b"
-    used = rf"\$\(\(\s*{name}\s*(?:\+\+|--)"
-    return len(re.findall(f"{given}|{read}|{used}", text))
+def _changes(text: str) -> Counter[str]:
+    """The places where each variable may get another value than by counting after its use."""
+    found = Counter(match["name"] for pattern in CHANGES for match in pattern.finditer(text))
+    for match in READS.finditer(text):
+        found.update(set(WORD.findall(match[1])))
+    return found

@@ -51,6 +51,13 @@ PLACE = regex(
     r"(?:/usr(?:/local)?|~/\.local|\$\{?HOME\}?/(?:\.local/)?)?/?s?bin/.+|/etc/(?!apt/).+|(?:/usr)?/lib/udev/.+|/opt/.+"
 )
 REFUSED = regex(r"keyring|\.(?:gpg|asc|key|pem|tar|tgz|gz|xz|bz2|zst|zip|deb|rpm|whl|run)\b|\$\{?\w+\}?$")
+BETWEEN = r"\s\"'`;|&()<>=:,/"
+WORD = regex(rf"[^{BETWEEN}]+")
+LOOKS = (
+    regex(r"(?:sum|verify|\bfile|\bgrep|\bhead)\b([^\n]*)"),
+    regex(r"^([^\n]*)sum\b", re.M, "sum"),
+    regex(rf"(?<![^{BETWEEN}])([^{BETWEEN}]+)[\"']?[ \t]+(?:--)?(?:version|help)"),
+)
 URL = regex(r"https?://")
 
 
@@ -91,6 +98,12 @@ def _stored(command: Command) -> Located | None:
 
 def _is_checked(stored: Located) -> bool:
     """Whether the script or image looks at the file."""
-    name = re.escape(stored.rpartition("/")[2])
-    asks = rf"(?:sum|verify|\bfile|\bgrep|\bhead)\b[^\n]*{name}|{name}[^\n]*sum\b|{name}[ \t]+(?:--)?(?:version|help)"
-    return re.search(asks, stored.span.source.text) is not None
+    source = stored.span.source
+    asked = source.once(_is_checked, lambda: _looked_at(source.text))
+    return asked.issuperset(WORD.findall(stored.rpartition("/")[2]))
+
+
+def _looked_at(text: str) -> set[str]:
+    """The words for which a script or image looks at a file, with and without their suffixes."""
+    words = {word for pattern in LOOKS for found in pattern.finditer(text) for word in WORD.findall(found[1])}
+    return words | {word.partition(".")[0] for word in words} | {word.rpartition(".")[0] for word in words}

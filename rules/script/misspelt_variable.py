@@ -42,7 +42,9 @@ When whoever calls the script sets the variable.
 """
 
 import re
+from collections import Counter
 from collections.abc import Iterator
+from functools import cached_property
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
@@ -85,9 +87,48 @@ SIZE = 200_000
 LEAST = 6
 """Letters of a name that is set and never read."""
 LINES = 4
+ON_A_LINE = 50
+"""Names on one line that are looked at."""
 OF_A_SESSION = regex(r"(?:XDG|SSH|SUDO|CI|GITHUB|GITLAB|RUNNER|BUILDKITE|JENKINS)_")
 """Variables that a login or a build server gives."""
+WORD = regex(r"\w+")
+NAMED = regex(r"(?<![$\w{])[A-Za-z_]\w*")
+OF_ANY = regex(r"\$\{(?:!?([A-Za-z_]\w*)(?=:?[-=+?])|[!#]([A-Za-z_]\w*)(?=\W))")
+OF_FOLDERS = regex(r"\$\{(?:!?([A-Za-z_]\w*)(?=[^\w}])|[!#]([A-Za-z_]\w*)(?=\W))")
+USE = regex(r"\$\{?([A-Za-z_]\w*)")
+TESTED = regex(r"(?:\[|\btest)[ \t]-[nzv][ \t]{1,100}[\"']?\Z")
+TESTED_AT_ALL = regex(r"(?:\[|\btest)[ \t][^\n]{0,100}[\"']?\Z")
+TEST_ENDS = regex(r"[^\n]{0,100}(?:\]|&&|\|\|)")
+FEW = 40
+"""Names that are looked for in each file; for more of them, all words of the files are read."""
 EXPORTS_ALL = regex(r"\bset[ \t]+-\w{0,6}a|\ballexport\b")
+
+
+class Elsewhere:
+    """The words of the other files."""
+
+    def __init__(self, robot: Robot) -> None:
+        self._robot = robot
+        self._asked: dict[tuple[Source, str], bool] = {}
+
+    def has(self, source: Source, name: str) -> bool:
+        key = source, name
+        if key not in self._asked:
+            is_few = len(self._asked) < FEW
+            self._asked[key] = self._is_in(source, name) if is_few else self._files[name] > self._own(source, name)
+        return self._asked[key]
+
+    def _is_in(self, source: Source, name: str) -> bool:
+        alone = re.compile(rf"(?<!\w){re.escape(name)}(?!\w)")
+        return any(name in each.text and alone.search(each.text) for each in self._robot.sources if each is not source)
+
+    def _own(self, source: Source, name: str) -> bool:
+        return name in source.once((WORD, "words"), lambda: frozenset(WORD.findall(source.text)))
+
+    @cached_property
+    def _files(self) -> Counter[str]:
+        """Word -> how many files have it."""
+        return Counter(word for each in self._robot.sources for word in set(WORD.findall(each.text)))
 
 
 @rule(
@@ -96,16 +137,17 @@ EXPORTS_ALL = regex(r"\bset[ \t]+-\w{0,6}a|\ballexport\b")
     symptoms=["rm: it is dangerous to operate recursively on '/'", "*: unbound variable"],
 )
 def misspelt_variable(robot: Robot) -> Iterator[Finding]:
+    elsewhere = Elsewhere(robot)
     said = set()
-    for found in _deleted(robot):
+    for found in _deleted(robot, elsewhere):
         said.add(found.span)
         yield found
     for source in robot.of_kind("shell-script"):
         if source.judged and not source.template and len(source.text) <= SIZE and "$" in source.text:
-            yield from (found for found in _read(robot, source) if found.span not in said)
+            yield from (found for found in _read(elsewhere, source) if found.span not in said)
 
 
-def _read(robot: Robot, source: Source) -> Iterator[Finding]:
+def _read(elsewhere: Elsewhere, source: Source) -> Iterator[Finding]:
     """The variables that differ in a letter from one that is set."""
     commands = list(with_inner(shell_commands(source)))
     given = {name: place for command in commands for name, place in _given(command)}
@@ -113,14 +155,14 @@ def _read(robot: Robot, source: Source) -> Iterator[Finding]:
     slips: Neighbours | None = None
     seen = {*given, *loops}
     reads = [read for command in commands for read in _reads(command)]
-    yield from _unread(robot, source, commands, dict((name, word) for word, name in reversed(reads)))
-    yield from _longer(robot, source, commands, reads)
+    yield from _unread(elsewhere, source, commands, dict((name, word) for word, name in reversed(reads)))
+    yield from _longer(elsewhere, source, commands, reads)
     for word, name in reads:
         if name not in seen:
             seen.add(name)
             slips = slips or Neighbours((*given, *loops, *WELL_KNOWN, *variables()))
             meant = [each for each in slips.meant(name) if _is_slip(name, each)]
-            if meant and not _may_be_set(robot, source, name, general=True):
+            if meant and not _may_be_set(elsewhere, source, name, general=True):
                 yield finding(
                     word,
                     f"Nothing sets {name}: it is empty here",
@@ -130,7 +172,9 @@ def _read(robot: Robot, source: Source) -> Iterator[Finding]:
                 )
 
 
-def _unread(robot: Robot, source: Source, commands: list[Command], reads: dict[str, Located]) -> Iterator[Finding]:
+def _unread(
+    elsewhere: Elsewhere, source: Source, commands: list[Command], reads: dict[str, Located]
+) -> Iterator[Finding]:
     """The variables that are set and never read, beside one of nearly the name that is read."""
     if EXPORTS_ALL.search(source.text):
         return
@@ -144,9 +188,9 @@ def _unread(robot: Robot, source: Source, commands: list[Command], reads: dict[s
                 continue
             slips = slips or Neighbours(reads)
             meant = [each for each in slips.meant(name) if _is_slip(name, each) and not name.startswith(each)]
-            if len(meant) != 1 or meant[0].startswith(name) or _is_elsewhere(robot, source, name):
+            if len(meant) != 1 or meant[0].startswith(name) or elsewhere.has(source, name):
                 continue
-            if meant[0] in given or _may_be_set(robot, source, meant[0], general=True):
+            if meant[0] in given or _may_be_set(elsewhere, source, meant[0], general=True):
                 yield finding(
                     place,
                     f"Nothing reads {name}: {meant[0]} does not get this value",
@@ -157,14 +201,17 @@ def _unread(robot: Robot, source: Source, commands: list[Command], reads: dict[s
 
 
 def _longer(
-    robot: Robot, source: Source, commands: list[Command], reads: list[tuple[Located, str]]
+    elsewhere: Elsewhere, source: Source, commands: list[Command], reads: list[tuple[Located, str]]
 ) -> Iterator[Finding]:
     """The variables that nothing sets, near one that has a word more or less, and that is set before."""
     places = [each for command in commands for each in _given(command)]
     given = dict(reversed(places))
+    given_at = {(name, place.line) for name, place in places}
     by_line: dict[int, set[str]] = {}
     for word, name in reads:
-        by_line.setdefault(word.line, set()).add(name)
+        names = by_line.setdefault(word.line, set())
+        if len(names) < ON_A_LINE:
+            names.add(name)
     seen = set()
     for word, name in reads:
         if name in given or name in seen or name.count("_") < 1 or OF_A_SESSION.match(name):
@@ -173,10 +220,8 @@ def _longer(
         lines = range(word.line - LINES, word.line + LINES + 1)
         near = {each for line in lines for each in by_line.get(line, ())}
         meant = [each for each in near if each in given and _has_one_word_more(name, each)]
-        is_made_of_it = bool(meant) and any(
-            each in meant and 0 <= place.line - word.line <= LINES for each, place in places
-        )
-        if len(meant) == 1 and not is_made_of_it and not _may_be_set(robot, source, name, general=True):
+        is_made_of_it = any((each, word.line + at) in given_at for each in meant for at in range(LINES + 1))
+        if len(meant) == 1 and not is_made_of_it and not _may_be_set(elsewhere, source, name, general=True):
             yield finding(
                 word,
                 f"Nothing sets {name}: it is empty here",
@@ -190,10 +235,6 @@ def _has_one_word_more(one: str, other: str) -> bool:
     """Whether one of two names has all words of the other in their order, and one more."""
     short, long = sorted((one.split("_"), other.split("_")), key=len)
     return len(long) == len(short) + 1 > 2 and any(long[:at] + long[at + 1 :] == short for at in range(len(long)))
-
-
-def _is_elsewhere(robot: Robot, source: Source, name: str) -> bool:
-    return any(name in each.text for each in robot.sources if each is not source)
 
 
 def _given(command: Command) -> Iterator[tuple[str, Located]]:
@@ -219,17 +260,20 @@ def _is_slip(name: str, meant: str) -> bool:
     return is_slip(name, meant) and not same and not numbered(name, meant)
 
 
-def _deleted(robot: Robot) -> Iterator[Finding]:
+def _deleted(robot: Robot, elsewhere: Elsewhere) -> Iterator[Finding]:
     """The folders that ``rm -r`` deletes instead."""
+    of_scripts: dict[Source, dict[str, Located]] = {}
     for source, run in robot.scripts.run("rm"):
-        if not any(map(RECURSIVE.fullmatch, run.words)) or LEARNS.search(source.text):
+        if not any(map(RECURSIVE.fullmatch, run.words)) or source.matches(LEARNS):
             continue
         for word in run.words[1:]:
             used = USED.match(word.span.text)
             name = (used["braced"] or used["plain"]) if used else ""
-            if not name or name in GIVEN or word.span.text.startswith("'") or _may_be_set(robot, source, name):
+            if not name or name in GIVEN or word.span.text.startswith("'") or _may_be_set(elsewhere, source, name):
                 continue
-            assigned = _assigned(robot, source)
+            if source not in of_scripts:
+                of_scripts[source] = _assigned(robot, source)
+            assigned = of_scripts[source]
             meant = nearest(name, assigned)
             if meant:
                 yield finding(
@@ -240,17 +284,22 @@ def _deleted(robot: Robot) -> Iterator[Finding]:
                 )
 
 
-def _may_be_set(robot: Robot, source: Source, name: str, *, general: bool = False) -> bool:
+def _may_be_set(elsewhere: Elsewhere, source: Source, name: str, *, general: bool = False) -> bool:
     """Whether the name is anywhere but where its value is used, in a test before it, or in another file."""
-    others = (each for each in robot.sources if each is not source)
-    written = re.escape(name)
-    expands, tests = (r":?[-=+?]", r"-[nzv][ \t]+") if general else (r"[^\w}]", r"[^\n]{0,100}")
-    set_here = rf"(?<![$\w{{]){written}\b|\$\{{!?{written}{expands}|\$\{{[!#]{written}\W"
-    tested = rf"(?:\[|\btest)[ \t]{tests}[\"']?\$\{{?{written}\b[^\n]{{0,100}}(?:\]|&&|\|\|)"
-    if re.search(f"{set_here}|{tested}", source.text):
-        return True
-    alone = re.compile(rf"(?<!\w){written}(?!\w)")
-    return any(name in each.text and alone.search(each.text) for each in others)
+    known = source.once((_set_in, general), lambda: _set_in(source.text, general))
+    return name in known or elsewhere.has(source, name)
+
+
+def _set_in(text: str, general: bool) -> set[str]:
+    """The names that may get a value in a text, or are tested in it."""
+    found = set(NAMED.findall(text))
+    found.update(name for names in (OF_ANY if general else OF_FOLDERS).findall(text) for name in names)
+    before = TESTED if general else TESTED_AT_ALL
+    for used in USE.finditer(text):
+        if used[1] not in found and TEST_ENDS.match(text, used.end()):
+            if before.search(text, max(0, used.start() - 120), used.start()):
+                found.add(used[1])
+    return found
 
 
 def _assigned(robot: Robot, source: Source) -> dict[str, Located]:

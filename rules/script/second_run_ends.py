@@ -34,13 +34,11 @@ When the script is only for a robot on which nothing is installed yet, and is ne
 - bash(1), "SHELL BUILTIN COMMANDS", set -e
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
-from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import regex
 from bringup_lint.api import rule
@@ -52,9 +50,13 @@ from bringup_lint.api.shell import program_name
 from bringup_lint.api.shell import shell_blocks
 from bringup_lint.api.shell import unwrapped
 
+MOST = 40
+"""Parts of a path that are looked at."""
 HAS_COMMAND = regex(r"\brosdep[ \t]+init\b|\b(?:groupadd|useradd|mkdir|ln)[ \t]")
 KNOWN = regex(r"(?:/|~/|\$HOME/|\$\{HOME\}/)(?!tmp/|run/|dev/shm/|proc/|sys/)[\w./@+-]+")
-ASKS = r"(?:\[|\b(?:test|rm|rmdir|getent|id|grep|unlink|userdel|groupdel|ls)\b)"
+ASKS = regex(r"(?:\[|\b(?:test|rm|rmdir|getent|id|grep|unlink|userdel|groupdel|ls)\b)([^\n]*)")
+NAME = regex(r"[\w.@+-]+")
+FOLDER = regex(r"[ \t\"']((?:~|\$HOME|\$\{HOME\})?[\w./@+-]+)")
 IS_THERE = regex(r"-[edfhLrsx]")
 FOUND_BY = ("which", "type", "dpkg", "pgrep", "id", "getent", "grep")
 """Programs that are asked whether something was done before."""
@@ -81,10 +83,11 @@ def second_run_ends(robot: Robot) -> Iterator[Finding]:
         if any(map(_ends_early, always)):
             continue
         lists = set(map(id, always))
+        asked = _asked_for(source.text)
         for statement in ended_by_failure(source):
             command = statement.block.command if id(statement.among) in lists else None
             found = _made(command) if command is not None and statement.after not in ("&&", "||", "|") else None
-            if found is not None and not _is_asked_for(source, found[1]):
+            if found is not None and not _is_asked_for(asked, found[1]):
                 if robot.scripts.sets_up_image(source):
                     break
                 program, made = found
@@ -152,11 +155,17 @@ def _made(command: Command) -> tuple[str, Located] | None:
     return None
 
 
-def _is_asked_for(source: Source, made: Located) -> bool:
+def _asked_for(text: str) -> set[str]:
+    """The names and folders that a script looks for, or removes, the names with and without their suffixes."""
+    rests = [found[1] for found in ASKS.finditer(text)]
+    words = {word for rest in rests for word in NAME.findall(rest)}
+    folders = {path.removesuffix("/") for rest in rests for path in FOLDER.findall(rest)}
+    return words | folders | {word.partition(".")[0] for word in words} | {word.rpartition(".")[0] for word in words}
+
+
+def _is_asked_for(asked: set[str], made: Located) -> bool:
     """Whether the script looks for what it makes, or removes it, or a folder above it."""
-    name = "20-default" if made == "rosdep" else made.rpartition("/")[2]
-    if re.search(rf"{ASKS}[^\n]*{re.escape(name)}", source.text):
+    if ("20-default" if made == "rosdep" else made.rpartition("/")[2]) in asked:
         return True
-    parts = made.split("/")
-    above = ["/".join(parts[:end]) for end in range(3 if made.startswith("/") else 2, len(parts))]
-    return any(re.search(rf"{ASKS}[^\n]*[ \t\"']{re.escape(each)}/?(?![\w./@+-])", source.text) for each in above)
+    parts = made.split("/", MOST)
+    return any("/".join(parts[:end]) in asked for end in range(3 if made.startswith("/") else 2, len(parts)))

@@ -103,10 +103,10 @@ def _dead(robot: Robot, source: Source, statement: Statement, pipefail: bool) ->
     command = statement.block.command
     if command is None or statement.after in ("&&", "||"):
         return
-    following = statement.among[statement.at + 1 :]
+    following = statement.among[statement.at + 1 : statement.at + 1 + NEAR]
     dead = _asked_status(following[:2]) if command.words and command.name not in NO_STATUS else None
     if dead is None and not command.words and statement.after != "|":
-        dead = _asked_text(command, following[:NEAR], pipefail)
+        dead = _asked_text(command, following, pipefail)
     if dead is None:
         return
     where, body = dead

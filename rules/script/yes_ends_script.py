@@ -33,6 +33,7 @@ When COMMAND reads its input to the end, which it never reaches.
 
 import re
 from collections.abc import Iterator
+from itertools import takewhile
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
@@ -61,8 +62,9 @@ def yes_ends_script(robot: Robot) -> Iterator[Finding]:
                 yield from _of_script(source)
     for file in robot.dockerfiles:
         if file.source.judged and file.source.matches(YES):
+            since: dict[Stage, int | None] = {}
             for stage in file.stages:
-                yield from _of_stage(stage)
+                yield from _of_stage(stage, since)
 
 
 def _of_script(source: Source) -> Iterator[Finding]:
@@ -74,16 +76,23 @@ def _of_script(source: Source) -> Iterator[Finding]:
             yield _said(yes, "the script ends here")
 
 
-def _of_stage(stage: Stage) -> Iterator[Finding]:
-    shells = [each.value for one in stage.chain for each in one.all("SHELL")]
+def _of_stage(stage: Stage, since: dict[Stage, int | None]) -> Iterator[Finding]:
+    for each in reversed(list(takewhile(lambda each: each not in since, stage.chain))):
+        since[each] = _since(each, since)
+    start = since[stage]
     for run in stage.all("RUN"):
-        own = run.value.span
-        before = (str(each) for each in shells if each.span.source is not own.source or each.span.start < own.start)
-        if IN_STEP.search(" ".join([*before, run.value])):
+        if (start is not None and start < run.value.span.start) or IN_STEP.search(run.value):
             for blocks in blocks_of_run(run):
                 for yes, last in _pipes(blocks):
                     if last is blocks[-1] or (last.command is not None and last.command.ends == "&&"):
                         yield _said(yes, "the build ends here")
+
+
+def _since(stage: Stage, since: dict[Stage, int | None]) -> int | None:
+    """Where the shell of a stage gets `pipefail`: -1 for the whole stage."""
+    if stage.base is not None and since[stage.base] is not None:
+        return -1
+    return next((each.value.span.start for each in stage.all("SHELL") if IN_STEP.search(each.value)), None)
 
 
 def _said(yes: Located, result: str) -> Finding:
@@ -96,14 +105,15 @@ def _said(yes: Located, result: str) -> Finding:
 
 def _pipes(blocks: tuple[Block, ...]) -> Iterator[tuple[Located, Block]]:
     """The pipes that begin with `yes`, each with its last command."""
-    for at, block in enumerate(blocks):
-        command = block.command
+    last = len(blocks) - 1
+    found = []
+    for at in range(len(blocks) - 2, -1, -1):
+        command = blocks[at].command
+        last = last if _ends(blocks[at + 1]) == "|" and last > at + 1 else at + 1
         if command is not None and command.name == "yes" and command.ends == "|":
-            last = at + 1
-            while last + 1 < len(blocks) and _ends(blocks[last]) == "|":
-                last += 1
-            if last < len(blocks):
-                yield command.words[0], blocks[last]
+            found.append((command.words[0], blocks[last]))
+    yield from reversed(found)
+    for block in blocks:
         for body in (block.condition, *block.bodies):
             yield from _pipes(body)
 

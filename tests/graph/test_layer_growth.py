@@ -194,6 +194,16 @@ def waited(size: int) -> str:
     return BOAT.format(f"void row() {{ {''.join(calls)} }}\n")
 
 
+def early_members(size: int) -> str:
+    used = " + ".join(["buffer_"] * size * 4)
+    return BOAT.format(f'Boat() : Node("boat"), listener_({used}) {{}}\nListener listener_;\nBuffer buffer_;\n')
+
+
+def spun(size: int) -> str:
+    spins, returns = "rclcpp::spin(boat);\n" * size, "if (dry) return 0;\n" * size
+    return BOAT.format("") + f"int main() {{ try {{ {spins} }} catch (const std::exception & e) {{}}\n{returns} }}\n"
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("rule", "made"),
@@ -206,6 +216,8 @@ def waited(size: int) -> str:
         ("node/signal-handler-waits", handled),
         ("node/qos-command-best-effort", published),
         ("node/service-answer-unread", answered),
+        ("node/member-early", early_members),
+        ("node/failure-exits-zero", spun),
     ],
 )
 def test_time_grows_as_what_a_cpp_file_repeats(rule: str, made: Callable[[int], str], tmp_path: Path) -> None:
@@ -245,3 +257,124 @@ def test_time_grows_as_the_variables_of_a_script(tmp_path: Path) -> None:
         lint("--no-cache", "--quiet", "--select", "script/misspelt-variable", ".", cwd=tmp_path)
 
     assert is_linear(check, 50)
+
+
+def functions(size: int) -> str:
+    names = range(size)
+    return "".join(f"f{each}() {{ ls; }}\n" for each in names) + "if check_$1; then :; fi\n"
+
+
+def counts(size: int) -> str:
+    names = range(size)
+    return "".join(f"n{each}=0\n" for each in names) + "".join(f"((n{each}++))\n" for each in names)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("rule", "made"),
+    [
+        ("script/status-never-seen", functions),
+        ("script/count-ends-script", counts),
+        ("script/count-ends-script", lambda size: f"n=0\n((n++))\necho {'eval ' * size * 5}\n"),
+        ("script/count-ends-script", lambda size: f"ls\n# (({' ' * size * 20}\n"),
+        ("script/yes-ends-script", lambda size: f"set -o pipefail\n{'yes | ' * size * 5}cat\n"),
+        ("script/second-run-ends", lambda size: "".join(f"mkdir /opt/rover{each}x\n" for each in range(size * 5))),
+        ("script/second-run-ends", lambda size: f"mkdir /opt/rover\necho {'[ ' * size * 10}\n"),
+        ("script/error-page-stored", lambda size: f"curl https://a.b/c -o /opt/rover\necho {'sum ' * size * 10}\n"),
+        ("script/apt-asks", lambda size: f"{'apt install rover; ' * size * 2}\n"),
+    ],
+)
+def test_time_grows_as_what_a_script_repeats(rule: str, made: Callable[[int], str], tmp_path: Path) -> None:
+    def check(size: int) -> None:
+        (tmp_path / "start.sh").write_text(f"#!/bin/bash\nset -e\n{made(size)}")
+        lint("--no-cache", "--quiet", "--select", rule, ".", cwd=tmp_path)
+
+    assert is_linear(check, 160)
+
+
+def stages(size: int) -> str:
+    steps = 'SHELL ["/bin/bash", "-c"]\nRUN yes | apt-get install rover\n'
+    return f"FROM ros:jazzy AS s0\n{steps}" + "".join(f"FROM s{at} AS s{at + 1}\n{steps}" for at in range(size))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("rule", "made"),
+    [
+        ("docker/run-without-effect", lambda size: "FROM ros:jazzy\n" + "RUN cd /rover\n" * size),
+        ("docker/built-for-host", lambda size: f"FROM --platform=$BUILDPLATFORM rover\n# platform:{' ' * size * 20}\n"),
+        ("script/apt-asks", lambda size: f"FROM ros:jazzy\nRUN {'apt-get install -y rover && ' * size * 3}:\n"),
+        ("script/yes-ends-script", stages),
+    ],
+)
+def test_time_grows_as_what_a_dockerfile_repeats(rule: str, made: Callable[[int], str], tmp_path: Path) -> None:
+    def check(size: int) -> None:
+        (tmp_path / "Dockerfile").write_text(made(size))
+        lint("--no-cache", "--quiet", "--select", rule, ".", cwd=tmp_path)
+
+    assert is_linear(check, 160)
+
+
+NODE = "import rclpy\n\nrclpy.init()\n"
+
+
+def attributes(size: int) -> str:
+    a_class = "class C{0}:\n    def get(self):\n        return self.a{0}\n\n\nC{0}().b{0} = 1\n"
+    return NODE + "".join(a_class.format(at) for at in range(size))
+
+
+def failed_calls(size: int) -> str:
+    calls = "        x = get()\n" * size * 8
+    return f"{NODE}def read():\n    try:\n{calls}    except Exception:\n        pass\n    print(x)\n"
+
+
+def constructor(body: str) -> str:
+    start = "class Boat(Node):\n    def __init__(self):\n        super().__init__('boat')\n"
+    return f"from rclpy.node import Node\n\n\n{start}{body}        self.create_timer(1.0, self.row)\n"
+
+
+def given_up_with_flags(size: int) -> str:
+    ends = "            return\n"
+    branches = (
+        f"        if dry:\n            self.get_logger().error('dry')\n            self.flag{at} = 1\n{ends}"
+        for at in range(size)
+    )
+    return constructor("".join(branches)) + "".join(f"print(boat.flag{at})\n" for at in range(size))
+
+
+def calls_of_method(size: int) -> str:
+    gives_up = "        if dry:\n            self.get_logger().error('dry')\n            return\n"
+    looks = "        f(1)\n" * size
+    return f"{constructor(gives_up + looks.replace('f(1)', 'self.look()'))}    def look(self):\n{looks}"
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("rule", "made"),
+    [
+        ("node/undefined-attribute", attributes),
+        ("node/unbound-local", failed_calls),
+        ("node/constructor-gives-up", given_up_with_flags),
+        ("node/constructor-gives-up", calls_of_method),
+    ],
+)
+def test_time_grows_as_what_a_python_file_repeats(rule: str, made: Callable[[int], str], tmp_path: Path) -> None:
+    def check(size: int) -> None:
+        (tmp_path / "boat.py").write_text(made(size))
+        lint("--no-cache", "--quiet", "--select", rule, ".", cwd=tmp_path)
+
+    assert is_linear(check, 160)
+
+
+def test_a_name_of_very_many_parts_is_no_error(tmp_path: Path) -> None:
+    long = "a." * 900
+    gives_up = f"        if dry:\n            {long}error('dry')\n            return\n"
+    (tmp_path / "boat.py").write_text(f"{constructor(gives_up)}\n\nclass Row({long}b):\n    pass\n\n\nRow()\n")
+    found = lint("--no-cache", "--quiet", "--select", "node", ".", cwd=tmp_path)
+    assert "internal-error" not in found.stdout + found.stderr
+
+
+def test_a_stage_is_not_numbered_by_a_digit_that_is_none(tmp_path: Path) -> None:
+    (tmp_path / "Dockerfile").write_text("FROM ros:jazzy AS made\nFROM ros:jazzy\nCOPY --from=\u00b2 /a /b\n")
+    found = lint("--no-cache", "--quiet", "--select", "docker/distribution-ended", ".", cwd=tmp_path)
+    assert "internal-error" not in found.stdout + found.stderr

@@ -99,6 +99,7 @@ def _found(
 
 def _later(code: Code, fields: dict[str, _Field], own: _Field, value: Node, hidden: frozenset[str]) -> Iterator[Node]:
     """Where a value surely uses a member that is declared after the one which it is for."""
+    is_listener = _LISTENER.search(own.type) is not None or _LISTENER.search(code.text(value)) is not None
     todo = [value]
     while todo:
         node = todo.pop()
@@ -106,17 +107,16 @@ def _later(code: Code, fields: dict[str, _Field], own: _Field, value: Node, hidd
             continue
         later = fields.get(code.text(node)) if node.type == "identifier" else None
         if later is not None and later.place > own.place and code.text(node) not in hidden:
-            if _is_used(code, own, later, node, value):
+            if _is_used(code, own, later, node, is_listener):
                 yield node
         todo += reversed(node.named_children)
 
 
-def _is_used(code: Code, own: _Field, later: _Field, node: Node, value: Node) -> bool:
+def _is_used(code: Code, own: _Field, later: _Field, node: Node, is_listener: bool) -> bool:
     outer = node.parent
     if outer is None or outer.type in _STEPS:
         is_first = outer is not None and outer.child_by_field_name("argument") == node
         return is_first and _POINTER.search(later.type) is not None and not code.text(outer).startswith("&")
     if _NUMBER.match(later.type):
         return outer.type == "binary_expression" or _NUMBER.match(own.type) is not None
-    is_listener = _LISTENER.search(own.type) is not None or _LISTENER.search(code.text(value)) is not None
     return is_listener and later.type.endswith("Buffer")

@@ -10,6 +10,7 @@ from bringup_lint.model.cpp_text import blanked
 from bringup_lint.parsers.cpp_node.given_up import LOGS
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.pattern import regex
+from bringup_lint.source import Span
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -37,14 +38,17 @@ def swallowed(code: Code) -> Iterator[Swallowed]:
     if ("catch" not in text and not _RUNS.search(text)) or _FAILS.search(blanked(text)):
         return
     yield from _left_out(code)
+    ends: dict[int, bool] = {}
+    quiet: dict[int, list[Span]] = {}
     for call in code.calls:
-        attempt = _attempt(code, call.node) if call.name == "spin" else None
+        attempt = _attempt(code, call.node, ends) if call.name == "spin" else None
         if attempt is None:
             continue
-        for each in attempt.named_children:
-            if each.type == "catch_clause" and _is_quiet(code, each):
-                place = code.span(each.child_by_field_name("parameters") or each)
-                yield Swallowed(place, code.span(call.node))
+        if attempt.id not in quiet:
+            handlers = [each for each in attempt.named_children if each.type == "catch_clause"]
+            taken = (each.child_by_field_name("parameters") or each for each in handlers if _is_quiet(code, each))
+            quiet[attempt.id] = [code.span(each) for each in taken]
+        yield from (Swallowed(place, code.span(call.node)) for place in quiet[attempt.id])
 
 
 def _left_out(code: Code) -> Iterator[Swallowed]:
@@ -79,8 +83,9 @@ def _logged(code: Code, main: Node) -> dict[str, Node]:
     return found
 
 
-def _attempt(code: Code, spin: Node) -> Node | None:
-    """The ``try`` that takes what a spin of ``main`` throws, when no loop tries again and ``main`` returns only 0."""
+def _attempt(code: Code, spin: Node, ends: dict[int, bool]) -> Node | None:
+    """The ``try`` that takes what a spin of ``main`` throws, when no loop tries again and ``main`` returns only 0,
+    which ``ends`` knows for each function."""
     attempt = None
     for outer in code.above(spin):
         if outer.type in _LOOPS:
@@ -88,8 +93,9 @@ def _attempt(code: Code, spin: Node) -> Node | None:
         if outer.type == "try_statement":
             attempt = attempt or outer
         if outer.type == "function_definition":
-            is_main = code.defined_name(outer) == "main"
-            return attempt if is_main and _returns_zero(code, outer) else None
+            if outer.id not in ends:
+                ends[outer.id] = code.defined_name(outer) == "main" and _returns_zero(code, outer)
+            return attempt if ends[outer.id] else None
     return None
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterator
 
 from bringup_lint.graph.commands.shells import STRICT
@@ -21,6 +22,9 @@ _SHEBANG = regex(r"#!\S+[ \t]+-\w*e\w*[ \t]*(?:\n|\Z)")
 _ON = regex(r"-[a-zA-Z]*e[a-zA-Z]*")
 _OFF = regex(r"\+[a-zA-Z]*e[a-zA-Z]*")
 _VARIABLE = regex(r"\$(?:\{[^{}]{0,80}\}|\w+|[@*#?$!-])")
+_WORD = regex(r"[\w-]+")
+_FORMS = 20
+"""Names with variables in them that are looked at: a script with more of them may call anything."""
 _LISTS = ("&&", "||")
 _ENDS = ("", "\n", ";")
 _TAKE_WORDS = frozenset(
@@ -76,13 +80,12 @@ def _without_effect(source: Source, found: tuple[Block, ...], functions: dict[st
     unsafe = {*soft, *_handed_on(source)} & functions.keys()
     dynamic = [name for name in soft if "$" in name]
     if dynamic:
-        calls = [command.name for command in shell_commands(source)]
-        forms = [re.compile(".*".join(map(re.escape, _VARIABLE.split(name)))) for name in dynamic]
+        calls = Counter(command.name for command in shell_commands(source))
+        written = Counter(_WORD.findall(source.text))
+        forms = {tuple(_VARIABLE.split(name)) for name in dynamic} - {("", "")}
         for name in functions:
-            is_made = any(form.pattern != ".*" and form.fullmatch(name) for form in forms)
-            if is_made or len(re.findall(rf"(?<![\w-]){re.escape(name)}(?![\w-])", source.text)) > 1 + calls.count(
-                name
-            ):
+            is_plain = _WORD.fullmatch(name) is not None and written[name] <= 1 + calls[name]
+            if not is_plain or len(forms) > _FORMS or any(_is_made(name, form) for form in forms):
                 unsafe.add(name)
     left = list(unsafe)
     while left:
@@ -93,12 +96,26 @@ def _without_effect(source: Source, found: tuple[Block, ...], functions: dict[st
     return unsafe
 
 
+def _is_made(name: str, form: tuple[str, ...]) -> bool:
+    """Whether a name consists of these parts, with anything between them."""
+    if not name.startswith(form[0]):
+        return False
+    at, end = len(form[0]), len(name) - len(form[-1])
+    for part in form[1:-1]:
+        at = name.find(part, at, max(at, end)) + len(part)
+        if at < len(part):
+            return False
+    return at <= end and name.endswith(form[-1])
+
+
 def is_inverted(command: Command) -> bool:
     """Whether ``!`` is before it."""
     if not command.words:
         return False
-    span = command.words[0].span
-    return span.source.line_before(span.start).rstrip().endswith("!")
+    text, at = command.words[0].span.source.text, command.words[0].span.start
+    while at and text[at - 1] in " \t":
+        at -= 1
+    return text[at - 1 : at] == "!"
 
 
 def _softly(blocks: tuple[Block, ...], *, soft: bool = False) -> Iterator[str]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ast
-import re
 from collections.abc import Iterator
 from itertools import islice
 from typing import TYPE_CHECKING
@@ -16,6 +15,7 @@ from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.python import called_name
 from bringup_lint.model.python import is_own
 from bringup_lint.model.python import is_self
+from bringup_lint.model.python import walk
 from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
@@ -27,6 +27,7 @@ _MAKES = regex(
     r"create_|\w*(?:Thread|Timer|Server|Client|Listener|Subscriber|Updater|Handler|Executor)\Z|spin|add_\w+_callback"
 )
 """What may run something later."""
+_OF_OTHERS = regex(r"(?<!self)\.(\w+)")
 _OF_NODES = regex(r"(?:declare_|get_|has_|set_|undeclare_)")
 """The beginnings of methods of a node that make nothing."""
 
@@ -38,9 +39,12 @@ def given_up(nodes: Nodes) -> Iterator[GivenUp]:
         if made is None or cls.name is None or cls.base is not None or cls.is_lifecycle or len(cls.bases) != 1:
             continue
         returns = [each for each in own(made.node.body) if isinstance(each, ast.Return)]
-        lost = next((each for each in own_calls(made.node.body) if _may_make(cls, each)), None) if returns else None
+        calls = own_calls(made.node.body) if returns else ()
+        seen: set[str] = set()
+        lost = next((each for each in calls if _may_make(cls, each, seen)), None)
         if lost is not None:
-            early = (each for each in returns if _at(each) < _at(lost) and _gives_up(nodes.syntax(file), each))
+            gives = _GivesUp(nodes.syntax(file))
+            early = (each for each in returns if _at(each) < _at(lost) and gives.at(each))
             yield from (GivenUp(file.span_of(each), file.span_of(lost), str(cls.name)) for each in islice(early, 1))
     for source in nodes.cpp:
         yield from source.given_up
@@ -50,10 +54,14 @@ def _at(node: ast.stmt | ast.expr) -> tuple[int, int]:
     return node.lineno, node.col_offset
 
 
-def _may_make(cls: NodeClass, call: ast.Call) -> bool:
-    """Whether a call may make what runs later: itself, in a method, or in what is handed the node."""
+def _may_make(cls: NodeClass, call: ast.Call, seen: set[str]) -> bool:
+    """Whether a call may make what runs later: itself, in a method that is not ``seen``, or in what is handed the
+    node."""
     if is_own(call.func):
         method = cls.methods.get(call.func.attr)
+        if call.func.attr in seen:
+            return False
+        seen.add(call.func.attr)
         if method is not None:
             return any(_MAKES.match(called_name(each)) for each in ast.walk(method.node) if isinstance(each, ast.Call))
         return not _OF_NODES.match(call.func.attr)
@@ -62,19 +70,36 @@ def _may_make(cls: NodeClass, call: ast.Call) -> bool:
     return _MAKES.match(called_name(call)) is not None or (not is_base and any(map(is_self, given)))
 
 
-def _gives_up(syntax: Syntax, left: ast.Return) -> bool:
-    """Whether a return is in a branch that logs an error, and leaves nothing by which anybody else would know."""
-    outer, field = next(syntax.above(left))
-    if not isinstance(outer, (ast.If, ast.ExceptHandler)):
-        return False
-    block = list(own(getattr(outer, field)))
-    calls = [each for each in block if isinstance(each, ast.Call)]
-    if not any(map(_is_log, calls)) or any(called_name(each) in _ENDS for each in calls):
-        return False
-    flags = [each.attr for each in block if is_own(each) and isinstance(each.ctx, ast.Store)]
-    text = syntax.file.source.text
-    return not any(re.search(rf"(?<!self)\.{re.escape(each)}\b", text) for each in flags)
+class _GivesUp:
+    """Whether the returns of a constructor are in branches that log an error, and leave nothing by which anybody else
+    would know."""
+
+    def __init__(self, syntax: Syntax) -> None:
+        self._syntax = syntax
+        self._known: dict[tuple[ast.AST, str], bool] = {}
+
+    def at(self, left: ast.Return) -> bool:
+        outer, field = next(self._syntax.above(left))
+        if not isinstance(outer, (ast.If, ast.ExceptHandler)):
+            return False
+        if (outer, field) not in self._known:
+            self._known[outer, field] = self._in_block(list(own(getattr(outer, field))))
+        return self._known[outer, field]
+
+    def _in_block(self, block: list[ast.AST]) -> bool:
+        calls = [each for each in block if isinstance(each, ast.Call)]
+        if not any(map(_is_log, calls)) or any(called_name(each) in _ENDS for each in calls):
+            return False
+        flags = (each.attr for each in block if is_own(each) and isinstance(each.ctx, ast.Store))
+        return self._syntax.once(_asked_by_others).isdisjoint(flags)
+
+
+def _asked_by_others(syntax: Syntax) -> frozenset[str]:
+    """The attributes that a file asks of something else than ``self``."""
+    return frozenset(_OF_OTHERS.findall(syntax.file.source.text))
 
 
 def _is_log(call: ast.Call) -> bool:
-    return isinstance(call.func, ast.Attribute) and call.func.attr in _LOGS and "logger" in ast.unparse(call.func.value)
+    if not isinstance(call.func, ast.Attribute) or call.func.attr not in _LOGS:
+        return False
+    return any("logger" in getattr(each, "attr", getattr(each, "id", "")) for each in walk(call.func.value))

@@ -24,7 +24,7 @@ from bringup_lint.named_tuple import NamedTuple
 if TYPE_CHECKING:
     from bringup_lint.graph.nodes.nodes import Nodes
 
-_PLAIN_BASES = frozenset({"object", "ABC", "abc.ABC"})
+_PLAIN_BASES = frozenset({"object", "ABC"})
 _EXPECTED = frozenset({"AttributeError"})
 _FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
 
@@ -45,9 +45,10 @@ def plain_attributes(nodes: Nodes) -> Iterator[list[PlainAttribute]]:
     for file in nodes.robot_code:
         if file.stars or file.source.matches(DYNAMIC):
             continue
-        for node in file.nodes:
-            if isinstance(node, ast.ClassDef) and tree.knows(node):
-                yield from _of_class(nodes, file, node, tree.foreign)
+        owners = [each for each in file.nodes if isinstance(each, ast.ClassDef) and tree.knows(each)]
+        asked = asked_for(file) if owners else set()
+        for owner in owners:
+            yield from _of_class(nodes, file, owner, (tree.foreign, asked))
 
 
 class _Tree:
@@ -64,26 +65,38 @@ class _Tree:
                     if not is_self(node.value):
                         self.foreign.add(node.attr)
                 elif isinstance(node, ast.ClassDef):
-                    self._bases.update(ast.unparse(base).rpartition(".")[2] for base in node.bases)
+                    self._bases.update(map(_last_name, node.bases))
                 elif isinstance(node, ast.Call):
                     self._made.add(called_name(node))
 
     def knows(self, node: ast.ClassDef) -> bool:
-        bases = (ast.unparse(base) for base in node.bases)
-        is_open = node.decorator_list or node.keywords or any(base not in _PLAIN_BASES for base in bases)
+        is_open = node.decorator_list or node.keywords or not all(map(_is_plain, node.bases))
         return not is_open and node.name in self._made and node.name not in self._bases
 
 
-def _of_class(nodes: Nodes, file: NodeSource, owner: ast.ClassDef, foreign: set[str]) -> Iterator[list[PlainAttribute]]:
+def _last_name(base: ast.expr) -> str:
+    return base.attr if isinstance(base, ast.Attribute) else base.id if isinstance(base, ast.Name) else ""
+
+
+def _is_plain(base: ast.expr) -> bool:
+    is_of_abc = isinstance(base, ast.Attribute) and isinstance(base.value, ast.Name) and base.value.id == "abc"
+    return (is_of_abc or isinstance(base, ast.Name)) and _last_name(base) in _PLAIN_BASES
+
+
+def _of_class(
+    nodes: Nodes, file: NodeSource, owner: ast.ClassDef, foreign: tuple[set[str], set[str]]
+) -> Iterator[list[PlainAttribute]]:
     syntax = nodes.syntax(file)
-    known = {*dir(object), *foreign, *asked_for(file), *set_in_body(owner)}
+    known = {*dir(object), *set_in_body(owner)}
     inner = [each for each in walk(owner) if isinstance(each, ast.Attribute)]
     known.update(each.attr for each in inner if not isinstance(each.ctx, ast.Load))
     groups: dict[str, list[PlainAttribute]] = {}
     for method in owner.body:
         if isinstance(method, _FUNCTIONS) and _has_self(method):
             for place in walk(method):
-                if is_own(place) and place.attr not in known and not place.attr.startswith("__"):
+                if is_own(place) and not place.attr.startswith("__"):
+                    if any(place.attr in each for each in (known, *foreign)):
+                        continue
                     if syntax.definition(place) is owner and not _is_harmless(syntax, place):
                         groups.setdefault(place.attr, []).append(_found(file, syntax, owner, method, place))
     yield from groups.values()

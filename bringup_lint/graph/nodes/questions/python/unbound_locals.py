@@ -15,6 +15,7 @@ from bringup_lint.graph.nodes.sources.syntax import own
 from bringup_lint.model.python import FunctionNode
 from bringup_lint.model.python import PlacedNode
 from bringup_lint.model.python import bound_names
+from bringup_lint.model.python import called_name
 from bringup_lint.model.python import walk
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
@@ -83,6 +84,7 @@ class _Locals:
         inner = {part for each in self._nodes if isinstance(each, COMPREHENSIONS) for part in walk(each)}
         self._names = [each for each in self._nodes if isinstance(each, ast.Name) and each not in inner]
         self._known: dict[ast.stmt, _Steps] = {}
+        self._only_bound: dict[tuple[ast.stmt, str], bool] = {}
         self._bound: dict[str, list[PlacedNode]] = {}
         for each in self._nodes:
             if isinstance(each, _PLACED) and each not in inner:
@@ -179,13 +181,10 @@ class _Locals:
     def _leaves(self, node: ast.AST) -> bool:
         if isinstance(node, _LEAVES):
             return True
-        function = node.func if isinstance(node, ast.Call) else None
-        name = ast.unparse(function).rpartition(".")[2] if function is not None else ""
-        return (
-            name in self._syntax.once(_raising)
-            or bool(_ENDS.match(name))
-            or (name == "error" and "pars" in ast.unparse(node))
-        )
+        name = called_name(node) if isinstance(node, ast.Call) else ""
+        if name in self._syntax.once(_raising) or _ENDS.match(name):
+            return True
+        return name == "error" and any("pars" in word for each in walk(node) for word in _words(each))
 
     def _behind(
         self, statement: ast.stmt, made: dict[str, PlacedNode], without: ast.ExceptHandler | ast.If
@@ -216,11 +215,16 @@ class _Locals:
         of the statement binds elsewhere."""
         if not isinstance(part, ast.Assign) or not any(_may_fail(each) for each in walk(part.value)):
             return
-        end = statement.end_lineno or statement.lineno
         for target in part.targets:
-            bindings = self._bound.get(target.id, [statement]) if isinstance(target, ast.Name) else [statement]
-            if isinstance(target, ast.Name) and all(each in inside or each.lineno > end for each in bindings):
+            if isinstance(target, ast.Name) and self._is_only_bound(target.id, statement, inside):
                 yield target.id, target
+
+    def _is_only_bound(self, name: str, statement: ast.Try, inside: set[ast.AST]) -> bool:
+        if (statement, name) not in self._only_bound:
+            end = statement.end_lineno or statement.lineno
+            bindings = self._bound.get(name, [statement])
+            self._only_bound[statement, name] = all(each in inside or each.lineno > end for each in bindings)
+        return self._only_bound[statement, name]
 
     @cached_property
     def _bound_again(self) -> dict[ast.stmt, set[str]]:
@@ -259,6 +263,14 @@ def _raising(syntax: Syntax) -> frozenset[str]:
     """The names of the functions of a file that always raise."""
     functions = (each for each in syntax.file.nodes if isinstance(each, (ast.FunctionDef, ast.AsyncFunctionDef)))
     return frozenset(each.name for each in functions if any(isinstance(part, ast.Raise) for part in each.body))
+
+
+def _words(node: ast.AST) -> Iterator[str]:
+    """What a node says by itself."""
+    for field in ("id", "attr", "arg", "value"):
+        word = getattr(node, field, None)
+        if isinstance(word, str):
+            yield word
 
 
 def _may_fail(node: ast.AST) -> bool:
