@@ -17,6 +17,11 @@ if TYPE_CHECKING:
     from tree_sitter import Node
 
 LOGS = regex(r"\bRCLCPP_(?:ERROR|FATAL)\w{0,40}\s{0,4}\(", hints="RCLCPP_ERROR RCLCPP_FATAL")
+STAYS = regex(
+    r"\b(?:[Ww]ill|[Nn]ode)\s[^\"'\n]{0,40}\b(?:stay|remain|keep)s?\b|\b(?:[Ss]tay|[Rr]emain)(?:s|ing)\s(?:up|idle|alive)\b",
+    hints="tay emain keep",
+)
+"""What is said by a node that is meant to stay without its work."""
 _BASE = regex(r"(?:rclcpp::)?Node\Z")
 _ENDS = regex(r"\b(?:shutdown|throw|\w{0,20}exit|abort|terminate|assert|raise|kill)\b|[^=!<>]=(?!=)")
 """By what a program ends, or may learn that its node is of no use."""
@@ -113,4 +118,6 @@ def _gives_up(code: Code, left: Node) -> bool:
     if block is None or block.type != "compound_statement" or block.parent is None:
         return False
     before = blanked(code.text(block))
+    if STAYS.search(code.text(block)):
+        return False
     return block.parent.type in _BRANCHES and bool(LOGS.search(before)) and not _ENDS.search(before)

@@ -34,7 +34,9 @@ _NEVER_RAISES = ("FileStorage", "VideoCapture")
 """OpenCV says of what it cannot open only that it is not open."""
 _ENDS = regex(r"(?i)\w{0,40}(?:exit|quit|abort|shutdown|fail|die|terminate|raise|skip|kill)")
 """Words of calls after which what follows does not run, or does not matter."""
-
+_LOGGER = regex(r"(?i)log|console", hints="log console")
+"""What has a method error() that only says something; that of a parser of arguments ends the program."""
+_ASKS_LENGTH = ("empty", "qsize")
 
 _FOLLOWED = 200
 """Statements after a ``try`` or ``if`` that are looked at."""
@@ -138,10 +140,18 @@ class _Locals:
         for statement in self._nodes:
             if isinstance(statement, ast.Try):
                 handler = next((each for each in statement.handlers if self._goes_on(each)), None)
-                if handler is not None:
+                if handler is not None and not self._is_never_empty(statement, handler):
                     inside = {part for each in statement.body for part in walk(each)}
                     made = {name: at for each in statement.body for name, at in self._made(each, statement, inside)}
                     yield from self._behind(statement, made, handler)
+
+    def _is_never_empty(self, statement: ast.Try, handler: ast.ExceptHandler) -> bool:
+        """Whether a loop asks the queue that is read whether it is empty, before each turn."""
+        loop, _ = next(self._syntax.above(statement))
+        if not isinstance(loop, ast.While) or handler.type is None:
+            return False
+        asks = any(isinstance(each, ast.Attribute) and each.attr in _ASKS_LENGTH for each in walk(loop.test))
+        return asks and ast.unparse(handler.type).rpartition(".")[2] == "Empty"
 
     def after_choices(self) -> Iterator[Unbound]:
         """Uses after an ``if`` without ``else`` that alone gives a name its value; one after the other may be all that
@@ -184,7 +194,11 @@ class _Locals:
         name = called_name(node) if isinstance(node, ast.Call) else ""
         if name in self._syntax.once(_raising) or _ENDS.match(name):
             return True
-        return name == "error" and any("pars" in word for each in walk(node) for word in _words(each))
+        return (
+            name == "error"
+            and isinstance(node, ast.Call)
+            and not any(_LOGGER.search(word) for each in walk(node.func) for word in _words(each))
+        )
 
     def _behind(
         self, statement: ast.stmt, made: dict[str, PlacedNode], without: ast.ExceptHandler | ast.If
