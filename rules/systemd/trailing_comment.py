@@ -6,7 +6,8 @@ their own. Exec lines (where a shell may read the comment), descriptions and quo
 
 ## Why it matters on a robot
 The value is the whole rest of the line. `User=robot # the robot's account` names a user that does not exist,
-and the service fails with status 217/USER. systemd ignores `RestartSec=5 # seconds`.
+and the service fails with status 217/USER. systemd ignores `RestartSec=5 # seconds`. Of a list, such as `After=`,
+`Environment=` or `DNS=`, it ignores the words of the comment alone, with a line of the journal for each: a warning.
 
 ## Bad
 ```ini
@@ -44,6 +45,12 @@ from bringup_lint.api.systemd import lift_comment
 IN_NETWORK = regex(
     r"^(?!Description)(?P<key>[A-Z]\w{1,40})[ \t]{0,8}=[^\n#;\"']{1,200}?[ \t](?P<comment>[#;][^\n]*)", re.M, "="
 )
+LISTS = frozenset(
+    "After Before Wants Requires Requisite BindsTo PartOf Upholds Conflicts OnFailure OnSuccess Environment DNS".split()
+)
+"""Keys of which systemd takes each word alone, and leaves out what is none of the kind."""
+TAKEN = regex(r"\w[.=:/]\w")
+"""What may be a unit, an assignment or an address after all."""
 
 
 @rule(
@@ -67,6 +74,7 @@ def trailing_comment(robot: Robot) -> Iterator[Finding]:
             f"systemd has no trailing comments: {line.key}= takes '{_shortened(comment)}' as part of the value",
             advice="move the comment to a line of its own above",
             fix=fix("move the comment above", *changes) if on_one_line else None,
+            severity=_severity(line.key, comment),
         )
     for source in robot.of_kind("networkd"):
         if source.judged and not source.template:
@@ -77,7 +85,12 @@ def trailing_comment(robot: Robot) -> Iterator[Finding]:
                     comment,
                     f"systemd has no trailing comments: {taken}",
                     advice="move the comment to a line of its own above",
+                    severity=_severity(found["key"], comment),
                 )
+
+
+def _severity(key: str, comment: Located) -> str | None:
+    return "warning" if key in LISTS and not TAKEN.search(comment) else None
 
 
 def _shortened(text: Located) -> str:
