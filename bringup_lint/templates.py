@@ -48,11 +48,14 @@ _MARK = regex(r"[{@<%]|__")
 _SHELL = regex(r"\A#![^\n]*\b(?:ba|da|z|k)?sh\b", hints="#!")
 _SHELL_SUFFIXES = (".sh", ".bash", ".zsh")
 _COMMENT = regex(r"^[ \t]*#[^\n]*", re.M)
+_TOKEN = regex(r"@[A-Za-z_]\w*@|\{\{[ \t]*\w+[ \t]*\}\}|%{1,2}[A-Z]\w*%{1,2}")
 _FILLED = regex(
     r"(?:\bs|;s)(?P<mark>[|/#,:;!~+])(?:(?!(?P=mark))[^\n]){0,40}?"
     r"(?P<token>@[A-Za-z_]\w*@|\{\{[ \t]*\w+[ \t]*\}\}|%{1,2}[A-Z]\w*%{1,2})"
 )
 """A placeholder that a command of sed looks for."""
+_MOST_TOKENS = 50
+"""Placeholders that are looked for one by one."""
 _BETWEEN_ATS = regex(r"\bs[\"']?@\w+@[^@\n]{0,200}@")
 """A command of sed with ``@`` between its parts."""
 _GO = regex(
@@ -70,8 +73,12 @@ def _of_others(name: str, text: str) -> str:
     if not _MARK.search(text):
         return text
     text = _BETWEEN_ATS.sub("", _COMMENT.sub("", text)).replace("@(", "(")
-    for token in {match["token"] for match in _FILLED.finditer(text)}:
-        text = text.replace(token, "")
+    tokens = {match["token"] for match in _FILLED.finditer(text)}
+    if len(tokens) > _MOST_TOKENS:
+        text = _TOKEN.sub(lambda found: "" if found[0] in tokens else found[0], text)
+    else:
+        for token in tokens:
+            text = text.replace(token, "")
     return _GO.sub("", text) if _FORMATS.search(text) else text
 
 

@@ -119,12 +119,12 @@ def failure_hidden(robot: Robot) -> Iterator[Finding]:
 def _of_stage(stage: Stage) -> Iterator[Hidden]:
     """The first command of each RUN whose failure is hidden."""
     shells = " ".join(str(each.value) for one in stage.chain for each in one.all("SHELL"))
-    strict = STRICT_SHELL.search(shells) is not None
+    strict, pipes = STRICT_SHELL.search(shells) is not None, PIPES.search(shells) is not None
     for run in stage.all("RUN"):
         text = "\n".join([str(run.value), *map(str, run.heredocs)])
         if strict or STOPS.search(text) or TRAP.search(text) or (run.heredocs and STRICT_READER.search(run.value)):
             continue
-        pipefail = PIPES.search(text + shells) is not None
+        pipefail = pipes or PIPES.search(text) is not None
         found = (each for blocks in blocks_of_run(run) for each in _hidden(list(blocks), pipefail))
         hidden = next(found, None)
         if hidden is not None:

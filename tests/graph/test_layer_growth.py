@@ -281,6 +281,7 @@ def counts(size: int) -> str:
         ("script/second-run-ends", lambda size: "".join(f"mkdir /opt/rover{each}x\n" for each in range(size * 5))),
         ("script/second-run-ends", lambda size: f"mkdir /opt/rover\necho {'[ ' * size * 10}\n"),
         ("script/error-page-stored", lambda size: f"curl https://a.b/c -o /opt/rover\necho {'sum ' * size * 10}\n"),
+        ("script/syntax", lambda size: "".join(f"sed s/@TOKEN{at}@/x/ a\n" for at in range(size * 10))),
         ("script/apt-asks", lambda size: f"{'apt install rover; ' * size * 2}\n"),
     ],
 )
@@ -290,6 +291,10 @@ def test_time_grows_as_what_a_script_repeats(rule: str, made: Callable[[int], st
         lint("--no-cache", "--quiet", "--select", rule, ".", cwd=tmp_path)
 
     assert is_linear(check, 160)
+
+
+def shells(size: int) -> str:
+    return "FROM ros:jazzy\n" + 'SHELL ["/bin/bash", "-c"]\nRUN apt-get install -y rover\n' * size
 
 
 def stages(size: int) -> str:
@@ -305,6 +310,7 @@ def stages(size: int) -> str:
         ("docker/built-for-host", lambda size: f"FROM --platform=$BUILDPLATFORM rover\n# platform:{' ' * size * 20}\n"),
         ("script/apt-asks", lambda size: f"FROM ros:jazzy\nRUN {'apt-get install -y rover && ' * size * 3}:\n"),
         ("script/yes-ends-script", stages),
+        ("docker/failure-hidden", shells),
     ],
 )
 def test_time_grows_as_what_a_dockerfile_repeats(rule: str, made: Callable[[int], str], tmp_path: Path) -> None:
@@ -378,3 +384,14 @@ def test_a_stage_is_not_numbered_by_a_digit_that_is_none(tmp_path: Path) -> None
     (tmp_path / "Dockerfile").write_text("FROM ros:jazzy AS made\nFROM ros:jazzy\nCOPY --from=\u00b2 /a /b\n")
     found = lint("--no-cache", "--quiet", "--select", "docker/distribution-ended", ".", cwd=tmp_path)
     assert "internal-error" not in found.stdout + found.stderr
+
+
+@pytest.mark.slow
+def test_time_grows_as_the_services_that_start_a_job(tmp_path: Path) -> None:
+    def check(size: int) -> None:
+        wanted = "".join(f"WantedBy=rover{at}.service\n" for at in range(size))
+        unit = f"[Service]\nType=oneshot\nExecStart=/opt/rover/up\n\n[Install]\n{wanted}"
+        (tmp_path / "up.service").write_text(unit)
+        lint("--no-cache", "--quiet", "--select", "systemd/job-not-before", ".", cwd=tmp_path)
+
+    assert is_linear(check, 800)

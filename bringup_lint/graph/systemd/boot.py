@@ -17,6 +17,7 @@ from bringup_lint.dataclass import field
 from bringup_lint.graph.graph import Edge
 from bringup_lint.graph.graph import Graph
 from bringup_lint.graph.graph import Node
+from bringup_lint.graph.memo import memo
 from bringup_lint.graph.systemd.named_units import NamedUnits
 from bringup_lint.graph.systemd.reachability import Reachability
 from bringup_lint.graph.systemd.references import expand_name
@@ -91,8 +92,16 @@ class Boot:
         here = self.units.node(unit)
         if unit.is_template or here == other:
             return
+        yield from self._stated_of(here).get(other, ())
+
+    @memo
+    def _stated_of(self, here: Node) -> dict[Node, list[Edge]]:
+        """Another unit -> what the tree states of it and of this one."""
+        found: dict[Node, list[Edge]] = {}
         for ends in (self.stated.into, self.stated.out):
-            yield from (edge for edge in ends.get(here, ()) if other in (edge.source, edge.target))
+            for edge in ends.get(here, ()):
+                found.setdefault(edge.target if edge.source == here else edge.source, []).append(edge)
+        return found
 
     def brought_in(self, near: Unit, name: str) -> bool:
         """Whether a boot target, over lines of the tree, starts the unit of that name at boot anyway."""
