@@ -39,6 +39,9 @@ def given_up(nodes: Nodes) -> Iterator[GivenUp]:
         made = cls.methods.get("__init__")
         if made is None or cls.name is None or cls.base is not None or cls.is_lifecycle or len(cls.bases) != 1:
             continue
+        kept = {each.attr for each in own(made.node.body) if is_own(each) and isinstance(each.ctx, ast.Store)}
+        if not nodes.syntax(file).once(_asked_in_conditions).isdisjoint((*kept, *cls.methods)):
+            continue
         returns = [each for each in own(made.node.body) if isinstance(each, ast.Return)]
         calls = own_calls(made.node.body) if returns else ()
         seen: set[str] = set()
@@ -99,6 +102,15 @@ class _GivesUp:
 def _asked_by_others(syntax: Syntax) -> frozenset[str]:
     """The attributes that a file asks of something else than ``self``."""
     return frozenset(_OF_OTHERS.findall(syntax.file.source.text))
+
+
+def _asked_in_conditions(syntax: Syntax) -> frozenset[str]:
+    """What the conditions outside of classes ask of others, such as a node whether it is ready."""
+    conditions = [each for each in syntax.file.nodes if isinstance(each, (ast.If, ast.While, ast.IfExp))]
+    tests = (
+        each.test for each in conditions if not any(isinstance(one, ast.ClassDef) for one, _ in syntax.above(each))
+    )
+    return frozenset(each.attr for test in tests for each in walk(test) if isinstance(each, ast.Attribute))
 
 
 def _is_log(call: ast.Call) -> bool:

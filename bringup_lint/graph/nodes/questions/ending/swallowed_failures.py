@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import sys
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -19,6 +20,8 @@ if TYPE_CHECKING:
 _FAILS = regex(r"exit\s{0,4}\((?!\s{0,4}main\()|\b(?:abort|quit|kill|exec[lv]\w{0,3})\s{0,4}\(|\bSystemExit\b")
 """What may end a program with another status, anywhere in its source."""
 _GOES_ON = (ast.Raise, ast.Return, ast.Assign, ast.AugAssign, ast.AnnAssign, ast.Continue, ast.Break)
+_ROOTS = ("rclpy", "self", "cv2", "numpy", "serial")
+"""Packages that end no program."""
 _ALL = frozenset({"Exception", "BaseException"})
 
 
@@ -40,13 +43,23 @@ def _in_file(ending: Ending) -> Iterator[Swallowed]:
         if function is None or function.name != "main" or _is_tried_again(ending, node) or _returns(function):
             continue
         for handler in node.handlers:
-            if ending.caught(handler) & _ALL and not any(isinstance(each, _GOES_ON) for each in _inside(handler)):
+            inside = list(_inside(handler))
+            if any(isinstance(each, _GOES_ON) or _is_unknown(ending, each) for each in inside):
+                continue
+            if ending.caught(handler) & _ALL:
                 place = ending.file.span_of(handler.type or handler)
                 yield Swallowed(place, ending.file.span_of(spins[0].call))
 
 
 def _inside(handler: ast.ExceptHandler) -> Iterator[ast.AST]:
     return (each for statement in handler.body for each in walk(statement))
+
+
+def _is_unknown(ending: Ending, node: ast.AST) -> bool:
+    """Whether something is called that another file of the robot has, which may end the program."""
+    name = ending.syntax.qualified(node) if isinstance(node, ast.Call) else None
+    root = (name or "").partition(".")[0]
+    return "." in (name or "") and root not in _ROOTS and root not in sys.stdlib_module_names
 
 
 def _is_tried_again(ending: Ending, node: ast.AST) -> bool:
