@@ -72,7 +72,9 @@ def _fields(code: Code, node: Node) -> Iterator[tuple[str, _Field]]:
 
 def _defaults(code: Code, node: Node) -> Iterator[tuple[str, Node]]:
     body = node.child_by_field_name("body")
-    for each in body.named_children if body is not None else ():
+    if body is None:
+        return
+    for each in body.named_children:
         name, value = each.child_by_field_name("declarator"), each.child_by_field_name("default_value")
         if each.type == "field_declaration" and name is not None and value is not None:
             yield code.text(name), value
@@ -81,7 +83,9 @@ def _defaults(code: Code, node: Node) -> Iterator[tuple[str, Node]]:
 def _parameters(code: Code, function: Node) -> Iterator[str]:
     declarator = function.child_by_field_name("declarator")
     given = declarator.child_by_field_name("parameters") if declarator is not None else None
-    for each in given.named_children if given is not None else ():
+    if given is None:
+        return
+    for each in given.named_children:
         name = each.child_by_field_name("declarator")
         yield code.text(name).lstrip("*& ")
 

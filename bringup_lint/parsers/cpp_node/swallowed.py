@@ -55,7 +55,9 @@ def _left_out(code: Code) -> Iterator[Swallowed]:
     """``while (started && rclcpp::ok())``, where ``main`` has logged an error when the first is false."""
     main = next((each for each in code.written.get("function", ()) if code.defined_name(each) == "main"), None)
     logged = _logged(code, main) if main is not None else {}
-    for loop in code.written.get("while", ()) if logged else ():
+    if not logged:
+        return
+    for loop in code.written.get("while", ()):
         found = _RUNS.match(code.text(loop))
         failed = logged.get(found["first"] or found["last"]) if found is not None else None
         body = code.body_of(loop) if failed is not None else None
