@@ -282,6 +282,7 @@ def counts(size: int) -> str:
         ("script/second-run-ends", lambda size: f"mkdir /opt/rover\necho {'[ ' * size * 10}\n"),
         ("script/error-page-stored", lambda size: f"curl https://a.b/c -o /opt/rover\necho {'sum ' * size * 10}\n"),
         ("script/syntax", lambda size: "".join(f"sed s/@TOKEN{at}@/x/ a\n" for at in range(size * 10))),
+        ("script/apt-asks", lambda size: "".join(f"n{at}=0\n" for at in range(size * 4))),
         ("script/apt-asks", lambda size: f"{'apt install rover; ' * size * 2}\n"),
     ],
 )

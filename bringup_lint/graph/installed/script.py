@@ -111,23 +111,33 @@ def runs(source: Source) -> Iterator[Run | Written]:
 def _constants(statements: tuple[Block, ...]) -> dict[str, str | None]:
     """The variables of the script: None for all that are not assigned one literal value."""
     found: dict[str, set[str | None]] = {}
+    known: dict[str, str | None] = {}
+    """Those that have had one value so far."""
     for command in flatten(statements):
         words = command.assignments
         if command.name in _DECLARING:
             words = command.words[1:]
         elif command.name == "read":
             for word in command.words[1:]:
-                found.setdefault(str(word), set()).add(None)
+                _add(found, known, str(word), None)
         elif command.words:
             continue
         for word in words:
             name, equals, _ = word.partition("=")
             if equals:
-                known = {key: next(iter(values)) for key, values in found.items() if len(values) == 1}
                 value = plain(word.part(len(name) + 1, len(word)), known) if name.isidentifier() else None
                 literal = value if value is not None and _LITERAL.fullmatch(value) else None
-                found.setdefault(name.rstrip("+"), set()).add(literal)
-    return {name: next(iter(values)) if len(values) == 1 else None for name, values in found.items()}
+                _add(found, known, name.rstrip("+"), literal)
+    return {name: known.get(name) for name in found}
+
+
+def _add(found: dict[str, set[str | None]], known: dict[str, str | None], name: str, value: str | None) -> None:
+    values = found.setdefault(name, set())
+    values.add(value)
+    if len(values) == 1:
+        known[name] = value
+    else:
+        known.pop(name, None)
 
 
 def _is_refused(block: Block, did: Written) -> bool:

@@ -57,13 +57,14 @@ def ended_by_failure(source: Source) -> Iterator[Statement]:
     found = script_blocks(source)
     strict = _SHEBANG.match(source.text) is not None
     is_ever = strict or any(_turns_on(block) for block in found)
+    is_lasting = is_ever and "set +" not in source.text
     functions = {block.name: block for block in found if block.kind == "function"}
     unsafe = _without_effect(source, found, functions) if functions and is_ever else set()
     for at, block in enumerate(found):
         if block.command is not None and block.command.name == "set":
             strict = _after_set(block.command, strict)
         elif block.kind == "function":
-            if is_ever and block.name not in unsafe and "set +" not in source.text:
+            if is_lasting and block.name not in unsafe:
                 yield from _in_list(block.bodies[0])
         elif strict and not _turns(block):
             yield from _at(found, at)
