@@ -71,7 +71,7 @@ STRICT_READER = regex(r"\b(?:ba|da|z)?sh[ \t]+(?:-\w+[ \t]+)*-\w{0,8}e")
 """The shell that a here-document is for."""
 TRAP = regex(r"\btrap\b[^\n]{0,200}\bERR\b", hints="trap")
 STATUS = regex(r"\$(?:\?|\{\?\})")
-PIPES = regex(r"\bpipefail\b")
+PIPES = regex(r"\bpipefail\b|\bPIPESTATUS\b")
 PASSIVE = ("echo", "printf", "true", ":")
 """Fallbacks that make up for nothing."""
 INDEPENDENT = (*PASSIVE, "rm", "mkdir", "useradd", "groupadd", "usermod", "ldconfig", "cd", "chmod", "ln")
@@ -139,6 +139,8 @@ class Chain(NamedTuple):
     """For each command, the first one from it on after which neither ``&&`` nor ``|`` stands."""
     succeed: list[bool]
     """For each command, and for the end: whether all from it on succeeds without an installation."""
+    checked: int
+    """The last `rosdep check`, which fails where something is missing; -1 without one."""
     last_update: int
     """The last update of the package lists whose failure counts; -1 without one."""
 
@@ -151,7 +153,8 @@ def _chain(blocks: Sequence[Block]) -> Chain:
             stops[at] = stops[at + 1]
         succeed[at] = succeed[at + 1] and _name(blocks[at]) in INDEPENDENT
     counts = (at for at in range(last, -1, -1) if _updates_lists(blocks[at]) and _ends(blocks[at]) != "||")
-    return Chain(blocks, stops, succeed, next(counts, -1))
+    checks = (at for at in range(last, -1, -1) if _name(blocks[at]) == "rosdep" and "check" in _words(blocks[at]))
+    return Chain(blocks, stops, succeed, next(checks, -1), next(counts, -1))
 
 
 def _hidden(blocks: Sequence[Block], pipefail: bool) -> Iterator[Hidden]:
@@ -213,7 +216,7 @@ def _fallback(chain: Chain, at: int, following: Block) -> Hiding | None:
     """The command after ``||`` that does nothing about a failure."""
     stop, name = chain.stops[at], _name(following)
     meant = _name(chain.blocks[at]) not in ("colcon", "rosdep")
-    if name not in PASSIVE or (meant and (stop == at or not chain.succeed[stop + 1])):
+    if name not in PASSIVE or chain.checked > stop or (meant and (stop == at or not chain.succeed[stop + 1])):
         return None
     remedy = SKIP if _name(chain.blocks[stop]) == "rosdep" else f"remove '|| {name}'"
     return Hiding(_words(following)[0], f"'|| {name}' takes the failure for its own", remedy if stop == at else GROUP)

@@ -2,7 +2,7 @@
 
 ## What it finds
 A service with `Type=oneshot` that [Install] makes another service pull in (`WantedBy=` or `RequiredBy=` of a .service),
-when neither of the two is ordered before the other.
+when neither of the two is ordered before the other. Silent for jobs that only tell somebody that it started.
 
 ## Why it matters on a robot
 `WantedBy=` is no order. systemd starts both at once: sometimes the driver finds the interface, the file or the device
@@ -48,8 +48,12 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api import systemd
+
+TELLS = regex(r"(?:.*/)?(?:logger|echo|true|curl|mail|sendmail|wall|notify-send|[\w.-]*notif[\w.-]*)")
+"""Programs that prepare nothing for a service."""
 
 
 @rule("warning", silent="units without an order start at once")
@@ -58,6 +62,9 @@ def job_not_before(robot: Robot) -> Iterator[Finding]:
     for unit in units.services:
         kind = unit.get("Type")
         if kind != "oneshot" or unit.unsure_of("After", "Before"):
+            continue
+        programs = [process.program for process in units.started(unit)]
+        if programs and all(map(TELLS.fullmatch, programs)):
             continue
         for name, _, word in units.wanted_by(unit):
             if not name.endswith(".service") or not systemd.is_unit_name(word) or name == unit.name:
