@@ -42,6 +42,8 @@ from bringup_lint.api.yaml import Mapping
 
 STACK = regex(r"\bdocker stack deploy\b", hints="deploy")
 KEYS = ("container_name", "scale", "deploy")
+COUNT = regex(r"0*(?:[2-9]|[1-9][0-9]+)")
+"""More than one."""
 
 
 @rule("error", symptoms=["can't set container_name and * as container name must be unique"])
@@ -68,4 +70,4 @@ def _count(service: Service) -> Located | None:
         return None
     replicas = deploy.scalar("replicas") if isinstance(deploy, Mapping) else None
     given = replicas.value if replicas is not None else service.scalar("scale")
-    return given if given is not None and given.isdigit() and int(given) > 1 else None
+    return given if given is not None and COUNT.fullmatch(given) else None

@@ -282,7 +282,7 @@ def counts(size: int) -> str:
         ("script/second-run-ends", lambda size: f"mkdir /opt/rover\necho {'[ ' * size * 10}\n"),
         ("script/error-page-stored", lambda size: f"curl https://a.b/c -o /opt/rover\necho {'sum ' * size * 10}\n"),
         ("script/syntax", lambda size: "".join(f"sed s/@TOKEN{at}@/x/ a\n" for at in range(size * 10))),
-        ("script/apt-asks", lambda size: "".join(f"n{at}=0\n" for at in range(size * 4))),
+        ("script/apt-asks", lambda size: "".join(f"n{at}=0\n" for at in range(size * 4)) + "apt install rover\n"),
         ("script/apt-asks", lambda size: f"{'apt install rover; ' * size * 2}\n"),
     ],
 )
@@ -396,3 +396,12 @@ def test_time_grows_as_the_services_that_start_a_job(tmp_path: Path) -> None:
         lint("--no-cache", "--quiet", "--select", "systemd/job-not-before", ".", cwd=tmp_path)
 
     assert is_linear(check, 800)
+
+
+@pytest.mark.parametrize("count", ["\u00b2", "9" * 5_000])
+def test_a_count_may_be_any_number_or_none(count: str, tmp_path: Path) -> None:
+    service = f"    image: rover:1\n    container_name: rover\n    scale: {count}\n    group_add: ['{count}']\n"
+    devices = f"    devices: [/dev/ttyUSB0]\n    user: rover:{count}\n"
+    (tmp_path / "compose.yaml").write_text(f"services:\n  rover:\n{service}{devices}")
+    found = lint("--no-cache", "--quiet", "--select", "compose", ".", cwd=tmp_path)
+    assert "internal-error" not in found.stdout + found.stderr

@@ -87,7 +87,9 @@ def _is_member(service: Service, stage: Stage | None, user: str, group: str, num
         return True
     own = user.partition(":")[2]
     if own:
-        return own in (group, number) or (own.isdigit() and not number and not 1000 <= int(own) < 60000)
+        return own in (group, number) or (
+            own.isdecimal() and len(own) < 10 and not number and not 1000 <= int(own) < 60000
+        )
     if stage is None or not is_plain(stage.origin):
         return True
     if user in _FIRST_USER and group in _GROUPS_OF_FIRST_USER and ubuntu_codename(stage.origin) not in _WITHOUT_USER:
