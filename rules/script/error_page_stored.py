@@ -5,7 +5,7 @@
 in /opt or among the rules of udev.
 
 Silent for keys, package lists and archives, which apt, gpg and tar refuse, where the status is asked for (`-w`), and
-where the file is checked by its sum or is run at once to print its version.
+where the file is checked by its sum, is run at once to print its version, or is handed to a shell, which fails.
 
 ## Why it matters on a robot
 For "404 Not Found" curl ends with success, and the page is the file. `set -e` and `&&` see no failure: the installation
@@ -57,6 +57,7 @@ LOOKS = (
     regex(r"(?:sum|verify|\bfile|\bgrep|\bhead)\b([^\n]*)"),
     regex(r"^([^\n]*)sum\b", re.M, "sum"),
     regex(rf"(?<![^{BETWEEN}])([^{BETWEEN}]+)[\"']?[ \t]+(?:--)?(?:version|help)"),
+    regex(r"\b(?:(?:ba|da|z)?sh|python3?)[ \t]+(?:-\w{1,8}[ \t]+){0,4}([^\s;|&]{1,200})"),
 )
 URL = regex(r"https?://")
 
