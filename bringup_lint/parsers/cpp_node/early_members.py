@@ -104,22 +104,23 @@ def _found(
 def _later(code: Code, fields: dict[str, _Field], own: _Field, value: Node, hidden: frozenset[str]) -> Iterator[Node]:
     """Where a value surely uses a member that is declared after the one which it is for."""
     is_listener = _LISTENER.search(own.type) is not None or _LISTENER.search(code.text(value)) is not None
-    todo = [value]
+    todo = [(value, value.parent)]
     while todo:
-        node = todo.pop()
+        node, outer = todo.pop()
         if node.type in ("lambda_expression", "sizeof_expression"):
             continue
         later = fields.get(code.text(node)) if node.type == "identifier" else None
         if later is not None and later.place > own.place and code.text(node) not in hidden:
-            if _is_used(code, own, later, node, is_listener):
+            if outer is not None and _is_used(code, own, later, (node, outer), is_listener):
                 yield node
-        todo += reversed(node.named_children)
+        todo += ((each, node) for each in reversed(node.named_children))
 
 
-def _is_used(code: Code, own: _Field, later: _Field, node: Node, is_listener: bool) -> bool:
-    outer = node.parent
-    if outer is None or outer.type in _STEPS:
-        is_first = outer is not None and outer.child_by_field_name("argument") == node
+def _is_used(code: Code, own: _Field, later: _Field, at: tuple[Node, Node], is_listener: bool) -> bool:
+    """``at`` is the name and what is around it: tree-sitter looks for a parent from the root on."""
+    node, outer = at
+    if outer.type in _STEPS:
+        is_first = outer.child_by_field_name("argument") == node
         return is_first and _POINTER.search(later.type) is not None and not code.text(outer).startswith("&")
     if _NUMBER.match(later.type):
         return outer.type == "binary_expression" or _NUMBER.match(own.type) is not None

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import re
 from collections.abc import Iterator
 from functools import cached_property
 
@@ -34,7 +35,7 @@ _NEVER_RAISES = ("FileStorage", "VideoCapture")
 """OpenCV says of what it cannot open only that it is not open."""
 _ENDS = regex(r"(?i)\w{0,40}(?:exit|quit|abort|shutdown|fail|die|terminate|raise|skip|kill)")
 """Words of calls after which what follows does not run, or does not matter."""
-_LOGGER = regex(r"(?i)log|console", hints="log console")
+_LOGGER = regex(r"log|console", re.I, "log console")
 """What has a method error() that only says something; that of a parser of arguments ends the program."""
 _ASKS_LENGTH = ("empty", "qsize")
 

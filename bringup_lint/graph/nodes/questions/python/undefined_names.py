@@ -38,7 +38,7 @@ _OF_PYTHON_2 = frozenset(
 )
 _BOTH_PYTHONS = regex(
     r"\bversion_info\b|\bsys\.version\b|\bPY[23]\b|\bsix\b|\bpython2\b|\bpython_version\b",
-    hints="version_info sys.version py2 py3 six python2 python_version",
+    hints="version_info sys.version PY2 PY3 six python2 python_version",
 )
 _CAUGHT = frozenset({"NameError", "Exception", "BaseException"})
 _BINDING_NOTHING = frozenset((ast.Attribute, ast.Call, ast.Constant, ast.Expr, ast.keyword, ast.Assign))
