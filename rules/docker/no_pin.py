@@ -73,12 +73,12 @@ def _is_kept(robot: Robot, file: Dockerfile, stage: Stage) -> bool:
     if final is None or stage not in final.chain or not is_deployed(robot.compose, file):
         return False
     is_distribution = DISTRIBUTION.fullmatch(image_name(stage.resolved).repository) is not None
-    return holds_ros(final) or (is_distribution and _installs(final))
+    return holds_ros(final) or (is_distribution and _installs(file))
 
 
-def _installs(stage: Stage) -> bool:
-    """Whether the image takes packages, which only some releases of a distribution have."""
-    return any(INSTALLS.search(run.value) for one in stage.chain for run in one.all("RUN"))
+def _installs(file: Dockerfile) -> bool:
+    """Whether a stage takes packages, which only some releases of a distribution have."""
+    return any(INSTALLS.search(run.value) for stage in file.stages for run in stage.all("RUN"))
 
 
 def _is_pulled(robot: Robot, image: str) -> bool:

@@ -78,7 +78,6 @@ def rosdep_skips_distro(robot: Robot) -> Iterator[Finding]:
                 "its packages",
                 advice=f"write rosdep update --rosdistro {name}",
                 related=[note(last, "needs them")],
-                severity="info" if WORDS.search(source.name) else None,
             )
 
 

@@ -46,8 +46,6 @@ from bringup_lint.api.systemd import Unit
 from bringup_lint.api.systemd import Units
 
 KEYS = ("Wants", "Upholds", "After", "Before", "PartOf")
-EARLY = ("udev.service", "systemd-udevd.service", "dbus.service", "dbus.socket")
-"""Services that run before any other starts, named or not."""
 OF_A_PACKAGE = 4
 """So many missing units with the same first word are no misspellings: another package brings them."""
 
@@ -80,7 +78,7 @@ def missing_wanted_unit(robot: Robot) -> Iterator[Finding]:
             f"{key}={word} has no effect: there is no such unit" + ("" if robot.tree.complete else " in this tree"),
             advice=f"did you mean {meant}?" if meant else "correct the name, or remove the line",
             fix=fix(f"write {meant}", *renamed(unit, word, meant), safe=False) if meant else None,
-            severity=None if _is_sure(robot.units, word, unit) and not elsewhere and meant not in EARLY else "info",
+            severity=None if _is_sure(robot.units, word, unit) and not elsewhere else "info",
             confidence="high" if robot.tree.complete else "medium",
         )
 
