@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from bringup_lint.facts.ros.distros import distro_end
     from bringup_lint.facts.ros.distros import distro_names
     from bringup_lint.facts.ros.distros import distros_since
+    from bringup_lint.facts.ros.distros import named_distros
     from bringup_lint.facts.ros.distros import ros1
     from bringup_lint.facts.ros.needed import COMMON
     from bringup_lint.facts.ros.needed import instead_of
@@ -56,6 +57,7 @@ __all__ = [
     "is_simulation",
     "json5",
     "misspelt",
+    "named_distros",
     "pip_names",
     "ros1",
     "ros_arguments",

@@ -44,7 +44,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.docker import Stage
 from bringup_lint.api.docker import commands_of_run
 from bringup_lint.api.docker import ended_release
-from bringup_lint.api.ros import distro_names
+from bringup_lint.api.ros import named_distros
 from bringup_lint.api.shell import unwrapped
 
 ARCHIVES = regex(
@@ -53,7 +53,6 @@ ARCHIVES = regex(
     re.M,
 )
 """What gives apt other servers."""
-ROS_NAMES = regex(rf"(?<![a-z])(?:{'|'.join(distro_names())})(?![a-z])", re.I)
 STRICT = regex(r"\bset\s+-\w{0,8}e|errexit")
 """Without it, the shell of a here-document goes on after a failure."""
 HOSTS = {"debian": "archive.debian.org", "ubuntu": "old-releases.ubuntu.com"}
@@ -94,7 +93,7 @@ def distribution_ended(robot: Robot) -> Iterator[Finding]:
 
 def _is_kept(source: Source, codename: str) -> bool:
     """Whether the path says for which ended release the file is: it is kept beside those for later ones."""
-    return codename in source.name.lower() or ROS_NAMES.search(source.name) is not None
+    return codename in source.name.lower() or bool(named_distros(source.name))
 
 
 def _has_archive(robot: Robot, texts: list[str]) -> bool:

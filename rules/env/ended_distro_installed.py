@@ -30,7 +30,6 @@ When you get security updates from a vendor with extended support, or the robot 
 - https://wiki.ros.org/Distributions
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -42,8 +41,8 @@ from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.ros import distro_end
-from bringup_lint.api.ros import distro_names
 from bringup_lint.api.ros import distros_since
+from bringup_lint.api.ros import named_distros
 from bringup_lint.api.ros import ros1
 
 FIRST = ros1()
@@ -54,7 +53,6 @@ TAKES = regex(
     rf"|\bFROM[ \t]{{1,8}}\S{{0,80}}?\bros:(?P<image>{NAMES})\b",
     hints=" ".join((*FIRST, *SECOND)),
 )
-WORDS = regex(rf"(?<![a-z])(?:{'|'.join(distro_names())})(?![a-z])", re.I)
 REMARK = regex(r"(?:^|[ \t])#")
 KINDS = ("shell-script", "systemd-unit", "dockerfile")
 VERSION = regex(r"(?:^|[/._-])(?:1[4-9]|2\d)\.(?:04|10)/")
@@ -86,10 +84,10 @@ def _taken(source: Source) -> tuple[str, Located] | None:
     """The only distribution that a file names, where it installs or sources that."""
     matches = (match for match in TAKES.finditer(source.text) if not _is_remark(source, match.start()))
     match = next(matches, None)
-    if match is None or WORDS.search(source.name):
+    if match is None or named_distros(source.name):
         return None
     name = match["sourced"] or match["package"] or match["image"]
-    if {word.lower() for word in WORDS.findall(source.uncommented)} != {name}:
+    if named_distros(source.uncommented) != {name}:
         return None
     return name, source.located(*match.span())
 

@@ -159,7 +159,8 @@ def _of_commands(robot: Robot) -> Iterator[Start]:
 def of_workspace(robot: Robot, start: Start, package: launch.Package) -> Iterator[Finding]:
     executable = start.executable
     if robot.launch.workspace.lacks(package, executable) and not package.made(executable):
-        yield missing(robot, start, package)
+        homes = [each for each in robot.launch.workspace.packages.values() if executable in each.executables]
+        yield of_other_package(start, package, homes[0]) if len(homes) == 1 else missing(start, package)
     elif executable in package.without_mode and package.installs_known:
         yield without_mode(robot, start, package)
 
@@ -254,19 +255,21 @@ def without_mode(robot: Robot, start: Start, package: launch.Package) -> Finding
     )
 
 
-def missing(robot: Robot, start: Start, package: launch.Package) -> Finding:
+def of_other_package(start: Start, package: launch.Package, home: launch.Package) -> Finding:
+    """An executable that another package of the workspace has."""
     executable = start.executable
-    packages = robot.launch.workspace.packages.values()
-    homes = [each for each in packages if executable in each.executables]
-    if len(homes) == 1:
-        return finding(
-            executable,
-            f"{package.name} has no executable '{executable}': {start.effect}",
-            advice=f"start it from the package {homes[0].name}",
-            chain=start.chain(),
-            related=[*start.used, note(homes[0].executables[executable], f"the executable of {homes[0].name}")],
-            severity=start.severity,
-        )
+    return finding(
+        executable,
+        f"{package.name} has no executable '{executable}': {start.effect}",
+        advice=f"start it from the package {home.name}",
+        chain=start.chain(),
+        related=[*start.used, note(home.executables[executable], f"the executable of {home.name}")],
+        severity=start.severity,
+    )
+
+
+def missing(start: Start, package: launch.Package) -> Finding:
+    executable = start.executable
     near = nearest(executable, sorted(package.executables), 3)
     longer = [each for each in package.executables if each.startswith(f"{executable}_")]
     near = near or (longer if len(longer) == 1 else [])

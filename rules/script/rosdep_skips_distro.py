@@ -30,7 +30,6 @@ When all packages of ROS that the workspace needs are installed before.
 - https://github.com/ros-infrastructure/rosdep/issues/816
 """
 
-import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -45,12 +44,12 @@ from bringup_lint.api.docker import Dockerfile
 from bringup_lint.api.docker import commands_of
 from bringup_lint.api.ros import distro_end
 from bringup_lint.api.ros import distro_names
+from bringup_lint.api.ros import named_distros
 from bringup_lint.api.shell import program_name
 from bringup_lint.api.shell import unwrapped
 
 NAMES = "|".join(distro_names())
 TAKES = regex(rf"/opt/ros/(?:{NAMES})\b|\bros-(?:{NAMES})-\w|\bros:(?:{NAMES})\b|\bROS_DISTRO[=:][\"']?(?:{NAMES})\b")
-WORDS = regex(rf"(?<![a-z])(?:{NAMES})(?![a-z])", re.I)
 CHOOSES = ("--include-eol", "--rosdistro")
 
 
@@ -91,6 +90,6 @@ def _calls(file: Dockerfile) -> Iterator[tuple[Located, ...]]:
 
 def _distro(source: Source) -> str:
     """The only distribution that a file names, where it installs or sources that."""
-    names = {word.lower() for word in WORDS.findall(f"{source.name} {source.uncommented}")}
+    names = named_distros(f"{source.name} {source.uncommented}")
     is_known = TAKES.search(source.uncommented) and "ROSDISTRO_INDEX_URL" not in source.uncommented
     return names.pop() if len(names) == 1 and is_known else ""

@@ -54,6 +54,16 @@ def distro_names() -> tuple[str, ...]:
     return (*every(), *ros1())
 
 
+def named_distros(text: str) -> set[str]:
+    """The distributions whose names are words of a text."""
+    return {word.lower() for word in _word().findall(text)}
+
+
+@cache
+def _word() -> re.Pattern[str]:
+    return re.compile(rf"(?<![a-z])(?:{'|'.join(distro_names())})(?![a-z])", re.I)
+
+
 @cache
 def supported() -> tuple[str, ...]:
     """The distributions that can be a target, oldest first."""
