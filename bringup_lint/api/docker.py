@@ -23,6 +23,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.containers.questions.shell_texts import Reads
     from bringup_lint.graph.containers.questions.shell_texts import checks_of
     from bringup_lint.graph.containers.questions.shell_texts import shell_texts
+    from bringup_lint.graph.containers.questions.unknown_images import UnknownImage
+    from bringup_lint.graph.containers.questions.unknown_images import unknown_images
     from bringup_lint.graph.containers.ros_in_image import distro_of
     from bringup_lint.graph.containers.ros_in_image import holds_ros
     from bringup_lint.graph.host.container_folders import CONTAINER_KINDS
@@ -71,6 +73,7 @@ __all__ = [
     "Reads",
     "Runner",
     "Stage",
+    "UnknownImage",
     "assignments",
     "blocks_of_run",
     "broken_references",
@@ -108,6 +111,7 @@ __all__ = [
     "stays_in_shell",
     "substituted",
     "ubuntu_codename",
+    "unknown_images",
     "user_name",
     "without_history",
 ]

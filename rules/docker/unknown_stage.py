@@ -2,7 +2,8 @@
 
 ## What it finds
 `COPY --from=` and `FROM` with a name that no stage above has, and that differs in one letter from that of a stage of
-the file. And `target:` of a compose service whose Dockerfile has no stage of that name, whatever the stages are called.
+the file, or is that of no official image of Docker Hub and no image that anything of the tree makes or speaks of (a
+warning). And `target:` of a compose service whose Dockerfile has no stage of that name, whatever the stages are called.
 
 ## Why it matters on a robot
 Docker takes the name for that of an image, which nobody has: "pull access denied, repository does not exist". Nothing
@@ -36,12 +37,15 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
+from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.docker import Dockerfile
 from bringup_lint.api.docker import Stage
+from bringup_lint.api.docker import UnknownImage
+from bringup_lint.api.docker import unknown_images
 from bringup_lint.api.spelling import Neighbours
 from bringup_lint.api.spelling import is_slip
 from bringup_lint.api.spelling import numbered
@@ -53,10 +57,26 @@ MOST = 8
 
 @rule("error", symptoms=["pull access denied for *, repository does not exist", "target stage * could not be found"])
 def unknown_stage(robot: Robot) -> Iterator[Finding]:
+    misspelt: set[Span] = set()
     for file in (file for file in robot.dockerfiles if file.source.judged and not file.source.template):
-        yield from _misspelt(file)
+        for found in _misspelt(file):
+            misspelt.add(found.span)
+            yield found
+    for unknown in unknown_images(robot.compose):
+        if unknown.where.span not in misspelt:
+            yield _of_nobody(unknown)
     if robot.of_kind("compose"):
         yield from _missing_targets(robot)
+
+
+def _of_nobody(unknown: UnknownImage) -> Finding:
+    return finding(
+        unknown.where,
+        f"No stage above and nothing that is built here is called '{unknown.name}', and Docker Hub has no such image",
+        advice="name the stage that is meant, or add what builds the image: docker build -t NAME",
+        related=[note(unknown.last, "the stage above")] if unknown.last is not None else (),
+        severity="warning",
+    )
 
 
 def _missing_targets(robot: Robot) -> Iterator[Finding]:

@@ -110,7 +110,7 @@ class Images:
 
     @cached_property
     def _build_texts(self) -> list[str]:
-        return [source.text for source in self._texts() if not source.name.endswith((".md", ".rst"))]
+        return [source.text for source in self.texts if not source.name.endswith((".md", ".rst"))]
 
     def stage(self, image: str) -> Stage | None:
         """The stage that an image is built from: of the same tag, else of the only build of its repository."""
@@ -143,13 +143,17 @@ class Images:
                     yield ImageBuild((str(image),), *parts, image), file.source
 
     def _commands(self) -> Iterator[tuple[ImageBuild, Source]]:
-        for source in self._texts():
+        for source in self.texts:
             parse = bake.parse if _BAKE.search(source.name) else build_commands.parse
             for build in parse(source):
                 yield build, source
 
-    def _texts(self) -> Iterator[Source]:
+    @cached_property
+    def texts(self) -> tuple[Source, ...]:
         """The files that may hold build commands and bake targets."""
+        return tuple(self._texts())
+
+    def _texts(self) -> Iterator[Source]:
         known = {source.name for source in self.tree.sources}
         yield from (source for source in self.tree.sources if source.kind == "shell-script")
         paths = (path for path in self.tree.paths if _BAKE.search(path) or _COMMANDS.search(path))

@@ -1,0 +1,85 @@
+"""Images without a namespace that Dockerfiles name, and that nobody has: no stage, no build here, no registry."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.graph.containers.images import can_be_pulled
+from bringup_lint.model.image_build import image_name
+from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.pattern import regex
+from bringup_lint.source import Located
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.containers.compose import Compose
+    from bringup_lint.model.dockerfile import Dockerfile
+    from bringup_lint.model.dockerfile import Stage
+
+_FROM = regex(r"--from=(?P<copied>[\w.:-]+)\Z|--mount=(?:[^,]+,){0,9}from=(?P<mounted>[\w.:-]+)(?:,.*)?\Z")
+_PLAIN = regex(r"[A-Za-z][\w.-]*(?::[\w.-]+)?")
+_OF_STAGES = regex(
+    r"base|build(?:er)?(?:[_-]\w+)?|deps|dependencies|dev|devel|development|final|prod|production|release|runtime|source|test"
+)
+"""Names that people give to stages, and that stand for other things in scripts and pages."""
+_SPEAKS = regex(r"docker|podman|buildah|nerdctl|\btags?\b|(?:^|\s)-t\s|image|contexts?\b|target", re.I)
+"""What a line that makes an image, or lends its name to one, has beside the name."""
+
+
+class UnknownImage(NamedTuple):
+    where: Located
+    name: str
+    last: Located | None
+    """The FROM of the stage above."""
+
+
+def unknown_images(compose: Compose) -> Iterator[UnknownImage]:
+    """The first place of each name in a file."""
+    for file in compose.images.dockerfiles:
+        if file.source.judged:
+            yield from _of_file(compose, file)
+
+
+def _of_file(compose: Compose, file: Dockerfile) -> Iterator[UnknownImage]:
+    above: set[str] = set()
+    seen = {"scratch"}
+    last: Located | None = None
+    for stage in file.stages:
+        for place in _named(stage):
+            name = image_name(place).repository
+            if name in seen or place.lower() in above or not _PLAIN.fullmatch(place):
+                continue
+            seen.add(name)
+            if not can_be_pulled(name) and not _is_made(compose, name):
+                yield UnknownImage(place, name, last)
+        if stage.name is not None:
+            above.add(stage.name.lower())
+        last = stage.start.keyword
+
+
+def _named(stage: Stage) -> Iterator[Located]:
+    yield stage.image
+    for flag in (flag for instruction in stage.all("COPY", "ADD", "RUN") for flag in instruction.flags):
+        if match := _FROM.match(flag):
+            yield flag.part(*match.span(match.lastgroup or 0))
+
+
+def _is_made(compose: Compose, name: str) -> bool:
+    """Whether a file of the tree may make an image of this name, or give it as a build context."""
+    if compose.images.is_built(name) or any(each.stage(name) for each in compose.images.dockerfiles):
+        return True
+    written = re.compile(rf"(?<![\w.-]){re.escape(name)}(?![\w.-])", re.I)
+    generic = _OF_STAGES.fullmatch(name) is not None
+    return any(_speaks_of(text, written, generic) for text in _texts(compose) if written.search(text))
+
+
+def _speaks_of(text: str, written: re.Pattern[str], generic: bool) -> bool:
+    if not generic:
+        return True
+    return any(written.search(line) and _SPEAKS.search(line) for line in text.splitlines())
+
+
+def _texts(compose: Compose) -> Iterator[str]:
+    yield from (source.text for source in compose.images.texts)
+    yield from (source.text for source in compose.tree.sources if source.kind in ("compose", "devcontainer"))
