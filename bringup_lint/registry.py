@@ -117,7 +117,7 @@ class Family:
     test_data: Severity | None = None
     """The severity to which all findings in files that tests read are lowered."""
     unreached: Severity | None = None
-    """The same in files to which nothing of the robot's own leads."""
+    """The same in files to which nothing of the robot's own leads, or that the tree switches off."""
     joins: dict[str, frozenset[str]] = field(default_factory=dict)
     """Rule file -> kinds of other families that give this rule something to say."""
     indexed: tuple[str, ...] | None = None

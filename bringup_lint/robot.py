@@ -74,6 +74,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.sros2.sros2 import Sros2
     from bringup_lint.graph.supervision.notify import Notify
     from bringup_lint.graph.supervision.watchdog import Watchdog
+    from bringup_lint.graph.switched_off import SwitchedOff
     from bringup_lint.graph.systemd.daemons import Daemon
     from bringup_lint.graph.systemd.filesystem import Filesystem
     from bringup_lint.graph.systemd.units import Units
@@ -243,8 +244,18 @@ class Robot:
         return self.files.environment_file(robot_path)
 
     def leads_to(self, place: Source | Located | Span) -> bool:
-        """Whether a file is more than a part of a copy that nothing of the robot's own uses."""
-        return not self.files.of_kind("ros-package") or not self._unreached.has(span_of(place).source)
+        """Whether a file is more than a part of a copy that nothing of the robot's own uses, or of what the tree
+        switches off."""
+        source = span_of(place).source
+        return not self.files.of_kind("ros-package") or not (
+            self._unreached.has(source) or self._switched_off.has(source)
+        )
+
+    @cached_property
+    def _switched_off(self) -> SwitchedOff:
+        from bringup_lint.graph.switched_off import SwitchedOff
+
+        return SwitchedOff(self.files)
 
     @cached_property
     def _unreached(self) -> Unreached:

@@ -3,14 +3,14 @@ robot's own files use another part or nothing. What is found there is informatio
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from collections.abc import Iterator
-from fnmatch import fnmatchcase
 from functools import cached_property
 from itertools import chain
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.files import Files
+from bringup_lint.graph.words import named
+from bringup_lint.graph.words import words
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 from bringup_lint.type_names import TYPE_CHECKING
@@ -22,15 +22,12 @@ _BUILDING = ("ros-package", "cmake", "setup-py", "setup-cfg")
 """Kinds that colcon reads, whatever the robot uses."""
 _CODE = ("python-node", "cpp-node", "cpp-driver")
 """Kinds that are used with their package: which files a program is made of is not asked."""
-_WORD = regex(r"[\w*](?:[\w.*+-]*[\w*-])?")
 _PAGE = regex(r"(?i)(?:\.(?:md|rst|txt|repos|rosinstall|mk|just)|(?:^|/)(?:makefile|justfile|procfile))$")
 _SIZE = 200_000
 """How much is read of a page."""
 _DEVICE = regex(r"/dev/([\w.-]+)")
 _LINKS = regex(r"""SYMLINK\s*\+?=\s*\\?["']([^"'\\]*)""")
 """The links of a udev rule, also of one that a script writes."""
-_PREFIX = 4
-"""Letters of the first part of a computed name, at least."""
 
 
 class Reached:
@@ -62,14 +59,14 @@ class Reached:
     def _led_to(self, text: str, own: str | None) -> Iterator[tuple[str, str | None]]:
         """The texts to which one leads, which is of a file of the copy ``own``."""
         self.devices.update(_DEVICE.findall(text))
-        words = set(_WORD.findall(text))
-        folders = {folder for name in self._by_name.keys() & words for folder in self._by_name[name]}
+        here = words(text)
+        folders = {folder for name in self._by_name.keys() & here for folder in self._by_name[name]}
         for folder in folders | ({own} if own else set()):
             if folder not in self.packages:
                 self.packages.add(folder)
                 yield self._copies.found[folder].source.text, None
             left = self._left.get(folder, {})
-            for name in list(_named(left, words)):
+            for name in list(named(left, here)):
                 for source in left.pop(name):
                     self.paths.add(source.absolute)
                     yield source.text, folder
@@ -92,25 +89,6 @@ class Reached:
             if folder is not None and source.kind not in _BUILDING:
                 found.setdefault(folder, {}).setdefault(source.basename, []).append(source)
         return found
-
-
-def _named(names: Iterable[str], words: set[str]) -> Iterator[str]:
-    """The names of files that some words mean, as they are, by a wildcard, or by what is fixed of a computed name."""
-    patterns = [word for word in words if "*" in word and len(word) >= _PREFIX]
-    prefixes = tuple(word for word in words if word.endswith(("_", "-")) and len(word) >= _PREFIX)
-    for name in names:
-        if name in words or name.startswith(prefixes) or not words.isdisjoint(_ends(name)):
-            yield name
-        elif any(fnmatchcase(name, pattern) for pattern in patterns):
-            yield name
-
-
-def _ends(name: str) -> Iterator[str]:
-    """The ends of a name that hold more than its suffix: what is written of one whose first part is computed."""
-    for at, letter in enumerate(name[: name.rfind(".")]):
-        if letter in "._-":
-            yield name[at + 1 :]
-            yield name[at:]
 
 
 @dataclass(eq=False)

@@ -363,6 +363,8 @@ class LaunchFile:
     """Names that Python code looks up and that nothing binds."""
     unplaced: list[UnplacedAction] = field(default_factory=list)
     """Actions that Python code makes and hands to nothing."""
+    idle: list[Span] = field(default_factory=list)
+    """Values that Python code keeps in variables which nothing uses."""
     tag: Tag | None = None
     """The root of an XML or YAML file, as it is written."""
     ros1: list[Located] = field(default_factory=list)

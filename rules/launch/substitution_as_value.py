@@ -75,8 +75,15 @@ def substitution_as_value(robot: Robot) -> Iterator[Finding]:
                 f"The launch configuration '{use.argument.name}' {effect}",
                 advice=advice,
                 related=[note(use.argument.name, "read here")],
-                severity="warning" if use.how == EMPTY or is_default(robot, file, use) else None,
+                severity=severity_of(robot, file, use),
             )
+
+
+def severity_of(robot: Robot, file: launch.LaunchFile, use: launch.ObjectAsValue) -> str | None:
+    """That of an argument of an include which is never placed is low."""
+    if use.how == "argument-name" and any(each.start <= use.span.start < each.end for each in file.idle):
+        return "info"
+    return "warning" if use.how == EMPTY or is_default(robot, file, use) else None
 
 
 def is_default(robot: Robot, file: launch.LaunchFile, use: launch.ObjectAsValue) -> bool:

@@ -12,6 +12,7 @@ from bringup_lint.parsers.launch_python import freeze
 from bringup_lint.parsers.launch_python.calls import call
 from bringup_lint.parsers.launch_python.expressions import condition
 from bringup_lint.parsers.launch_python.expressions import evaluate
+from bringup_lint.parsers.launch_python.idle_values import idle_values
 from bringup_lint.parsers.launch_python.objects import Frame
 from bringup_lint.parsers.launch_python.objects import Function
 from bringup_lint.parsers.launch_python.objects import Mapping
@@ -65,6 +66,7 @@ def parse(source: Source) -> LaunchFile:
         file.unbound += unbound(state, tree)
         file.calls_refused += own_misfits(tree, positions)
         file.unplaced += unplaced(tree, positions, source.text)
+        file.idle += idle_values(tree, positions)
     finally:
         module.names.clear()  # its functions know it: without this, the syntax tree would wait for a search for garbage
     return file
