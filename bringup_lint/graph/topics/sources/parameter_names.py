@@ -41,6 +41,7 @@ CPP_FILES = 300
 """C++ files of one program that are read."""
 _ASIDE = regex(r"/(?:tests?|examples?|build|install|log)/")
 _CLASS = regex(r"\b(?:class|struct)\s+[\w\s]{1,120}:(?P<bases>[^:{};()](?:[^{};()]|::){0,400})\{", hints="class struct")
+_CLASS_NAME = regex(r"\b(?:class|struct)\s+(?:[A-Z][A-Z_]+\s+)?(\w+)", hints="class struct")
 _INCLUDE = regex(
     r"^[ \t]*#[ \t]*include[ \t]*[<\"](?!pluginlib/class_list_macros)(?P<package>[\w-]+)/", re.M, hints="include"
 )
@@ -50,6 +51,15 @@ _MAIN = regex(r"\bint\s+main\s*\(|\bRCLCPP_COMPONENTS_REGISTER_NODE\b", hints="m
 _NODE = regex(r"\brclcpp(?:_lifecycle)?::(?:Lifecycle)?Node\b", hints="rclcpp")
 _ACCESS = regex(r"\b(?:public|virtual|private|protected)\b|\s")
 _BASES = frozenset({"rclcpp::Node", "Node", "rclcpp_lifecycle::LifecycleNode", "LifecycleNode"})
+_MADE = regex(r"\b(?P<name>\w{1,80})\s*[=({]\s*(?:std::)?make_shared\s*<", hints="make_shared")
+_HANDED = regex(
+    r"\b(?:shared_from_this|weak_from_this|get_node_\w+_interface)\s*\(|(?:\b(?P<call>\w{1,80})\s{0,20}[({]|[({]"
+    r"|(?P<member>&\s?[\w:]{1,120}\s?)?,)\s{0,20}\*?(?:this->)?(?P<what>\w{1,80})\s{0,20}(?=[,)}])"
+)
+"""A call that gives the node itself, or a word that is given to a call; after a member function it is its object."""
+_NODES = regex(r"this|(?:\w+_)?[nN]ode(?:_|_?[pP]tr_?|_?[hH]andle_?)?|p?nh_?")
+"""Names of what stands for a node."""
+_OWN_CALLS = frozenset({"spin", "spin_some", "spin_until_future_complete", "add_node", "remove_node", "reset", "move"})
 _SAFE = ("rclpy", "rclpy_action", "tf2_ros", "message_filters", "diagnostic_updater", "cv_bridge", "builtins", "super")
 """Python modules that are handed a node and declare nothing of their own."""
 
@@ -177,9 +187,10 @@ class ParameterNames:
         return source is not None and source.matches(_MAIN)
 
     def _with_included(self, package: Package, paths: list[str]) -> list[Source] | None:
-        """Files, and those of the packages of the workspace that they include; None when others that they include may
-        declare parameters, or there are too many."""
+        """Files, and those of the packages of the workspace that they include; None when there are too many, or when
+        others that they include may declare parameters in a node that some of the files hand out."""
         depends = {str(name) for _, name in package.manifest.depends}
+        is_open = False
         found: dict[str, Source] = {}
         todo, seen = list(paths), {package.name}
         while todo:
@@ -197,8 +208,9 @@ class ParameterNames:
                     depends |= {str(each) for _, each in other.manifest.depends}
                     todo += self._files_of(other, CPP)
                 elif name in depends and hands_parameters(name):
-                    return None
-        return list(found.values())
+                    is_open = True
+        sources = list(found.values())
+        return None if is_open and (any(map(_hands_node, sources)) or _builds_on_others(sources)) else sources
 
     def _files_of(self, package: Package, endings: tuple[str, ...]) -> list[str]:
         paths = self._by_folder.get(package.folder, [])
@@ -275,6 +287,31 @@ def _packages(source: Source) -> set[str]:
 def _bases(source: Source) -> list[str]:
     """What the classes of a C++ file build on."""
     return [found["bases"] for found in _CLASS.finditer(source.text)]
+
+
+def _builds_on_others(sources: list[Source]) -> bool:
+    """Whether a class builds on one that is neither of the sources nor of the libraries of C++ and of nodes."""
+    names = {name for source in sources for name in _CLASS_NAME.findall(source.text)}
+    texts = (bases for source in sources for bases in source.once(_bases, partial(_bases, source)))
+    bases = {_ACCESS.sub("", each).partition("<")[0] for text in texts for each in text.split(",")}
+    return any(not each.startswith("std::") and each.rpartition("::")[2] not in names for each in bases - _BASES)
+
+
+def _hands_node(source: Source) -> bool:
+    """Whether a C++ file gives a node to a call that may be one of another package."""
+    return bool(source.once(_hands_node, partial(_find_handed, source)))
+
+
+def _find_handed(source: Source) -> bool:
+    made = {found["name"] for found in _MADE.finditer(source.text)}
+    for found in _HANDED.finditer(source.text):
+        what = found["what"]
+        if what is None:
+            return True
+        is_node = what in made or _NODES.fullmatch(what) is not None
+        if is_node and found["call"] not in _OWN_CALLS and not found["member"]:
+            return True
+    return False
 
 
 def _is_plain_node(sources: list[Source]) -> bool:
