@@ -84,6 +84,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.params.questions.simulated_literally import Literally
     from bringup_lint.graph.params.questions.simulated_literally import simulated_literally
     from bringup_lint.graph.params.questions.simulated_literally import simulates_nothing
+    from bringup_lint.graph.params.questions.simulated_public import simulated_by_public
     from bringup_lint.graph.params.questions.simulation_arguments import simulated_by_default
     from bringup_lint.graph.plugins.controllers import UntypedController
     from bringup_lint.graph.runners.launching import Launching
@@ -251,6 +252,7 @@ __all__ = [
     "shared_devices",
     "shut_down_by_helpers",
     "simulated_by_default",
+    "simulated_by_public",
     "simulated_literally",
     "simulates_nothing",
     "switched_by_program",

@@ -11,6 +11,10 @@ Also `use_sim_time: True` that no argument can change, in parameters of nodes, `
 in a tree where nothing is about a simulation or a recording. It is an error for the nodes of Nav2 and others that wait
 for ROS time, and a warning for others.
 
+A warning, too, where `online_async_launch.py` of slam_toolbox and others of which the default is true are started
+without the argument, and the tree has no simulation, or the parameter file that is passed says `use_sim_time: false`:
+their argument overrules the file.
+
 ## Why it matters on a robot
 Started without arguments, as a unit does it, the nodes wait for a clock that nobody publishes. Nothing moves, and
 nothing is logged.
@@ -42,6 +46,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.launch import Literally
 from bringup_lint.api.launch import simulated_by_default
+from bringup_lint.api.launch import simulated_by_public
 from bringup_lint.api.launch import simulated_literally
 from bringup_lint.api.launch import simulates_nothing
 
@@ -71,6 +76,16 @@ def use_sim_default_true(robot: Robot) -> Iterator[Finding]:
             severity=None if started else "warning" if omitted or simulates_nothing(robot.files) else "info",
         )
     yield from _in_any_case(robot)
+    for of in simulated_by_public(robot.launch, robot.runners):
+        yield finding(
+            of.where,
+            f"{of.file} of {of.package} has use_sim_time true by default: its nodes get a simulated clock that nobody "
+            "publishes, and their time stays at zero",
+            advice="pass use_sim_time false",
+            related=[note(of.overruled, "overruled by the argument of the launch file")] if of.overruled else [],
+            chain=robot.provenance.chain_to(of.where, "the argument is not passed"),
+            severity="warning",
+        )
 
 
 def _in_any_case(robot: Robot) -> Iterator[Finding]:

@@ -19,6 +19,13 @@ HINTS = "sim gazebo gz ign webots isaac mujoco carla stage_ros unity pybullet co
 TOLD = r"gazebo|\bgz[ _-]|ros_gz|webots|isaac|mujoco|coppelia|airsim|carla|stage_ros|pybullet|simulat"
 """Anywhere in a text, these hardly mean anything else. Isaac alone may mean Isaac Sim."""
 
+BY_DEFAULT = {
+    "slam_toolbox": ("online_async_launch.py", "online_sync_launch.py", "localization_launch.py"),
+    "nav2_bringup": ("slam_launch.py",),
+}
+"""Public launch files whose use_sim_time is true by default and overrules what a parameter file says, from their
+sources in every distribution from foxy on (localization_launch.py: from humble on)."""
+
 _SIMULATOR = regex(rf"(?<![a-z0-9])(?:{SIMULATORS})(?![a-z0-9])", re.I, HINTS)
 _NAMED = regex(rf"(?<![a-z0-9])(?:{SIMULATORS}|{WORDS})(?![a-z0-9])", re.I, HINTS)
 
