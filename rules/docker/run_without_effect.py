@@ -2,7 +2,8 @@
 
 ## What it finds
 A `RUN` that does nothing but `source` a file, `export` variables, `cd` or define an `alias`, and one that ends with an
-`export`. One finding for each stage. A file that is sourced for nothing is an info where no later step of the stage
+`export`. And a variable that one `RUN` sets and a later one reads, which neither ENV nor ARG nor the later step sets.
+One finding for each stage. A file that is sourced for nothing is an info where no later step of the stage
 calls anything of ROS without a setup file of its own, and so is a folder that is entered where nothing after it is
 relative to it.
 
@@ -29,17 +30,22 @@ When the step only proves that the file can be read.
 - https://docs.docker.com/reference/dockerfile/#environment-replacement: ENV stays in the image
 """
 
+import re
 from bisect import bisect_right
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.docker import Instruction
 from bringup_lint.api.docker import Stage
+from bringup_lint.api.docker import assignments
 from bringup_lint.api.docker import commands_of_run
+from bringup_lint.api.docker import may_set
 from bringup_lint.api.shell import Command
 
 OF_THE_SHELL = ("source", ".", "export", "cd", "alias", "unset")
@@ -50,6 +56,8 @@ FROM_HERE = regex(
     r"|\bgit\b(?!\s+(?:clone|-C)\b)"
 )
 """A relative path in a command line, or a program that works on the folder in which it is started."""
+NAME = regex(r"([A-Za-z_]\w*)\+?=")
+USED = regex(r"(?<![\\$])\$\{?([A-Za-z_]\w*)\b(?![:\[]?[-=+?])", hints="$")
 STARTS = ("RUN", "CMD", "ENTRYPOINT")
 BUILDS = regex(r"\b(?:colcon|ros2|ament_\w+|cmake)\b")
 """The same where the image knows ROS_DISTRO by itself."""
@@ -66,6 +74,7 @@ def run_without_effect(robot: Robot) -> Iterator[Finding]:
     for file in robot.dockerfiles:
         for stage in file.stages:
             found = list(_lost(stage))
+            yield from _read_later(stage, found)
             if not found:
                 continue
             first, later = found[0], _Later(stage)
@@ -86,6 +95,44 @@ def _lost(stage: Stage) -> Iterator[Command]:
             yield commands[0]
         elif commands and commands[-1].name == "export" and len(commands[-1].words) > 1:
             yield commands[-1]
+
+
+def _read_later(stage: Stage, lost: list[Command]) -> Iterator[Finding]:
+    """The first reading of each variable that only an earlier step has set."""
+    known = {name for one in stage.chain for each in one.all("ENV") for name, _ in assignments(each)}
+    known.update(str(word).partition("=")[0] for each in stage.all("ARG") for word in each.value.words())
+    ended = {word.span for command in lost for word in command.words}
+    before: dict[str, Located] = {}
+    for instruction in stage.all("RUN"):
+        if instruction.exec_form:
+            continue
+        own = dict(_set_by(instruction))
+        for script in instruction.scripts if before else ():
+            for match in USED.finditer(script):
+                name = match[1]
+                place = before.get(name)
+                if place is None or script.count("'", 0, match.start()) % 2:
+                    continue
+                del before[name]
+                if name not in own and not re.search(rf"\b(?:read|for|local)\b[^\n;|&]*\b{name}\b", script):
+                    yield finding(
+                        script.part(*match.span()),
+                        f"{name} is empty here: each RUN has a shell of its own, and an earlier one has set it",
+                        advice="join the two steps with &&, or set it with ENV or ARG",
+                        related=[note(place, "set in the shell of this step")],
+                    )
+        for name, word in own.items():
+            if name not in known and word.span not in ended and (name.islower() or not may_set(stage.origin, name)):
+                before.setdefault(name, word)
+
+
+def _set_by(instruction: Instruction) -> Iterator[tuple[str, Located]]:
+    """The variables that the shell of a step sets, with the words that do."""
+    for command in commands_of_run(instruction):
+        words = command.words[1:] if command.name in ("export", "declare", "readonly") else ()
+        for word in (*words, *(() if command.words else command.assignments)):
+            if match := NAME.match(word):
+                yield match[1], word
 
 
 class _Later:

@@ -1,7 +1,8 @@
 """A variable of a script gets a value that begins with an equals sign.
 
 ## What it finds
-`NAME==VALUE` as an assignment: alone on a line, or before a command.
+`NAME==VALUE` as an assignment: alone on a line, or before a command. In a Dockerfile, `ENV NAME =VALUE`: without an
+equals sign at the name, all after the blank is the value.
 
 ## Why it matters on a robot
 The shell takes the first `=` for the assignment and the second for the value. `CARD==$(...)` makes `CARD` `=2`, and
@@ -37,6 +38,9 @@ from bringup_lint.api.shell import shell_commands
 DOUBLED = regex(r"[A-Za-z_]\w*==(?=[\w$`/])")
 
 
+OF_ENV = regex(r"\w+[ \t]+=")
+
+
 @rule("error", fix="unsafe", silent="the shell assigns the value without a message")
 def assignment_equals(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("shell-script"):
@@ -53,6 +57,15 @@ def assignment_equals(robot: Robot) -> Iterator[Finding]:
                     f"The value of {name} begins with '=': the second equals sign is part of it",
                     advice="write one equals sign",
                     fix=fix("write one equals sign", (source.located(*_place(word.span.start, doubled.end())), "=")),
+                )
+    for file in robot.dockerfiles:
+        for instruction in (each for stage in file.stages for each in stage.all("ENV")):
+            if match := OF_ENV.match(instruction.value):
+                name = next(instruction.value.words())
+                yield finding(
+                    instruction.value.part(*match.span()),
+                    f"The value of {name} begins with '=': docker takes all after the blank for the value",
+                    advice=f"write ENV {name}=VALUE",
                 )
 
 

@@ -150,7 +150,11 @@ def _is_missing(files: Files, service: Service, found: MissingFile) -> bool:
     context = service.build.context if found.what == "Dockerfile" and service.build else None
     relative = os.path.normpath(os.path.join(context or ".", found.path))
     path = _beside(service, relative)
-    if files.tree.exists(path) or files.tree.is_ignored(path) or _elsewhere(files, service, relative):
+    if files.tree.exists(path) or files.tree.is_ignored(path):
+        return False
+    if found.what == "build context" and _is_own_folder(files, path):
+        return not _is_moved(files, service)
+    if _elsewhere(files, service, relative):
         return False
     may_be_copied = found.what in ("env_file", "mount") or (found.what == "mounted program" and not _near(files, path))
     is_copied = may_be_copied and any(files.tree.named(os.path.basename(path)))
@@ -168,10 +172,15 @@ def _near(files: Files, path: str) -> list[str]:
 def _is_named(files: Files, name: str) -> bool:
     """Whether a script or a text for people speaks of a file, so that somebody makes it, or opens the display to all
     so that nobody needs it."""
+    return any(name in text or "xhost +" in text for text in _texts(files))
+
+
+def _texts(files: Files) -> Iterator[str]:
+    """What scripts, recipes and texts for people say."""
     texts = [path for path in files.tree.paths if path.endswith((".md", ".rst", ".txt", "Makefile", "justfile"))]
     told = (files.tree.read(path, judged=False) for path in texts)
     sources = (source for source in (*files.sources, *told) if source is not None and source.kind != "compose")
-    return any(name in source.text or "xhost +" in source.text for source in sources)
+    yield from (source.text for source in sources)
 
 
 def _elsewhere(files: Files, service: Service, relative: str) -> bool:
@@ -187,6 +196,20 @@ def _elsewhere(files: Files, service: Service, relative: str) -> bool:
         if files.tree.exists(path):
             return True
     return False
+
+
+def _is_own_folder(files: Files, context: str) -> bool:
+    """Whether a context is called as the folder of its compose file, which holds the Dockerfile itself."""
+    folder, name = os.path.split(context)
+    return os.path.basename(folder) == name and files.tree.exists(os.path.join(folder, "Dockerfile"))
+
+
+def _is_moved(files: Files, service: Service) -> bool:
+    """Whether something of the tree starts its services from another folder, or together with another file."""
+    folder = os.path.basename(os.path.dirname(service.source.absolute))
+    file = f"{folder}/{service.source.basename}"
+    texts = _texts(files)
+    return any("project-directory" in text or "COMPOSE_FILE" in text or f"{file} " in text for text in texts)
 
 
 def _is_made(files: Files, path: str) -> bool:
