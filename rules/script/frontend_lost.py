@@ -8,7 +8,7 @@ scripts that a file calls which sets the variable itself.
 
 ## Why it matters on a robot
 The packages that ask (keyboard, time zone, iptables-persistent, a changed file in `/etc`) open their dialog all the
-same. Nobody answers it in a set-up over SSH or at the first boot: the installation waits for ever, or ends with an
+same. Nobody answers it in a set-up over SSH or at the first boot: the installation waits without end, or ends with an
 error of debconf.
 
 ## Bad
