@@ -1,7 +1,7 @@
 """A device path contains a number that changes.
 
 ## What it finds
-`/dev/ttyUSB0`, `/dev/ttyACM1`, `/dev/video2` and similar paths. The severity depends on the place:
+`/dev/ttyUSB0`, `/dev/ttyACM1`, `/dev/video2`, `/dev/input/event3` with any number. The severity depends on the place:
 
 - Warning: units and their environment files, compose, launch and parameter files, what a launch file gives to one that
   it includes, YAML of a driver in a folder such as `config/`, scripts, variables of Ansible's hosts and groups; the
@@ -108,6 +108,8 @@ def _finding(robot: Robot, use: DeviceUse, links: list[Link], others: list[Devic
 
 def _folder(path: str) -> str:
     """Where udev keeps stable names of a device of this kind."""
+    if path.startswith("/dev/input"):
+        return "/dev/input/by-id"
     return "/dev/v4l/by-id or /dev/v4l/by-path" if path.startswith("/dev/video") else "/dev/serial/by-id"
 
 
