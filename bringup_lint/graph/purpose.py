@@ -127,6 +127,16 @@ SOURCES: tuple[tuple[Purpose, re.Pattern[str]], ...] = (
 """The same for the path of a node's source in its package, where more folders hold what no robot runs."""
 
 
+_DEVCONTAINER = _folder(r"\.devcontainer")
+_RESTARTS = regex(r"^[ \t]*restart:[ \t]*[\"']?(?:always|unless-stopped|on-failure)", re.M, hints="restart:")
+_STARTS_ROS = regex(r"\bros2[ \t]+(?:launch|run)\b", hints="ros2")
+
+
+def _starts_by_itself(compose: Source) -> bool:
+    """Whether services of a compose file run nodes, and come back after each boot: nobody develops in these."""
+    return compose.says(_RESTARTS) and compose.says(_STARTS_ROS)
+
+
 _TEST_DATA = _folder(r"tests?|test[_-]?data|test[_-]?(?:files|cases)[^/]*|[^/]*fixtures?|fuzz(?:ing)?|e2e|unittests?")
 """Folders for what tests read, which is often wrong on purpose."""
 
@@ -176,7 +186,11 @@ class Purposes:
         path = self._path(source)
         if source.kind in _COPIED:
             path = final_name(path)
-        return Purpose.ARCHIVE if self._is_superseded(path) else by_path(path)
+        if self._is_superseded(path):
+            return Purpose.ARCHIVE
+        found = by_path(path)
+        is_started = found is Purpose.DEVELOPMENT and source.kind == "compose" and _starts_by_itself(source)
+        return Purpose.ROBOT if is_started and _DEVCONTAINER.search(path) else found
 
     def is_test_data(self, source: Source) -> bool:
         """Whether a file lies where tests keep what they read. The configuration may say that it is the robot's."""

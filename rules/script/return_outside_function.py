@@ -58,7 +58,9 @@ NEAR = 80
 RUNS = regex(r"(?:^|[\s;&|(\"'`$])(?:\./|bash[ \t]+|sudo[ \t]+)[\w./${}()-]*$")
 SOURCES = regex(r"(?:\bsource|(?:^|[\s;&|])\.)[ \t]+[^\n;&|]*$")
 ARGUMENTS = regex(r"\$#|\$\{?1\b")
-FOR_A_PERSON = regex(r"(?m)^[ \t]*(?:unalias|alias)\b|\b(?:source|\.)[ \t]+[\"']?(?:~|\$HOME)/\.bashrc")
+FOR_A_PERSON = regex(
+    r"(?m)^[ \t]*(?:unalias\b|alias[ \t]+[\"']?[\w-]+=)|\b(?:source|\.)[ \t]+[\"']?(?:~|\$HOME)/\.bashrc"
+)
 """What is of use only in the shell of whoever sources the script."""
 TEXTS = (".md", ".rst", ".txt")
 

@@ -169,3 +169,22 @@ def test_a_file_that_is_read_and_not_walked_has_one(tmp_path: Path) -> None:
     robot = Robot(discover([str(tmp_path)]))
     source = Source(str(tmp_path / "vendor/1.2.3/ser2net.yaml"), "")
     assert robot.files.purpose(source) is Purpose.ROBOT
+
+
+@pytest.mark.parametrize(
+    ("command", "restart", "expected"),
+    [
+        ("ros2 launch rover rover.launch.py", "always", Purpose.ROBOT),
+        ("ros2 launch rover rover.launch.py", '"no"', Purpose.DEVELOPMENT),
+        ("sleep infinity", "unless-stopped", Purpose.DEVELOPMENT),
+    ],
+)
+def test_nobody_develops_in_a_container_that_starts_the_robot_at_boot(
+    tmp_path: Path, command: str, restart: str, expected: Purpose
+) -> None:
+    folder = tmp_path / ".devcontainer" / "rover"
+    folder.mkdir(parents=True)
+    (folder / "compose.yaml").write_text(f"{COMPOSE}    command: {command}\n    restart: {restart}\n", "utf-8")
+    (tmp_path / "Dockerfile").write_text("FROM scratch\n", "utf-8")
+    robot = Robot(discover([str(tmp_path)]))
+    assert [robot.purpose(source) for source in robot.of_kind("compose")] == [expected]
