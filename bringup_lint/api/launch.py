@@ -47,6 +47,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch.python_api import refused_calls
     from bringup_lint.graph.launch.python_api import removed_keywords
     from bringup_lint.graph.launch.questions.allowed_words import allowed_words
+    from bringup_lint.graph.launch.questions.copied_packages import copied_packages
     from bringup_lint.graph.launch.questions.delays import delayed
     from bringup_lint.graph.launch.questions.delays import undelayed
     from bringup_lint.graph.launch.questions.delays import waiting_comment
@@ -208,6 +209,7 @@ __all__ = [
     "as_lifecycle_node",
     "check_of",
     "choices_of",
+    "copied_packages",
     "dead_reads",
     "delayed",
     "distribution_of",

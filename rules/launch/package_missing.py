@@ -6,10 +6,12 @@ package of the workspace installs, where the executable is called like the missi
 program of Navigation2 or another common package, or nearly like the package, and starts its program: `behavior_server`
 for `nav2_behaviors`; or, wherever a launch file, a node or a robot description asks for the folder of a package or a
 launch file starts one, that is a letter away from a package which a package.xml of the tree declares or which is
-common: `joy_telop`. Also, as packages of nodes and of included files, those of ROS 1 that ROS 2 has under other names
-(`rviz`, `tf`, `amcl`, ...), and those that the robot's distribution no longer has (`nav2_recoveries` from Humble on,
-`gazebo_ros` and `ros_ign_*` from Jazzy on). Left alone is what a list of repositories or a command of the tree fetches,
-and files that ask which distribution runs. It is an info in tests that the build of their package does not name.
+common: `joy_telop`; or that nothing of the tree knows, where the launch file asks for a file of it that its own package
+has, too: it is a copy from another project. Also, as packages of nodes and of included files, those of ROS 1 that ROS 2
+has under other names (`rviz`, `tf`, `amcl`, ...), and those that the robot's distribution no longer has
+(`nav2_recoveries` from Humble on, `gazebo_ros` and `ros_ign_*` from Jazzy on). Left alone is what a list of
+repositories or a command of the tree fetches, and files that ask which distribution runs. It is an info in tests that
+the build of their package does not name.
 
 ## Why it matters on a robot
 launch aborts with "package 'my_robot_drivers' not found".
@@ -59,7 +61,24 @@ def package_missing(robot: Robot) -> Iterator[Finding]:
     for each in _of_nodes(robot):
         said.add(each.span)
         yield each
+    yield from _copied(robot, said)
     yield from _a_letter_away(robot, said)
+
+
+def _copied(robot: Robot, said: set[Span]) -> Iterator[Finding]:
+    """Launch files of another project, which still ask for files of its package."""
+    for each in launch.copied_packages(robot.launch, robot.dependencies.is_fetched):
+        said.add(each.name.span)
+        yield finding(
+            each.name,
+            f"Nothing of this tree knows a package '{each.name}', and {each.path} is in {each.owner.name}: without "
+            "that package launch aborts",
+            advice=f"write {each.owner.name}",
+            chain=robot.provenance.chain_to(each.name, f"'{each.name}' is needed"),
+            related=[note(each.owner.place, "the package of this launch file")],
+            severity="warning",
+            confidence="medium",
+        )
 
 
 def _of_nodes(robot: Robot) -> Iterator[Finding]:

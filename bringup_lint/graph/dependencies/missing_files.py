@@ -93,11 +93,19 @@ def _holds_sources(tree: Tree, folder: str) -> bool:
 
 def _is_absent(tree: Tree, build: Source, written: str, path: str) -> bool:
     name = os.path.basename(path)
-    if _NOT_PLAIN.search(written) or _LARGE.search(written) or not _is_untracked(tree, path):
+    if _NOT_PLAIN.search(written) or not _is_untracked(tree, path):
+        return False
+    if _LARGE.search(written) and not _has_sisters(tree, path):
         return False
     if not _is_marker(written) and len(re.findall(rf"(?<![\w.-]){re.escape(name)}(?![\w-])", build.text)) > 1:
         return False
     return not any(tree.named(f"{name}.in"))
+
+
+def _has_sisters(tree: Tree, path: str) -> bool:
+    """Whether the folder keeps other files with the same ending."""
+    ending = os.path.splitext(path)[1]
+    return bool(ending) and any(name.endswith(ending) for name in tree.walked_in(os.path.dirname(path)))
 
 
 def _is_untracked(tree: Tree, path: str) -> bool:
