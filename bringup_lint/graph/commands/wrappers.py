@@ -12,6 +12,7 @@ _WRAPPERS = {
     "time": ("-f -o", 0),
     "nice": ("-n", 0),
     "ionice": ("-c -n", 0),
+    "chroot": ("--userspec --groups", 1),
     "chrt": ("-T -P -D", 1),
     "taskset": ("", 1),
     "timeout": ("-k -s", 1),

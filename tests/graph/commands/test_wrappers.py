@@ -23,6 +23,7 @@ from bringup_lint.source import Source
         "su-exec rover",
         "prlimit --nofile=64",
         "unshare --net",
+        "chroot --userspec=rover /mnt",
         "systemd-inhibit --what=sleep",
         "systemd-cat -t rover",
         "dbus-run-session --",

@@ -1,0 +1,96 @@
+"""A script works only for one user, whose home it names.
+
+## What it finds
+`/home/NAME/FOLDER/...` in a script, where another place of the tree has the same folder in the home of whoever works
+with it: `~/FOLDER` or `$HOME/FOLDER`. Silent for the users that images of boards have (`ubuntu`, `pi` and the like),
+that the tree makes or that its units run as, for the folders in which a page has people work, for folders of containers
+and other computers, and where the script asks whether the path is there.
+
+## Why it matters on a robot
+The script is right for the account of its author. On a robot with another user, "No such file or directory": the setup
+file is not sourced, the profile of the middleware is not read, and the nodes start without it or not at all.
+
+## Bad
+```sh
+cd ~/rover_ws
+source /home/alice/rover_ws/install/setup.bash
+```
+
+## Good
+```sh
+cd ~/rover_ws
+source ~/rover_ws/install/setup.bash
+```
+
+## When to ignore it
+When all robots have a user of this name.
+
+## References
+- bash(1), "Tilde Expansion"
+"""
+
+import re
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Located
+from bringup_lint.api import Robot
+from bringup_lint.api import Source
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import regex
+from bringup_lint.api import rule
+from bringup_lint.api.docker import CONTAINER_KINDS
+from bringup_lint.api.docker import container_folders
+from bringup_lint.api.docker import is_in_container
+from bringup_lint.api.docker import own_homes
+
+PATH = regex(r"(?<![\w$}.~:/-])/home/(?P<user>[a-z][\w-]*)/(?P<folder>\w[\w.-]{2,})[\w./-]*", hints="/home/")
+OF_BOARDS = regex(
+    r"ubuntu|pi|debian|dietpi|orangepi|radxa|rock|nvidia|jetson|unitree|xilinx|deck|odroid|root|(?:your)?_?user(?:name)?|me"
+)
+ELSEWHERE = regex(r"#|\b(?:ssh|scp|rsync|docker|podman|distrobox)\b|\[[ \t]+!?[ \t]*-[defrsx][ \t]|\btest[ \t]+-")
+"""Before the path on its line: a comment, another computer or a container, or the question whether it is there."""
+PAGES = regex(r"\.(?:md|rst|txt|sh|bash|service)$|akefile$")
+MOST = 200_000
+
+
+@rule("warning", symptoms=["No such file or directory", "bash: cd: /home/*: No such file or directory"])
+def home_of_one_user(robot: Robot) -> Iterator[Finding]:
+    named: dict[tuple[str, str], list[Located]] = {}
+    for source in robot.of_kind("shell-script"):
+        if source.judged and not source.template and robot.purpose(source).value == "robot":
+            for path, user, folder in _named(source):
+                named.setdefault((user, folder), []).append(path)
+    known = (*container_folders(robot.of_kind(*CONTAINER_KINDS)), *own_homes(robot)) if named else ()
+    for (user, folder), paths in named.items():
+        left = [path for path in paths if not is_in_container(path, known)]
+        place = _of_everybody(robot, folder) if left else None
+        if place is not None:
+            yield finding(
+                left[0],
+                f"Only {user} has this folder: for every other user it is ~/{folder}, as it is called elsewhere",
+                advice=f"write $HOME/{folder}",
+                related=[
+                    note(place, "the folder of whoever works with it"),
+                    *(note(other, "and here") for other in left[1:20]),
+                ],
+            )
+
+
+def _named(source: Source) -> Iterator[tuple[Located, str, str]]:
+    """The paths in homes of a script, with the user and the first folder."""
+    for match in PATH.finditer(source.said):
+        if not OF_BOARDS.fullmatch(match["user"]) and not ELSEWHERE.search(source.line_before(match.start())):
+            yield source.located(*match.span()), match["user"], match["folder"]
+
+
+def _of_everybody(robot: Robot, folder: str) -> Located | None:
+    """A place that has the folder in the home of whoever reads or runs it."""
+    written = re.compile(rf"(?<![\w/])(?:~|\$HOME|\$\{{HOME\}}|/home/\$\{{?USER\}}?)/{re.escape(folder)}(?![\w-])")
+    for path in robot.tree.like(PAGES):
+        match = written.search(robot.tree.head(path, MOST))
+        source = robot.tree.read(path, judged=False) if match is not None else None
+        if match is not None and source is not None:
+            return source.located(*match.span())
+    return None
