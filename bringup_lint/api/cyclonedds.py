@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.dds.cyclonedds_discovery import size_of
     from bringup_lint.graph.dds.cyclonedds_names import can_be_renamed
     from bringup_lint.graph.dds.cyclonedds_names import first_named
+    from bringup_lint.graph.dds.cyclonedds_names import has_address
     from bringup_lint.graph.dds.cyclonedds_names import interfaces_instead
     from bringup_lint.graph.dds.cyclonedds_names import meant_item
     from bringup_lint.graph.dds.cyclonedds_names import place_of
@@ -44,6 +45,7 @@ __all__ = [
     "domain_number",
     "finds_itself",
     "first_named",
+    "has_address",
     "has_peers",
     "interfaces_instead",
     "least_buffers",

@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.containers.ros_in_image import holds_ros
     from bringup_lint.graph.host.container_folders import CONTAINER_KINDS
     from bringup_lint.graph.host.container_folders import container_folders
+    from bringup_lint.graph.host.container_folders import deploying
     from bringup_lint.graph.host.container_folders import is_deployed_to
     from bringup_lint.graph.host.container_folders import is_in_container
     from bringup_lint.graph.installed.package_lists import first_unlisted
@@ -83,6 +84,7 @@ __all__ = [
     "commands_of",
     "commands_of_run",
     "container_folders",
+    "deploying",
     "distro_of",
     "ended_release",
     "expanded",

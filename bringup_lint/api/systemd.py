@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.systemd.network_online import TooEarly
     from bringup_lint.graph.systemd.network_online import edits_to_wait
     from bringup_lint.graph.systemd.network_online import too_early
+    from bringup_lint.graph.systemd.network_online import waits_itself
     from bringup_lint.graph.systemd.process import Process
     from bringup_lint.graph.systemd.questions.capabilities import file_capabilities
     from bringup_lint.graph.systemd.questions.docker_clients import DockerStart
@@ -156,4 +157,5 @@ __all__ = [
     "too_early",
     "unsourced",
     "unstartable",
+    "waits_itself",
 ]

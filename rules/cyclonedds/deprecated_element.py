@@ -39,6 +39,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
 from bringup_lint.api.cyclonedds import can_be_renamed
+from bringup_lint.api.cyclonedds import has_address
 from bringup_lint.api.cyclonedds import interfaces_instead
 from bringup_lint.api.dds import renamed
 from bringup_lint.api.schema import Code
@@ -69,6 +70,7 @@ def deprecated_element(robot: Robot) -> Iterator[Finding]:
                 "remove it, or use its replacement",
             )
             if remark.known.name == "NetworkInterfaceAddress":
-                advice = 'write <Interfaces><NetworkInterface name="..."/></Interfaces>'
+                key = "address" if has_address(configuration, remark) else "name"
+                advice = f'write <Interfaces><NetworkInterface {key}="..."/></Interfaces>'
                 change = interfaces_instead(configuration, remark)
         yield finding(remark.word, message, advice=advice, fix=change)

@@ -11,7 +11,7 @@ A command of a `RUN` that installs packages or builds the workspace, and whose f
 A fallback directly after another command that installs something is taken for meant, and so is one that does more than
 print a message. So is one that is followed, with `&&`, by commands that need what was installed: they end the build.
 Loops are not judged, nor is a step that asks for `$?` or has a trap for ERR. `apt-get update || true` is an info: what
-is installed next mostly tells.
+is installed next mostly tells. The import of a `.repos` file of the tree that lists nothing is left alone.
 
 ## Why it matters on a robot
 A mirror that does not answer for a moment, or a package that does not compile, gives an image that looks well and lacks
@@ -78,6 +78,10 @@ INDEPENDENT = (*PASSIVE, "rm", "mkdir", "useradd", "groupadd", "usermod", "ldcon
 """Commands that succeed without what an installation brings."""
 
 
+LISTS = regex(r"([\w.-]{1,80}\.repos)\b")
+FETCHED = regex(r"(?m)^[ \t]*url:", hints="url:")
+MOST = 100_000
+"""How much is read of a list of repositories."""
 PACKAGE_LISTS = ("apt", "apt-get")
 WITHOUT = "the image is built without its result"
 OLD_LISTS = "apt goes on with the package lists of the base image, if it has any"
@@ -107,6 +111,8 @@ def failure_hidden(robot: Robot) -> Iterator[Finding]:
     for file in robot.dockerfiles:
         for stage in file.stages:
             for hidden in _of_stage(stage):
+                if _imports_nothing(robot, hidden):
+                    continue
                 yield finding(
                     hidden.command,
                     f"When this fails, {hidden.hiding.how}: {hidden.hiding.result}",
@@ -114,6 +120,13 @@ def failure_hidden(robot: Robot) -> Iterator[Finding]:
                     related=[note(hidden.hiding.by, hidden.hiding.does)],
                     severity="info" if hidden.hiding.result == OLD_LISTS else None,
                 )
+
+
+def _imports_nothing(robot: Robot, hidden: Hidden) -> bool:
+    """Whether what is hidden is the import of a list of repositories that has none."""
+    text = hidden.command.span.source.text[hidden.command.span.start : hidden.hiding.by.span.start]
+    lists = {name for match in LISTS.finditer(text) for name in robot.tree.named(match[1])}
+    return bool(lists) and not any(FETCHED.search(robot.tree.head(name, MOST)) for name in lists)
 
 
 def _of_stage(stage: Stage) -> Iterator[Hidden]:

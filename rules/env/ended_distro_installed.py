@@ -6,7 +6,8 @@ ROS 1, or one of ROS 2 whose end of life is before today, and names no other. Wh
 distribution of ROS 2 only, env/ros-distro-eol reports it.
 
 Silent for files that are for that distribution by their name or folder, and for those of tests, simulation and
-development. Info where all of the files are in folders for a release of Ubuntu, such as `20.04`.
+development. Info where all of the files are in folders for a release of Ubuntu, such as `20.04`, or scripts that start
+a container with `docker run --rm`.
 
 ## Why it matters on a robot
 Security holes stay open, the Ubuntu release that the distribution is built for ends with it, and the package server
@@ -58,6 +59,8 @@ KINDS = ("shell-script", "systemd-unit", "dockerfile")
 VERSION = regex(r"(?:^|[/._-])(?:1[4-9]|2\d)\.(?:04|10)/")
 """A folder for one release of Ubuntu, kept beside those for others."""
 
+THROWN_AWAY = regex(r"\bdocker[ \t]+run\b[^\n]{0,200}[ \t]--rm\b", hints="docker")
+
 
 @rule("warning", tags=["CWE-1104"], symptoms=['Skip end-of-life distro "*"'])
 def ended_distro_installed(robot: Robot) -> Iterator[Finding]:
@@ -76,8 +79,14 @@ def ended_distro_installed(robot: Robot) -> Iterator[Finding]:
                 "not even security fixes",
                 advice="plan the migration to a supported distribution",
                 related=[note(other, "here too") for other in others[:20]],
-                severity="info" if all(VERSION.search(each.span.source.name) for each in (first, *others)) else None,
+                severity="info" if all(map(_is_apart, (first, *others))) else None,
             )
+
+
+def _is_apart(place: Located) -> bool:
+    """Whether a place is for one release of several, or in a container that a script starts and throws away."""
+    source = place.span.source
+    return VERSION.search(source.name) is not None or (source.kind == "shell-script" and source.matches(THROWN_AWAY))
 
 
 def _taken(source: Source) -> tuple[str, Located] | None:

@@ -2,7 +2,7 @@
 
 ## What it finds
 `export ROS_DOMAIN_ID=...` with a fixed value, in a script that an image or service has as its entrypoint and that ends
-with `"$@"`. It is found when a service of the tree gives another value. In the entrypoint of an image it is also found
+with `"$@"`. It is found when a service of the tree gives another value. In the entrypoint of an image it is an info
 when the value is 0, which is the default of ROS 2 and so can only replace what is given. Silent when the script asks
 first whether the variable is set.
 
@@ -66,6 +66,7 @@ def ros_domain_id_overwritten(robot: Robot) -> Iterator[Finding]:
                     *(note(other, "has no effect") for other in given[:5]),
                     *(note(runner.where, f"{runner.name} starts the script") for runner in runners[:5]),
                 ],
+                severity=None if given else "info",
             )
 
 

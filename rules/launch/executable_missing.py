@@ -270,9 +270,8 @@ def of_other_package(start: Start, package: launch.Package, home: launch.Package
 
 def missing(start: Start, package: launch.Package) -> Finding:
     executable = start.executable
-    near = nearest(executable, sorted(package.executables), 3)
-    longer = [each for each in package.executables if each.startswith(f"{executable}_")]
-    near = near or (longer if len(longer) == 1 else [])
+    longer = [each for each in package.executables if f"_{executable}_" in f"_{each}_"]
+    near = longer if len(longer) == 1 else nearest(executable, sorted(package.executables), 3)
     builds = [build.source for build in package.builds[:1]]
     related = [note(package.executables[near[0]], "the executable of the package")] if near else []
     return finding(

@@ -3,11 +3,12 @@
 ## What it finds
 Maps, worlds, robot descriptions and configurations in the share folder of a package of the workspace, or beside the
 launch file, that neither exist in the source nor are made by the build: as parameters, as arguments of programs, as
-arguments of included launch files, defaults among them, and where the code of the launch file reads them itself.
-Files that git ignores or a build makes are left alone, those that the launch file asks for before it uses them, and
-those that a node of the tree or, by its name, a program writes. It is an info where the path is the value of an
-argument that nothing reads. Where a folder between is not known, the file is missing if the whole tree has none of
-its name. Included launch files and parameter files have rules of their own.
+arguments of included launch files, defaults among them, and where the code of the launch file reads them itself. Files
+that git ignores or a build makes are left alone, those that the launch file asks for before it uses them, and those
+that a node of the tree or, by its name, a program writes. It is an info where the path is the value of an argument that
+nothing reads, and where each file that includes the launch file gives another value, or switches off what takes the
+path. Where a folder between is not known, the file is missing if the whole tree has none of its name. Included launch
+files and parameter files have rules of their own.
 
 ## Why it matters on a robot
 The program that is given the path ends, or runs without the file: map_server does not activate, RViz shows an empty
@@ -38,6 +39,7 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import Source
+from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import launch
 from bringup_lint.api import note
@@ -86,7 +88,7 @@ def file_missing(robot: Robot) -> Iterator[Finding]:
         effect = "launch reads it and ends" if first.aborts else "what is given the path runs without it, or ends"
         is_elsewhere = first.name in near
         spans = {each.span: each for each, _ in others if each.span != first.span}
-        is_idle = all(_is_unread(robot, each) for each in (first, *spans.values()))
+        idle = {each.span for each, _ in ((first, package), *others) if _is_idle(robot, each)}
         yield finding(
             first.where,
             f"{first.path_in(package) if is_elsewhere else first.name} does not exist in {package.name}: {effect}",
@@ -96,7 +98,7 @@ def file_missing(robot: Robot) -> Iterator[Finding]:
                 *(note(each, "it is named here, too") for each in spans),
             ],
             chain=robot.provenance.chain_to(first.span, f"{first.name} is named"),
-            severity="info" if first.optional or is_idle else None,
+            severity="info" if first.optional or idle.issuperset((first.span, *spans)) else None,
         )
 
 
@@ -106,6 +108,10 @@ def _is_read(reference: Reference) -> bool:
     if _WRITES.search(reference.span.source.text) or _is_asked_for(reference):
         return False
     return reference.name.endswith(_READ) and not is_written
+
+
+def _is_idle(robot: Robot, reference: Reference) -> bool:
+    return _is_unread(robot, reference) or _is_replaced(robot, reference)
 
 
 def _is_unread(robot: Robot, reference: Reference) -> bool:
@@ -118,6 +124,28 @@ def _is_unread(robot: Robot, reference: Reference) -> bool:
     if not targets and all(each.name != reference.key for each in expansion.declared):
         return False
     return not any(_reads(robot, target or file, reference.key) for target in targets or [file])
+
+
+def _is_replaced(robot: Robot, reference: Reference) -> bool:
+    """Whether each file that includes the launch file gives the argument another value, or switches off what reads
+    the path."""
+    file = robot.launch.of_source(reference.span.source)
+    leading = [] if file is None else [each for each in robot.launch.leading_to(file) if each.entry is not file]
+    if file is None or not leading:
+        return False
+    given = [reference.key in each.arguments for one in leading for each in one.includes if each.target is file]
+    return (
+        all(given)
+        if any(given)
+        else _is_started(robot.launch.expansion(file), file, reference.span)
+        and not any(_is_started(each, file, reference.span) for each in leading)
+    )
+
+
+def _is_started(expansion: launch.Expansion, file: LaunchFile, span: Span) -> bool:
+    """Whether a node that a place is in is started without arguments."""
+    nodes = (each for each in expansion.nodes if each.file is file and each.by_default is not False)
+    return any(each.span.start <= span.start < each.span.end for each in nodes)
 
 
 def _reads(robot: Robot, file: LaunchFile, name: str) -> bool:

@@ -51,7 +51,7 @@ PLACEHOLDERS = ("/home/livox/livox_test.lvx",)
 def hardcoded_path(robot: Robot) -> Iterator[Finding]:
     folders = container_folders(robot.of_kind(*CONTAINER_KINDS))
     own = own_homes(robot)
-    scripts = [source for source in robot.of_kind("shell-script", "dockerfile") if source.judged]
+    scripts = [source.text for source in robot.of_kind("shell-script", "dockerfile") if source.judged]
     for file in robot.launch.judged:
         for action, _ in robot.launch.visited(file):
             for value in values(action):

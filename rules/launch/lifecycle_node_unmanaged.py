@@ -5,7 +5,7 @@
 `Node` is a warning where another launch file starts the same program as a `LifecycleNode`, and where nothing includes
 the file, which lies among files that are only there to be included. They are in no lifecycle
 manager's `node_names`, get no `ChangeState` event and do not configure themselves, and no script or node of the tree
-that names them changes states.
+that names them changes states. Info where a comment has the name in such a list: somebody took it out.
 
 ## Why it matters on a robot
 The process runs and looks healthy in every process list. The node stays unconfigured and publishes nothing.
@@ -30,6 +30,7 @@ When something outside this tree drives the transitions, such as a supervisor of
 - nav2, lifecycle manager
 """
 
+import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -77,13 +78,19 @@ def lifecycle_node_unmanaged(robot: Robot) -> Iterator[Finding]:
                         for each in managers[:3]
                     ),
                 ],
-                severity="warning" if other else _severity(robot, expansion, node, bool(lifecycle)),
+                severity="warning" if other else _severity(robot, expansion, node, bool(lifecycle), name),
                 confidence="medium" if other else None,
             )
 
 
-def _severity(robot: Robot, expansion: launch.Expansion, node: launch.Started, is_lifecycle: bool) -> str | None:
-    """Lower for a driver whose package nothing of the tree needs: another one may be installed."""
+def _severity(
+    robot: Robot, expansion: launch.Expansion, node: launch.Started, is_lifecycle: bool, name: str
+) -> str | None:
+    """Lower for a driver whose package nothing of the tree needs, so that another one may be installed, and for a node
+    that a comment has in the list of a manager: somebody took it out."""
+    last = re.escape(name.rpartition("/")[2])
+    if re.search(rf"(?m)^[ \t]*#(?:[^\n]*[\[,])?[ \t]*[\"']{last}[\"'][ \t]*[\],]", node.span.source.text):
+        return "info"
     package = str(launch.literal_text(node.package))
     if not is_lifecycle and robot.launch.role(node).role in DRIVERS:
         is_needed = any(package in each.text for each in robot.of_kind("ros-package"))

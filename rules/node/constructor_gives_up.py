@@ -3,7 +3,7 @@
 ## What it finds
 A `return` in the constructor of a node, after an error is logged, at which the node has neither a timer nor a topic nor
 a service yet. Silent where the branch shuts down, throws, exits or sets something that others ask for, and where
-anything that may run later was made before.
+anything that may run later was made before. Info for a component that launch files load into a container.
 
 ## Why it matters on a robot
 The device was not there yet, or a file is missing: the node logs one line and stays. `spin()` waits for callbacks that
@@ -39,10 +39,16 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import nodes
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
+
+REGISTERED = regex(r"\bRCLCPP_COMPONENTS_REGISTER_NODE\b", hints="RCLCPP_COMPONENTS_REGISTER_NODE")
+MADE = "make_shared"
+MAIN = regex(r"\bint[ \t\n]+main[ \t]*\(", hints="main")
 
 
 @rule("warning", silent="the node logs an error of its own words, and stays in the list of nodes")
@@ -56,5 +62,19 @@ def constructor_gives_up(robot: Robot) -> Iterator[Finding]:
             "so that neither respawn nor Restart= starts it again",
             advice=f"{raised} here, so that the process ends with a failure",
             related=[note(found.lost, "never reached then")],
-            severity=robot.nodes.lowered(source, "warning"),
+            severity="info" if is_component(robot, source, found.owner) else robot.nodes.lowered(source, "warning"),
         )
+
+
+def is_component(robot: Robot, source: Source, name: str) -> bool:
+    """Whether launch files load the node into a container of components, whose process a failure does not end, and no
+    program makes it."""
+    if not source.matches(REGISTERED) or any(
+        MADE in each.text and f"{name}>" in each.text for each in _programs(robot)
+    ):
+        return False
+    return any(f"::{name}" in each.text for each in robot.of_kind("launch-python", "launch-xml", "launch-yaml"))
+
+
+def _programs(robot: Robot) -> Iterator[Source]:
+    return (each for each in robot.of_kind("cpp-node") if each.matches(MAIN))

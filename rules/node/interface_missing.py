@@ -45,7 +45,7 @@ def interface_missing(robot: Robot) -> Iterator[Finding]:
         source = each.name.span.source
         if robot.launch.workspace.is_vendored(source):
             continue
-        near = nearest(str(each.name), each.known, 4) if each.file is None else []
+        near = nearest(str(each.name), each.known, 1) if each.file is None else []
         yield finding(
             each.name,
             f"{each.owner.name} {_lack(each.kind, each.name, each.file)}: the import fails, and the node ends",

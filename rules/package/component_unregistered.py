@@ -48,10 +48,13 @@ def component_unregistered(robot: Robot) -> Iterator[Finding]:
             if each.first is not None:
                 yield _doubled(each.name, each.registered, each.first)
                 continue
+            is_longer = each.registered.endswith(each.name.rpartition(":")[2])
             yield finding(
                 each.name,
                 f"No source of {package.name} registers the component {each.name}: it is never loaded",
-                advice=f"write {each.registered}" if each.is_same else "write a class that a source registers",
+                advice=f"write {each.registered}"
+                if each.is_same or is_longer
+                else "write a class that a source registers",
                 related=[note(each.registered, "this class is registered")],
             )
 

@@ -1,9 +1,9 @@
 """A parameter holds a path in a home folder.
 
 ## What it finds
-Values below `/home/<user>/` or `/root/`. Files and folders that begin with `~/` are info, because some nodes expand
-the `~`, and so are folders into which a script or Dockerfile of the tree puts something. Not reported: the working
-directory of a unit in this tree, examples, and test folders.
+Values below `/home/<user>/` or `/root/`. Files and folders that begin with `~/` are info, because some nodes expand the
+`~`, and so are folders into which a script, Makefile or Dockerfile of the tree puts something. Not reported: the
+working directory of a unit in this tree, examples, and test folders.
 
 ## Why it matters on a robot
 The path exists only on the machine on which it was written. ROS does not expand `~` in parameters.
@@ -39,6 +39,7 @@ from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.docker import CONTAINER_KINDS
 from bringup_lint.api.docker import container_folders
+from bringup_lint.api.docker import deploying
 from bringup_lint.api.docker import is_deployed_to
 from bringup_lint.api.docker import is_in_container
 from bringup_lint.api.docker import own_homes
@@ -58,7 +59,7 @@ def absolute_home_path(robot: Robot) -> Iterator[Finding]:
     )
     kept += container_folders(robot.of_kind(*CONTAINER_KINDS))
     own = own_homes(robot)
-    scripts = [source for source in robot.of_kind("shell-script", "dockerfile") if source.judged]
+    deployed = deploying(robot.files)
     for file, parameter in robot.params.parameters:
         if is_example(file.source.name) or "/test" in f"/{file.source.name}":
             continue
@@ -67,7 +68,7 @@ def absolute_home_path(robot: Robot) -> Iterator[Finding]:
                 continue
             path = item.text.removeprefix("file://")
             if _HOME.match(item.text) and not is_in_container(path, kept):
-                known = is_in_container(path, own) or is_deployed_to(path, scripts)
+                known = is_in_container(path, own) or is_deployed_to(path, deployed)
                 yield finding(
                     item.span,
                     f"The path of '{parameter.name}' is in a home folder: it exists only on that machine",

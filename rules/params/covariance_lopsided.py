@@ -2,7 +2,7 @@
 
 ## What it finds
 Lists of 9, 36 or 225 numbers in parameters whose names end with `covariance` or hold it, in which a number differs from
-the one on the other side of the diagonal.
+the one on the other side of the diagonal. Info for those of accelerations, which few filters fuse.
 
 ## Why it matters on a robot
 A covariance is symmetric by its nature. A number that is only on one side is one that was meant for the diagonal and
@@ -46,5 +46,5 @@ def covariance_lopsided(robot: Robot) -> Iterator[Finding]:
             advice=f"write it as number {each.row * (each.size + 1) + 1} of the list"
             if each.variance == 0
             else "write the same number on both sides",
-            severity=None if robot.params.is_used(each.file) else "info",
+            severity=None if robot.params.is_used(each.file) and "acceleration" not in each.parameter.name else "info",
         )

@@ -15,7 +15,8 @@ the reverse; zones of the collision monitor inside of the robot; a `robot_radius
 the global one; a topic or `robot_base_frame` of one costmap, or the scan of amcl, that nothing else of the robot names,
 where the other costmap has another one that is named elsewhere; a `model_dt` of MPPI below the period of its server; a
 `data_type` that obstacle layers do not take; and from Jazzy on libraries in `plugin_lib_names` that bt_navigator loads
-by itself. Layers with `enabled: false` are left alone.
+by itself. A `default_bt_xml_filename` that names the tree which Nav2 takes anyway is an info. Layers with `enabled:
+false` are left alone.
 
 ## Why it matters on a robot
 A footprint that is refused leaves the robot with its radius, and the costmap lets it drive into what the corners touch.
@@ -213,6 +214,9 @@ _TEXTS: dict[str, tuple[str, str, str | None]] = {
 }
 """Kind -> what happens, what to write instead, and the severity where a server ends."""
 
+TREES = ("navigate_w_replanning_and_recovery.xml", "navigate_to_pose_w_replanning_and_recovery.xml")
+"""What bt_navigator takes anyway, by its old and by its present name."""
+
 
 @rule(
     "warning",
@@ -243,7 +247,7 @@ def nav2_contradiction(robot: Robot) -> Iterator[Finding]:
             message.format(**said),
             advice=advice.format(**said),
             related=[note(each.other, "compared with this")] if each.other is not None else [],
-            severity=severity,
+            severity="info" if each.kind == "old-tree" and each.detail.strip("\"'").endswith(TREES) else severity,
         )
 
 

@@ -97,10 +97,11 @@ def _cause(plugin: UnknownPlugin) -> tuple[str, str]:
 
 
 def _unbrought(plugin: UnknownPlugin, others: list[UnknownPlugin]) -> Finding:
+    declare = f"add <exec_depend>{plugin.package}</exec_depend> to the package.xml, or the repository that has it"
     return finding(
         plugin.name,
         f"Nothing of this tree declares, builds or fetches a package {plugin.package}: {plugin.name} is not loaded",
-        advice=f"add <exec_depend>{plugin.package}</exec_depend> to the package.xml, or the repository that has it",
+        advice=f"write {plugin.exported}, or add the repository that has it" if plugin.exported else declare,
         severity="warning",
         related=[note(each.name, "here, too") for each in others[:10]],
     )

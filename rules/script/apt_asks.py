@@ -5,7 +5,8 @@
 - in a `RUN` of a Dockerfile, which has no terminal; information unless it installs packages of ROS, because an image
   may have all that other packages need;
 - in a script whose other calls of apt pass `-y`, so that it is meant to run by itself; information where it only
-  upgrades, and where it ends at the first failure (`set -e`) and fewer of its calls pass `-y`;
+  upgrades, where it ends at the first failure (`set -e`) and fewer of its calls pass `-y`, and where nothing of the
+  tree starts it and it asks once or twice, because the person who started it may answer;
 - in a script without any `-y` that sets the robot up afterwards: it copies to `/etc` or `/opt`, or enables units;
   information unless something of the tree starts the script, because a person may answer.
 
@@ -71,6 +72,8 @@ STOPS = regex(STRICT, re.M)
 COPIES = ("cp", "install", "ln", "tee")
 OF_ROBOT = regex(r"/(?:etc|opt|lib|usr)/")
 SETTINGS = regex(r"(?:^|/)(?:apt\.conf|\d\d[\w-]+(?:\.conf)?|[^/]*apt[^/]*)$")
+SEVERAL = 3
+"""Questions that nobody waits for."""
 MOST = 4096
 """Characters of a file of settings that are read."""
 ALONE = frozenset("bash-completion gosu less locales make nano python3 sudo time tree unzip zip".split())
@@ -136,7 +139,8 @@ def _of_scripts(robot: Robot) -> Iterator[Finding]:
         asking = sorted((words for words, asks in each if asks), key=lambda words: not _installs(words))
         answered = [words[0] for words, _ in each if _is_answered(words)]
         if asking and answered:
-            yield _of_script(asking, answered)
+            is_attended = len(asking) < SEVERAL and not robot.scripts.starts_by_itself(source)
+            yield _of_script(asking, answered, is_attended=is_attended)
         elif asking and _installs(asking[0]):
             yield from _of_set_up(robot, source, asking)
 
@@ -170,7 +174,7 @@ def _sets_up(run: Run) -> bool:
     return run.name in COPIES and OF_ROBOT.match(run.arguments[-1] if run.arguments else "") is not None
 
 
-def _of_script(asking: list[Sequence[Located]], answered: list[Located]) -> Finding:
+def _of_script(asking: list[Sequence[Located]], answered: list[Located], *, is_attended: bool) -> Finding:
     first, *others = asking
     stops = STOPS.search(first[0].span.source.text) is not None
     return finding(
@@ -179,7 +183,7 @@ def _of_script(asking: list[Sequence[Located]], answered: list[Located]) -> Find
         + ("ends where there is no terminal" if stops else "without a terminal goes on without the packages"),
         advice="write -y, as the other calls of this script do",
         related=[note(answered[0], "this call does not ask"), *(note(other[0], "asks, too") for other in others)],
-        severity="info" if (stops and len(answered) < len(asking)) or not _installs(first) else None,
+        severity="info" if is_attended or (stops and len(answered) < len(asking)) or not _installs(first) else None,
     )
 
 

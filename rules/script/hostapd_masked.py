@@ -2,7 +2,7 @@
 
 ## What it finds
 A script that installs `hostapd` with apt and writes its configuration, or enables or starts it, where no script of the
-tree says `unmask`.
+tree says `unmask`. Info where a comment of the script does: somebody took the access point out.
 
 ## Why it matters on a robot
 The package of Debian, Ubuntu and Raspberry Pi OS masks `hostapd.service` when it is installed without a configuration.
@@ -45,6 +45,8 @@ from bringup_lint.api.shell import Run
 INSTALLERS = ("apt", "apt-get", "aptitude")
 SETS_UP = regex(r"/etc/hostapd/\S{0,80}\.conf|systemctl[^\n]{0,60}\b(?:enable|start|restart)\b[^\n]{0,60}\bhostapd\b")
 UNMASKS = regex(r"^[^#\n]*\bunmask\b[^\n]*\bhostapd\b|\bcreate_ap\b|\bmasked:[ \t]*(?:no|false)\b", re.M)
+PUT_AWAY = regex(r"^[ \t]*#[^\n]*\bunmask\b[^\n]*\bhostapd\b", re.M, hints="unmask")
+"""Somebody took the line out, and so the access point."""
 
 
 @rule("warning", symptoms=["Unit file /etc/systemd/system/hostapd.service is masked", "hostapd.service is masked"])
@@ -56,6 +58,7 @@ def hostapd_masked(robot: Robot) -> Iterator[Finding]:
                 word,
                 "The package masks hostapd.service when it is installed: the access point never starts",
                 advice="run systemctl unmask hostapd and systemctl enable hostapd afterwards",
+                severity="info" if source.matches(PUT_AWAY) else None,
             )
 
 

@@ -3,6 +3,7 @@
 ## What it finds
 ExecStop= that runs `kill` on $MAINPID and nothing else. A warning where it sends SIGINT, the main process is a shell
 without a trap that starts `ros2 launch`, `ros2 run` or `ros2 bag record` as a child, and KillSignal= is another signal.
+`ros2 bag record` closes its files on SIGTERM as well.
 
 ## Why it matters on a robot
 `kill` returns at once, and systemd then sends KillSignal= anyway. ros2 launch ignores a second SIGINT. A
@@ -46,6 +47,8 @@ from bringup_lint.api.systemd import Unit
 from bringup_lint.api.systemd import delete_lines
 
 TOOL = regex(r"\bros2 (?:launch|run|bag record)\b")
+RECORDER = "ros2 bag record"
+"""It closes its files on SIGTERM, too, in every distribution."""
 SIGNAL = regex(r"-{1,2}(?:s|signal|n)?=?\s*((?:SIG)?[A-Z][A-Z0-9]+|\d+)$")
 
 
@@ -104,7 +107,7 @@ def _lost(unit: Unit, process: Process, child: Step) -> Finding:
         f"the {signal} that systemd sends right after it",
         advice="delete the line and set KillSignal=SIGINT, which reaches all processes of the unit",
         related=[note(words[0], "the shell starts it as a child and stays the main process")],
-        severity="warning",
+        severity="info" if program == RECORDER and signal == "SIGTERM" else "warning",
     )
 
 

@@ -3,6 +3,7 @@
 ## What it finds
 A unit with `Wants=`, `Requires=` or `BindsTo=` of `network-online.target` that is not ordered after it,
 either directly or through another unit.
+Exempt are units with a command that waits for the network itself.
 
 ## Why it matters on a robot
 A requirement does not define an order: systemd starts the service and the wait for the network at the same
@@ -38,6 +39,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import waits_itself
 
 ONLINE = "network-online.target"
 
@@ -49,7 +51,7 @@ def network_online_no_after(robot: Robot) -> Iterator[Finding]:
         lines = [pair for key in ("Wants", "Requires", "BindsTo") for pair in unit.naming(key, ONLINE)]
         if not lines or unit.type in ("target", "timer") or unit.unsure_of("After") or unit.manager == "user":
             continue
-        if units.waits_for(unit, ONLINE):
+        if units.waits_for(unit, ONLINE) or waits_itself(unit, units):
             continue
         line, word = lines[0]
         earlier = [other for _, other in unit.naming("After", "network.target")]

@@ -3,6 +3,7 @@
 ## What it finds
 A unit ordered after `network-online.target` that nothing pulls in: neither the unit, a unit that it depends
 on, nor another unit of the tree has `Wants=` or `Requires=` of it.
+Exempt are units with a command that waits for the network itself.
 
 ## Why it matters on a robot
 `network-online.target` is not part of a normal boot: nothing starts it unless a unit pulls it in. An order
@@ -37,6 +38,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import waits_itself
 
 ONLINE = "network-online.target"
 
@@ -48,7 +50,7 @@ def network_online_no_wants(robot: Robot) -> Iterator[Finding]:
         for line, word in unit.naming("After", ONLINE):
             if unit.manager == "user" or unit.unsure_of("Wants", "Requires"):
                 continue
-            if units.brings_in(unit, ONLINE) or units.brought_in(unit, ONLINE):
+            if units.brings_in(unit, ONLINE) or units.brought_in(unit, ONLINE) or waits_itself(unit, units):
                 continue
             yield finding(
                 word,

@@ -90,7 +90,7 @@ def restart_missing(robot: Robot) -> Iterator[Finding]:
         yield finding(
             policy.restart_at or unit.where,
             f"When the process of {unit.name} exits, nothing restarts it",
-            advice=f"set Restart=always{OF_ROS if unit in ros else ''} and a start limit",
+            advice=f"set Restart=always{OF_ROS if unit in ros and unit not in units.ros1 else ''} and a start limit",
             related=[note(process.line, "this process") for process in units.started(unit)[:1]],
             fix=_restart(unit) if unit.editable and not chosen else None,
             severity="info" if chosen or (unit in units.presumed_ros and not _is_daemon(robot, unit)) else "warning",

@@ -11,7 +11,8 @@ A service of the system manager that runs as root (`User=` is not set or is root
 - with the prefix `+`, where `User=` or `DynamicUser=` is set: any program of a service that is not oneshot.
 
 `User=root` is an info where a comment of the unit, or a page of the tree that names it, says that it runs as root or
-needs root, and no other user runs ROS.
+needs root, and no other user runs ROS; so it is where a node of the tree drives LEDs through `rpi_ws281x`, or opens
+`/dev/mem`.
 
 Commands that change the user themselves, containers, and programs whose XAUTHORITY= is a file of root are exempt.
 
@@ -77,6 +78,8 @@ OWN_USER = "add a User= of its own, and SupplementaryGroups= for the devices tha
 PAGE = regex(r".*\.(?:md|rst|txt)")
 PAGE_SIZE = 200_000
 AS_ROOT = regex(r"(?i:\b(?:as|needs?|requires?)\W{1,4}root\b)")
+REGISTERS = regex(r"(?m)^[ \t]*(?:import|from)[ \t]+(?:neopixel|rpi_ws281x)\b|[\"']/dev/mem[\"']|\bws2811_init\b")
+"""LEDs that are driven by PWM and DMA of a Raspberry Pi, and the memory of the machine itself."""
 MOVE = "move it to /usr/local/sbin, where only root may write"
 
 
@@ -97,9 +100,8 @@ def root_user(robot: Robot) -> Iterator[Finding]:
                 continue
             needless = needless_root(process, robot.units)
             if is_root and needless is not None:
-                yield _without_user(
-                    unit, needless, others, "info" if not others and _is_explained(robot, unit) else None
-                )
+                is_meant = (not others and _is_explained(robot, unit)) or _is_needed(robot, unit, needless)
+                yield _without_user(unit, needless, others, "info" if is_meant else None)
             elif not is_root and (needless is not None or unit.get("Type") != "oneshot"):
                 yield _with_idle_user(unit, process, needless)
             else:
@@ -116,6 +118,12 @@ def _is_explained(robot: Robot, unit: Unit) -> bool:
     pages = robot.tree.pages(PAGE, PAGE_SIZE)
     naming = (line for page in pages for line in page.splitlines() if unit.name in line)
     return any(AS_ROOT.search(line) for lines in (comments, naming) for line in lines)
+
+
+def _is_needed(robot: Robot, unit: Unit, needless: NeedlessRoot) -> bool:
+    """Whether User=root is written, and a node of the tree writes to registers, which root alone may."""
+    is_meant = unit.identity.user is not None and needless.work is Work.ROS
+    return is_meant and any(each.matches(REGISTERS) for each in robot.of_kind("python-node", "cpp-node", "cpp-driver"))
 
 
 def _without_user(unit: Unit, needless: NeedlessRoot, others: set[str | None], severity: str | None) -> Finding:

@@ -8,7 +8,8 @@ manager, such as `multi-user.target` or `network-online.target`, and that is not
 - warning: in After= or Wants=, where it names the network, a mount or the clock, for which the unit does not wait;
 - info: in After= or Wants=, where it names another one.
 
-It is a warning in WantedBy= and RequiredBy= of a unit that a script or a playbook of the tree starts by its name.
+It is a warning in WantedBy= and RequiredBy= of a unit that a script or a playbook of the tree starts by its name, and
+an info where the playbook says `enabled: false`.
 
 ## Why it matters on a robot
 The user manager does not have this unit. With `WantedBy=multi-user.target` the service never starts. With
@@ -36,6 +37,7 @@ When a user unit of the same name exists on the robot, outside of this tree.
 """
 
 import posixpath
+import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -81,7 +83,7 @@ def user_unit_system_target(robot: Robot) -> Iterator[Finding]:
                     if installs
                     else f"remove {key}={word}, or make it a system unit",
                     fix=fix("write default.target", (word, "default.target")) if installs else None,
-                    severity="warning" if started else None,
+                    severity=_severity(robot, unit) if started else None,
                 )
         for key in ("After", "Wants"):
             for line, word in unit.naming(key, *names):
@@ -92,6 +94,15 @@ def user_unit_system_target(robot: Robot) -> Iterator[Finding]:
                     fix=fix(f"remove {key}={word}", line.without(word)),
                     severity="warning" if WAITED_FOR.match(word) else "info",
                 )
+
+
+def _severity(robot: Robot, unit: Unit) -> str:
+    """Of what is started by a script: an Ansible task may say that it shall not start by itself."""
+    off = re.compile(
+        rf"\bname:[ \t]*[\"']?{re.escape(unit.stem)}(?:\.service)?[\"']?[ \t]*\n(?:[ \t]+\w+:[^\n]*\n){{0,6}}?"
+        r"[ \t]+enabled:[ \t]*(?:false|no)\b"
+    )
+    return "info" if any(off.search(each.text) for each in robot.of_kind("ansible")) else "warning"
 
 
 def _consequence(unit: Unit, key: str, installs: bool, started: bool) -> str:

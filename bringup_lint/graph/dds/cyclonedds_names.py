@@ -86,6 +86,12 @@ def first_named(configuration: Configuration, remark: Remark) -> Located | None:
     return first.name if first else None
 
 
+def has_address(configuration: Configuration, remark: Remark) -> bool:
+    """Whether a NetworkInterfaceAddress holds an address, and no name of an interface."""
+    items = (domain.get("General/NetworkInterfaceAddress") for domain in configuration.domains)
+    return any(item.name is remark.where and str(item.value)[:1].isdigit() for item in items if item is not None)
+
+
 def interfaces_instead(configuration: Configuration, remark: Remark) -> Fix | None:
     """Replace NetworkInterfaceAddress by an Interfaces group; only for one plain interface name."""
     for domain in configuration.domains:

@@ -22,6 +22,8 @@ from bringup_lint.source import Located
 from bringup_lint.source import Span
 from bringup_lint.spelling import nearest
 
+_LONG = 3
+"""Letters of a name with which another begins."""
 _PARSED = ("template", "command", "number", "truth")
 """Types of attributes in which launch looks for substitutions."""
 _SHAPES = {
@@ -126,7 +128,7 @@ class Checker:
 
     def unknown_attribute(self, tag: Tag, entity: Entity, key: Located) -> Refusal:
         free = [name for name in entity.attributes if name not in tag.attributes]
-        near = tuple(nearest(key, free, 3))
+        near = tuple(nearest(key, free, 3)) or tuple(_meant(tag, entity, str(key), free))
         return Refusal("attribute", key, f"'{tag.name}' has no attribute '{key}'", near)
 
     def children(self, tag: Tag, entity: Entity) -> Iterator[Refusal]:
@@ -228,3 +230,13 @@ def refusals(file: LaunchFile, distribution: str | None) -> list[Refusal]:
     if file.tag is None:
         return []
     return list(Checker(launch_grammar.grammar(distribution)).file(file.tag))
+
+
+def _meant(tag: Tag, entity: Entity, key: str, free: list[str]) -> Iterator[str]:
+    """The name that a longer one stands for, as the Python API has some, or the one that the tag lacks."""
+    names = [*free, *(() if tag.form == "xml" else entity.children)]
+    for name in names:
+        if name == key.replace("arguments", "args") or (len(name) >= _LONG and key.startswith(name)):
+            yield name
+    if entity.name == "param" and "value" in tag.attributes and tag.attributes.keys().isdisjoint(("name", "from")):
+        yield "name"

@@ -104,7 +104,9 @@ class Named:
         is_public = any(each.startswith((f"{package}::", f"{package}/")) for each in _distributions())
         if is_public or not loaded or name.span.source.kind == "urdf" or not self._unbrought.is_unbrought(package):
             return None
-        return UnknownPlugin(name, package, None, None, loaded, unbrought=True)
+        same = [each for each in known if each.endswith((f"/{match['class']}", f":{match['class']}"))]
+        meant = same[0] if len(same) == 1 else None
+        return UnknownPlugin(name, package, meant, None, loaded, unbrought=True)
 
     def _distributions(self, name: Located) -> list[str]:
         """Those that a name has to be in one of, oldest first: that in the path of the file, of the robot, or that the

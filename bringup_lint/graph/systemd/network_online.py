@@ -18,9 +18,11 @@ _EARLY = ("network.target", "network-pre.target", "NetworkManager.service", "sys
 """Units that are up before any interface has an address."""
 _WAITS = regex(
     r"wait-online|nm-online|\bping\b|wait[-_ ]?for[-_ ]?(?:the[-_ ])?(?:net|ip\b|interface)"
-    r"|\bip (?:-\S+ ){0,8}(?:a|addr|route)\b"
+    r"|\bip (?:-\S+ ){0,8}(?:a|addr|route)\b|\b(?:until|while)\b[^\n]{0,80}\b(?:nmcli|networkctl|hostname -I)\b"
 )
 """What a script does that waits for the network itself."""
+_INSTALLED = regex(r"/lib/[\w-]{1,80}/([\w.-]{1,80}\.(?:ba)?sh)\b")
+"""A script of a package where colcon installs it, whose prefix is computed."""
 
 
 class TooEarly(NamedTuple):
@@ -49,12 +51,17 @@ def too_early(units: Units) -> Iterator[TooEarly]:
         named = next((found for key in ("After", "Wants", "Requires") for found in unit.naming(key, *_EARLY)), None)
         if named is None or unit.manager == "user" or unit.unsure_of("After", "Wants", "Requires"):
             continue
-        if not units.waits_for(unit, ONLINE) and not units.stays_local(unit) and not _waits_itself(unit, units):
+        if not units.waits_for(unit, ONLINE) and not units.stays_local(unit) and not waits_itself(unit, units):
             yield TooEarly(unit, *named, presumed=unit not in units.dds)
 
 
-def _waits_itself(unit: Unit, units: Units) -> bool:
-    return any(_WAITS.search(text) for process in units.processes(unit) for text in process.texts)
+def waits_itself(unit: Unit, units: Units) -> bool:
+    """Whether a command of the unit waits for the network, or a script whose name it has and that the tree installs."""
+    texts = [text for process in units.processes(unit) for text in process.texts]
+    if any(map(_WAITS.search, texts)):
+        return True
+    names = {name for text in texts for name in _INSTALLED.findall(text)}
+    return any(each.basename in names and _WAITS.search(each.text) for each in units.files.of_kind("shell-script"))
 
 
 def edits_to_wait(early: TooEarly, units: Units) -> Iterator[tuple[Located | Span, str]]:
