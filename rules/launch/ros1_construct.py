@@ -4,7 +4,7 @@
 `<node type=>`, `ns=`, `required=`, `$(arg x)`, `$(find p)`, `<rosparam>`, `<machine>` and `<arg value=>` in ROS 2
 launch files. A ROS 1 launch file in a ROS 2 package is a warning. Files of an archive are left out: those in folders
 such as `legacy`, `old` or `unported`. It is an info where no launch file speaks of the file, and the build does not
-install it, or it is a test that the build does not name.
+install it, or it is a test that the build does not name, or lies in a folder `include`.
 
 ## Why it matters on a robot
 ROS 2 launch rejects the file. Nothing starts.
@@ -35,6 +35,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.launch import LaunchFile
 from bringup_lint.api.launch import names_beside
@@ -46,6 +47,8 @@ WORDS = {
     "optenv": "$(env NAME default)",
     "param": "<set_parameter>",
 }
+
+INCLUDED = regex(r"(?:^|/)includes?/[^/]*$")
 
 
 @rule("error", fix="safe", symptoms=["Unexpected attribute(s) found in `node`", "Unknown substitution: arg"])
@@ -93,8 +96,9 @@ def left_behind(robot: Robot) -> dict[str, list[LaunchFile]]:
 
 
 def is_out_of_use(robot: Robot, file: LaunchFile) -> bool:
-    """Whether no other launch file speaks of one, and the build does not install it, or run it as a test."""
-    if robot.launch.is_unrun_test(file.source):
+    """Whether no other launch file speaks of one, and the build does not install it, or run it as a test, or it is only
+    there to be included."""
+    if robot.launch.is_unrun_test(file.source) or INCLUDED.search(file.source.name):
         return not robot.launch.is_named_elsewhere(file)
     return robot.launch.workspace.leaves_out(file.source) and not robot.launch.is_named_elsewhere(file)
 

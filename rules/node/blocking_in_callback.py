@@ -24,6 +24,8 @@ variable, reads of a socket without a timeout, `while (rclcpp::ok())`, loops tha
 for `get()` and `wait()` of the answer to a client in the callback group that the callback blocks, however many threads
 there are.
 
+It is an info where the node reads keys and has nothing else to do.
+
 ## Why it matters on a robot
 A single-threaded executor runs one callback after the other. While one blocks, no timer fires and no message is
 processed: the watchdog of cmd_vel does not run, and stop commands wait in the queue. A call that waits for an
@@ -65,6 +67,8 @@ from bringup_lint.api import nodes
 from bringup_lint.api import note
 from bringup_lint.api import rule
 
+UNTIL_KEY = "until a key is pressed"
+
 
 @rule("warning", silent="other callbacks of the node are late, and rclpy does not report it", tags=["CWE-833"])
 def blocking_in_callback(robot: Robot) -> Iterator[Finding]:
@@ -92,7 +96,7 @@ def _in_python(robot: Robot) -> Iterator[Finding]:
                 *([note(file.span_of(wait.made), "made here, without a timeout")] if wait.made is not None else []),
                 *_related(wait.callback.span, f"{wait.name} is the callback of {wait.callback.kind}", stopped),
             ],
-            severity=_severity(robot, file.source, wait.how_long),
+            severity="info" if is_for_keys(wait.how_long, stopped) else _severity(robot, file.source, wait.how_long),
             confidence="high" if certain else "medium",
         )
 
@@ -130,6 +134,11 @@ def _others(count: int) -> str:
 
 def _related(waiting: Span, role: str, stopped: Sequence[nodes.Callback]) -> list[Related]:
     return [note(waiting, role), *(note(each.span, "does not run in the meantime") for each in stopped[:3])]
+
+
+def is_for_keys(how_long: str, stopped: Sequence[nodes.Callback]) -> bool:
+    """Whether the node waits for keys and has nothing else to do."""
+    return how_long == UNTIL_KEY and not stopped
 
 
 def _severity(robot: Robot, source: Source, how_long: str = "") -> str:
