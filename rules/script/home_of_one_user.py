@@ -49,7 +49,9 @@ PATH = regex(r"(?<![\w$}.~:/-])/home/(?P<user>[a-z][\w-]*)/(?P<folder>\w[\w.-]{2
 OF_BOARDS = regex(
     r"ubuntu|pi|debian|dietpi|orangepi|radxa|rock|nvidia|jetson|unitree|xilinx|deck|odroid|root|(?:your)?_?user(?:name)?|me"
 )
-ELSEWHERE = regex(r"#|\b(?:ssh|scp|rsync|docker|podman|distrobox)\b|\[[ \t]{1,4}(?:![ \t]{1,4})?-[defrsx][ \t]|\btest[ \t]{1,4}-")
+ELSEWHERE = regex(
+    r"#|\b(?:ssh|scp|rsync|docker|podman|distrobox)\b|\[[ \t]{1,4}(?:![ \t]{1,4})?-[defrsx][ \t]|\btest[ \t]{1,4}-"
+)
 """Before the path on its line: a comment, another computer or a container, or the question whether it is there."""
 PAGES = regex(r"\.(?:md|rst|txt|sh|bash|service)$|akefile$")
 MOST = 200_000
