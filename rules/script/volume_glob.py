@@ -1,12 +1,15 @@
-"""A volume of docker run has a pattern in its path.
+"""A volume of docker run has a pattern in its path, or an empty part.
 
 ## What it finds
 `-v /dev/*:/dev/*` and the like: a `*` in the source of `-v` or `--volume` of `docker run` or `docker create`, in
 scripts and in the commands of units. It is info for devices of a `--privileged` container, which has them all.
 
+Also a colon at the end of the value of these options, and two of them in a row.
+
 ## Why it matters on a robot
 Neither the shell nor Docker expands the pattern: no file is called `/dev/*:/dev/*`, and Docker takes the word as it is.
-It makes an empty folder with the name `*` on the host and mounts that: no device is in the container.
+It makes an empty folder with the name `*` on the host and mounts that: no device is in the container. An empty part
+between or after colons is an error of docker: the container is not started.
 
 ## Bad
 ```sh
@@ -38,21 +41,25 @@ from bringup_lint.api.shell import unwrapped
 CLIENTS = ("docker", "podman", "nvidia-docker")
 
 
-@rule("error", symptoms=["includes invalid characters for a local volume name"])
+@rule("error", symptoms=["includes invalid characters for a local volume name", "empty section between colons"])
 def volume_glob(robot: Robot) -> Iterator[Finding]:
-    seen = set()
-    for words in _commands(robot):
-        privileged = "--privileged" in words
-        for volume in _volumes(words):
-            source = volume.partition(":")[0]
-            if "*" in source and ":" in volume and volume.span not in seen:
-                seen.add(volume.span)
-                yield finding(
-                    volume,
-                    f"Nothing expands '{source}': Docker mounts an empty folder of that name",
-                    advice="name each device with --device, or mount the folder",
-                    severity="info" if privileged and source.startswith("/dev/") else None,
-                )
+    found = {volume.span: (volume, words) for words in _commands(robot) for volume in _volumes(words)}
+    for volume, words in found.values():
+        source = volume.partition(":")[0]
+        if source.startswith("/") and "*" in source and ":" in volume:
+            yield finding(
+                volume,
+                f"Nothing expands '{source}': Docker mounts an empty folder of that name",
+                advice="name each device with --device, or mount the folder",
+                severity="info" if "--privileged" in words and source.startswith("/dev/") else None,
+            )
+        elif (volume.endswith(":") or "::" in volume) and "docker" in words[0]:
+            place = "after the last colon" if volume.endswith(":") else "between two colons"
+            yield finding(
+                volume,
+                f"There is nothing {place}: docker refuses the volume, and starts no container",
+                advice="remove the colon, or write :ro",
+            )
 
 
 def _commands(robot: Robot) -> Iterator[tuple[Located, ...]]:
@@ -68,6 +75,6 @@ def _volumes(words: tuple[Located, ...]) -> Iterator[Located]:
     if not words or words[0].rpartition("/")[2] not in CLIENTS or not {"run", "create"} & set(map(str, words)):
         return
     for option, value in pairwise(words):
-        if option in ("-v", "--volume") and value.startswith("/"):
+        if option in ("-v", "--volume"):
             yield value
-    yield from (word.part(len("--volume="), len(word)) for word in words if word.startswith("--volume=/"))
+    yield from (word.part(len("--volume="), len(word)) for word in words if word.startswith("--volume="))
