@@ -27,18 +27,37 @@ _VALUED = frozenset(
 ) - {"--load"}
 
 
+_MOST_BRANCHES = 16
+
+
 def parse(source: Source) -> list[ImageBuild]:
-    """The build commands that name an image. Variables are put in where the file assigns them once."""
+    """The build commands that name an image. Variables are put in where the file assigns them once, and where each of
+    several branches assigns all those of the command, for one branch after the other."""
     found = list(_COMMAND.finditer(source.text))
     values = _values(source.text) if found else {}
-    return [build for match in found if (build := _build(source, match, values)).names]
+    once = {name: given[0] for name, given in values.items() if len(set(given)) == 1}
+    builds = (_build(source, match, each) for match in found for each in _branches(match[1], values, once))
+    return [build for build in builds if build.names]
 
 
-def _values(text: str) -> dict[str, str]:
-    found: dict[str, set[str]] = {}
+def _values(text: str) -> dict[str, list[str]]:
+    """Each variable with its values, in their order."""
+    found: dict[str, list[str]] = {}
     for name, value in _ASSIGNMENT.findall(text):
-        found.setdefault(name, set()).add(value)
-    return {name: next(iter(values)) for name, values in found.items() if len(values) == 1}
+        found.setdefault(name, []).append(value)
+    return found
+
+
+def _branches(command: str, values: dict[str, list[str]], once: dict[str, str]) -> Iterator[dict[str, str]]:
+    """The values that a command may meet together: the first ones of all variables, the second ones, and so on."""
+    used = {match[1] or match[2] or match[3] for match in _VARIABLE.finditer(command)}
+    chosen = {name: values[name] for name in used if name in values and name not in once}
+    counts = {len(given) for given in chosen.values()}
+    if len(chosen) < 2 or len(counts) != 1 or max(counts) > _MOST_BRANCHES:
+        yield once
+        return
+    for at in range(max(counts)):
+        yield {**once, **{name: given[at] for name, given in chosen.items()}}
 
 
 def _build(source: Source, match: re.Match[str], values: dict[str, str]) -> ImageBuild:

@@ -37,6 +37,14 @@ def test_build_commands() -> None:
     assert not build_commands.parse(Source("a.md", "then `docker build .` and more"))
 
 
+def test_each_branch_builds_its_image() -> None:
+    text = "a)\n F=a.df\n T=arm\n ;;\nb)\n F=b.df\n T=base\n ;;\nesac\ndocker build -f $F -t $T .\n"
+    builds = build_commands.parse(Source("build.sh", text))
+    assert [(*build.names, build.dockerfile) for build in builds] == [("arm", "a.df"), ("base", "b.df")]
+    (unknown,) = build_commands.parse(Source("build.sh", f"F=c.df\n{text}"))
+    assert unknown.names == ("$T",)
+
+
 def test_names_of_images() -> None:
     assert image_name("docker.io/library/ros:jazzy") == ("ros", "jazzy", "")
     assert image_name("host:5000/nav").is_latest and not image_name("nav@sha256:0").is_latest

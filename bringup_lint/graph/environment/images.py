@@ -36,7 +36,7 @@ PACKAGES = {
 _OPAQUE = regex(
     r"xargs|ansible|\b(?:vcs|wstool|conda|mamba|micromamba|nix|pixi)\b|\|[ \t]*(?:sudo[ \t]+)?(?:ba|z)?sh\b"
     r"|rmw-[\w-]{0,20}\*|\*\.deb\b"
-    r"|install\b[^\n;&]{0,900}\$(?!\{?ROS_DISTRO)|\bclone\b[^\n;&]{0,200}(?:rmw|dds|zenoh)"
+    r"|(?<![/\w.-])install[ \t][^\n;&]{0,900}\$(?!\{?ROS_DISTRO)|\bclone\b[^\n;&]{0,200}(?:rmw|dds|zenoh)"
     r"|(?:ros-[^\s-]{1,40}-|_)(?:turtlebot4|clearpath|irobot|rmf|autoware)"
 )
 """What may bring a middleware unseen: lists of packages, programs that are fetched, and robots that need one."""
@@ -79,6 +79,11 @@ def missing_middleware(compose: Compose, processes: Iterable[RosProcess]) -> Ite
         variable = process.environment.get(RMW)
         if process.service is not None and variable is not None:
             for each in _of_service(compose, process.service, variable):
+                found.setdefault(each.variable.value.span, each)
+    for service in compose.whole_services:
+        for name, value in compose.variables(service, RMW):
+            variable = Variable(name, value, None if "$" in value else str(value), "environment:")
+            for each in _of_service(compose, service, variable):
                 found.setdefault(each.variable.value.span, each)
     for dockerfile in compose.images.dockerfiles:
         stage = dockerfile.final
