@@ -2,8 +2,8 @@
 
 ## What it finds
 Values below `/home/<user>/` or `/root/`. Files and folders that begin with `~/` are info, because some nodes expand the
-`~`, and so are folders into which a script, Makefile or Dockerfile of the tree puts something. Not reported: the
-working directory of a unit in this tree, examples, and test folders.
+`~`, and so are folders into which a script, Makefile or Dockerfile of the tree puts something, and files that nothing
+takes. Not reported: the working directory of a unit in this tree, examples, and test folders.
 
 ## Why it matters on a robot
 The path exists only on the machine on which it was written. ROS does not expand `~` in parameters.
@@ -43,6 +43,7 @@ from bringup_lint.api.docker import deploying
 from bringup_lint.api.docker import is_deployed_to
 from bringup_lint.api.docker import is_in_container
 from bringup_lint.api.docker import own_homes
+from bringup_lint.api.params import ParameterFile
 from bringup_lint.api.templates import is_example
 
 _HOME = regex(r"(?:file://)?(/home/[^/\s<>${}]+/|/root/)\S*\Z")
@@ -68,7 +69,7 @@ def absolute_home_path(robot: Robot) -> Iterator[Finding]:
                 continue
             path = item.text.removeprefix("file://")
             if _HOME.match(item.text) and not is_in_container(path, kept):
-                known = is_in_container(path, own) or is_deployed_to(path, deployed)
+                known = is_in_container(path, own) or is_deployed_to(path, deployed) or is_idle(robot, file)
                 yield finding(
                     item.span,
                     f"The path of '{parameter.name}' is in a home folder: it exists only on that machine",
@@ -85,3 +86,8 @@ def absolute_home_path(robot: Robot) -> Iterator[Finding]:
                     advice="write the full path, or $(env HOME) in a file that is loaded with allow_substs",
                     severity="info",
                 )
+
+
+def is_idle(robot: Robot, file: ParameterFile) -> bool:
+    """Whether the tree has launch files, and nothing of it takes the parameter file."""
+    return robot.has_launch_files and not robot.params.is_used(file)
