@@ -2,8 +2,9 @@
 
 ## What it finds
 A `return` in the constructor of a node, after an error is logged, at which the node has neither a timer nor a topic nor
-a service yet. Silent where the branch shuts down, throws, exits or sets something that others ask for, and where
-anything that may run later was made before. Info for a component that launch files load into a container.
+a service yet. Silent where only an argument of a Python constructor decides, where the branch shuts down, throws, exits
+or sets something that others ask for, and where anything that may run later was made before. Info for a component that
+launch files load into a container.
 
 ## Why it matters on a robot
 The device was not there yet, or a file is missing: the node logs one line and stays. `spin()` waits for callbacks that

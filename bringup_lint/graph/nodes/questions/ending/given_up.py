@@ -12,6 +12,7 @@ from bringup_lint.graph.nodes.sources.syntax import own
 from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.cpp_source import GivenUp
 from bringup_lint.model.node_source import NodeClass
+from bringup_lint.model.python import FunctionNode
 from bringup_lint.model.python import called_name
 from bringup_lint.model.python import is_own
 from bringup_lint.model.python import is_self
@@ -47,11 +48,29 @@ def given_up(nodes: Nodes) -> Iterator[GivenUp]:
         seen: set[str] = set()
         lost = next((each for each in calls if _may_make(cls, each, seen)), None)
         if lost is not None:
-            gives = _GivesUp(nodes.syntax(file))
+            gives = _GivesUp(nodes.syntax(file), _given(made.node))
             early = (each for each in returns if _at(each) < _at(lost) and gives.at(each))
             yield from (GivenUp(file.span_of(each), file.span_of(lost), str(cls.name)) for each in islice(early, 1))
     for source in nodes.cpp:
         yield from source.given_up
+
+
+def _given(made: FunctionNode) -> frozenset[str]:
+    """The arguments of a constructor, and the attributes that keep them: another start gets the same ones."""
+    names = {each.arg for each in (*made.args.args, *made.args.kwonlyargs)}
+    kept: set[str] = set()
+    for each in own(made.body):
+        if isinstance(each, ast.Assign) and isinstance(each.value, ast.Name) and each.value.id in names:
+            kept.update(target.attr for target in each.targets if is_own(target))
+    return frozenset(names | kept)
+
+
+def _names(test: ast.expr) -> set[str]:
+    """The variables and the own attributes that a condition looks at, and the functions that it calls."""
+    parts = list(walk(test))
+    selves = {id(each.value) for each in parts if is_own(each)}
+    plain = {each.id for each in parts if isinstance(each, ast.Name) and id(each) not in selves}
+    return {*plain, *(each.attr for each in parts if isinstance(each, ast.Attribute))}
 
 
 def _at(node: ast.stmt | ast.expr) -> tuple[int, int]:
@@ -78,13 +97,16 @@ class _GivesUp:
     """Whether the returns of a constructor are in branches that log an error, and leave nothing by which anybody else
     would know."""
 
-    def __init__(self, syntax: Syntax) -> None:
+    def __init__(self, syntax: Syntax, given: frozenset[str]) -> None:
         self._syntax = syntax
+        self._given = given
         self._known: dict[tuple[ast.AST, str], bool] = {}
 
     def at(self, left: ast.Return) -> bool:
         outer, field = next(self._syntax.above(left))
         if not isinstance(outer, (ast.If, ast.ExceptHandler)):
+            return False
+        if isinstance(outer, ast.If) and _names(outer.test) <= self._given:
             return False
         if (outer, field) not in self._known:
             self._known[outer, field] = self._in_block(list(own(getattr(outer, field))))
