@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from bringup_lint.model.yaml_node import Mapping
@@ -10,6 +11,7 @@ from bringup_lint.model.yaml_node import Scalar
 from bringup_lint.model.yaml_node import Sequence
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.yaml_nodes import parse
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 
@@ -18,6 +20,13 @@ _BLOCKS = ("block", "rescue", "always")
 _INCLUDES = ("include_tasks", "import_tasks", "include_role", "import_role", "include", "import_playbook", "roles")
 _FORGIVING = ("ignore_errors", "failed_when", "rescue")
 _DEEPEST = 20
+_SETTING = regex(
+    r"[ \t\r\n]*(?P<name>[a-z_]\w*)="
+    r"(?:\"(?P<double>[^\"\\]*)\"|'(?P<single>[^'\\]*)'|(?P<plain>(?:\{\{[^{}]*\}\}|[^\s\"'\\{])*))(?=\s|\Z)"
+)
+"""One ``name=value`` of the settings in one line."""
+_FREE = frozenset({"command", "shell", "raw", "script", "expect"})
+"""Modules that take the line as it is."""
 
 
 class Module(NamedTuple):
@@ -67,7 +76,24 @@ class _Around(NamedTuple):
 
 
 def modules(task: Mapping) -> Iterator[Module]:
-    return (Module(key.value, settings) for key, settings in task.entries if key.value != "name")
+    return (Module(key.value, _settings(key.value, value)) for key, value in task.entries if key.value != "name")
+
+
+def _settings(key: Located, value: Node) -> Node:
+    """The settings of a module; of those in one line (``src=a dest=b``) the mapping that they stand for."""
+    if not isinstance(value, Scalar) or "=" not in value.value or key.rpartition(".")[2] in _FREE:
+        return value
+    pairs: list[tuple[Node, Node]] = []
+    at = 0
+    while match := _SETTING.match(value.value, at):
+        name, word = (value.value.part(*match.span(group)) for group in ("name", _filled_group(match)))
+        pairs.append((Scalar(name, name.span), Scalar(word, word.span, style="'")))
+        at = match.end()
+    return Mapping(value.span, pairs) if pairs and not value.value[at:].strip() else value
+
+
+def _filled_group(match: re.Match[str]) -> str:
+    return next(group for group in ("double", "single", "plain") if match[group] is not None)
 
 
 def tasks(source: Source) -> tuple[Task, ...]:

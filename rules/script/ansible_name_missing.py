@@ -1,4 +1,4 @@
-"""A play names a role, a handler, a file or hosts that do not exist.
+"""A play names a role, a handler, a file, a variable or hosts that do not exist.
 
 ## What it finds
 In Ansible's playbooks and roles:
@@ -6,7 +6,11 @@ In Ansible's playbooks and roles:
 - a handler of `notify:` that no handler of the tree is called, by its name or its `listen`;
 - a file of `copy: src`, `template: src`, `include_tasks` or `import_tasks` that is not in the folders in which Ansible
   looks for it;
-- a name of `hosts:` that the inventories of the tree lack and that one of their groups is nearly called.
+- a name of `hosts:` that the inventories of the tree lack and that one of their groups is nearly called;
+- a variable that an expression such as `{{ base_ip }}` reads, where no file of the tree says its name otherwise: it
+  stands in no inventory, default, command or guide. Only in trees with an inventory, and not where roles come from
+  elsewhere or variables are encrypted;
+- a plugin of `ansible_connection` or `connection` that neither Ansible nor a usual collection has.
 
 Silent for names with variables, roles of collections (`namespace.name`), files that git ignores, and where handlers of
 the tree have names with variables.
@@ -52,6 +56,8 @@ TEXTS = {
     "role": ("There is no role {}: the play does not start", "correct the name, or add the role"),
     "handler": ("No handler is called '{}': the play stops when this task changes something", "write its exact name"),
     "hosts": ("The inventory has no {}: the play is skipped, and its hosts get nothing", "did you mean {}?"),
+    "connection": ("Ansible has no connection {}: it reaches no host that has it", "write ssh, or local"),
+    "variable": ("Nothing gives {} a value: the play stops at this task", "set it in the defaults of the role"),
     "file": ("Ansible finds no {}: the play stops at this task", "correct the name, or add the file"),
 }
 
@@ -63,6 +69,8 @@ TEXTS = {
         "the role * was not found in",
         "The requested handler * was not found",
         "Could not find or access",
+        "The task includes an option with an undefined variable.",
+        "the connection plugin '*' was not found",
         "Could not match supplied host pattern, ignoring:",
     ],
 )
