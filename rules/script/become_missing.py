@@ -1,9 +1,9 @@
 """A task of Ansible needs root and does not ask for it.
 
 ## What it finds
-Tasks that install packages, manage services or accounts, or write below `/etc`, `/usr` and `/lib`, without `become`, in
-a file in which most of such tasks have `become: true` of their own. All of a file are one finding. The tree has to hold
-the plays.
+Tasks that install packages, manage services or accounts, or write below `/etc`, `/usr`, `/lib` and `/boot`, without
+`become`, in a file in which most of such tasks have `become: true` of their own. All of a file are one finding. The
+tree has to hold the plays.
 
 Silent if the tree gives the right in another way: `become` in a play, a role's entry or an include, `ansible_become` or
 `ansible_user=root` in the inventory, `become` in `ansible.cfg`, and `ansible-playbook --become` in a script or in the
@@ -64,7 +64,7 @@ ALWAYS = frozenset(
 SERVICES = frozenset({"systemd", "systemd_service", "service"})
 CHANGES = ("state", "enabled", "masked", "daemon_reload", "daemon_reexec")
 FILES = frozenset({"copy", "template", "file", "lineinfile", "blockinfile", "get_url", "unarchive", "replace"})
-OF_ROOT = regex(r"/(?:etc|usr|lib)/")
+OF_ROOT = regex(r"/(?:etc|usr|lib|boot)/")
 LEAST = 2
 """Tasks of the file that ask for root."""
 EXCUSES = ("ignore_errors", "failed_when", "delegate_to", "check_mode", "connection", "remote_user")

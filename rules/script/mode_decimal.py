@@ -1,9 +1,11 @@
-"""Ansible takes a mode without leading zero for a decimal number.
+"""Ansible sets another mode than the one that is meant.
 
 ## What it finds
 `mode: 644` in a task of Ansible that writes a file or makes a folder: a number without quotes and without a leading
 zero. A decimal number that is a usual mode, such as 420 for 0644, is not reported. It is a warning where everybody may
 read the file all the same, as with 644.
+
+Modes that let the group or everybody read or write what the owner may not, such as 0577, are a warning.
 
 ## Why it matters on a robot
 YAML reads 644 as six hundred and forty-four, which is 1204 in octal: the owner may only write, the group may read
@@ -51,10 +53,16 @@ MEANT = (0o400, 0o600, 0o640, 0o644, 0o660, 0o664, 0o777)
 MOST = 20
 
 
+ODD = regex(r"(?:0?[0-7])?(?P<owner>[0-7])(?P<group>[0-7])(?P<others>[0-7])")
+READ_OR_WRITE = 6
+
+
 @rule("error", fix="unsafe", silent="Ansible sets the wrong mode without a word")
 def mode_decimal(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("ansible"):
-        modes = list(_modes(source)) if source.judged and "mode" in source.text else []
+        given = list(_modes(source)) if source.judged and "mode" in source.text else []
+        yield from map(_of_odd, filter(_is_odd, given))
+        modes = list(filter(_is_decimal, given))
         if modes:
             first, *others = modes
             yield finding(
@@ -83,8 +91,26 @@ def _modes(source: Source) -> Iterator[Scalar]:
     for task in tasks(source):
         for module in task.modules:
             mode = module.settings.scalar("mode") if isinstance(module.settings, Mapping) else None
-            if mode is not None and module.name in MODULES and _is_decimal(mode):
+            if mode is not None and module.name in MODULES:
                 yield mode
+
+
+def _of_odd(mode: Scalar) -> Finding:
+    return finding(
+        mode.value,
+        f"mode {mode.value} lets others do what the owner of the file may not",
+        advice='write mode: "0644", or "0755" for programs and folders',
+        severity="warning",
+    )
+
+
+def _is_odd(mode: Scalar) -> bool:
+    """Whether an octal mode gives the group or everybody a right that it takes from the owner."""
+    match = ODD.fullmatch(mode.value)
+    if match is None or not (mode.style or mode.value.startswith("0")):
+        return False
+    owner, group, others = (int(digit, 8) for digit in match.groups())
+    return bool((group | others) & ~owner & READ_OR_WRITE)
 
 
 def _is_decimal(mode: Scalar) -> bool:
