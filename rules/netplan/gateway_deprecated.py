@@ -62,6 +62,7 @@ def _of_no_gateway(name: Scalar, value: Node) -> Finding:
     return finding(
         name.value,
         f"{value.span.text} is not a gateway: nothing beyond the networks of this interface is reached through it",
+        severity="warning" if isinstance(value, Scalar) and value.value else None,
         advice="remove the line, or write the address of the router: routes: [{to: default, via: ...}]",
     )
 
