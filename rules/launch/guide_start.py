@@ -1,8 +1,10 @@
 """A README starts what the package does not have.
 
 ## What it finds
-Commands of the form `ros2 launch PACKAGE FILE name:=value` in a README, for packages of the workspace:
+Commands of the form `ros2 launch PACKAGE FILE name:=value` and `ros2 run PACKAGE EXECUTABLE` in a README, or a page
+that is called after the installation, set-up or start, for packages of the workspace:
 - a launch file of which the whole tree has none of this name;
+- an executable that the package surely does not install;
 - a value that is not among the choices of its argument;
 - an argument that the launch file does not declare, nor anything that it includes.
 
@@ -46,17 +48,28 @@ from bringup_lint.api import rule
 from bringup_lint.api.launch import LaunchFile
 from bringup_lint.api.spelling import nearest
 
-README = regex(r"(?i)(?:^|/)readme(?:\.(?:md|rst|txt))?$")
+README = regex(
+    r"(?i)(?:^|/)(?:readme|install(?:ation|ing)?|usage|set[_-]?up|bring[_-]?up|quick[_-]?start|getting[_-]?started)"
+    r"(?:\.(?:md|rst|txt))?$"
+)
 STARTS = regex(
     r"\bros2 launch (?P<package>[a-z]\w+) (?P<file>[\w./-]+\.launch(?:\.(?:py|xml|ya?ml))?)(?![\w.{<$*-])"
     r"(?P<rest>(?:[^\n`'\"\\;&|<>#]|\\\n){0,400})"
 )
+RUNS = regex(r"\bros2 run (?P<package>[a-z]\w+) (?P<name>\w[\w.-]*)(?![\w{<$*/-])")
 ARGUMENT = regex(r"(?<!\S)(?P<name>[A-Za-z_]\w*):=(?P<value>[\w./-]+)(?!\S)")
 STAND_IN = regex(r"(?i)\b(?:your|my)_|\.\.\.|\bx{3,}\b")
 MOST = 20
 
 
-@rule("warning", symptoms=["was not found in the share directory of package", "provided value '*' is not valid"])
+@rule(
+    "warning",
+    symptoms=[
+        "was not found in the share directory of package",
+        "provided value '*' is not valid",
+        "No executable found",
+    ],
+)
 def guide_start(robot: Robot) -> Iterator[Finding]:
     for path in robot.tree.like(README):
         source = robot.tree.read(path)
@@ -79,6 +92,7 @@ def _of_page(robot: Robot, source: Source) -> Iterator[Finding]:
             yield from _arguments(robot, source, match, file)
         elif name in workspace.packages and not STAND_IN.search(match[0]) and _is_lost(robot, name, file_name):
             lost.setdefault((name, file_name), []).append(source.located(*match.span("file")))
+    yield from _executables(robot, source)
     for (name, file_name), (first, *others) in lost.items():
         package = workspace.packages[name]
         own = {each.source.basename for each in robot.launch.launch_files if workspace.owner(each.source) is package}
@@ -88,6 +102,30 @@ def _of_page(robot: Robot, source: Source) -> Iterator[Finding]:
             f"{name} has no launch file {file_name}: who follows this page starts nothing",
             advice=f"write {near[0]}" if len(near) == 1 else "write the name of a launch file that it has",
             related=[note(package.place, f"the package {name}"), *(note(each, "here too") for each in others[:MOST])],
+        )
+
+
+def _executables(robot: Robot, source: Source) -> Iterator[Finding]:
+    workspace = robot.launch.workspace
+    lost: dict[tuple[str, str], list[Located]] = {}
+    for match in RUNS.finditer(source.text):
+        package = workspace.packages.get(match["package"])
+        name = match["name"].rstrip(".")
+        if package is None or STAND_IN.search(match[0]) or any(robot.tree.named(name)):
+            continue
+        if workspace.lacks(package, name) and not package.made(name):
+            start = match.start("name")
+            lost.setdefault((package.name, name), []).append(source.located(start, start + len(name)))
+    for (owner, name), (first, *others) in lost.items():
+        near = nearest(name, sorted(workspace.packages[owner].executables), 6)
+        yield finding(
+            first,
+            f"{owner} has no executable {name}: who follows this page starts nothing",
+            advice=f"write {near[0]}" if len(near) == 1 else "write the name of an executable that it installs",
+            related=[
+                note(workspace.packages[owner].place, f"the package {owner}"),
+                *(note(each, "here too") for each in others[:MOST]),
+            ],
         )
 
 
