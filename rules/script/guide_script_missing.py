@@ -2,9 +2,9 @@
 
 ## What it finds
 `./NAME.sh`, `bash NAME.sh` and the like in the code blocks of a README, or a page that is called after the
-installation, set-up or start, where no file of the whole tree is called so. Silent for blocks that clone, download or
-write something before, or that go into a folder that the tree lacks, for files that git ignores, and for what a build
-makes.
+installation, set-up or start, where no file of the whole tree is called so. Silent where the block clones, downloads
+or writes something before, or goes into a folder that the tree lacks, where it or the block before goes to another
+computer, for files that git ignores, and for what a build makes.
 
 ## Why it matters on a robot
 Whoever sets up the next robot follows the page, and stops here: the script was renamed or never came into the
@@ -53,6 +53,8 @@ BRINGS = regex(
     r"\b(?:git clone|wget|curl|unzip|tar[ \t]+-?\w*x|scp|docker exec|ssh|docker run|tee)\b|>[ \t]*\S|<<"
     r"|\b(?:nano|vim?)[ \t]"
 )
+HEADING = regex(r"(?m)^#{1,6}[ \t]")
+REMOTE = regex(r"(?m)^[ \t]*(?:\$[ \t]+)?(?:ssh|docker (?:exec|run)|docker compose exec)\b")
 COMMENT = regex(r"(?m)^[ \t]*#[^\n]*")
 ENTERS = regex(r"\bcd[ \t]+(?P<folder>[^\s;&|)]+)")
 MADE = regex(r"(?:^|/)(?:install|build|devel|_build)/|(?:^|/)(?:local_)?setup\.(?:ba)?sh$")
@@ -69,12 +71,15 @@ def guide_script_missing(robot: Robot) -> Iterator[Finding]:
 
 def _of_page(robot: Robot, source: Source) -> Iterator[Finding]:
     lost: dict[str, list[Located]] = {}
+    is_remote, last = False, 0
     for start, end in _blocks(source.text):
+        is_remote = is_remote and HEADING.search(source.text, last, start) is None
         for match in CALL.finditer(source.text, start, end):
             if MADE.search(match["path"]) or not _is_lost(robot, source, match["path"]):
                 continue
-            if _is_of_tree(robot, source.text[start : match.start()]):
+            if not is_remote and _is_of_tree(robot, source.text[start : match.start()]):
                 lost.setdefault(match["path"], []).append(source.located(*match.span("path")))
+        is_remote, last = REMOTE.search(source.text, start, end) is not None, end
     for name, (first, *others) in lost.items():
         near = nearest(os.path.basename(name), _scripts(robot), 4)
         yield finding(
