@@ -128,7 +128,7 @@ class Variables:
 def _is_said(name: str, text: str) -> bool:
     """Whether a text says a name outside of expressions that read it, or says that it may be undefined."""
     read = {match.start("name") for match in _READ.finditer(text) if not _FORGIVING.search(match["rest"])}
-    return any(match.start() not in read for match in re.finditer(rf"(?<!\w){name}(?!\w)", text))
+    return any(match.start() not in read for match in re.finditer(rf"(?<!\w){re.escape(name)}(?!\w)", text))
 
 
 def _read(task: Task) -> Iterator[Located]:
