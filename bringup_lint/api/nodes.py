@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.edits import tried_shutdown
     from bringup_lint.graph.nodes.questions.callbacks.asyncio_waits import awaits_asyncio
     from bringup_lint.graph.nodes.questions.callbacks.blocking_calls import UNTIL_TIMEOUT
+    from bringup_lint.graph.nodes.questions.callbacks.busy_loops import busy_loops
     from bringup_lint.graph.nodes.questions.callbacks.callback_fit import UnfitCallback
     from bringup_lint.graph.nodes.questions.callbacks.callback_fit import unfit_callbacks
     from bringup_lint.graph.nodes.questions.callbacks.canceled_goals import canceled_goals
@@ -78,6 +79,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.hardware.hardware_interfaces import blocking_reads
     from bringup_lint.graph.nodes.questions.hardware.hardware_interfaces import zeroed_commands
     from bringup_lint.graph.nodes.questions.hardware.hidden_failures import hidden_failures
+    from bringup_lint.graph.nodes.questions.hardware.left_moving import left_moving
     from bringup_lint.graph.nodes.questions.hardware.lost_cameras import lost_cameras
     from bringup_lint.graph.nodes.questions.hardware.lost_transfers import lost_transfers
     from bringup_lint.graph.nodes.questions.hardware.pin_modes import without_pin_mode
@@ -94,6 +96,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.messages.message_fields import wrong_fields
     from bringup_lint.graph.nodes.questions.messages.message_units import wrong_units
     from bringup_lint.graph.nodes.questions.messages.mistaken_handlers import mistaken_handlers
+    from bringup_lint.graph.nodes.questions.messages.published_values import wrong_publishes
     from bringup_lint.graph.nodes.questions.messages.quaternion_order import misordered_quaternions
     from bringup_lint.graph.nodes.questions.messages.restamped import restamped
     from bringup_lint.graph.nodes.questions.messages.shell_commands import shell_commands
@@ -107,6 +110,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.parameters.misread_parameters import misread_parameters
     from bringup_lint.graph.nodes.questions.parameters.parameter_calls import empty_defaults
     from bringup_lint.graph.nodes.questions.parameters.parameter_calls import untyped_reads
+    from bringup_lint.graph.nodes.questions.parameters.unread_in_cpp import unread_in_cpp
     from bringup_lint.graph.nodes.questions.parameters.unread_parameters import unread_parameters
     from bringup_lint.graph.nodes.questions.python.abstract_classes import unfinished_classes
     from bringup_lint.graph.nodes.questions.python.call_fit import unfit_calls
@@ -123,8 +127,11 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.python.python_releases import not_there
     from bringup_lint.graph.nodes.questions.python.python_releases import python_of
     from bringup_lint.graph.nodes.questions.python.python_relocks import python_relocks
+    from bringup_lint.graph.nodes.questions.python.rclpy_names import lacking_names
     from bringup_lint.graph.nodes.questions.python.refused_logs import RefusedLog
     from bringup_lint.graph.nodes.questions.python.refused_logs import refused_logs
+    from bringup_lint.graph.nodes.questions.python.time_misfits import TimeMisfit
+    from bringup_lint.graph.nodes.questions.python.time_misfits import time_misfits
     from bringup_lint.graph.nodes.questions.python.unbound_locals import unbound_locals
     from bringup_lint.graph.nodes.questions.python.undefined_names import undefined_in
     from bringup_lint.graph.nodes.resolved.starting import chain_to
@@ -163,6 +170,7 @@ __all__ = [
     "NotThere",
     "RefusedLog",
     "Swallowed",
+    "TimeMisfit",
     "Timer",
     "Unchecked",
     "UnfitCallback",
@@ -172,6 +180,7 @@ __all__ = [
     "awaits_asyncio",
     "blind_waits",
     "blocking_reads",
+    "busy_loops",
     "canceled_goals",
     "chain_to",
     "clock_mixes",
@@ -212,10 +221,12 @@ __all__ = [
     "is_remote",
     "is_stopped",
     "is_tool",
+    "lacking_names",
     "late_attributes",
     "late_bound",
     "late_join",
     "late_spins",
+    "left_moving",
     "lost_cameras",
     "lost_requests",
     "lost_transfers",
@@ -262,6 +273,7 @@ __all__ = [
     "switchless",
     "taken_attributes",
     "thrown",
+    "time_misfits",
     "tried_shutdown",
     "unbound_locals",
     "unchecked_devices",
@@ -275,6 +287,7 @@ __all__ = [
     "unplugged_ports",
     "unreached_stops",
     "unread_answers",
+    "unread_in_cpp",
     "unread_parameters",
     "unread_pipes",
     "unrun_checks",
@@ -294,6 +307,7 @@ __all__ = [
     "without_qos",
     "wrong_durations",
     "wrong_fields",
+    "wrong_publishes",
     "wrong_units",
     "zero_divisors",
     "zero_fractions",

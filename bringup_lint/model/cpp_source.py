@@ -139,6 +139,14 @@ class StuckJoin(NamedTuple):
     is_destructor: bool
 
 
+class BusySpin(NamedTuple):
+    """A loop that only calls ``spin_some``."""
+
+    place: Span
+    loop: Span
+    """Its condition."""
+
+
 class Swallowed(NamedTuple):
     """A failure after which the program ends with status 0."""
 
@@ -377,6 +385,7 @@ class CppNode:
     """Variables and members to which it gives a thread, each where it does."""
     late_joins: list[LateJoin] = field(default_factory=list)
     deaf_loops: list[DeafLoop] = field(default_factory=list)
+    busy_spins: list[BusySpin] = field(default_factory=list)
     unstamped: list[Unstamped] = field(default_factory=list)
     restamped: list[Restamped] = field(default_factory=list)
     declared_again: list[DeclaredAgain] = field(default_factory=list)

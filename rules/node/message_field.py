@@ -2,7 +2,8 @@
 
 ## What it finds
 Python nodes that read or set a field which the message does not have, and values of another type than the field:
-`twist.linear.x = 1` (the field is a `float64`), `header.stamp = self.get_clock().now()`, a text for a number. The
+`twist.linear.x = 1` (the field is a `float64`), `header.stamp = self.get_clock().now()`, a text for a number; and a
+`publish()` that gets a number, a text or a message of another type, as `publish(True)`, which rospy allowed. The
 fields are those of the `.msg`, `.srv` and `.action` files of the tree, and of the common interface packages. It is an
 info in packages that others wrote and the tree only carries.
 
@@ -56,6 +57,7 @@ from bringup_lint.api import rule
         "AttributeError: 'PoseStamped' object has no attribute",
         "AttributeError: 'Odometry' object has no attribute",
         "AttributeError: 'Imu' object has no attribute",
+        "TypeError: Expected <class '*'>, got <class '*'>",
     ],
 )
 def message_field(robot: Robot) -> Iterator[Finding]:
@@ -83,6 +85,14 @@ def message_field(robot: Robot) -> Iterator[Finding]:
                 related=[note(each, "the same") for each in spans[1:]],
                 fix=fix(f"write {better}", *edits, safe=False) if better else None,
                 severity=of_values,
+            )
+        for wrong in nodes.wrong_publishes(types):
+            yield finding(
+                types.file.span_of(wrong.value),
+                f"This publisher takes a {wrong.wanted}, and gets {wrong.got}: TypeError, and {wrong.end}",
+                advice=f"make a {wrong.wanted.rpartition('/')[2]} of it, and publish that",
+                related=[note(types.file.span_of(wrong.made), "the publisher is made with this type")],
+                severity=severity,
             )
 
 

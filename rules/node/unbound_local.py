@@ -4,9 +4,9 @@
 In the functions of Python nodes, and of the Python modules beside them, a name that the function assigns only further
 down, as when `global` is missing for one of the file; a name that a `try` alone assigns, whose `except` only prints
 or logs, and that is used right after it, in a loop too, where the first turn may fail; and one that an `if` without
-`else` alone assigns, and that is used after it in any case. Other loops, where a turn before may have set it, are
-left out, and so is what runs only under a condition. It is an info in packages that others wrote and the tree only
-carries.
+`else` alone assigns, and that is used after it in any case, with `elif` where the file handles other values elsewhere.
+Other loops, where a turn before may have set it, are left out, and so is what runs only under a condition. It is an
+info in packages that others wrote and the tree only carries.
 
 ## Why it matters on a robot
 An assignment anywhere in a function makes the name local to all of it. Python finds out when the line runs: on the
@@ -66,8 +66,9 @@ def unbound_local(robot: Robot) -> Iterator[Finding]:
             if found.is_global:
                 advice = f"write 'global {name}' at the start of {found.function}()"
             if isinstance(found.without, ast.If):
-                severity, unmet = "warning", "when the condition does not hold"
-                message = f"UnboundLocalError in {found.function}(): {name} has no value {unmet}: {end}"
+                severity = "warning"
+                unmet = "none of the conditions holds" if found.without.orelse else "the condition does not hold"
+                message = f"UnboundLocalError in {found.function}(): {name} has no value when {unmet}: {end}"
                 advice = f"use {name} under the same condition, or give it a value before"
                 related = [note(file.span_of(found.without.test), "only under this condition does it get a value")]
             elif found.without is not None:

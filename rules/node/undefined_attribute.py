@@ -7,10 +7,11 @@ other properties of `rclpy.node.Node` that cannot be set; and `get_parameter('x'
 which are those of ParameterValue and of C++; and attributes that only a subscription sets and that a timer or another
 subscription uses without asking whether the message came; and attributes whose every assignment comes behind a use of
 them; and those that a `try` of the constructor sets, whose `except` goes on, and that the constructor or a callback
-uses afterwards. The same holds for classes beside the nodes, in Python modules of the tree too, that build on nothing
-and that the code makes. Classes with bases that are not in the tree are left out. It is an info in a method that
-nothing calls, and after the `join()` of a thread, where the node has done its work. It is an info in packages that
-others wrote and the tree only carries.
+uses afterwards; and what the module rclpy does not have, such as `rclpy.Time` and the functions of rospy. The same
+holds for classes beside the nodes, in Python modules of the tree too, that build on nothing and that the code makes.
+Classes with bases that are not in the tree are left out. It is an info in a method that nothing calls, and after the
+`join()` of a thread, where the node has done its work. It is an info in packages that others wrote and the tree only
+carries.
 
 ## Why it matters on a robot
 Python looks an attribute up when the line runs: in the callback for a fault or an emergency stop, perhaps weeks later,
@@ -53,6 +54,8 @@ from bringup_lint.api import rule
         "AttributeError: '*' object has no attribute '*'",
         "AttributeError: can't set attribute '*'",
         "AttributeError: property '*' of '*' object has no setter",
+        "AttributeError: module 'rclpy' has no attribute '*'",
+        "ImportError: cannot import name '*' from 'rclpy'",
     ],
 )
 def undefined_attribute(robot: Robot) -> Iterator[Finding]:
@@ -63,6 +66,7 @@ def undefined_attribute(robot: Robot) -> Iterator[Finding]:
     yield from _early(robot)
     yield from _half_made(robot)
     yield from _untyped(robot)
+    yield from _of_rclpy(robot)
 
 
 def _missing(robot: Robot) -> Iterator[Finding]:
@@ -159,5 +163,16 @@ def _untyped(robot: Robot) -> Iterator[Finding]:
                 f"AttributeError: get_parameter() returns a Parameter, which has no '{read.attr}', and {end}",
                 advice="write .value",
                 related=[note(file.span_of(each), f"nor '{each.attr}'") for each in reads[1:]],
+                severity=robot.nodes.lowered_if_vendored(file.source, "error"),
+            )
+
+
+def _of_rclpy(robot: Robot) -> Iterator[Finding]:
+    for file in robot.nodes.robot_sources:
+        for lacking in nodes.lacking_names(robot.nodes.syntax(file)):
+            yield finding(
+                file.span_of(lacking.place),
+                f"{lacking.error}: the module rclpy has no '{lacking.name}', and {lacking.end}",
+                advice=f"write {lacking.instead}",
                 severity=robot.nodes.lowered_if_vendored(file.source, "error"),
             )

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from bringup_lint.model.cpp_source import CppNode
 from bringup_lint.model.parameter_words import LOOSE
+from bringup_lint.parsers.cpp_node.busy_spins import busy_spins
 from bringup_lint.parsers.cpp_node.canceled import canceled
 from bringup_lint.parsers.cpp_node.classes import activation
 from bringup_lint.parsers.cpp_node.classes import components
@@ -144,6 +145,7 @@ def parse(source: Source) -> CppNode:
     node.few_handles = list(few_handles(code))
     node.making_loops = list(dict.fromkeys(making_loops(code)))
     node.deaf_loops = list(dict.fromkeys(deaf_loops(code)))
+    node.busy_spins = list(busy_spins(code))
     return node
 
 

@@ -82,6 +82,18 @@ class MessageTypes:
         bound = self._set_in(outer).get(node.attr, ())
         return bound[0].value if len(bound) == 1 and not bound[0].element else None
 
+    def values(self, node: ast.expr) -> list[ast.expr]:
+        """All that a function binds to a local name, or a class to an attribute of its own; empty where part of that is
+        not known."""
+        function, outer = self.syntax.function(node), self.syntax.definition(node)
+        found: list[Bound] | tuple[()] = ()
+        if isinstance(node, ast.Name) and function is not None and node.id not in self._arguments.get(function, {}):
+            found = self._bindings(function).get(node.id, ())
+        elif isinstance(node, ast.Attribute) and is_self(node.value) and outer is not None:
+            found = self._set_in(outer).get(node.attr, ()) if node.attr not in self._foreign else ()
+        known = [each.value for each in found if each.value is not None and not each.element]
+        return known if len(known) == len(found) else []
+
     def _field(self, owner: str, name: str) -> str | None:
         kind = (self.interfaces.fields(owner) or {}).get(name, "")
         if "/" not in kind:

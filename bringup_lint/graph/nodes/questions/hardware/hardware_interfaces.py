@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 _HARDWARE = regex(r"\b(?:System|Actuator)Interface\b")
 _METHOD = regex(
-    r"\b(?:\w{1,80}::)?(?P<name>on_activate|export_command_interfaces|read|write)\s{0,4}\([^;{}()]{0,300}\)"
+    r"\b(?:\w{1,80}::)?(?P<name>on_(?:activate|deactivate|cleanup|shutdown)|export_command_interfaces|read|write)\s{0,4}\([^;{}()]{0,300}\)"
     r"(?:\s{0,4}(?:override|noexcept|const|final)){0,3}\s{0,40}\{(?P<body>)"
 )
 _ZERO = regex(r"0(?:\.0*)?f?\s*\Z")
@@ -34,7 +34,7 @@ _SLOWED = regex(
     r"|set_?zero|calibrat|perform_command_mode_switch"
 )
 """Words of what starts slowly, waits for the first command or for a controller, or makes 0 the place of the joints."""
-_LOG = regex(r"\bRCLCPP_\w{3,40}\s{0,4}\([^;]{0,600};")
+LOG = regex(r"\bRCLCPP_\w{3,40}\s{0,4}\([^;]{0,600};")
 SIMULATED = regex(rf"(?i){simulation.TOLD}|\bfake|\bmock")
 _RECEIVES = regex(
     r"(?<![\w.>])(?:::)?(?P<name>read|recv|recvfrom|recvmsg)\s{0,4}\(\s{0,4}\w{0,40}(?:sock|fd|can|port|serial|bus)"
@@ -63,7 +63,7 @@ def zeroed_commands(nodes: Nodes) -> Iterator[ZeroedCommand]:
         exported = bodies.get("export_command_interfaces")
         body = bodies.get("on_activate")
         found = _POSITION.search(plain, *exported) if exported is not None else None
-        if found is None or body is None or _SLOWED.search(_LOG.sub(" ", plain)) or SIMULATED.search(plain):
+        if found is None or body is None or _SLOWED.search(LOG.sub(" ", plain)) or SIMULATED.search(plain):
             continue
         place = _zeroed(plain, body, found["member"]) or _made_zero(plain, body, found["member"])
         if place is not None and _is_sent_as_it_is(plain, bodies, found["member"]):

@@ -155,12 +155,19 @@ class _Locals:
         return asks and ast.unparse(handler.type).rpartition(".")[2] == "Empty"
 
     def after_choices(self) -> Iterator[Unbound]:
-        """Uses after an ``if`` without ``else`` that alone gives a name its value; one after the other may be all that
-        there are."""
+        """Uses after an ``if`` without ``else`` that alone gives a name its value, in each of its branches; one after
+        the other may be all that there are, and so may several."""
         for statement in self._nodes:
-            if isinstance(statement, ast.If) and not statement.orelse and self._is_open(statement):
-                inside = {part for each in statement.body for part in walk(each)}
-                yield from self._behind(statement, dict(self._made_in(inside)), statement)
+            if isinstance(statement, ast.If) and self._is_open(statement):
+                branches = _branches(statement)
+                if branches is None or (len(branches) > 1 and not self._has_others(statement)):
+                    continue
+                inside = [{part for each in branch for part in walk(each)} for branch in branches]
+                made = dict(self._made_in(set().union(*inside)))
+                for branch in inside[1:]:
+                    bound = {name for each in branch if isinstance(each, _PLACED) for name in bound_names(each)}
+                    made = {name: at for name, at in made.items() if name in bound}
+                yield from self._behind(statement, made, statement)
 
     def _is_open(self, choice: ast.If) -> bool:
         """Whether a condition is alone, outside of loops, and may be false."""
@@ -272,6 +279,33 @@ class _Locals:
             caught=self._syntax.catches(use, _CAUGHT),
             idle=is_idle(self._syntax, use) or is_late(self._syntax, use) or _hardly_runs(without),
         )
+
+    def _has_others(self, choice: ast.If) -> bool:
+        """Whether another chain of the file that compares the same has an ``else`` which goes on."""
+        handled = self._syntax.once(_handled)
+        return isinstance(choice.test, ast.Compare) and ast.unparse(choice.test.left) in handled
+
+
+def _branches(choice: ast.If) -> list[list[ast.stmt]] | None:
+    """The branches of an ``if`` and of all ``elif`` that do not leave it; None with an ``else``."""
+    branches = [choice.body]
+    while len(choice.orelse) == 1 and isinstance(choice.orelse[0], ast.If):
+        choice = choice.orelse[0]
+        branches.append(choice.body)
+    return branches if not choice.orelse else None
+
+
+def _handled(syntax: Syntax) -> frozenset[str]:
+    """What the chains of a file compare that have an ``elif`` and an ``else`` which goes on."""
+    found: set[str] = set()
+    for choice in syntax.file.nodes:
+        if isinstance(choice, ast.If) and isinstance(choice.test, ast.Compare) and _branches(choice) is None:
+            last = choice
+            while len(last.orelse) == 1 and isinstance(last.orelse[0], ast.If):
+                last = last.orelse[0]
+            if last is not choice and not isinstance(last.orelse[-1], (ast.Raise, ast.Return)):
+                found.add(ast.unparse(choice.test.left))
+    return frozenset(found)
 
 
 def _raising(syntax: Syntax) -> frozenset[str]:
