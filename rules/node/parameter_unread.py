@@ -3,7 +3,8 @@
 ## What it finds
 `declare_parameter('x', ...)` in a Python node whose result nobody uses, when `x` appears nowhere else in the program,
 and a parameter file that a launch file gives to the node sets it. Programs that read parameters by computed names, or
-hear of changes, are left out.
+hear of changes, are left out. In C++, a `declare_parameter("x", ...)` whose result nobody uses, when no source of the
+package names `x` again, and a launch or parameter file of the package sets it.
 
 A C++ node that only compares the name in the callback for changes is found as well, whoever sets the parameter, when it
 registers that callback after the declaration: the callback is told of later changes, not of the first value.
@@ -49,6 +50,14 @@ def parameter_unread(robot: Robot) -> Iterator[Finding]:
             advice=f"use get_parameter('{found.name}').value, or remove the parameter",
             related=[note(each.span, "set here") for each in found.given[:5]],
             severity=robot.nodes.lowered(found.file.source, "warning"),
+        )
+    for unread in nodes.unread_in_cpp(robot.nodes):
+        yield finding(
+            unread.parameter.name,
+            f"No source of the package reads '{unread.parameter.name}': what is set has no effect",
+            advice=f'use get_parameter("{unread.parameter.name}"), or remove the parameter',
+            related=[note(unread.given, "set here")],
+            severity=robot.nodes.lowered(unread.source, "warning"),
         )
     for source, parameter in nodes.heard_parameters(robot.nodes):
         yield finding(

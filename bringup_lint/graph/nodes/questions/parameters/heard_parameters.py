@@ -37,7 +37,7 @@ def heard_parameters(nodes: Nodes) -> Iterator[tuple[CppNode, Parameter]]:
             continue
         if len(_REGISTERS.findall(node.source.text)) != 1:
             continue
-        texts = _texts(nodes, node.source)
+        texts = package_texts(nodes, node.source)
         if any(_READS_OTHERS.search(text) for text in texts):
             continue
         for parameter in node.parameters:
@@ -45,7 +45,7 @@ def heard_parameters(nodes: Nodes) -> Iterator[tuple[CppNode, Parameter]]:
                 yield node, parameter
 
 
-def _texts(nodes: Nodes, source: Source) -> list[str]:
+def package_texts(nodes: Nodes, source: Source) -> list[str]:
     """The C++ files of the package of a source, without comments."""
     owner = nodes.launch.workspace.owner(source)
     if owner is None:
