@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from bringup_lint.facts.ros.needed import COMMON
     from bringup_lint.facts.ros.needed import instead_of
     from bringup_lint.facts.ros.needed import is_debian_package
+    from bringup_lint.facts.ros.needed import unresolved
     from bringup_lint.facts.ros.pip_names import pip_names
     from bringup_lint.facts.ros.simulation import is_simulation
     from bringup_lint.facts.ros.variables import misspelt
@@ -61,5 +62,6 @@ __all__ = [
     "pip_names",
     "ros1",
     "ros_arguments",
+    "unresolved",
     "variables",
 ]

@@ -2,8 +2,9 @@
 
 ## What it finds
 Dependencies of packages of ROS 2 that are neither rosdep keys nor packages: `ament_python`, which is a build type only,
-names of pip such as `pyserial`, keys of Python 2 such as `python-serial`, Debian packages of ROS
-(`ros-humble-cv-bridge`), packages of ROS 1, and names that are one letter away from a common package (`geometry_msg`).
+names of pip such as `pyserial`, keys of Python 2 such as `python-serial` and, unless the robot has Ubuntu 20.04,
+`python-yaml` and `python-opencv`, Debian packages of ROS (`ros-humble-cv-bridge`), packages of ROS 1, and names that
+are one letter away from a common package (`geometry_msg`).
 It is info when a script, an image or the documentation of the tree runs `rosdep install` so that it goes on (`-r`), and
 nothing is meant, or something else installs it; when the tree names it in `--skip-keys`; and when the tree names
 rosdep in other words only. A Debian package of ROS is a warning wherever nothing skips it.
@@ -45,6 +46,7 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.ros import instead_of
 from bringup_lint.api.ros import is_debian_package
+from bringup_lint.api.ros import unresolved
 
 
 @rule(
@@ -53,6 +55,7 @@ from bringup_lint.api.ros import is_debian_package
     symptoms=[
         "Cannot locate rosdep definition for",
         "could not have their rosdep keys resolved",
+        "No definition of [python-yaml] for OS version",
     ],
 )
 def rosdep_key_unknown(robot: Robot) -> Iterator[Finding]:
@@ -76,10 +79,12 @@ def rosdep_key_unknown(robot: Robot) -> Iterator[Finding]:
 
 def _effect(robot: Robot, name: str, instead: str | None) -> tuple[str, str | None]:
     """What rosdep does, and how severe it is."""
-    error = f'"Cannot locate rosdep definition for [{name}]"'
+    known = unresolved(name)
+    error = f'"{known.error}"'
+    nothing = "it installs what comes before" if known.is_late else "no dependency is installed"
     stops = robot.dependencies.stops_rosdep(name)
     if stops or not robot.dependencies.uses_rosdep:
-        return f"rosdep install stops with {error}: no dependency is installed", None if stops else "info"
+        return f"rosdep install stops with {error}: {nothing}", None if stops else "info"
     goes_on = f"rosdep install says {error} and goes on"
     if instead and robot.dependencies.rosdep_goes_on_without(name, instead):
         return f"{goes_on}: {instead} is not installed", None

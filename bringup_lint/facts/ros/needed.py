@@ -160,3 +160,32 @@ def _is_misspelt(name: str, known: str) -> bool:
 def not_rosdep() -> dict[str, str]:
     """The names that rosdep cannot resolve, with what to write instead, if anything."""
     return {row["name"]: row["instead"] for row in table("ros/not_rosdep")}
+
+
+class Unresolved(NamedTuple):
+    """What rosdep says of a name."""
+
+    error: str
+    ended: bool
+    """Only from Ubuntu 22.04 on."""
+    is_late: bool
+    """apt says it, when rosdep already installs."""
+
+
+_SAYS = {
+    "": "Cannot locate rosdep definition for [{}]",
+    "version": "No definition of [{}] for OS version",
+    "apt": "Unable to locate package {}",
+}
+
+
+@cache
+def unresolved(name: str) -> Unresolved:
+    """Why rosdep does not install what has this name."""
+    error = _errors().get(name, "")
+    return Unresolved(_SAYS[error].format(name), bool(error), error == "apt")
+
+
+@cache
+def _errors() -> dict[str, str]:
+    return {row["name"]: row["error"] for row in table("ros/not_rosdep")}

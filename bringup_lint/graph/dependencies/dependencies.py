@@ -12,6 +12,7 @@ from bringup_lint.facts.ros.needed import base
 from bringup_lint.facts.ros.needed import instead_of
 from bringup_lint.facts.ros.needed import not_rosdep
 from bringup_lint.facts.ros.needed import of_key
+from bringup_lint.facts.ros.needed import unresolved
 from bringup_lint.graph.dependencies.build_needs import of_builds
 from bringup_lint.graph.dependencies.build_needs import of_headers
 from bringup_lint.graph.dependencies.build_needs import of_interfaces
@@ -69,8 +70,8 @@ _GOES_ON = regex(r"\s-[a-qs-z]*r[a-z]*(?:\s|$)|\s-s\s|--simulate|--dependency-ty
 """rosdep installs the rest, only says what it would do, or its failure is ignored."""
 _FOREIGN = regex(r"(?:^|_)(?:vendor|stubs?|template)(?:_|$)|[{}$<]")
 """Names of packages that wrap the build of others, and of templates."""
-
-
+_OF_FOCAL = ("foxy", "galactic")
+"""The distributions of ROS for Ubuntu 20.04."""
 _COMMON = frozenset(
     "numpy yaml pytest setuptools pkg_resources packaging psutil requests em lark lxml cryptography netifaces click gi"
     " apt dbus systemd".split()
@@ -426,6 +427,8 @@ class Dependencies:
         if name in self._own or instead_of(name) is None:
             return False
         if "condition=" in name.span.source.line_text(name.span.line):
+            return False
+        if unresolved(name).ended and self._files.target.ros in _OF_FOCAL:
             return False
         return name in not_rosdep() or not self._provided.has_repository(name)
 
