@@ -46,11 +46,13 @@ def program_no_shebang(robot: Robot) -> Iterator[Finding]:
         for each in robot.dependencies.plain_programs(package):
             name = each.renamed or each.source.rpartition("/")[2]
             where = started.get(name)
+            file = robot.tree.beside(each.where.source, each.source)
+            begin = [note(file.span(0, len(file.line_text(1))), "it begins here")] if file else []
             is_started = where is not None and robot.dependencies.starts_by_default(package, name)
             yield finding(
                 each.where,
                 f"{each.source} does not begin with #!: {'launch' if where else 'ros2 run'} cannot execute it",
                 advice=f"begin it with #!/usr/bin/env {'python3' if each.source.endswith('.py') else 'bash'}",
-                related=[note(where, "it is started here")] if where else [],
+                related=[*begin, *([note(where, "it is started here")] if where else [])],
                 severity=None if is_started else "warning",
             )

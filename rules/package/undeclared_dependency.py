@@ -24,11 +24,11 @@ is not looked at.
 The message says what follows for the worst of them: a clean build stops at a package of the same workspace; nothing of
 the tree declares or installs it; rosdep and colcon do not know of it; it is there as far as others bring it.
 
-It is an info when all that is left out is one module that ros-base has, what something that is declared brings (launch
-files bring `launch_ros`), what packages on which this one depends declare, what launch files start by an argument
-alone, what C++ includes of packages outside of the workspace, or what installed launch files of a simulator or examples
-start. So is what packages of simulations and tests leave out, unless the build stops or a launch file ends. What
-something that is declared may bring by its name is named with others only.
+It is an info when all that is left out is one module that ros-base has, of a package that declares others, what
+something that is declared brings (launch files bring `launch_ros`), what packages on which this one depends declare,
+what launch files start by an argument alone, what C++ includes of packages outside of the workspace, or what installed
+launch files of a simulator or examples start. So is what packages of simulations and tests leave out, unless the build
+stops or a launch file ends. What something that is declared may bring by its name is named with others only.
 
 ## Why it matters on a robot
 A dependency that is missing in package.xml works on the developer's machine and fails on a fresh robot: rosdep does not

@@ -103,8 +103,13 @@ def undeclared(dependencies: Dependencies, launch: Launch, package: Package) -> 
     least = Lack.LIKELY if certain is Lack.BASE else Lack.BROUGHT
     needs = [need for lack, need in lacks if lack <= certain]
     others = [need for lack, need in lacks if certain < lack <= least]
-    is_used = len(needs) >= _SEVERAL or any(need.use != "module" for need in needs)
+    is_used = len(needs) >= _SEVERAL or any(need.use != "module" for need in needs) or not _runs_with(package)
     return Undeclared(worst, needs, others, worst < Lack.BASE or (worst is Lack.BASE and is_used))
+
+
+def _runs_with(package: Package) -> list[str]:
+    """What a package declares for when it runs."""
+    return [str(name) for tag, name in package.manifest.depends if tag in AT_RUN_TIME]
 
 
 class _Needed:
