@@ -3,8 +3,8 @@
 ## What it finds
 Nodes, includes and other actions of launch that a function of a Python launch file gives to a variable which nothing
 reads, or makes in a statement of their own. Left alone is what a comment mentions, because it was taken out on purpose,
-and the declaration of an argument that the file reads, which `launch/undeclared-arg` judges. It is an info where the
-file starts the same executable by another action.
+and the declaration of an argument that the file reads for something, which `launch/undeclared-arg` judges. It is an
+info where the file starts the same executable by another action.
 
 ## Why it matters on a robot
 launch starts only what the description holds: the node does not run, and no message says so. A transform, a filter or
@@ -33,6 +33,7 @@ When the action is kept for later. A comment that names its variable says so, to
 - launch, `LaunchDescription.add_action`
 """
 
+from collections import Counter
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -57,9 +58,9 @@ OF_MANY_NODES = ("static_transform_publisher", "spawner", "parameter_bridge", "c
 @rule("warning", silent="launch starts what the description holds, without a message")
 def action_unplaced(robot: Robot) -> Iterator[Finding]:
     for file in robot.launch.judged:
-        read = {str(each.name) for each in file.reads}
+        read = Counter(str(each.name) for each in file.reads)
         for each in file.unplaced:
-            if each.owner == "DeclareLaunchArgument" and each.name in read:
+            if each.owner == "DeclareLaunchArgument" and read[each.name] > launch.dead_reads(file, each.name):
                 continue
             effect = "it never starts" if each.owner in _STARTING else _EFFECTS.get(each.owner, "it has no effect")
             is_idle = robot.launch.workspace.is_vendored(file.source) or is_replaced(robot, file, each)

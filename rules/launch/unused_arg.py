@@ -54,16 +54,19 @@ def unused_arg(robot: Robot) -> Iterator[Finding]:
             continue
         own = robot.launch.expansion(file)
         is_idle = not own.nodes and not own.includes and not own.handlers
-        for declared, passed, is_shared in launch.unread_arguments(robot.launch, file):
+        for declared, passed, is_shared, instead in launch.unread_arguments(robot.launch, file):
             name = declared.name
             if any(f"$(var {name}" in source.text for source in robot.of_kind("params")):
                 continue
-            drop = remove(declared.action.span)
+            drop = remove(declared.action.span) if instead is None else None
             yield finding(
                 declared.action.name.span,
                 f"'{name}' is declared but nothing reads it: setting it has no effect",
-                advice="use the argument, or remove the declaration",
-                related=[note(each, "passed here") for each in passed],
+                advice=f"read '{name}' there" if instead else "use the argument, or remove the declaration",
+                related=[
+                    *([note(instead.span, f"this variable reads '{instead.name}'")] if instead else ()),
+                    *(note(each, "passed here") for each in passed),
+                ],
                 fix=fix(f"remove the declaration of '{name}'", codemod=drop, safe=False) if drop else None,
                 severity="info" if is_idle or is_shared or robot.launch.workspace.is_vendored(file.source) else None,
             )

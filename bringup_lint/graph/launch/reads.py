@@ -7,11 +7,13 @@ from collections.abc import Iterable
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.graph.launch.unknown_folders import last_name
 from bringup_lint.graph.memo import kept
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.model.launch import walk_actions
 from bringup_lint.model.launch_values import ParameterFile
 from bringup_lint.model.launch_values import walk
+from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
     from bringup_lint.graph.launch.expansion import Expansion
@@ -20,36 +22,59 @@ if TYPE_CHECKING:
     from bringup_lint.model.launch import LaunchFile
     from bringup_lint.source import Span
 
+_VARIABLE = regex(r"\$\(var\s{1,20}['\"]?([^\s()'\"]+)", hints="$(var")
+
+_QUOTED = regex(r""""[^"\\\n]*(?:\\.[^"\\\n]*)*"|'[^'\\\n]*(?:\\.[^'\\\n]*)*'""")
+
 
 def reads_unseen(launch: Launch, files: Iterable[LaunchFile]) -> bool:
-    """Whether files may read launch configurations by names that are not in them: by computed names, or in parameter
-    files with substitutions."""
+    """Whether files may read launch configurations by names that are not known: by computed names, or in parameter
+    files with substitutions that are not in the tree."""
     unseen = _unseen(launch)
     return any(id(file) in unseen for file in files)
 
 
 @kept
 def _unseen(launch: Launch) -> frozenset[int]:
-    return frozenset(id(file) for file in launch.launch_files if file.reads_all or _substitutes(file))
+    known = _substituted(launch)
+    return frozenset(
+        id(file) for file in launch.launch_files if file.reads_all or any(name not in known for name in _filled(file))
+    )
 
 
-def _substitutes(file: LaunchFile) -> bool:
+def _filled(file: LaunchFile) -> Iterator[str]:
+    """The names of the parameter files that launch fills in for a launch file; empty where one is not known."""
     for action in walk_actions(file.actions):
         for source in getattr(action, "parameters", ()):
-            if any(isinstance(each, ParameterFile) and each.allow_substs is not None for each in walk(source)):
-                return True
-    return False
+            for each in walk(source):
+                if isinstance(each, ParameterFile) and each.allow_substs is not None:
+                    yield last_name(each.file).rpartition("/")[2]
+
+
+@kept
+def _substituted(launch: Launch) -> dict[str, set[str]]:
+    """By the name of a parameter file, the launch configurations that it reads where launch fills it in."""
+    found: dict[str, set[str]] = {}
+    for source in launch.files.of_kind("params"):
+        found.setdefault(source.basename, set()).update(_VARIABLE.findall(source.text))
+    return found
 
 
 def read_in(launch: Launch, files: Iterable[LaunchFile]) -> set[str]:
-    """The launch configurations that files read."""
+    """The launch configurations that files read, in parameter files, too."""
     reads = _reads(launch)
     return set().union(*(reads[id(file)] for file in files))
 
 
 @kept
 def _reads(launch: Launch) -> dict[int, frozenset[str]]:
-    return {id(file): frozenset(str(argument.name) for argument in file.reads) for file in launch.launch_files}
+    filled = _substituted(launch)
+    return {
+        id(file): frozenset(str(argument.name) for argument in file.reads).union(
+            *(filled.get(name, ()) for name in _filled(file))
+        )
+        for file in launch.launch_files
+    }
 
 
 @kept
@@ -112,5 +137,10 @@ def uses(text: str, variable: str, name: str) -> int:
     """How often a variable is named, without the place that makes it the default of the argument ``name``."""
     written = re.escape(variable)
     own_default = rf"""(['"]){re.escape(name)}\1\s*,\s*default_value\s*=\s*{written}(?!\w)"""
-    named = len(re.findall(rf"(?<![\w.'\"]){written}(?![\w'\"])", text))
+    named = len(re.findall(rf"(?<![\w.'\"]){written}(?![\w'\"])", _QUOTED.sub(_kept, text)))
     return named - len(re.findall(own_default, text))
+
+
+def _kept(quoted: re.Match[str]) -> str:
+    """A text names no variable, unless it is filled in."""
+    return quoted[0] if "{" in quoted[0] else ""

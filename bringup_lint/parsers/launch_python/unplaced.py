@@ -78,9 +78,10 @@ def _kept_call(node: ast.AST) -> Iterator[tuple[ast.Name, ast.Call]]:
 
 
 def _lone_call(node: ast.AST) -> Iterator[ast.Call]:
-    """The call that is a statement of its own."""
-    if isinstance(node, ast.Expr) and isinstance(node.value, ast.Call):
-        yield node.value
+    """The call that is a statement of its own, with a comma behind it or without."""
+    if isinstance(node, ast.Expr):
+        parts = node.value.elts if isinstance(node.value, ast.Tuple) else [node.value]
+        yield from (part for part in parts if isinstance(part, ast.Call))
 
 
 def _class_of(function: ast.expr, classes: dict[str, str]) -> str:

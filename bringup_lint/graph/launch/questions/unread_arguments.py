@@ -31,6 +31,8 @@ class UnreadArgument(NamedTuple):
     """Where files that include this one give it a value."""
     is_shared: bool
     """Another file of this name declares it too: both offer what a third one may include under a computed path."""
+    instead: Argument | None
+    """Another argument that a variable of this name reads."""
 
 
 def unread_arguments(launch: Launch, file: LaunchFile) -> Iterator[UnreadArgument]:
@@ -46,9 +48,18 @@ def unread_arguments(launch: Launch, file: LaunchFile) -> Iterator[UnreadArgumen
         if declared.file is not file or name in elsewhere or name in later:
             continue
         if name not in _read(launch)[id(file)] and _mentioned(launch, file, name) <= 1 + _idle(launch, file)[name]:
-            yield UnreadArgument(
-                declared, _passed(launch, file, name), _declaring(launch)[file.source.basename, name] > 1
-            )
+            is_shared = _declaring(launch)[file.source.basename, name] > 1
+            yield UnreadArgument(declared, _passed(launch, file, name), is_shared, _instead(file, name))
+
+
+def _instead(file: LaunchFile, name: str) -> Argument | None:
+    """What a variable that is called like an argument, or like its last words, reads in its place."""
+    found = (read for read, variable in file.bound if _is_for(variable, name) and not _is_for(variable, read.name))
+    return next(found, None)
+
+
+def _is_for(variable: str, name: str) -> bool:
+    return f"_{name}".endswith(f"_{variable}")
 
 
 @kept
