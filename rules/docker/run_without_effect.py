@@ -2,10 +2,10 @@
 
 ## What it finds
 A `RUN` that does nothing but `source` a file, `export` variables, `cd` or define an `alias`, and one that ends with an
-`export`. And a variable that one `RUN` sets and a later one reads, which neither ENV nor ARG nor the later step sets.
-One finding for each stage. A file that is sourced for nothing is an info where no later step of the stage
-calls anything of ROS without a setup file of its own, and so is a folder that is entered where nothing after it is
-relative to it.
+`export`. And a variable that one `RUN` sets and a later one reads, which neither ENV nor ARG nor the later step sets,
+nor what that sources. One finding for each stage. A file that is sourced for nothing is an info where no later step of
+the stage calls anything of ROS without a setup file of its own, and so is a folder that is entered where nothing after
+it is relative to it.
 
 ## Why it matters on a robot
 Every RUN has a shell of its own, and nothing of its environment is in the image: the next step builds without the
@@ -57,7 +57,14 @@ FROM_HERE = regex(
 )
 """A relative path in a command line, or a program that works on the folder in which it is started."""
 NAME = regex(r"([A-Za-z_]\w*)\+?=")
+SETS = "read|readarray|mapfile|getopts|printf|for|local"
+"""Words of the shell before a variable that they set."""
 USED = regex(r"(?<![\\$])\$\{?([A-Za-z_]\w*)\b(?![:\[]?[-=+?])", hints="$")
+LITERAL = regex(r"(?P<literal>'[^']*')|\"(?:\\[\s\S]|[^\"\\])*\"|\\[\s\S]")
+"""What is quoted; nothing is replaced between single quotes."""
+ALWAYS = "PATH HOME HOSTNAME PWD OLDPWD IFS OPTIND PPID SHLVL UID EUID RANDOM SECONDS LINENO PS1 PS2 PS4".split()
+"""Variables that docker or each shell sets by itself."""
+OF_ROS = regex(r"setup\.\w{0,2}sh[\"']?$")
 STARTS = ("RUN", "CMD", "ENTRYPOINT")
 BUILDS = regex(r"\b(?:colcon|ros2|ament_\w+|cmake)\b")
 """The same where the image knows ROS_DISTRO by itself."""
@@ -100,30 +107,55 @@ def _lost(stage: Stage) -> Iterator[Command]:
 def _read_later(stage: Stage, lost: list[Command]) -> Iterator[Finding]:
     """The first reading of each variable that only an earlier step has set."""
     known = {name for one in stage.chain for each in one.all("ENV") for name, _ in assignments(each)}
-    known.update(str(word).partition("=")[0] for each in stage.all("ARG") for word in each.value.words())
+    arguments = (word for one in stage.chain for each in one.all("ARG") for word in each.value.words())
+    known.update(ALWAYS, (str(word).partition("=")[0] for word in arguments))
     ended = {word.span for command in lost for word in command.words}
     before: dict[str, Located] = {}
     for instruction in stage.all("RUN"):
         if instruction.exec_form:
             continue
         own = dict(_set_by(instruction))
-        for script in instruction.scripts if before else ():
-            for match in USED.finditer(script):
-                name = match[1]
-                place = before.get(name)
-                if place is None or script.count("'", 0, match.start()) % 2:
-                    continue
-                del before[name]
-                if name not in own and not re.search(rf"\b(?:read|for|local)\b[^\n;|&]*\b{name}\b", script):
-                    yield finding(
-                        script.part(*match.span()),
-                        f"{name} is empty here: each RUN has a shell of its own, and an earlier one has set it",
-                        advice="join the two steps with &&, or set it with ENV or ARG",
-                        related=[note(place, "set in the shell of this step")],
-                    )
+        if before and not _sources(instruction):
+            yield from _empty(instruction, own, before)
         for name, word in own.items():
             if name not in known and word.span not in ended and (name.islower() or not may_set(stage.origin, name)):
                 before.setdefault(name, word)
+
+
+def _empty(instruction: Instruction, own: dict[str, Located], before: dict[str, Located]) -> Iterator[Finding]:
+    """What a step reads of the variables of earlier ones, each of which is taken out."""
+    for script in instruction.scripts:
+        for match in _replaced(script):
+            name = match[1]
+            place = before.pop(name, None)
+            if place is None or name in own:
+                continue
+            if not re.search(rf"\b(?:{SETS})\b[^\n;|&]*\b{re.escape(name)}\b", script):
+                yield finding(
+                    script.part(*match.span()),
+                    f"{name} is empty here: each RUN has a shell of its own, and an earlier one has set it",
+                    advice="join the two steps with &&, or set it with ENV or ARG",
+                    related=[note(place, "set in the shell of this step")],
+                )
+
+
+def _replaced(script: Located) -> Iterator[re.Match[str]]:
+    """Where a shell puts in the value of a variable."""
+    plain = LITERAL.sub(lambda match: " " * len(match[0]) if match["literal"] else match[0], script)
+    quotes = last = 0
+    for match in USED.finditer(plain):
+        quotes += plain.count("'", last, match.start())
+        last = match.start()
+        if quotes % 2 == 0:
+            yield match
+
+
+def _sources(instruction: Instruction) -> bool:
+    """Whether a step reads a file that may set anything: a setup file of ROS does not."""
+    return any(
+        command.name == "eval" or (command.name in ("source", ".") and not OF_ROS.search(command.words[-1]))
+        for command in commands_of_run(instruction)
+    )
 
 
 def _set_by(instruction: Instruction) -> Iterator[tuple[str, Located]]:
