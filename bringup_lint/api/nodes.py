@@ -114,6 +114,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.parameters.unread_parameters import unread_parameters
     from bringup_lint.graph.nodes.questions.python.abstract_classes import unfinished_classes
     from bringup_lint.graph.nodes.questions.python.call_fit import unfit_calls
+    from bringup_lint.graph.nodes.questions.python.class_attributes import class_attributes
     from bringup_lint.graph.nodes.questions.python.early_reads import early_reads
     from bringup_lint.graph.nodes.questions.python.half_made import half_made
     from bringup_lint.graph.nodes.questions.python.late_attributes import late_attributes
@@ -183,6 +184,7 @@ __all__ = [
     "busy_loops",
     "canceled_goals",
     "chain_to",
+    "class_attributes",
     "clock_mixes",
     "consequence",
     "converted",

@@ -2,16 +2,16 @@
 
 ## What it finds
 `self.x`, and `self.x += 1`, in a Python node when no code sets `x` and neither its base classes nor rclpy define it;
-and assignments to `self.subscriptions`, `self.publishers`, `self.clients`, `self.services`, `self.timers` and the
-other properties of `rclpy.node.Node` that cannot be set; and `get_parameter('x').double_value` or `.as_double()`,
-which are those of ParameterValue and of C++; and attributes that only a subscription sets and that a timer or another
+and assignments to `self.subscriptions`, `self.publishers`, `self.clients`, `self.services`, `self.timers` and the other
+properties of `rclpy.node.Node` that cannot be set; and `get_parameter('x').double_value` or `.as_double()`, which are
+those of ParameterValue and of C++; and attributes that only a subscription sets and that a timer or another
 subscription uses without asking whether the message came; and attributes whose every assignment comes behind a use of
 them; and those that a `try` of the constructor sets, whose `except` goes on, and that the constructor or a callback
-uses afterwards; and what the module rclpy does not have, such as `rclpy.Time` and the functions of rospy. The same
-holds for classes beside the nodes, in Python modules of the tree too, that build on nothing and that the code makes.
-Classes with bases that are not in the tree are left out. It is an info in a method that nothing calls, and after the
-`join()` of a thread, where the node has done its work. It is an info in packages that others wrote and the tree only
-carries.
+uses afterwards; and what the module rclpy does not have, such as `rclpy.Time` and the functions of rospy; and
+`Encoder.port`, where only the objects of the class Encoder have a port. The same holds for classes beside the nodes, in
+Python modules of the tree too, that build on nothing and that the code makes. Classes with bases that are not in the
+tree are left out. It is an info in a method that nothing calls, and after the `join()` of a thread, where the node has
+done its work. It is an info in packages that others wrote and the tree only carries.
 
 ## Why it matters on a robot
 Python looks an attribute up when the line runs: in the callback for a fault or an emergency stop, perhaps weeks later,
@@ -67,6 +67,7 @@ def undefined_attribute(robot: Robot) -> Iterator[Finding]:
     yield from _half_made(robot)
     yield from _untyped(robot)
     yield from _of_rclpy(robot)
+    yield from _of_objects(robot)
 
 
 def _missing(robot: Robot) -> Iterator[Finding]:
@@ -174,5 +175,18 @@ def _of_rclpy(robot: Robot) -> Iterator[Finding]:
                 file.span_of(lacking.place),
                 f"{lacking.error}: the module rclpy has no '{lacking.name}', and {lacking.end}",
                 advice=f"write {lacking.instead}",
+                severity=robot.nodes.lowered_if_vendored(file.source, "error"),
+            )
+
+
+def _of_objects(robot: Robot) -> Iterator[Finding]:
+    for file in robot.nodes.robot_sources:
+        for found in nodes.class_attributes(robot.nodes.syntax(file)):
+            name = found.place.attr
+            yield finding(
+                file.span_of(found.place),
+                f"AttributeError: the class {found.owner} has no '{name}', only its objects do, and {found.end}",
+                advice=f"take {name} from the object",
+                related=[note(file.span_of(found.set_at), "set on an object")],
                 severity=robot.nodes.lowered_if_vendored(file.source, "error"),
             )
