@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.params.questions.qos_overrides import qos_overrides
     from bringup_lint.graph.params.questions.time import simulated
     from bringup_lint.graph.params.questions.time import waits_for_time
+    from bringup_lint.graph.params.questions.unmatched_rewrites import unmatched_rewrites
     from bringup_lint.graph.params.questions.unread import Unread
     from bringup_lint.graph.params.questions.unread import unread
     from bringup_lint.graph.params.questions.wrong_types import WrongType
@@ -110,6 +111,7 @@ __all__ = [
     "undeclared",
     "unknown_frames",
     "unknown_to_public",
+    "unmatched_rewrites",
     "unreached",
     "unread",
     "unused",

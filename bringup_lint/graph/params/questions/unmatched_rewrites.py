@@ -1,0 +1,61 @@
+"""Files that RewrittenYaml shall give to parameters which the parameter file does not have."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.graph.launch.started import literal_text
+from bringup_lint.model.launch_values import DerivedFile
+from bringup_lint.model.launch_values import DictValue
+from bringup_lint.model.launch_values import ParameterFile as LaunchedFile
+from bringup_lint.model.launch_values import Value
+from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.source import Located
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.params.params import Params
+    from bringup_lint.model.params import ParameterFile
+
+
+class Unmatched(NamedTuple):
+    key: Located
+    file: ParameterFile
+    """The one that has no such key."""
+    given: str
+    """The name of the file that the parameter does not get."""
+
+
+def unmatched_rewrites(params: Params, launch: Launch) -> Iterator[Unmatched]:
+    """Rewrites of single names: those of a whole path with ``ros__parameters`` are added from Jazzy on."""
+    found: dict[tuple[str, int], Unmatched] = {}
+    for expansion in launch.entries:
+        for node in expansion.nodes:
+            for source in node.parameters:
+                for each in _of(params, launch, source):
+                    found.setdefault((each.key.span.source.name, each.key.span.start), each)
+    yield from found.values()
+
+
+def _of(params: Params, launch: Launch, source: Value) -> Iterator[Unmatched]:
+    derived = source.file if isinstance(source, LaunchedFile) else source
+    if not isinstance(derived, DerivedFile) or not isinstance(derived.rewrites, DictValue):
+        return
+    base = launch.find(derived.base) if derived.helper == "RewrittenYaml" else None
+    file = params.at_path(base.file) if base is not None and base.file is not None else None
+    if file is None:
+        return
+    for key, value in derived.rewrites.items:
+        name, given = literal_text(key), launch.find(value)
+        if name is None or "." in name or given is None or given.file is None or not name.span.source.judged:
+            continue
+        if not _has(file, name):
+            yield Unmatched(name, file, os.path.basename(given.file))
+
+
+def _has(file: ParameterFile, name: str) -> bool:
+    text = file.source.text
+    return name in text and re.search(rf"^[^#\n]*(?<![\w.]){re.escape(name)}['\"]?[ \t]*:", text, re.M) is not None
