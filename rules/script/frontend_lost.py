@@ -55,7 +55,7 @@ PROGRAMS = ("apt", "apt-get")
 ASKING = ("install", "upgrade", "dist-upgrade", "full-upgrade")
 
 
-@rule("warning", symptoms=["debconf: unable to initialize frontend: Dialog", "Configuring *"])
+@rule("warning", symptoms=["debconf: unable to initialize frontend: Dialog"])
 def frontend_lost(robot: Robot) -> Iterator[Finding]:
     places = {source: place for source in robot.of_kind("shell-script") if (place := _set_in(source)) is not None}
     if not places or robot.mentions(KEEPS):

@@ -57,7 +57,7 @@ PAGES = regex(r"\.(?:md|rst|txt|sh|bash|service)$|akefile$")
 MOST = 200_000
 
 
-@rule("warning", symptoms=["No such file or directory", "bash: cd: /home/*: No such file or directory"])
+@rule("warning", symptoms=["cd: /home/*: No such file or directory"])
 def home_of_one_user(robot: Robot) -> Iterator[Finding]:
     named: dict[tuple[str, str], list[Located]] = {}
     for source in robot.of_kind("shell-script"):

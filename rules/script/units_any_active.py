@@ -42,7 +42,7 @@ from bringup_lint.api.shell import Run
 ASKS = {"is-active": "active", "is-enabled": "enabled"}
 STOPS = regex(STRICT, re.M)
 BEFORE = regex(r"(?:^|[;{(]|\b(?:then|do|else)\b)[ \t]*(?:sudo[ \t]+)?$")
-"""What stands before a command whose own failure counts."""
+"""What may be in front of a command whose own failure counts."""
 ALONE = ("", "\n", ";")
 
 
