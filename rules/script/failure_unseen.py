@@ -5,6 +5,9 @@ A script without `set -e` in which two or more steps bring something - `apt-get 
 `rosdep install`, `vcs import`, `git clone`, `wget`, `curl`, `dpkg -i`, `make`, `colcon build` - and nobody looks at
 their results, and that ends with `echo`, `printf` or `rm`.
 
+Also, with `set -e` too, an installation that fails with nothing but a message (`apt-get install ... || echo "failed"`)
+before the script enables or starts a unit, whatever came of it.
+
 Silent if the script asks for `$?` or has a trap for ERR, if another one sources it, and where all the steps are builds
 with colcon, which script/build-unchecked judges.
 
@@ -72,6 +75,11 @@ BRINGS = {
 }
 """Program -> its commands that bring something; empty: it does nothing else."""
 SUCCEED = ("echo", "printf", "rm")
+STARTS = frozenset({"enable", "start", "restart"})
+PRINTS = ("echo", "printf")
+INSTALLERS = ("apt", "apt-get", "dpkg", "pip", "pip3")
+FAILED = regex(r"\b(?:[Ff]ailed|FAILED|[Ff]ailure|[Ee]rror|ERROR|[Cc]ould not|[Cc]annot|[Uu]nable to)\b")
+UNNEEDED = regex(r"\b(?:skip\w*|already|optional\w*|ignor\w*|continu\w*)\b", re.I)
 LEAST = 2
 """Steps; who ignores only one may mean it."""
 
@@ -79,7 +87,11 @@ LEAST = 2
 @rule("warning", confidence="medium", silent="the script ends with success")
 def failure_unseen(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("shell-script"):
-        if not source.judged or LOOKS.search(source.text) or robot.purpose(source).value != "robot":
+        if not source.judged or robot.purpose(source).value != "robot":
+            continue
+        if "||" in source.said and "systemctl" in source.said:
+            yield from _only_told(robot, source)
+        if LOOKS.search(source.text):
             continue
         runs = [did for did in robot.scripts.done(source) if isinstance(did, Run) and did.words]
         ignored = [run for run in runs if _is_ignored(run)]
@@ -98,6 +110,43 @@ def failure_unseen(robot: Robot) -> Iterator[Finding]:
                     note(last.words[0], "this succeeds in any case"),
                 ],
             )
+
+
+def _only_told(robot: Robot, source: Source) -> Iterator[Finding]:
+    """The first installation whose failure is only told, though a unit is enabled or started afterwards."""
+    runs = [did for did in robot.scripts.done(source) if isinstance(did, Run) and did.words]
+    started: Run | None = None
+    told: list[Run] = []
+    hidden: tuple[Run, Run, Run] | None = None
+    for run in reversed(runs):
+        if not run.certain:
+            told.append(run)
+            continue
+        if started is not None and _installs(run) and _is_message(told):
+            hidden = run, told[-1], started
+        if run.name == "systemctl" and not run.command.depth and STARTS & {*run.arguments}:
+            started = run
+        told = []
+    if hidden is not None:
+        install, message, unit = hidden
+        yield finding(
+            install.words[0],
+            "When this fails, the script only says so, and starts the unit without what it has to install",
+            advice="write exit 1 after the message",
+            related=[note(message.words[0], "the message"), note(unit.words[0], "this runs all the same")],
+        )
+
+
+def _is_message(told: list[Run]) -> bool:
+    """Whether the commands after ``||`` only say that something failed."""
+    said = " ".join(" ".join(each.words) for each in reversed(told))
+    return {each.name for each in told} <= {*PRINTS} and bool(FAILED.search(said)) and not UNNEEDED.search(said)
+
+
+def _installs(run: Run) -> bool:
+    if run.command.ends != "||" or run.command.depth or run.name not in INSTALLERS:
+        return False
+    return any(word in BRINGS[run.name] for word in run.arguments)
 
 
 def _is_sourced(robot: Robot, source: Source) -> bool:
