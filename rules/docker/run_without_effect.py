@@ -64,7 +64,7 @@ LITERAL = regex(r"(?P<literal>'[^']*')|\"(?:\\[\s\S]|[^\"\\])*\"|\\[\s\S]")
 """What is quoted; nothing is replaced between single quotes."""
 ALWAYS = "PATH HOME HOSTNAME PWD OLDPWD IFS OPTIND PPID SHLVL UID EUID RANDOM SECONDS LINENO PS1 PS2 PS4".split()
 """Variables that docker or each shell sets by itself."""
-OF_ROS = regex(r"setup\.\w{0,2}sh[\"']?$")
+SETUP = regex(r"setup\.\w{0,2}sh[\"']?$")
 STARTS = ("RUN", "CMD", "ENTRYPOINT")
 BUILDS = regex(r"\b(?:colcon|ros2|ament_\w+|cmake)\b")
 """The same where the image knows ROS_DISTRO by itself."""
@@ -153,7 +153,7 @@ def _replaced(script: Located) -> Iterator[re.Match[str]]:
 def _sources(instruction: Instruction) -> bool:
     """Whether a step reads a file that may set anything: a setup file of ROS does not."""
     return any(
-        command.name == "eval" or (command.name in ("source", ".") and not OF_ROS.search(command.words[-1]))
+        command.name == "eval" or (command.name in ("source", ".") and not SETUP.search(command.words[-1]))
         for command in commands_of_run(instruction)
     )
 
