@@ -16,6 +16,8 @@ from bringup_lint.model.python import walk
 from bringup_lint.named_tuple import NamedTuple
 
 DEPTH = 12
+VALUES = 16
+"""Values of one name that are looked at."""
 _BINDING = frozenset(
     (
         *(ast.Assign, ast.AnnAssign, ast.AugAssign, ast.NamedExpr, ast.Delete),
@@ -84,13 +86,15 @@ class MessageTypes:
 
     def values(self, node: ast.expr) -> list[ast.expr]:
         """All that a function binds to a local name, or a class to an attribute of its own; empty where part of that is
-        not known."""
+        not known, or very much."""
         function, outer = self.syntax.function(node), self.syntax.definition(node)
         found: list[Bound] | tuple[()] = ()
         if isinstance(node, ast.Name) and function is not None and node.id not in self._arguments.get(function, {}):
             found = self._bindings(function).get(node.id, ())
         elif isinstance(node, ast.Attribute) and is_self(node.value) and outer is not None:
             found = self._set_in(outer).get(node.attr, ()) if node.attr not in self._foreign else ()
+        if len(found) > VALUES:
+            return []
         known = [each.value for each in found if each.value is not None and not each.element]
         return known if len(known) == len(found) else []
 
