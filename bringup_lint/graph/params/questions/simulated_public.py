@@ -65,7 +65,8 @@ def _of_includes(launch: Launch, expansion: Expansion) -> Iterator[OfPublic]:
             continue
         passed = (include.values[name] for name in _FILES if name in include.values)
         overruled = next((false for value in passed if (false := _false(launch, value)) is not None), None)
-        yield OfPublic(include.action.span, where.package, os.path.basename(where.path), overruled)
+        first = next((name.span for name, _ in include.action.arguments), include.action.span)
+        yield OfPublic(first, where.package, os.path.basename(where.path), overruled)
 
 
 def _by_default(file: Value) -> Place | None:
