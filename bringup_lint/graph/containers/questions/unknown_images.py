@@ -67,8 +67,11 @@ def _named(stage: Stage) -> Iterator[Located]:
 
 def _is_made(compose: Compose, name: str) -> bool:
     """Whether a file of the tree may make an image of this name, or give it as a build context."""
-    if compose.images.is_built(name) or any(each.stage(name) for each in compose.images.dockerfiles):
+    if compose.images.is_built(name):
         return True
+    has_bake = any(path.endswith(".hcl") for path in compose.tree.paths)
+    if has_bake and any(each.stage(name) for each in compose.images.dockerfiles):
+        return True  # a bake file may give the stages of one file to another
     written = re.compile(rf"(?<![\w.-]){re.escape(name)}(?![\w.-])", re.I)
     generic = _OF_STAGES.fullmatch(name) is not None
     return any(_speaks_of(text, written, generic) for text in _texts(compose) if written.search(text))
