@@ -67,6 +67,12 @@ class Images:
                     found.setdefault(name.repository, []).append(Built(name, stage, build.where))
         return found
 
+    @cached_property
+    def computed(self) -> frozenset[str]:
+        """The names, as they are written, of images that the tree builds and of which the repository is not known."""
+        builds = (build for build, _ in [*self._services(), *self._commands()])
+        return frozenset(text for build in builds for text in build.names if _known(text) is None)
+
     def is_built(self, image: str) -> bool:
         """Whether something of the tree builds an image of this repository."""
         return image_name(image).repository in self.built

@@ -14,6 +14,7 @@ from bringup_lint.source import Located
 
 if TYPE_CHECKING:
     from bringup_lint.graph.containers.compose import Compose
+    from bringup_lint.graph.containers.images import Images
     from bringup_lint.model.dockerfile import Dockerfile
     from bringup_lint.model.dockerfile import Stage
 
@@ -25,6 +26,15 @@ _OF_STAGES = regex(
 """Names that people give to stages, and that stand for other things in scripts and pages."""
 _SPEAKS = regex(r"docker|podman|buildah|nerdctl|\btags?\b|(?:^|\s)-t\s|image|contexts?\b|target", re.I)
 """What a line that makes an image, or lends its name to one, has beside the name."""
+_OTHERS = regex(
+    r"(?i)(?:\.(?:adoc|txt|ya?ml|toml|json|env|cfg|conf|ini|tf|gradle|groovy|cmake|j2)"
+    r"|(?:^|/)(?:Jenkinsfile|Earthfile|Tiltfile|Vagrantfile|CMakeLists\.txt|\.env[^/]*))$"
+)
+"""More files that may name what is built somewhere."""
+_SIZE = 200_000
+_COMPUTED = regex(
+    r"\$\{[^}]{0,80}\}|\$\$?\([^)]{0,80}\)|\$\w+|\$[@<*?]|\{\{[^}]{0,80}\}\}|\{[^}]{0,80}\}|%\w%?|<[^>]{0,80}>"
+)
 
 
 class UnknownImage(NamedTuple):
@@ -67,14 +77,30 @@ def _named(stage: Stage) -> Iterator[Located]:
 
 def _is_made(compose: Compose, name: str) -> bool:
     """Whether a file of the tree may make an image of this name, or give it as a build context."""
-    if compose.images.is_built(name):
+    images = compose.images
+    if images.is_built(name) or name.endswith(_of_services(images)):
+        return True
+    if any(_may_mean(computed, name) for computed in images.computed):
         return True
     has_bake = any(path.endswith(".hcl") for path in compose.tree.paths)
-    if has_bake and any(each.stage(name) for each in compose.images.dockerfiles):
+    if has_bake and any(each.stage(name) for each in images.dockerfiles):
         return True  # a bake file may give the stages of one file to another
     written = re.compile(rf"(?<![\w.-]){re.escape(name)}(?![\w.-])", re.I)
     generic = _OF_STAGES.fullmatch(name) is not None
     return any(_speaks_of(text, written, generic) for text in _texts(compose) if written.search(text))
+
+
+def _may_mean(computed: str, name: str) -> bool:
+    """Whether a name of which parts are computed may be this one."""
+    parts = image_name(_COMPUTED.sub("*", computed)).repository.split("*")
+    return len(parts) > 1 and re.fullmatch(".*".join(map(re.escape, parts)), name, re.I) is not None
+
+
+def _of_services(images: Images) -> tuple[str, ...]:
+    """The ends of the names that compose gives to the images which it builds: behind that of the project."""
+    services = (service for file in images.compose_files for service in file.services)
+    names = [str(service.name).lower() for service in services if service.build is not None and service.image is None]
+    return tuple(f"{sign}{name}" for name in names for sign in "-_")
 
 
 def _speaks_of(text: str, written: re.Pattern[str], generic: bool) -> bool:
@@ -85,4 +111,5 @@ def _speaks_of(text: str, written: re.Pattern[str], generic: bool) -> bool:
 
 def _texts(compose: Compose) -> Iterator[str]:
     yield from (source.text for source in compose.images.texts)
+    yield from compose.tree.pages(_OTHERS, _SIZE)
     yield from (source.text for source in compose.tree.sources if source.kind in ("compose", "devcontainer"))
