@@ -36,6 +36,10 @@ _QUOTED = regex(r"[\"']([^\"'\n]{2,200})[\"']")
 _STARTS = regex(r"\b(?:executable|node_executable|exec|type)\s{0,4}=\s{0,4}[\"']([\w.-]{2,100})[\"']")
 _LOADS = regex(r"\bplugin\s{0,4}=\s{0,4}[\"'](?:\w+::){1,8}(\w+)[\"']")
 _CODE = regex(r"\b(?:Node|IncludeLaunchDescription|add_action)\s{0,4}\(")
+_PROSE = regex(r"(?<![A-Za-z])[A-Za-z]{2,20} {1,4}[A-Za-z]{2,20} {1,4}[A-Za-z]{2}")
+"""Of a comment that says something: code hardly has three words in a row."""
+_AFFIX = 4
+"""Letters of the fixed part of a computed name, at least."""
 _COMMAND = regex(r"\bros2[ \t]|\brosrun\b")
 """Of a comment that says how a person starts something."""
 _TYPED = regex(r"\b(?:ros2|python3?|bash|source|sudo|systemctl|docker|just|make|tmux|rosrun|roslaunch)\b|\./")
@@ -57,7 +61,10 @@ _QUOTED_ENTRY = regex(r"[\"'][ \t]*([\w.-]+)[ \t]*=[ \t]*([\w.]+)[ \t]*:[ \t]*\w
 _IMPORT = regex(r"(?m)^[ \t]*(?:from|import)\b[^\n#(]*(?:\([^()]*\))?")
 _BUILT = regex(r"\badd_(executable|library)[ \t]*\(\s*([\w.-]+)\s([^()]*)\)")
 _SOURCE = regex(r"(?<![\w.-])([\w.-]{1,120}\.c(?:pp|c|xx))\b")
-_GATHERS = regex(r"(?i)\bGLOB(?:_RECURSE)?\b|\baux_source_directory\b|\}[\w.-]{0,80}\.c(?:pp|c|xx)\b")
+_GATHERS = regex(
+    r"(?i)\bGLOB(?:_RECURSE)?\b|\baux_source_directory\b|\}[\w.-]{0,80}\.c(?:pp|c|xx)\b"
+    r"|\bament_auto_add_\w{1,20}\s{0,4}\([^()]{0,200}\bDIRECTORY\b"
+)
 """Commands of CMake that may build files which they do not name."""
 _REMARKS = regex(r"(?m)^[ \t]*#+[ \t]*([^\n]*)")
 _PLUGIN = regex(r"\bPLUGIN\s+\"?(?:\w+::)*(\w+)\"?(?:\s+EXECUTABLE\s+\"?([\w.-]+))?")
@@ -92,7 +99,7 @@ class SwitchedOff:
         found = {source: _python(source, idle[source]) for source in sources if source in idle}
         for source in self._files.of_kind("launch-xml", "launch-yaml"):
             remarks = _REMARK[source.kind]
-            off = [each[0] for each in remarks.finditer(source.text) if not _COMMAND.search(each[0])]
+            off = [each[0] for each in remarks.finditer(source.text) if _is_code(each[0])]
             found[source] = _Text(remarks.sub("", source.text), "\n".join(off))
         return found
 
@@ -150,21 +157,31 @@ class SwitchedOff:
 
     @cached_property
     def _started(self) -> frozenset[str]:
-        """Every word of what may start a program."""
+        """Every word of what may start a program, and the last part of each module."""
         found: set[str] = set()
         for source, text in self._live_texts((*_BUILDING, "params", "urdf")):
             if source in self._given:
                 continue
             if source is None or source.kind not in _PROGRAMS or _RUNS.search(text):
-                found |= words(text)
+                here = words(text)
+                found |= here
+                found.update(word.rpartition(".")[2] for word in here if "." in word)
         return frozenset(found)
+
+    def _may_start(self, names: Iterable[str]) -> Iterator[str]:
+        """The names that launch files may put together from a fixed part and one that they compute."""
+        found = {word for text in self._texts.values() for word in words(text.live) if len(word) >= _AFFIX}
+        starts = tuple(word for word in found if word.endswith(("_", "-")))
+        ends = tuple(word for word in found if word.startswith("_"))
+        yield from (name for name in names if name.startswith(starts) or name.endswith(ends))
 
     @cached_property
     def _off(self) -> frozenset[str]:
         """The programs and the classes of components that are switched off, and that nothing starts."""
         texts = (*(text.off for text in self._texts.values()), *(source.text for source in self._given))
         names = {name for text in texts for name in (*_STARTS.findall(text), *_LOADS.findall(text))}
-        return frozenset(names - self._started) if names else frozenset()
+        left = names - self._started if names else names
+        return frozenset(left.difference(self._may_start(left))) if left else frozenset()
 
     @cached_property
     def _programs(self) -> frozenset[str]:
@@ -255,9 +272,17 @@ def _python(source: Source, file: LaunchFile) -> _Text:
         if token.start() >= start:
             continue
         text = token[0] if token["long"] is None else token[0][3:-3]
-        is_code = token["text"] is None and (token["long"] is None or _CODE.search(text))
-        (off if is_code and not _COMMAND.search(text) else live).append(text)
+        is_off = token["text"] is None and (_is_code(text) if token["long"] is None else _CODE.search(text))
+        (off if is_off and not _COMMAND.search(text) else live).append(text)
     return _Text("\n".join(live), "\n".join(off))
+
+
+def _is_code(remark: str) -> bool:
+    """Whether a comment puts away code, and does not say something to people."""
+    if remark.startswith("<!--"):
+        return "<" in remark[1:] and _COMMAND.search(remark) is None
+    words, _, _ = _QUOTED.sub('""', remark.strip().lstrip("#")).partition("#")
+    return _PROSE.search(words) is None and _COMMAND.search(remark) is None
 
 
 def _switched(text: str) -> Iterator[str]:

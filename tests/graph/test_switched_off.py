@@ -66,11 +66,28 @@ BUILT = "project(otter)\nadd_executable(weir src/weir.cpp)\n"
         ({**ALONE, "launch/a.launch.py": LAUNCH % (f"'''{WEIR}'''", "")}, BOTH),
         ({**ALONE, "launch/a.launch.py": LAUNCH % ("'''with 'weir' and 'weir.yaml' '''", "")}, []),
         ({**ALONE, "launch/a.launch.py": LAUNCH % (f"# ros2 run: {WEIR}", "")}, []),
+        ({**ALONE, "launch/a.launch.py": LAUNCH % ("# 'weir.launch.py' and 'weir.yaml' are used by hand", "")}, []),
+        (
+            {**ALONE, "launch/b.launch.py": LAUNCH % ("", "*[Node(package='o', executable=f'we{n}') for n in 'ir'],")},
+            BOTH,
+        ),
+        (
+            {**ALONE, "launch/b.launch.py": LAUNCH % ("", "*[Node(package='o', executable=f'{n}_run') for n in 'ab'],")}
+            | {"launch/a.launch.py": LAUNCH % (WEIR.replace("'weir'", "'a_run'"), "")}
+            | {"setup.py": SETUP % "'a_run = otter.weir:main'"},
+            ["config/weir.yaml"],
+        ),
+        (
+            {**ALONE, "weir.service": "[Service]\nExecStart=python3 -m otter.weir\n"}
+            | {"setup.py": SETUP % "# 'weir = otter.weir:main'"},
+            ["config/weir.yaml"],
+        ),
         ({**ALONE, "launch/a.launch.py": LAUNCH % ("", "")}, []),
         ({**ALONE, "launch/a.launch.py": "def broken(:\n"}, []),
         ({**ALONE, "launch/b.launch.xml": XML % '<node pkg="otter" exec="weir"/>'}, ["config/weir.yaml"]),
         ({**ALONE, "launch/b.launch.xml": XML % '<!-- <node pkg="otter" exec="weir"/> -->'}, BOTH),
         ({**ALONE, "launch/b.launch.xml": XML % "<!-- ros2 run otter weir -->"}, BOTH),
+        ({"launch/b.launch.xml": XML % "<!-- 'weir.yaml' is for tests -->", "config/weir.yaml": PARAMS}, []),
         (
             {**ALONE, "launch/b.launch.xml": XML % '<node pkg="o" exec="x"><param from="$(var d)/weir.yaml"/></node>'},
             BOTH[1:],
@@ -125,6 +142,13 @@ BUILT = "project(otter)\nadd_executable(weir src/weir.cpp)\n"
             [],
         ),
         ({"src/weir.cpp": CPP, "CMakeLists.txt": f"project(otter)\n# {BUILT}\nadd_library(x src/weir.cpp)\n"}, []),
+        (
+            {
+                "src/weir.cpp": CPP,
+                "CMakeLists.txt": "# add_executable(weir src/weir.cpp)\nament_auto_add_library(all DIRECTORY src)\n",
+            },
+            [],
+        ),
         (
             {"src/weir.cpp": COMPONENT, "a.launch.py": LAUNCH % (f"{COMPOSED}\n    {UNLOADED}", "")},
             ["src/weir.cpp"],
