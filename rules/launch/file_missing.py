@@ -6,9 +6,9 @@ launch file, that neither exist in the source nor are made by the build: as para
 arguments of included launch files, defaults among them, and where the code of the launch file reads them itself. Files
 that git ignores or a build makes are left alone, those that the launch file asks for before it uses them, and those
 that a node of the tree or, by its name, a program writes. It is an info where the path is the value of an argument that
-nothing reads, and where each file that includes the launch file gives another value, or switches off what takes the
-path. Where a folder between is not known, the file is missing if the whole tree has none of its name. Included launch
-files and parameter files have rules of their own.
+nothing reads, and where nothing else starts the launch file and each file that includes it gives another value, or
+switches off what takes the path. Where a folder between is not known, the file is missing if the whole tree has none of
+its name. Included launch files and parameter files have rules of their own.
 
 ## Why it matters on a robot
 The program that is given the path ends, or runs without the file: map_server does not activate, RViz shows an empty
@@ -131,7 +131,7 @@ def _is_replaced(robot: Robot, reference: Reference) -> bool:
     the path."""
     file = robot.launch.of_source(reference.span.source)
     leading = [] if file is None else [each for each in robot.launch.leading_to(file) if each.entry is not file]
-    if file is None or not leading:
+    if file is None or not leading or _is_started_so(robot, file, reference.key):
         return False
     given = [reference.key in each.arguments for one in leading for each in one.includes if each.target is file]
     return (
@@ -140,6 +140,12 @@ def _is_replaced(robot: Robot, reference: Reference) -> bool:
         else _is_started(robot.launch.expansion(file), file, reference.span)
         and not any(_is_started(each, file, reference.span) for each in leading)
     )
+
+
+def _is_started_so(robot: Robot, file: LaunchFile, name: str) -> bool:
+    """Whether a unit or a script of the tree starts the launch file itself, without the argument, or without any."""
+    given = ({str(name) for name, _ in each.arguments} for each in robot.runners.launching(file))
+    return any(name not in names if name else not names for names in given)
 
 
 def _is_started(expansion: launch.Expansion, file: LaunchFile, span: Span) -> bool:

@@ -11,6 +11,7 @@ from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.facts.ros.released import released
 from bringup_lint.graph.launch.packages import is_known_package
 from bringup_lint.graph.launch.references import references
+from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.memo import memo
 from bringup_lint.graph.workspace import Found
 from bringup_lint.graph.workspace import Package
@@ -38,22 +39,28 @@ class CopiedPackage(NamedTuple):
 
 
 def copied_packages(launch: Launch, is_fetched: Callable[[str], bool]) -> Iterator[CopiedPackage]:
-    """Each place once, where a launch file that nobody passes anything to asks for such a file other than itself.
+    """Each place once, where a launch file that nobody passes anything to asks for such a file other than itself. A
+    package that is asked for more than that may be a real one, of another repository.
     ``is_fetched``: whether a list of repositories or a command names a package."""
     known = _Known(launch, is_fetched)
     seen = set()
+    found: list[CopiedPackage] = []
+    real: set[str] = {name for node in launch.nodes if (name := literal_text(node.package)) is not None}
     for file in launch.judged:
         owner = launch.workspace.owner(file.source)
         if owner is None or file.ros1:
             continue
         for each in references(launch.expansion(file), file, known.find):
             where, name = place(each.value), package_asked(each.value)
-            if where is None or name is None or each.optional or name.span in seen:
+            if where is None or name is None or each.optional:
                 continue
             path = os.path.join(owner.folder, where.path)
-            if where.path and path != file.source.absolute and launch.files.tree.is_file(path):
+            if where.path and not launch.files.tree.is_file(path):
+                real.add(str(name))
+            elif where.path and path != file.source.absolute and name.span not in seen:
                 seen.add(name.span)
-                yield CopiedPackage(name, where.path, owner)
+                found.append(CopiedPackage(name, where.path, owner))
+    yield from (each for each in found if each.name not in real)
 
 
 class _Known:
