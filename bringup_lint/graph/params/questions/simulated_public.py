@@ -31,6 +31,10 @@ if TYPE_CHECKING:
 _NAME = "use_sim_time"
 _FILES = ("slam_params_file", "params_file")
 _FALSE = regex(r"^[ \t]*use_sim_time[ \t]*:[ \t]*(false|no|off)\b", re.I | re.M, hints="use_sim_time")
+_PLAYED = regex(r"--clock\b", hints="--clock")
+"""Of ros2 bag play: it publishes the time of the recording."""
+_PAGES = regex(r"(?i)\.(?:md|rst|txt)$")
+_SIZE = 200_000
 
 
 class OfPublic(NamedTuple):
@@ -46,7 +50,7 @@ def simulated_by_public(launch: Launch, runners: Runners) -> Iterator[OfPublic]:
     simulation or with parameters that ask for the real clock."""
     found: dict[tuple[str, int], OfPublic] = {}
     for expansion in launch.entries:
-        if not launch.simulated(expansion.entry):
+        if not launch.simulated(expansion.entry) and not _is_passed(launch, runners, expansion.entry):
             for each in _of_includes(launch, expansion):
                 found.setdefault((each.where.source.name, each.where.start), each)
     for each in _of_commands(runners):
@@ -54,6 +58,15 @@ def simulated_by_public(launch: Launch, runners: Runners) -> Iterator[OfPublic]:
     if found:
         simulates = _simulates(launch)
         yield from (each for each in found.values() if each.overruled is not None or not simulates)
+
+
+def _is_passed(launch: Launch, runners: Runners, file: LaunchFile) -> bool:
+    """Whether all commands that start a launch file pass the argument, which the files that it includes see, or a page
+    says so."""
+    if _NAME in runners.always_passed(file):
+        return True
+    told = re.compile(rf"\b{re.escape(file.source.basename)}\b[^\n]*\b{_NAME}:=")
+    return any(_NAME in text and told.search(text) for text in launch.files.tree.pages(_PAGES, _SIZE))
 
 
 def _of_includes(launch: Launch, expansion: Expansion) -> Iterator[OfPublic]:
@@ -107,8 +120,9 @@ def _of_commands(runners: Runners) -> Iterator[OfPublic]:
 
 
 def _simulates(launch: Launch) -> bool:
-    """Whether a tree has something of a simulation: a file named so, or a launch file that starts a simulator."""
-    if any(is_simulation(source.name) for source in launch.files.sources):
+    """Whether a tree has something of a simulation: a file named so, a recording that is played with its clock, or a
+    launch file that starts a simulator."""
+    if any(is_simulation(source.name) for source in launch.files.sources) or launch.files.mentions(_PLAYED):
         return True
     return any(map(is_simulator, {package for file in launch.launch_files for package in _started(launch, file)}))
 
