@@ -18,9 +18,12 @@ _EARLY = ("network.target", "network-pre.target", "NetworkManager.service", "sys
 """Units that are up before any interface has an address."""
 _WAITS = regex(
     r"wait-online|nm-online|\bping\b|wait[-_ ]?for[-_ ]?(?:the[-_ ])?(?:net|ip\b|interface)"
-    r"|\bip (?:-\S+ ){0,8}(?:a|addr|route)\b|\b(?:until|while)\b[^\n]{0,80}\b(?:nmcli|networkctl|hostname -I)\b"
+    r"|\b(?:until|while)\b[^\n]{0,80}\b(?:nmcli|networkctl|hostname -I)\b"
 )
 """What a script does that waits for the network itself."""
+_SHOWS = regex(r"\bip (?:-\S+ ){0,8}(?:a|addr|route)\b")
+_AGAIN = regex(r"\b(?:until|while|for|sleep|timeout|exit)\b")
+"""What a script does that asks for addresses until there are some."""
 _INSTALLED = regex(r"/lib/[\w-]{1,80}/([\w.-]{1,80}\.(?:ba)?sh)\b")
 """A script of a package where colcon installs it, whose prefix is computed."""
 
@@ -58,10 +61,15 @@ def too_early(units: Units) -> Iterator[TooEarly]:
 def waits_itself(unit: Unit, units: Units) -> bool:
     """Whether a command of the unit waits for the network, or a script whose name it has and that the tree installs."""
     texts = [text for process in units.processes(unit) for text in process.texts]
-    if any(map(_WAITS.search, texts)):
+    if any(map(_waits, texts)):
         return True
     names = {name for text in texts for name in _INSTALLED.findall(text)}
-    return any(each.basename in names and _WAITS.search(each.text) for each in units.files.of_kind("shell-script"))
+    return any(each.basename in names and _waits(each.text) for each in units.files.of_kind("shell-script"))
+
+
+def _waits(text: str) -> bool:
+    """Whether a script waits, and does not only show or set an address."""
+    return _WAITS.search(text) is not None or (_SHOWS.search(text) is not None and _AGAIN.search(text) is not None)
 
 
 def edits_to_wait(early: TooEarly, units: Units) -> Iterator[tuple[Located | Span, str]]:
