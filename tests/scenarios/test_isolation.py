@@ -50,13 +50,15 @@ class Plant:
     source: str = ""
     seen: dict[str, set[str]] = field(default_factory=lambda: defaultdict(set))
     """Function -> the sources that it was called with."""
+    is_ahead: bool = False
+    """What a report may ask for is made ahead, and what fails there fails again when a report asks for it."""
 
     def wrapped(self, name: str, function: Callable[..., Any]) -> Callable[..., Any]:
         @functools.wraps(function)
         def call(*arguments: Any, **named: Any) -> Any:
             for value in (*arguments, *named.values()):
                 source = _source_of(value)
-                if source is not None:
+                if source is not None and not self.is_ahead:
                     self.seen[name].add(source.name)
                     if self.function == name and source.name == self.source and source.text:
                         raise Planted
@@ -84,6 +86,14 @@ def plant() -> Iterator[Plant]:
         for name, value in list(vars(module).items()):
             if inspect.isfunction(value) and value in wrapped:
                 patch.setattr(module, name, wrapped[value])
+    make_ahead = Robot.let_go_of_syntax
+
+    def let_go_of_syntax(robot: Robot) -> None:
+        planted.is_ahead = True
+        make_ahead(robot)
+        planted.is_ahead = False
+
+    patch.setattr(Robot, "let_go_of_syntax", let_go_of_syntax)
     yield planted
     patch.undo()
 
