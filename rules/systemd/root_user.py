@@ -12,7 +12,7 @@ A service of the system manager that runs as root (`User=` is not set or is root
 
 `User=root` is an info where a comment of the unit, or a page of the tree that names it, says that it runs as root or
 needs root, and no other user runs ROS; so it is where a node of the tree drives LEDs through `rpi_ws281x`, or opens
-`/dev/mem`.
+`/dev/mem`, unless the unit starts other packages only.
 
 Commands that change the user themselves, containers, and programs whose XAUTHORITY= is a file of root are exempt.
 
@@ -56,6 +56,7 @@ from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.launch import literal_text
 from bringup_lint.api.systemd import NeedlessRoot
 from bringup_lint.api.systemd import Process
 from bringup_lint.api.systemd import Unit
@@ -121,9 +122,23 @@ def _is_explained(robot: Robot, unit: Unit) -> bool:
 
 
 def _is_needed(robot: Robot, unit: Unit, needless: NeedlessRoot) -> bool:
-    """Whether User=root is written, and a node of the tree writes to registers, which root alone may."""
-    is_meant = unit.identity.user is not None and needless.work is Work.ROS
-    return is_meant and any(each.matches(REGISTERS) for each in robot.of_kind("python-node", "cpp-node", "cpp-driver"))
+    """Whether User=root is written, and a node that the unit may start writes to registers, which root alone may."""
+    if unit.identity.user is None or needless.work is not Work.ROS:
+        return False
+    nodes = [each for each in robot.of_kind("python-node", "cpp-node", "cpp-driver") if each.matches(REGISTERS)]
+    owners = (robot.launch.workspace.owner(each) for each in nodes)
+    names = {None if owner is None else owner.name for owner in owners}
+    started = _started(robot, unit) if names else set()
+    return bool(names) and (None in names or None in started or not names.isdisjoint(started))
+
+
+def _started(robot: Robot, unit: Unit) -> set[str | None]:
+    """The packages of which a unit starts programs; None among them when there may be others."""
+    found = {str(ros.package) if ros.package else None for runner, ros in robot.runners.run if runner.unit is unit}
+    launches = [robot.runners.expansion(each.start) for each in robot.runners.launches if each.runner.unit is unit]
+    for each in launches:
+        found |= {None} if each is None else {literal_text(node.package) for node in each.nodes}
+    return found or {None}
 
 
 def _without_user(unit: Unit, needless: NeedlessRoot, others: set[str | None], severity: str | None) -> Finding:
