@@ -2,8 +2,7 @@
 
 ## What it finds
 `systemctl mask` or `disable` of `systemd-networkd-wait-online.service` or `NetworkManager-wait-online.service` in a
-script of a robot whose units start ROS at boot, when no other wait service is enabled by the tree. Info where none of
-these units is ordered after `network-online.target`.
+script of a robot whose units start ROS at boot, when no other wait service is enabled by the tree.
 
 ## Why it matters on a robot
 network-online.target is reached at once when nothing waits. `After=network-online.target` is then an empty word: DDS
@@ -64,7 +63,6 @@ def wait_online_masked(robot: Robot) -> Iterator[Finding]:
                 advice="limit the wait instead: a drop-in with --interface=eth0 --timeout=30",
                 related=[note(place, f"{name} starts at boot") for name, place in waiting[:3]],
                 confidence="medium",
-                severity=None if any(place == ONLINE for _, place in waiting) else "info",
             )
 
 
