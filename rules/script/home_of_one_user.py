@@ -3,8 +3,8 @@
 ## What it finds
 `/home/NAME/FOLDER/...` in a script, where another place of the tree has the same folder in the home of whoever works
 with it: `~/FOLDER` or `$HOME/FOLDER`. Silent for the users that images of boards have (`ubuntu`, `pi` and the like),
-that the tree makes or that its units run as, for the folders in which a page has people work, for folders of containers
-and other computers, and where the script asks whether the path is there.
+that the tree makes, becomes or logs in as, that its units run as, for the folders in which a page has people work, for
+folders of containers and other computers, and where the script asks whether the path is there.
 
 ## Why it matters on a robot
 The script is right for the account of its author. On a robot with another user, "No such file or directory": the setup
@@ -51,8 +51,10 @@ OF_BOARDS = regex(
 )
 ELSEWHERE = regex(
     r"#|\b(?:ssh|scp|rsync|docker|podman|distrobox)\b|\[[ \t]{1,4}(?:![ \t]{1,4})?-[defrsx][ \t]|\btest[ \t]{1,4}-"
+    r"|\bfor[ \t]{1,4}\w+[ \t]{1,4}in[ \t]"
 )
-"""Before the path on its line: a comment, another computer or a container, or the question whether it is there."""
+"""Before the path on its line: a comment, another computer or a container, the question whether it is there, or
+several to choose from."""
 PAGES = regex(r"\.(?:md|rst|txt|sh|bash|service)$|akefile$")
 MOST = 200_000
 
@@ -67,6 +69,7 @@ def home_of_one_user(robot: Robot) -> Iterator[Finding]:
     known = (*container_folders(robot.of_kind(*CONTAINER_KINDS)), *own_homes(robot)) if named else ()
     for (user, folder), paths in named.items():
         left = [path for path in paths if not is_in_container(path, known)]
+        left = [] if left and _is_of_robot(robot, user) else left
         place = _of_everybody(robot, folder) if left else None
         if place is not None:
             yield finding(
@@ -85,6 +88,17 @@ def _named(source: Source) -> Iterator[tuple[Located, str, str]]:
     for match in PATH.finditer(source.said):
         if not OF_BOARDS.fullmatch(match["user"]) and not ELSEWHERE.search(source.line_before(match.start())):
             yield source.located(*match.span()), match["user"], match["folder"]
+
+
+def _is_of_robot(robot: Robot, user: str) -> bool:
+    """Whether a text of the tree makes the user, becomes the user, or logs in so."""
+    name = rf"(?<![\w/.-]){re.escape(user)}"
+    used = re.compile(
+        rf"\b(?:ssh|scp|sftp|rsync)\b[^\n]{{0,120}}{name}@"
+        rf"|\b(?:su|sudo|runuser|useradd|adduser|usermod|chown|passwd)\b[^\n]{{0,60}}{name}(?![\w/@])"
+        rf"|\b[Uu]ser(?:name)?\b[\s`\"'*:=]{{1,6}}(?:(?:is|called|named)\b[\s`\"':]{{1,4}}){{0,2}}{name}(?![\w/@])"
+    )
+    return any(user in text and used.search(text) for text in robot.tree.pages(PAGES, MOST))
 
 
 def _of_everybody(robot: Robot, folder: str) -> Located | None:
