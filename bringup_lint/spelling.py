@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from collections.abc import Iterable
 
 from bringup_lint.pattern import regex
 from bringup_lint.type_names import TypeVar
 
 Word = TypeVar("Word", bound=str)
+_MANY = 300
 _LONGEST = 255
 """Characters of a name; what differs in more is no name that somebody misspelt."""
 
@@ -40,6 +42,12 @@ def nearest(word: str, known: Iterable[Word], farthest: int = 2) -> list[Word]:
         elif distance == limit:
             best.append(other)
     return best
+
+
+def nearest_of_few(word: str, known: Collection[Word], farthest: int = 2) -> list[Word]:
+    """The same, in the order of the words; none where so many are known that each of many questions would take
+    long."""
+    return nearest(word, sorted(known), farthest) if len(known) <= _MANY else []
 
 
 class WordSlips:

@@ -9,6 +9,7 @@ if TYPE_CHECKING:
     from bringup_lint.spelling import Neighbours
     from bringup_lint.spelling import is_slip
     from bringup_lint.spelling import nearest
+    from bringup_lint.spelling import nearest_of_few
     from bringup_lint.spelling import numbered
 else:
     __getattr__ = on_demand(globals())
@@ -17,5 +18,6 @@ __all__ = [
     "Neighbours",
     "is_slip",
     "nearest",
+    "nearest_of_few",
     "numbered",
 ]

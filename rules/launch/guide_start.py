@@ -46,7 +46,7 @@ from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.launch import LaunchFile
-from bringup_lint.api.spelling import nearest
+from bringup_lint.api.spelling import nearest_of_few
 
 README = regex(
     r"(?i)(?:^|/)(?:readme|install(?:ation|ing)?|usage|set[_-]?up|bring[_-]?up|quick[_-]?start|getting[_-]?started)"
@@ -71,18 +71,25 @@ MOST = 20
     ],
 )
 def guide_start(robot: Robot) -> Iterator[Finding]:
-    for path in robot.tree.like(README):
-        source = robot.tree.read(path)
-        if (
-            source is not None
-            and source.judged
-            and "ros2 launch" in source.text
-            and not robot.launch.workspace.is_vendored(source)
-        ):
-            yield from _of_page(robot, source)
+    read = filter(None, map(robot.tree.read, robot.tree.like(README)))
+    sources = [source for source in read if source.judged and "ros2 launch" in source.text]
+    own = _files(robot) if sources else {}
+    for source in sources:
+        if not robot.launch.workspace.is_vendored(source):
+            yield from _of_page(robot, source, own)
 
 
-def _of_page(robot: Robot, source: Source) -> Iterator[Finding]:
+def _files(robot: Robot) -> dict[str, set[str]]:
+    """The names of the launch files of each package."""
+    found: dict[str, set[str]] = {}
+    for file in robot.launch.launch_files:
+        owner = robot.launch.workspace.owner(file.source)
+        if owner is not None:
+            found.setdefault(owner.name, set()).add(file.source.basename)
+    return found
+
+
+def _of_page(robot: Robot, source: Source, own: dict[str, set[str]]) -> Iterator[Finding]:
     workspace = robot.launch.workspace
     lost: dict[tuple[str, str], list[Located]] = {}
     for match in STARTS.finditer(source.text):
@@ -95,8 +102,7 @@ def _of_page(robot: Robot, source: Source) -> Iterator[Finding]:
     yield from _executables(robot, source)
     for (name, file_name), (first, *others) in lost.items():
         package = workspace.packages[name]
-        own = {each.source.basename for each in robot.launch.launch_files if workspace.owner(each.source) is package}
-        near = nearest(file_name, sorted(own), 6)
+        near = nearest_of_few(file_name, own.get(name, ()), 6)
         yield finding(
             first,
             f"{name} has no launch file {file_name}: who follows this page starts nothing",
@@ -117,7 +123,7 @@ def _executables(robot: Robot, source: Source) -> Iterator[Finding]:
             start = match.start("name")
             lost.setdefault((package.name, name), []).append(source.located(start, start + len(name)))
     for (owner, name), (first, *others) in lost.items():
-        near = nearest(name, sorted(workspace.packages[owner].executables), 6)
+        near = nearest_of_few(name, workspace.packages[owner].executables, 6)
         yield finding(
             first,
             f"{owner} has no executable {name}: who follows this page starts nothing",
@@ -158,7 +164,7 @@ def _arguments(robot: Robot, source: Source, match: re.Match[str], file: LaunchF
         return
     known = {each.name for each in inner.declared} | launch.read_in(robot.launch, inner.files) | {*launch.OF_LAUNCH}
     for name in sorted(given.keys() - known):
-        near = nearest(name, sorted(known - given.keys()), 3)
+        near = nearest_of_few(name, known - given.keys(), 3)
         yield finding(
             source.located(*given[name].span("name")),
             f"'{name}' is not an argument of {file.source.basename}: the value is silently ignored",

@@ -30,18 +30,22 @@ When something outside this tree drives the transitions, such as a supervisor of
 - nav2, lifecycle manager
 """
 
-import re
 from collections.abc import Iterator
+from functools import partial
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import launch
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
 DRIVERS = ("driver", "hardware")
 """Roles of programs that robots have from different packages, with or without a lifecycle."""
+COMMENT = regex(r"(?m)^[ \t]*(#[^\n]*)")
+LISTED = regex(r"[#\[,][ \t]*[\"']([^\"'\n]+)[\"'](?=[ \t]*[\],])")
 
 
 @rule("error", symptoms=["Trying to publish message on the topic *, but the publisher is not activated"])
@@ -83,13 +87,18 @@ def lifecycle_node_unmanaged(robot: Robot) -> Iterator[Finding]:
             )
 
 
+def _taken_out(source: Source) -> set[str]:
+    """The names that comments have in lists."""
+    return {name for line in COMMENT.findall(source.text) for name in LISTED.findall(line)}
+
+
 def _severity(
     robot: Robot, expansion: launch.Expansion, node: launch.Started, is_lifecycle: bool, name: str
 ) -> str | None:
     """Lower for a driver whose package nothing of the tree needs, so that another one may be installed, and for a node
     that a comment has in the list of a manager: somebody took it out."""
-    last = re.escape(name.rpartition("/")[2])
-    if re.search(rf"(?m)^[ \t]*#(?:[^\n]*[\[,])?[ \t]*[\"']{last}[\"'][ \t]*[\],]", node.span.source.text):
+    source = node.span.source
+    if name.rpartition("/")[2] in source.once(LISTED, partial(_taken_out, source)):
         return "info"
     package = str(launch.literal_text(node.package))
     if not is_lifecycle and robot.launch.role(node).role in DRIVERS:

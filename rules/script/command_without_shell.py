@@ -34,11 +34,13 @@ When the program takes the sign as its argument.
 """
 
 import re
+from bisect import bisect_right
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
+from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import regex
 from bringup_lint.api import rule
@@ -98,8 +100,9 @@ def _lines(task: Task) -> Iterator[Located]:
 def _mistake(line: Located) -> tuple[Located, str] | None:
     """The first place that a shell would have to read, and what happens without one."""
     braces = [line.part(*match.span()).span for match in BRACES.finditer(line)]
+    starts = [span.start for span in braces]
     read = tokens(line)
-    outside = [each for each in read if not any(span.start <= each.text.span.start < span.end for span in braces)]
+    outside = [each for each in read if not _is_within(each.text.span.start, starts, braces)]
     words = [each.text for each in outside if not each.operator]
     if not words or read[0].text is not words[0]:
         return None
@@ -118,10 +121,15 @@ def _mistake(line: Located) -> tuple[Located, str] | None:
     return None
 
 
+def _is_within(place: int, starts: list[int], spans: list[Span]) -> bool:
+    at = bisect_right(starts, place) - 1
+    return at >= 0 and place < spans[at].end
+
+
 def _is_alone(sign: Located) -> bool:
     """Whether it is a word of its own, as people write it for a shell."""
     text, (start, end) = sign.span.source.text, sign.span[1:]
-    before = text[:start][-2:]
+    before = text[max(start - 2, 0) : start]
     if sign not in SIGNS or not (before[-1:].isspace() or sign == ";" or re.fullmatch(r"\s[12]", before)):
         return False
     return sign[0] in "<>" or text[end : end + 1] in " \t\n\"'"

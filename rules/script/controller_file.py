@@ -61,8 +61,9 @@ def controller_file(robot: Robot) -> Iterator[Finding]:
     sources = [each for each in robot.of_kind("ansible") if each.judged and READS.search(each.text)]
     if not sources or not any(OTHER_HOSTS.search(each.text) for each in robot.of_kind("ansible-vars")):
         return
+    users = _users(robot)
     for source in sources:
-        if not _is_local(robot, source):
+        if not _is_local(source, users):
             yield from _of_file(source)
 
 
@@ -108,13 +109,22 @@ def _finding(src: Located, other: Located, text: str) -> Finding:
     )
 
 
-def _is_local(robot: Robot, source: Source) -> bool:
+def _users(robot: Robot) -> dict[str, bool]:
+    """The roles that plays name, and an empty name for all plays -> whether they are all for the computer that runs
+    Ansible."""
+    found: dict[str, bool] = {}
+    for play in (play for each in robot.files.of_kind("ansible") for play in plays(each)):
+        is_local = _is_for_local(play)
+        for name in ("", *_roles(play)):
+            found[name] = found.get(name, True) and is_local
+    return found
+
+
+def _is_local(source: Source, users: dict[str, bool]) -> bool:
     """Whether all plays that use a file are for the computer that runs Ansible."""
     own = plays(source)
     role = ROLE.search(f"/{source.name}")
-    every = [play for each in robot.files.of_kind("ansible") for play in plays(each)]
-    users = own or [play for play in every if role is None or role["name"] in _roles(play)]
-    return bool(users) and all(map(_is_for_local, users))
+    return all(map(_is_for_local, own)) if own else users.get("" if role is None else role["name"], False)
 
 
 def _is_for_local(play: Mapping) -> bool:

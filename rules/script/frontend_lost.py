@@ -64,12 +64,13 @@ def frontend_lost(robot: Robot) -> Iterator[Finding]:
     seen: dict[Source, list[Run]] = {}
     for source, run in robot.scripts.run(*PROGRAMS):
         if source in places and any(word in ASKING for word in run.words[1:]):
-            is_lost = run.by_root or not HANDED_ON.search(source.said)
+            is_lost = run.by_root or not source.says(HANDED_ON)
             (lost if is_lost and not _has_own(run) else seen).setdefault(source, []).append(run)
+    setting = [each for each in robot.sources if NAME in each.text] if lost else []
     for source, (first, *others) in lost.items():
-        if source in seen or _is_called_with_it(robot, source):
+        if source in seen or any(source.basename in each.text for each in setting if each is not source):
             continue
-        why = "sudo does not hand it on" if HANDED_ON.search(source.said) else "it is not exported"
+        why = "sudo does not hand it on" if source.says(HANDED_ON) else "it is not exported"
         yield finding(
             first.words[0],
             f"apt does not see {NAME}: {why}, and a package that asks waits for an answer",
@@ -96,9 +97,3 @@ def _set_in(source: Source) -> Located | None:
 def _has_own(run: Run) -> bool:
     """Whether a call has the variable in front."""
     return not run.by_root and any(word.startswith(NAME) for word in (*run.command.assignments, *run.command.words))
-
-
-def _is_called_with_it(robot: Robot, script: Source) -> bool:
-    """Whether another file names the script, and the variable."""
-    others = (each for each in robot.sources if each is not script and NAME in each.text)
-    return any(script.basename in each.text for each in others)

@@ -38,7 +38,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
-from bringup_lint.api.spelling import nearest
+from bringup_lint.api.spelling import nearest_of_few
 
 PAGE = regex(
     r"(?i)(?:^|/)(?:readme|install(?:ation|ing)?|usage|set[_-]?up|bring[_-]?up|quick[_-]?start|getting[_-]?started)"
@@ -63,25 +63,30 @@ MOST = 20
 
 @rule("warning", symptoms=["No such file or directory"])
 def guide_script_missing(robot: Robot) -> Iterator[Finding]:
-    for path in robot.tree.like(PAGE):
-        source = robot.tree.read(path)
-        if source is not None and source.judged and ".sh" in source.text:
-            yield from _of_page(robot, source)
+    read = filter(None, map(robot.tree.read, robot.tree.like(PAGE)))
+    sources = [source for source in read if source.judged and ".sh" in source.text]
+    scripts = {os.path.basename(each.name) for each in robot.of_kind("shell-script")} if sources else set()
+    folders = {name for path in robot.tree.paths for name in path.split("/")[:-1]} if sources else set()
+    for source in sources:
+        yield from _of_page(robot, source, scripts, {*folders, "..", "."})
 
 
-def _of_page(robot: Robot, source: Source) -> Iterator[Finding]:
+def _of_page(robot: Robot, source: Source, scripts: set[str], folders: set[str]) -> Iterator[Finding]:
     lost: dict[str, list[Located]] = {}
     is_remote, last = False, 0
     for start, end in _blocks(source.text):
         is_remote = is_remote and HEADING.search(source.text, last, start) is None
+        looked, is_of_tree = start, not is_remote
         for match in CALL.finditer(source.text, start, end):
             if MADE.search(match["path"]) or not _is_lost(robot, source, match["path"]):
                 continue
-            if not is_remote and _is_of_tree(robot, source.text[start : match.start()]):
+            is_of_tree = is_of_tree and _stays(source.text[looked : match.start()], folders)
+            looked = match.start()
+            if is_of_tree:
                 lost.setdefault(match["path"], []).append(source.located(*match.span("path")))
         is_remote, last = REMOTE.search(source.text, start, end) is not None, end
     for name, (first, *others) in lost.items():
-        near = nearest(os.path.basename(name), _scripts(robot), 4)
+        near = nearest_of_few(os.path.basename(name), scripts, 4)
         yield finding(
             first,
             f"There is no {name}: who follows this page stops here",
@@ -97,23 +102,14 @@ def _blocks(text: str) -> Iterator[tuple[int, int]]:
         yield start, end
 
 
-def _is_of_tree(robot: Robot, before: str) -> bool:
-    """Whether the commands of a block before a call bring nothing new, and stay in folders of the tree."""
-    before = COMMENT.sub("", before)
-    return not BRINGS.search(before) and all(_is_folder(robot, match["folder"]) for match in ENTERS.finditer(before))
-
-
-def _is_folder(robot: Robot, folder: str) -> bool:
-    """Whether the tree has a folder of this name."""
-    name = os.path.basename(folder.rstrip("/"))
-    return name in ("..", ".") or any(f"/{name}/" in f"/{path}" for path in robot.tree.paths)
+def _stays(lines: str, folders: set[str]) -> bool:
+    """Whether the commands before a call bring nothing new, and stay in folders of the tree."""
+    lines = COMMENT.sub("", lines)
+    entered = (os.path.basename(match["folder"].rstrip("/")) for match in ENTERS.finditer(lines))
+    return not BRINGS.search(lines) and folders.issuperset(entered)
 
 
 def _is_lost(robot: Robot, source: Source, path: str) -> bool:
     if any(robot.tree.named(os.path.basename(path))):
         return False
     return not robot.tree.is_ignored(os.path.join(os.path.dirname(source.absolute), path))
-
-
-def _scripts(robot: Robot) -> list[str]:
-    return sorted({os.path.basename(each.name) for each in robot.of_kind("shell-script")})

@@ -55,8 +55,13 @@ ELSEWHERE = regex(
 )
 """Before the path on its line: a comment, another computer or a container, the question whether it is there, or
 several to choose from."""
+OF_EVERYBODY = regex(
+    r"(?<![\w/])(?:~|\$HOME|\$\{HOME\}|/home/\$\{?USER\}?)/(?P<folder>[\w.-]{1,255})(?![\w-])", hints="~ $"
+)
 PAGES = regex(r"\.(?:md|rst|txt|sh|bash|service)$|akefile$")
 MOST = 200_000
+FEW = 20
+"""Users that are authors; of more, a tree makes the homes itself."""
 
 
 @rule("warning", symptoms=["cd: /home/*: No such file or directory"])
@@ -67,10 +72,12 @@ def home_of_one_user(robot: Robot) -> Iterator[Finding]:
             for path, user, folder in _named(source):
                 named.setdefault((user, folder), []).append(path)
     known = (*container_folders(robot.of_kind(*CONTAINER_KINDS)), *own_homes(robot)) if named else ()
+    places = _of_everybody(robot, {folder for _, folder in named}) if named else {}
+    written = {user for user, folder in named if folder in places}
+    users = {user for user in written if len(written) > FEW or _is_of_robot(robot, user)}
     for (user, folder), paths in named.items():
         left = [path for path in paths if not is_in_container(path, known)]
-        left = [] if left and _is_of_robot(robot, user) else left
-        place = _of_everybody(robot, folder) if left else None
+        place = places.get(folder) if left and user not in users else None
         if place is not None:
             yield finding(
                 left[0],
@@ -101,12 +108,19 @@ def _is_of_robot(robot: Robot, user: str) -> bool:
     return any(user in text and used.search(text) for text in robot.tree.pages(PAGES, MOST))
 
 
-def _of_everybody(robot: Robot, folder: str) -> Located | None:
-    """A place that has the folder in the home of whoever reads or runs it."""
-    written = re.compile(rf"(?<![\w/])(?:~|\$HOME|\$\{{HOME\}}|/home/\$\{{?USER\}}?)/{re.escape(folder)}(?![\w-])")
+def _of_everybody(robot: Robot, folders: set[str]) -> dict[str, Located]:
+    """For each of some folders the first place that has it in the home of whoever reads or runs it."""
+    found: dict[str, Located] = {}
     for path in robot.tree.like(PAGES):
-        match = written.search(robot.tree.head(path, MOST))
-        source = robot.tree.read(path, judged=False) if match is not None else None
-        if match is not None and source is not None:
-            return source.located(*match.span())
-    return None
+        for match in OF_EVERYBODY.finditer(robot.tree.head(path, MOST)):
+            name = next(filter(folders.__contains__, _names(match["folder"])), None)
+            source = robot.tree.read(path, judged=False) if name is not None and name not in found else None
+            if name is not None and source is not None:
+                found[name] = source.located(match.start(), match.start("folder") + len(name))
+    return found
+
+
+def _names(written: str) -> Iterator[str]:
+    """A name, and what is left of it before each dot, which may be that of a sentence."""
+    yield written
+    yield from (written[:at] for at, letter in enumerate(written) if letter == ".")

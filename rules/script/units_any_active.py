@@ -50,11 +50,7 @@ ALONE = ("", "\n", ";")
 def units_any_active(robot: Robot) -> Iterator[Finding]:
     for source, run in robot.scripts.run("systemctl"):
         words = [word for word in run.words[1:] if not word.startswith("-")]
-        if (
-            len(words) < 3
-            or str(words[0]) not in ASKS
-            or not _counts(run, strict=STOPS.search(source.said) is not None)
-        ):
+        if len(words) < 3 or str(words[0]) not in ASKS or not _counts(run, strict=source.says(STOPS)):
             continue
         state = ASKS[str(words[0])]
         yield finding(

@@ -37,11 +37,12 @@ When a user unit of the same name exists on the robot, outside of this tree.
 """
 
 import posixpath
-import re
 from collections.abc import Iterator
+from functools import partial
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import regex
@@ -56,6 +57,12 @@ SYSTEM_ONLY = frozenset(
 )
 
 WAITED_FOR = regex(r"network|nss-|local-fs|remote-fs|time-s")
+OFF = regex(
+    r"\bname:[ \t]*[\"']?(?P<name>[^\s\"']+)[\"']?[ \t]*\n"
+    r"(?=(?:[ \t]+\w+:[^\n]*\n){0,6}?[ \t]+enabled:[ \t]*(?:false|no)\b)",
+    hints="enabled:",
+)
+"""A task that says of a unit that it shall not start by itself."""
 """What a service orders itself after because it needs it."""
 
 
@@ -98,11 +105,13 @@ def user_unit_system_target(robot: Robot) -> Iterator[Finding]:
 
 def _severity(robot: Robot, unit: Unit) -> str:
     """Of what is started by a script: an Ansible task may say that it shall not start by itself."""
-    off = re.compile(
-        rf"\bname:[ \t]*[\"']?{re.escape(unit.stem)}(?:\.service)?[\"']?[ \t]*\n(?:[ \t]+\w+:[^\n]*\n){{0,6}}?"
-        r"[ \t]+enabled:[ \t]*(?:false|no)\b"
-    )
-    return "info" if any(off.search(each.text) for each in robot.of_kind("ansible")) else "warning"
+    is_off = any(unit.stem in each.once(OFF, partial(_off, each)) for each in robot.of_kind("ansible"))
+    return "info" if is_off else "warning"
+
+
+def _off(source: Source) -> set[str]:
+    """What tasks name, without its ending, that shall not start by itself."""
+    return {match["name"].removesuffix(".service") for match in OFF.finditer(source.text)}
 
 
 def _consequence(unit: Unit, key: str, installs: bool, started: bool) -> str:

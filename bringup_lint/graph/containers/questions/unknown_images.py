@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.containers.images import can_be_pulled
+from bringup_lint.graph.memo import kept
 from bringup_lint.model.image_build import image_name
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
@@ -32,6 +33,9 @@ _OTHERS = regex(
 )
 """More files that may name what is built somewhere."""
 _SIZE = 200_000
+_WORD = regex(r"[\w.-]+")
+_MANY = 100
+"""Computed names, among which any may be."""
 _COMPUTED = regex(
     r"\$\{[^}]{0,80}\}|\$\$?\([^)]{0,80}\)|\$\w+|\$[@<*?]|\{\{[^}]{0,80}\}\}|\{[^}]{0,80}\}|%\w%?|<[^>]{0,80}>"
 )
@@ -61,7 +65,7 @@ def _of_file(compose: Compose, file: Dockerfile) -> Iterator[UnknownImage]:
             if name in seen or place.lower() in above or not _PLAIN.fullmatch(place):
                 continue
             seen.add(name)
-            if not can_be_pulled(name) and not _is_made(compose, name):
+            if not can_be_pulled(name) and not _known(compose).has(name):
                 yield UnknownImage(place, name, last)
         if stage.name is not None:
             above.add(stage.name.lower())
@@ -75,25 +79,52 @@ def _named(stage: Stage) -> Iterator[Located]:
             yield flag.part(*match.span(match.lastgroup or 0))
 
 
-def _is_made(compose: Compose, name: str) -> bool:
-    """Whether a file of the tree may make an image of this name, or give it as a build context."""
-    images = compose.images
-    if images.is_built(name) or name.endswith(_of_services(images)):
-        return True
-    if any(_may_mean(computed, name) for computed in images.computed):
-        return True
-    has_bake = any(path.endswith(".hcl") for path in compose.tree.paths)
-    if has_bake and any(each.stage(name) for each in images.dockerfiles):
-        return True  # a bake file may give the stages of one file to another
-    written = re.compile(rf"(?<![\w.-]){re.escape(name)}(?![\w.-])", re.I)
-    generic = _OF_STAGES.fullmatch(name) is not None
-    return any(_speaks_of(text, written, generic) for text in _texts(compose) if written.search(text))
+@kept
+def _known(compose: Compose) -> _Known:
+    return _Known(compose)
+
+
+class _Known:
+    """What files of the tree may make, or give as a build context."""
+
+    def __init__(self, compose: Compose) -> None:
+        self._images = compose.images
+        self._services = _of_services(self._images)
+        self._computed = set(self._images.computed)
+        has_bake = any(path.endswith(".hcl") for path in compose.tree.paths)
+        files = self._images.dockerfiles if has_bake else ()
+        self._stages = {str(stage.name).lower() for file in files for stage in file.stages if stage.name is not None}
+        """A bake file may give the stages of one file to another."""
+        self._words: set[str] = set()
+        self._spoken: set[str] = set()
+        """The words of lines that speak of images."""
+        for text in _texts(compose):
+            self._words.update(_WORD.findall(text.lower()))
+            self._spoken.update(
+                word for line in text.splitlines() if _SPEAKS.search(line) for word in _WORD.findall(line.lower())
+            )
+
+    def has(self, name: str) -> bool:
+        if self._images.is_built(name) or name.endswith(self._services) or name.lower() in self._stages:
+            return True
+        if name.lower() in (self._spoken if _OF_STAGES.fullmatch(name) else self._words):
+            return True
+        return len(self._computed) > _MANY or any(_may_mean(computed, name) for computed in self._computed)
 
 
 def _may_mean(computed: str, name: str) -> bool:
     """Whether a name of which parts are computed may be this one."""
-    parts = image_name(_COMPUTED.sub("*", computed)).repository.split("*")
-    return len(parts) > 1 and re.fullmatch(".*".join(map(re.escape, parts)), name, re.I) is not None
+    first, *inner = image_name(_COMPUTED.sub("*", computed.lower())).repository.split("*")
+    left = name.lower()
+    if not inner or not left.startswith(first) or not left.endswith(inner[-1]):
+        return False
+    left = left[len(first) :]
+    for part in inner[:-1]:
+        at = left.find(part)
+        if at < 0:
+            return False
+        left = left[at + len(part) :]
+    return len(left) >= len(inner[-1])
 
 
 def _of_services(images: Images) -> tuple[str, ...]:
@@ -101,12 +132,6 @@ def _of_services(images: Images) -> tuple[str, ...]:
     services = (service for file in images.compose_files for service in file.services)
     names = [str(service.name).lower() for service in services if service.build is not None and service.image is None]
     return tuple(f"{sign}{name}" for name in names for sign in "-_")
-
-
-def _speaks_of(text: str, written: re.Pattern[str], generic: bool) -> bool:
-    if not generic:
-        return True
-    return any(written.search(line) and _SPEAKS.search(line) for line in text.splitlines())
 
 
 def _texts(compose: Compose) -> Iterator[str]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import re
 from collections.abc import Iterator
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -29,6 +28,7 @@ if TYPE_CHECKING:
 
 _READ = regex(r"\{\{-?[ \t]*(?P<name>[a-z_][a-z0-9_]{2,80})(?=[ \t]*(?:-?\}\}|[|.\[]))(?P<rest>[^{}]{0,300})\}\}")
 """An expression that begins with a variable."""
+_NAME = regex(r"(?<!\w)[a-z_][a-z0-9_]{2,80}(?!\w)")
 _FORGIVING = regex(r"\bdefault\b|\bd\(|\bdefined\b|\bomit\b")
 _GIVEN = regex(
     r"(?:ansible|inventory|facter|ohai|molecule|ec2|playbook|role)_\w+|hostvars|groups?|group_names|item|omit|vars|now"
@@ -61,7 +61,7 @@ class Variables:
             return
         for task in tasks(source):
             for name in _read(task):
-                if not _GIVEN.fullmatch(name) and self._is_unset(str(name)):
+                if not _GIVEN.fullmatch(name) and str(name) not in self._said:
                     yield name
 
     @memo
@@ -114,21 +114,17 @@ class Variables:
         }
         return sources, {name.rpartition("/")[2] for source in sources for name in named_roles(source)}
 
-    @memo
-    def _is_unset(self, name: str) -> bool:
-        """Whether no text of the tree says a name otherwise than to read it."""
-        return not any(name in text and _is_said(name, text) for text in self._texts)
-
     @cached_property
-    def _texts(self) -> list[str]:
+    def _said(self) -> set[str]:
+        """What the texts of the tree say otherwise than to read it."""
         tree = self.files.tree
-        return [tree.start(path, _SIZE) for path in tree.like(_TEXT)[:_MOST]]
+        return {name for path in tree.like(_TEXT)[:_MOST] for name in _names(tree.start(path, _SIZE))}
 
 
-def _is_said(name: str, text: str) -> bool:
-    """Whether a text says a name outside of expressions that read it, or says that it may be undefined."""
+def _names(text: str) -> Iterator[str]:
+    """What a text says outside of expressions that read it, or of which it says that it may be undefined."""
     read = {match.start("name") for match in _READ.finditer(text) if not _FORGIVING.search(match["rest"])}
-    return any(match.start() not in read for match in re.finditer(rf"(?<!\w){re.escape(name)}(?!\w)", text))
+    return (match[0] for match in _NAME.finditer(text) if match.start() not in read)
 
 
 def _read(task: Task) -> Iterator[Located]:

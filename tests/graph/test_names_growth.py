@@ -1,0 +1,104 @@
+"""Many names, each of which is looked for in many places, are judged in linear time."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from tests.growth import is_linear
+from tests.lint import lint
+
+PACKAGE = """<package format="3">
+  <name>skiff</name>
+  <version>1.0.0</version>
+  <description>A boat.</description>
+  <maintainer email="a@example.com">A</maintainer>
+  <license>MIT</license>
+</package>
+"""
+
+
+def write(folder: Path, texts: dict[str, str]) -> None:
+    for name, text in texts.items():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+
+
+def lines(size: int, *forms: str) -> str:
+    return "".join(form.format(at) for at in range(size) for form in forms)
+
+
+def images(size: int) -> dict[str, str]:
+    built = "#!/bin/sh\n" + lines(size, "docker build -t hull{} .\n")
+    return {"Dockerfile": lines(size, "FROM keel{0}:1 AS part{0}\nCOPY --from=mast{0} /a /a\n"), "build.sh": built}
+
+
+def computed_image(size: int) -> dict[str, str]:
+    return {
+        "Dockerfile": f"FROM {'a-' * size}b AS part\n",
+        "build.sh": f"#!/bin/sh\ndocker build -t {'$A-' * size}c .\n",
+    }
+
+
+def variables(size: int) -> dict[str, str]:
+    task = "    - name: Rig\n      copy: {{content: '{{{{ sail_{0} }}}}', dest: /etc/sail{0}}}\n"
+    plays = "- hosts: boats\n  tasks:\n" + lines(size, task)
+    return {"hosts.ini": "[boats]\na ansible_host=192.0.2.1\n", "playbooks/site.yml": plays}
+
+
+def braces(size: int) -> dict[str, str]:
+    task = f"    - name: Rig\n      command: rig {'{{ sail }} b ' * size}\n"
+    return {"playbooks/site.yml": "- hosts: boats\n  tasks:\n" + task}
+
+
+def apt_calls(size: int) -> dict[str, str]:
+    return {"up.sh": "#!/bin/sh\nDEBIAN_FRONTEND=noninteractive\n" + "apt-get install -y sail\n" * size}
+
+
+def unit_questions(size: int) -> dict[str, str]:
+    return {"up.sh": "#!/bin/sh\n" + "systemctl is-active --quiet a.service b.service || exit 1\n" * size}
+
+
+def homes(size: int) -> dict[str, str]:
+    return {
+        "up.sh": "#!/bin/sh\n" + lines(size, "cp /home/alice/sail{}/a b\n"),
+        "README.md": lines(size * 4, "cd ~/sails{}\n"),
+    }
+
+
+def called_scripts(size: int) -> dict[str, str]:
+    return {"README.md": f"```\n{lines(size, 'cd rig', chr(10), './hoist_the_sail{}.sh', chr(10))}```\n", "rig/a": ""}
+
+
+def taken_out(size: int) -> dict[str, str]:
+    node = "        LifecycleNode(package='nav2_map_server', executable='map_server', name='map{0}', namespace=''),\n"
+    given = lines(size, node, "        # 'map{0}x',\n")
+    head = "from launch import LaunchDescription\nfrom launch_ros.actions import LifecycleNode\n\n\n"
+    text = f"{head}def generate_launch_description():\n    return LaunchDescription([\n{given}    ])\n"
+    return {"skiff/package.xml": PACKAGE, "skiff/launch/maps.launch.py": text}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("rule", "made", "small"),
+    [
+        ("docker/unknown-stage", images, 150),
+        ("docker/unknown-stage", computed_image, 100),
+        ("script/ansible-name-missing", variables, 100),
+        ("script/command-without-shell", braces, 200),
+        ("script/frontend-lost", apt_calls, 100),
+        ("script/units-any-active", unit_questions, 100),
+        ("script/home-of-one-user", homes, 150),
+        ("script/guide-script-missing", called_scripts, 150),
+        ("launch/lifecycle-node-unmanaged", taken_out, 60),
+    ],
+)
+def test_time_grows_as_the_names(rule: str, made: Callable[[int], dict[str, str]], small: int, tmp_path: Path) -> None:
+    def check(size: int) -> None:
+        write(tmp_path, made(size))
+        lint("--no-cache", "--quiet", "--select", rule, ".", cwd=tmp_path)
+
+    assert is_linear(check, small)
