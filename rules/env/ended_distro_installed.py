@@ -86,7 +86,17 @@ def ended_distro_installed(robot: Robot) -> Iterator[Finding]:
 def _is_apart(place: Located) -> bool:
     """Whether a place is for one release of several, or in a container that a script starts and throws away."""
     source = place.span.source
-    return VERSION.search(source.name) is not None or (source.kind == "shell-script" and source.matches(THROWN_AWAY))
+    if VERSION.search(source.name):
+        return True
+    runs = THROWN_AWAY.finditer(source.text) if source.kind == "shell-script" else ()
+    started = [run.end() for run in runs if run.end() <= place.span.start]
+    return bool(started) and _is_one_command(source.text[started[-1] : place.span.start])
+
+
+def _is_one_command(between: str) -> bool:
+    """Whether a command goes on behind a text: on the same line, in quotes, or in a here-document."""
+    line = between.replace("\\\n", " ").partition("\n")
+    return not line[1] or "<<" in line[0] or any(between.count(sign) % 2 for sign in "\"'")
 
 
 def _taken(source: Source) -> tuple[str, Located] | None:
