@@ -52,9 +52,16 @@ _NODE = regex(r"\brclcpp(?:_lifecycle)?::(?:Lifecycle)?Node\b", hints="rclcpp")
 _ACCESS = regex(r"\b(?:public|virtual|private|protected)\b|\s")
 _BASES = frozenset({"rclcpp::Node", "Node", "rclcpp_lifecycle::LifecycleNode", "LifecycleNode"})
 _MADE = regex(r"\b(?P<name>\w{1,80})\s*[=({]\s*(?:std::)?make_shared\s*<", hints="make_shared")
+_TYPED = regex(
+    r"\brclcpp(?:_lifecycle)?::(?:Lifecycle)?Node(?:::\w{0,20}Ptr)?(?:\s{1,4}const)?\s{0,4}>?\s{0,4}[&*]{0,2}\s{0,4}"
+    r"(?P<name>\w{1,80})\s{0,4}[,;)=({]",
+    hints="rclcpp",
+)
+"""A variable or an argument that is a node."""
+_ALIAS = regex(r"\b(?P<name>\w{1,80})\s{0,4}=\s{0,4}(?:this\b|rclcpp(?:_lifecycle)?::(?:Lifecycle)?Node::make_shared)")
 _HANDED = regex(
     r"\b(?:shared_from_this|weak_from_this|get_node_\w+_interface)\s*\(|(?:\b(?P<call>\w{1,80})\s{0,20}[({]|[({]"
-    r"|(?P<member>&\s?[\w:]{1,120}\s?)?,)\s{0,20}\*?(?:this->)?(?P<what>\w{1,80})\s{0,20}(?=[,)}])"
+    r"|(?P<member>&\s?[\w:]{1,120}\s?)?,)\s{0,20}\*?(?:this->)?(?P<what>\w{1,80})(?:\s?(?:\.|->)\s?get\(\s?\))?\s{0,20}(?=[,)}])"
 )
 """A call that gives the node itself, or a word that is given to a call; after a member function it is its object."""
 _NODES = regex(r"this|(?:\w+_)?[nN]ode(?:_|_?[pP]tr_?|_?[hH]andle_?)?|p?nh_?")
@@ -303,7 +310,7 @@ def _hands_node(source: Source) -> bool:
 
 
 def _find_handed(source: Source) -> bool:
-    made = {found["name"] for found in _MADE.finditer(source.text)}
+    made = {found["name"] for each in (_MADE, _TYPED, _ALIAS) for found in each.finditer(source.text)}
     for found in _HANDED.finditer(source.text):
         what = found["what"]
         if what is None:
