@@ -139,7 +139,7 @@ def _of_scripts(robot: Robot) -> Iterator[Finding]:
         asking = sorted((words for words, asks in each if asks), key=lambda words: not _installs(words))
         answered = [words[0] for words, _ in each if _is_answered(words)]
         if asking and answered:
-            is_attended = len(asking) < SEVERAL and not robot.scripts.starts_by_itself(source)
+            is_attended = len(asking) < SEVERAL and not _is_unattended(robot, source)
             yield _of_script(asking, answered, is_attended=is_attended)
         elif asking and _installs(asking[0]):
             yield from _of_set_up(robot, source, asking)
@@ -163,8 +163,15 @@ def _of_set_up(robot: Robot, source: Source, asking: list[Sequence[Located]]) ->
             note(after.words[0], "this is not reached then" if stops else "this runs all the same"),
             *(note(other[0], "asks, too") for other in others),
         ],
-        severity=None if robot.scripts.starts_by_itself(source) else "info",
+        severity=None if _is_unattended(robot, source) else "info",
     )
+
+
+def _is_unattended(robot: Robot, source: Source) -> bool:
+    """Whether something of the tree runs the script where nobody answers."""
+    if robot.scripts.starts_by_itself(source):
+        return True
+    return any(source.basename in each.text for each in robot.of_kind("cloud-init", "ansible"))
 
 
 def _sets_up(run: Run) -> bool:
