@@ -208,6 +208,8 @@ def _is_moved(files: Files, service: Service) -> bool:
     """Whether something of the tree starts its services from another folder, or together with another file."""
     folder = os.path.basename(os.path.dirname(service.source.absolute))
     file = f"{folder}/{service.source.basename}"
+    if any("project_directory" in source.text for source in files.of_kind("compose")):
+        return True
     texts = _texts(files)
     return any("project-directory" in text or "COMPOSE_FILE" in text or f"{file} " in text for text in texts)
 
