@@ -56,7 +56,6 @@ from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
-from bringup_lint.api.launch import literal_text
 from bringup_lint.api.systemd import NeedlessRoot
 from bringup_lint.api.systemd import Process
 from bringup_lint.api.systemd import Unit
@@ -128,17 +127,10 @@ def _is_needed(robot: Robot, unit: Unit, needless: NeedlessRoot) -> bool:
     nodes = [each for each in robot.of_kind("python-node", "cpp-node", "cpp-driver") if each.matches(REGISTERS)]
     owners = (robot.launch.workspace.owner(each) for each in nodes)
     names = {None if owner is None else owner.name for owner in owners}
-    started = _started(robot, unit) if names else set()
-    return bool(names) and (None in names or None in started or not names.isdisjoint(started))
-
-
-def _started(robot: Robot, unit: Unit) -> set[str | None]:
-    """The packages of which a unit starts programs; None among them when there may be others."""
-    found = {str(ros.package) if ros.package else None for runner, ros in robot.runners.run if runner.unit is unit}
-    launches = [robot.runners.expansion(each.start) for each in robot.runners.launches if each.runner.unit is unit]
-    for each in launches:
-        found |= {None} if each is None else {literal_text(node.package) for node in each.nodes}
-    return found or {None}
+    if not names:
+        return False
+    started = robot.runners.packages_of(unit)
+    return None in names or None in started or not names.isdisjoint(started)
 
 
 def _without_user(unit: Unit, needless: NeedlessRoot, others: set[str | None], severity: str | None) -> Finding:

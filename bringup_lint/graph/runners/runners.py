@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch.expansion import Expansion
     from bringup_lint.graph.launch.launch import Launch
     from bringup_lint.graph.runners.layers import Layers
+    from bringup_lint.graph.systemd.unit import Unit
     from bringup_lint.model.compose import Service
     from bringup_lint.model.dockerfile import Stage
     from bringup_lint.model.launch import LaunchFile
@@ -110,6 +111,17 @@ class Runners:
             if runner.stage is not None:
                 found.setdefault(id(runner.stage), []).append(runner)
         return found
+
+    def packages_of(self, unit: Unit) -> set[str | None]:
+        """The packages of which a unit starts programs; None among them when there may be others."""
+        from bringup_lint.graph.launch.started import literal_text
+
+        found = {str(ros.package) if ros.package else None for runner, ros in self.run if runner.unit is unit}
+        for each in self.launches:
+            if each.runner.unit is unit:
+                expansion = self.expansion(each.start)
+                found |= {None} if expansion is None else {literal_text(node.package) for node in expansion.nodes}
+        return found or {None}
 
     def launching(self, file: LaunchFile) -> list[Launching]:
         """Those that start a launch file."""
