@@ -30,7 +30,7 @@ _TOKEN = regex(
     r'(?P<long>"""[\s\S]*?"""|\'\'\'[\s\S]*?\'\'\')|(?P<text>"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\')|#[^\n]*'
 )
 """Texts and comments of Python."""
-_REMARK = {"launch-xml": regex(r"<!--[\s\S]*?-->"), "launch-yaml": regex(r"(?m)(?:^|[ \t])#[^\n]*")}
+_REMARK = {"launch-xml": regex(r"<!--[\s\S]*?(?:-->|\Z)"), "launch-yaml": regex(r"(?m)(?:^|[ \t])#[^\n]*")}
 _OTHER_REMARK = regex(r"(?m)^[ \t]*(?:#|//)[^\n]*")
 _QUOTED = regex(r"[\"']([^\"'\n]{2,200})[\"']")
 _STARTS = regex(r"\b(?:executable|node_executable|exec|type)\s{0,4}=\s{0,4}[\"']([\w.-]{2,100})[\"']")

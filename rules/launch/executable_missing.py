@@ -56,7 +56,7 @@ from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.shell import may_fail
-from bringup_lint.api.spelling import nearest
+from bringup_lint.api.spelling import nearest_of_few
 
 SYMLINKS = regex(r"--symlink-install\b")
 """With links in the place of files, a script keeps the mode that it has in the source."""
@@ -184,7 +184,7 @@ def of_public(robot: Robot, start: Start) -> Iterator[Finding]:
         )
     elif package.lacks(executable):
         names = [each.name for each in package.programs if not each.last]
-        near = nearest(executable, names, 3)
+        near = nearest_of_few(executable, names, 3)
         yield finding(
             executable,
             f"{name} has no executable '{executable}': {start.effect}",
@@ -271,7 +271,7 @@ def of_other_package(start: Start, package: launch.Package, home: launch.Package
 def missing(start: Start, package: launch.Package) -> Finding:
     executable = start.executable
     longer = [each for each in package.executables if f"_{executable}_" in f"_{each}_"]
-    near = longer if len(longer) == 1 else nearest(executable, sorted(package.executables), 3)
+    near = longer if len(longer) == 1 else nearest_of_few(executable, package.executables, 3)
     builds = [build.source for build in package.builds[:1]]
     related = [note(package.executables[near[0]], "the executable of the package")] if near else []
     return finding(

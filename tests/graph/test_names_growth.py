@@ -81,6 +81,31 @@ def taken_out(size: int) -> dict[str, str]:
     return {"skiff/package.xml": PACKAGE, "skiff/launch/maps.launch.py": text}
 
 
+def open_remarks(size: int) -> dict[str, str]:
+    text = "<launch>\n" + '<!-- <node pkg="a" exec="b"/>\n' * size
+    given = "/**:\n  ros__parameters:\n    path: /home/alice/a/b\n"
+    return {"skiff/package.xml": PACKAGE, "skiff/launch/a.launch.xml": text, "skiff/config/a.yaml": given}
+
+
+def misspelt_programs(size: int) -> dict[str, str]:
+    built = lines(size, "add_executable(hoist_sail{0} a.cpp)\ninstall(TARGETS hoist_sail{0} DESTINATION lib/skiff)\n")
+    nodes = lines(size, "        Node(package='skiff', executable='oist_sail{}'),\n")
+    head = "from launch import LaunchDescription\nfrom launch_ros.actions import Node\n\n\n"
+    text = f"{head}def generate_launch_description():\n    return LaunchDescription([\n{nodes}    ])\n"
+    build = f"cmake_minimum_required(VERSION 3.8)\nproject(skiff)\n{built}ament_package()\n"
+    return {"skiff/package.xml": PACKAGE, "skiff/CMakeLists.txt": build, "skiff/launch/a.launch.py": text}
+
+
+def domains(size: int) -> dict[str, str]:
+    domain = "<Domain><General><NetworkInterfaceAddress>192.0.2.1</NetworkInterfaceAddress></General></Domain>\n"
+    return {"cyclonedds.xml": f'<CycloneDDS xmlns="https://cdds.io/config">{domain * size}</CycloneDDS>'}
+
+
+def missing_pictures(size: int) -> dict[str, str]:
+    build = f"project(skiff)\ninstall(FILES\n{lines(size, '  art/a{}.png', chr(10))}DESTINATION share/skiff)\n"
+    return {"skiff/package.xml": PACKAGE, "skiff/CMakeLists.txt": build, "skiff/art/b.png": ""}
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("rule", "made", "small"),
@@ -94,6 +119,10 @@ def taken_out(size: int) -> dict[str, str]:
         ("script/home-of-one-user", homes, 150),
         ("script/guide-script-missing", called_scripts, 150),
         ("launch/lifecycle-node-unmanaged", taken_out, 60),
+        ("params/absolute-home-path", open_remarks, 250),
+        ("launch/executable-missing", misspelt_programs, 60),
+        ("cyclonedds/deprecated-element", domains, 100),
+        ("package/installed-file-missing", missing_pictures, 200),
     ],
 )
 def test_time_grows_as_the_names(rule: str, made: Callable[[int], dict[str, str]], small: int, tmp_path: Path) -> None:
@@ -102,3 +131,12 @@ def test_time_grows_as_the_names(rule: str, made: Callable[[int], dict[str, str]
         lint("--no-cache", "--quiet", "--select", rule, ".", cwd=tmp_path)
 
     assert is_linear(check, small)
+
+
+def test_a_difference_of_very_many_times_is_no_error(tmp_path: Path) -> None:
+    begin = "import rclpy\nfrom rclpy.node import Node\n\n\nclass Log(Node):\n"
+    made = "    def __init__(self):\n        super().__init__('log')\n        now = self.get_clock().now()\n"
+    end = f"        print(now{' - now' * 900})\n\n\nrclpy.init()\nrclpy.spin(Log())\n"
+    write(tmp_path, {"log.py": begin + made + end})
+    found = lint("--no-cache", "--quiet", "--select", "node/time-misfit", ".", cwd=tmp_path)
+    assert "internal-error" not in found.stdout + found.stderr

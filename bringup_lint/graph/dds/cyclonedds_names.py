@@ -88,21 +88,22 @@ def first_named(configuration: Configuration, remark: Remark) -> Located | None:
 
 def has_address(configuration: Configuration, remark: Remark) -> bool:
     """Whether a NetworkInterfaceAddress holds an address, and no name of an interface."""
-    items = (domain.get("General/NetworkInterfaceAddress") for domain in configuration.domains)
-    return any(item.name is remark.where and str(item.value)[:1].isdigit() for item in items if item is not None)
+    domain = configuration.domain_of(remark)
+    item = domain.get("General/NetworkInterfaceAddress") if domain else None
+    return item is not None and item.name is remark.where and str(item.value)[:1].isdigit()
 
 
 def interfaces_instead(configuration: Configuration, remark: Remark) -> Fix | None:
     """Replace NetworkInterfaceAddress by an Interfaces group; only for one plain interface name."""
-    for domain in configuration.domains:
-        old = domain.get("General/NetworkInterfaceAddress")
-        if old is None or old.name is not remark.where or domain.found("General/Interfaces"):
-            continue
-        value = str(old.value)
-        if re.fullmatch(r"[A-Za-z][A-Za-z0-9_.-]*", value) and value.lower() != "auto":
-            new = f'<Interfaces><NetworkInterface name="{value}"/></Interfaces>'
-            return Fix("write an Interfaces group", (Edit(old.owner.span, new),))
-    return None
+    domain = configuration.domain_of(remark)
+    old = domain.get("General/NetworkInterfaceAddress") if domain else None
+    if domain is None or old is None or old.name is not remark.where or domain.found("General/Interfaces"):
+        return None
+    value = str(old.value)
+    if not re.fullmatch(r"[A-Za-z][A-Za-z0-9_.-]*", value) or value.lower() == "auto":
+        return None
+    new = f'<Interfaces><NetworkInterface name="{value}"/></Interfaces>'
+    return Fix("write an Interfaces group", (Edit(old.owner.span, new),))
 
 
 def taken_by(item: Item) -> str:

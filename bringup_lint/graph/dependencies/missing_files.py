@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import os
 import re
+from collections import Counter
 from collections.abc import Iterator
+from functools import partial
 from typing import TYPE_CHECKING
 
 from bringup_lint.discover.tree import is_below
@@ -22,6 +24,7 @@ if TYPE_CHECKING:
 
 _DESCRIPTIONS = frozenset(("package.xml", "CMakeLists.txt", "setup.py", "setup.cfg", "COLCON_IGNORE"))
 _NOT_PLAIN = regex(r"[*?\[\]${}~]|^/")
+_WORD = regex(r"[\w.-]{1,255}")
 _LARGE = regex(
     r"(?:^|/)(?:mesh(?:es)?|models?|weights|media|textures?|videos?|bags?|data)/?$"
     r"|\.(?:png|jpe?g|gif|svg|ico|stl|dae|obj|glb|onnx|pt|pth|engine|blob|bin|hex|elf|so|a|wav|mp3|mp4|pdf|zip|gz|db3|mcap|pgm|pcd)$",
@@ -97,9 +100,25 @@ def _is_absent(tree: Tree, build: Source, written: str, path: str) -> bool:
         return False
     if _LARGE.search(written) and not _has_sisters(tree, path):
         return False
-    if not _is_marker(written) and len(re.findall(rf"(?<![\w.-]){re.escape(name)}(?![\w-])", build.text)) > 1:
+    if not _is_marker(written) and _times(build, name) > 1:
         return False
     return not any(tree.named(f"{name}.in"))
+
+
+def _times(build: Source, name: str) -> int:
+    """How often a build says a name."""
+    plain = _WORD.fullmatch(name) is not None
+    return build.once(_counts, partial(_counts, build))[name] if plain else build.text.count(name)
+
+
+def _counts(build: Source) -> Counter[str]:
+    """How often a build says each name; what follows a dot may be left out."""
+    found: Counter[str] = Counter()
+    for match in _WORD.finditer(build.text):
+        word = match[0]
+        found.update(word[:at] for at, letter in enumerate(word) if letter == ".")
+        found[word] += 1
+    return found
 
 
 def _has_sisters(tree: Tree, path: str) -> bool:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import os
-import re
 from collections.abc import Iterator
+from functools import partial
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.launch.started import literal_text
@@ -13,12 +13,18 @@ from bringup_lint.model.launch_values import DictValue
 from bringup_lint.model.launch_values import ParameterFile as LaunchedFile
 from bringup_lint.model.launch_values import Value
 from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
+from bringup_lint.source import Source
 
 if TYPE_CHECKING:
     from bringup_lint.graph.launch.launch import Launch
     from bringup_lint.graph.params.params import Params
     from bringup_lint.model.params import ParameterFile
+
+
+_NAME = regex(r"\w+")
+_KEY = regex(r"(?<![\w.])(\w+)['\"]?[ \t]*:")
 
 
 class Unmatched(NamedTuple):
@@ -57,5 +63,9 @@ def _of(params: Params, launch: Launch, source: Value) -> Iterator[Unmatched]:
 
 
 def _has(file: ParameterFile, name: str) -> bool:
-    text = file.source.text
-    return name in text and re.search(rf"^[^#\n]*(?<![\w.]){re.escape(name)}['\"]?[ \t]*:", text, re.M) is not None
+    """Whether a file may have a key; of a name with other signs that is not known."""
+    return not _NAME.fullmatch(name) or name in file.source.once(_KEY, partial(_keys, file.source))
+
+
+def _keys(source: Source) -> set[str]:
+    return {key for line in source.text.splitlines() for key in _KEY.findall(line.partition("#")[0])}

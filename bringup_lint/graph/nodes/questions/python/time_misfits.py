@@ -62,12 +62,17 @@ def _done(node: ast.expr, kinds: tuple[str, ...]) -> str:
     return f"takes a {kinds[0].partition(' ')[0]} of rclpy for one of rospy or a message"
 
 
+_DEEPEST = 40
+"""How many values lead to one another at most."""
+
+
 class _Kinds:
     """What the expressions of one file are: times, durations, numbers."""
 
     def __init__(self, types: MessageTypes) -> None:
         self._types = types
         self._known: dict[ast.expr, str | None] = {}
+        self._depth = 0
 
     def misfit(self, node: ast.AST) -> tuple[str, ...]:
         if isinstance(node, ast.Attribute) and node.attr in _LACKING:
@@ -91,8 +96,12 @@ class _Kinds:
     def _of(self, value: ast.expr) -> str | None:
         """What a value is; None when that is not known, or it has nothing to do with time."""
         if value not in self._known:
+            if self._depth == _DEEPEST:
+                return None
             self._known[value] = None
+            self._depth += 1
             self._known[value] = self._found(value)
+            self._depth -= 1
         return self._known[value]
 
     def _found(self, value: ast.expr) -> str | None:
