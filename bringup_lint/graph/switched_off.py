@@ -148,7 +148,7 @@ class SwitchedOff:
                 yield None, tree.head(path, _SIZE)
         for path in tree.like(_PAGE):
             if path not in known:
-                lines = tree.head(path, _SIZE).splitlines()
+                lines = tree.head(path, _SIZE).replace("\\\n", " ").splitlines()
                 yield None, "\n".join(line for line in lines if _TYPED.search(line))
 
     def _live(self, source: Source) -> str:

@@ -93,6 +93,7 @@ BUILT = "project(otter)\nadd_executable(weir src/weir.cpp)\n"
             BOTH[1:],
         ),
         ({**ALONE, "README.md": "ros2 run otter weir --params-file weir.yaml\n"}, []),
+        ({**ALONE, "README.md": "ros2 run \\\n  otter weir \\\n  --params-file weir.yaml\n"}, []),
         ({**ALONE, "README.md": "## weir\n"}, BOTH),
         ({**ALONE, "apps/start.xml": "<app>ros2 run otter weir</app>"}, BOTH[:1]),
         ({**ALONE, "start.sh": "#!/bin/sh\nros2 run otter weir\n"}, BOTH[:1]),
