@@ -27,7 +27,8 @@ the tree declares or installs it; rosdep and colcon do not know of it; it is the
 It is an info when all that is left out is one module that ros-base has, of a package that declares others, what
 something that is declared brings (launch files bring `launch_ros`), what packages on which this one depends declare,
 what launch files start by an argument alone, what C++ includes of packages outside of the workspace, or what installed
-launch files of a simulator or examples start. So is what packages of simulations and tests leave out, unless the build
+launch files of a simulator or examples start, unless it is a package of the same workspace that is none for
+simulations: nothing but colcon brings it. So is what packages of simulations and tests leave out, unless the build
 stops or a launch file ends. What something that is declared may bring by its name is named with others only.
 
 ## Why it matters on a robot

@@ -175,7 +175,14 @@ class _Needed:
             return None
         if need.is_of_robot:
             return Lack.OPTIONAL if need.use in _STARTED and not is_simulation(name) else None
-        return Lack.ASIDE if need.by_default else None
+        if not need.by_default:
+            return None
+        return Lack.PACKAGE if need.use in _STARTED and self._is_of_robot(need) else Lack.ASIDE
+
+    def _is_of_robot(self, need: Need) -> bool:
+        """Whether a package of the workspace is for more than simulations: no rosdep brings it."""
+        needed = self._launch.workspace.packages.get(str(need.name))
+        return needed is not None and not is_simulation(needed.name) and self._dependencies.is_for_robot(needed)
 
     def _of_plugin(self, need: Need) -> Lack | None:
         """A plugin of others is missing where nothing of the tree brings it: they come with many packages."""
