@@ -112,6 +112,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.parameters.parameter_calls import untyped_reads
     from bringup_lint.graph.nodes.questions.parameters.unread_in_cpp import unread_in_cpp
     from bringup_lint.graph.nodes.questions.parameters.unread_parameters import unread_parameters
+    from bringup_lint.graph.nodes.questions.parameters.unused_in_cpp import unused_in_cpp
+    from bringup_lint.graph.nodes.questions.parameters.unused_in_python import unused_in_python
     from bringup_lint.graph.nodes.questions.python.abstract_classes import unfinished_classes
     from bringup_lint.graph.nodes.questions.python.call_fit import unfit_calls
     from bringup_lint.graph.nodes.questions.python.class_attributes import class_attributes
@@ -301,6 +303,8 @@ __all__ = [
     "unset_members",
     "unstamped",
     "untyped_reads",
+    "unused_in_cpp",
+    "unused_in_python",
     "valid_node_name",
     "waiting_handlers",
     "waits",

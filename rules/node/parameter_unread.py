@@ -6,6 +6,9 @@ and a parameter file that a launch file gives to the node sets it. Programs that
 hear of changes, are left out. In C++, a `declare_parameter("x", ...)` whose result nobody uses, when no source of the
 package names `x` again, and a launch or parameter file of the package sets it.
 
+A value that is read into a variable or attribute which nothing of the package uses, except to log it, is found as well:
+as information where no launch or parameter file of the package sets the parameter.
+
 A C++ node that only compares the name in the callback for changes is found as well, whoever sets the parameter, when it
 registers that callback after the declaration: the callback is told of later changes, not of the first value.
 
@@ -66,4 +69,13 @@ def parameter_unread(robot: Robot) -> Iterator[Finding]:
             "file or launch sets has no effect",
             advice="register the callback before the declaration, or call get_parameter() once",
             severity=robot.nodes.lowered(source.source, "warning"),
+        )
+    for unused in (*nodes.unused_in_cpp(robot.nodes), *nodes.unused_in_python(robot.nodes)):
+        uses = "nothing but a log line" if unused.is_logged else "nothing"
+        yield finding(
+            unused.name,
+            f"The value of '{unused.name}' is kept in {unused.variable}, which {uses} uses: what is set has no effect",
+            advice=f"use {unused.variable} where the node has a value of its own instead, or remove the parameter",
+            related=[note(unused.given, "set here")] if unused.given is not None else [],
+            severity=robot.nodes.lowered(unused.source, "warning" if unused.given is not None else "info"),
         )

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.graph.nodes.questions.parameters.given_in_package import given_in_package
 from bringup_lint.graph.nodes.questions.parameters.heard_parameters import package_texts
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
@@ -24,8 +24,6 @@ _READS_OTHERS = regex(
 )
 """What may read parameters by names that are not literal, or in code of another package."""
 _OF_ROS = ("use_sim_time", "qos_overrides", "robot_description")
-_FILES_OF_LAUNCH = (".launch.py", ".launch.xml", ".launch.yaml", ".yaml", ".yml", ".xml")
-_MOST = 200
 
 
 class UnreadInCpp(NamedTuple):
@@ -46,7 +44,7 @@ def unread_in_cpp(nodes: Nodes) -> Iterator[UnreadInCpp]:
             name = str(parameter.name)
             if not name.startswith(_OF_ROS) and _is_dropped(node.source, parameter):
                 named = sum(text.count(f'"{name}"') for text in texts)
-                given = _given(nodes, node.source, name) if named == 1 else None
+                given = given_in_package(nodes, node.source, name) if named == 1 else None
                 if given is not None:
                     yield UnreadInCpp(node.source, parameter, given)
 
@@ -55,21 +53,3 @@ def _is_dropped(source: Source, parameter: Parameter) -> bool:
     """Whether a declaration is a statement of its own, whose value nobody takes."""
     before, after = source.text[: parameter.span.start].rstrip(), source.text[parameter.span.end :].lstrip()
     return before.endswith((";", "{", "}")) and after.startswith(";")
-
-
-def _given(nodes: Nodes, source: Source, name: str) -> Span | None:
-    """Where a file of the package sets a parameter of this name."""
-    owner = nodes.launch.workspace.owner(source)
-    if owner is None:
-        return None
-    key = re.compile(
-        rf"(?:^[ \t]{{1,40}}{re.escape(name)}[ \t]{{0,4}}:|[\"']{re.escape(name)}[\"'][ \t]{{0,4}}:)", re.M
-    )
-    paths = [path for path in nodes.files.tree.walked_below(owner.folder) if path.endswith(_FILES_OF_LAUNCH)]
-    for path in paths[:_MOST]:
-        file = nodes.files.tree.read(path, judged=False)
-        found = key.search(file.text) if file is not None and name in file.text else None
-        if file is not None and found is not None:
-            start = file.text.index(name, found.start())
-            return Span(file, start, start + len(name))
-    return None
