@@ -58,7 +58,8 @@ STARTS = regex(
 )
 RUNS = regex(r"\bros2 run (?P<package>[a-z]\w+) (?P<name>\w[\w.-]*)(?![\w{<$*/-])")
 ARGUMENT = regex(r"(?<!\S)(?P<name>[A-Za-z_]\w*):=(?P<value>[\w./-]+)(?!\S)")
-STAND_IN = regex(r"(?i)\b(?:your|my)_|\.\.\.|\bx{3,}\b")
+STAND_IN = regex(r"(?i)\b(?:your|my)_|\.\.\.|\bx{3,}\b|[│┃║]")
+"""Of a command that is no more than a form, or part of a drawing."""
 MOST = 20
 
 

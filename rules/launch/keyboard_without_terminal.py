@@ -49,7 +49,7 @@ READERS = {
     "turtlesim": "turtle_teleop_key",
 }
 READS_KEYS = regex(r"\btcgetattr\((?:sys\.)?stdin\b", hints="tcgetattr")
-ASKS = regex(r"\bisatty\(|/dev/tty\b")
+ASKS = regex(r"\bisatty\(|/dev/tty\b|\bexcept\b[^\n:]{0,80}\btermios\.error\b")
 
 
 @rule("warning", symptoms=["termios.error: (25, 'Inappropriate ioctl for device')"])

@@ -175,7 +175,7 @@ def _of_rclpy(robot: Robot) -> Iterator[Finding]:
                 file.span_of(lacking.place),
                 f"{lacking.error}: the module rclpy has no '{lacking.name}', and {lacking.end}",
                 advice=f"write {lacking.instead}",
-                severity=robot.nodes.lowered_if_vendored(file.source, "error"),
+                severity="info" if lacking.idle else robot.nodes.lowered_if_vendored(file.source, "error"),
             )
 
 

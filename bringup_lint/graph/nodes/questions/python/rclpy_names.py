@@ -6,6 +6,7 @@ import ast
 from collections.abc import Iterator
 
 from bringup_lint.facts import table
+from bringup_lint.graph.nodes.sources.idle import is_idle
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.what_ends import end_of
 from bringup_lint.model.python import PlacedNode
@@ -21,6 +22,8 @@ class NoName(NamedTuple):
     instead: str
     end: str
     """What the exception ends, in words."""
+    idle: bool
+    """Nothing runs the function around it."""
 
     @property
     def error(self) -> str:
@@ -38,7 +41,8 @@ def lacking_names(syntax: Syntax) -> Iterator[NoName]:
         else:
             continue
         if taken and _is_run(syntax, node, lazy):
-            yield from (NoName(node, name, lacks[name], end_of(syntax, node)) for name in taken)
+            idle = isinstance(node, ast.Attribute) and is_idle(syntax, node)
+            yield from (NoName(node, name, lacks[name], end_of(syntax, node), idle) for name in taken)
 
 
 def _is_run(syntax: Syntax, node: ast.AST, lazy: bool) -> bool:
