@@ -112,11 +112,13 @@ def _of_everybody(robot: Robot, folders: set[str]) -> dict[str, Located]:
     """For each of some folders the first place that has it in the home of whoever reads or runs it."""
     found: dict[str, Located] = {}
     for path in robot.tree.like(PAGES):
+        source: Source | None = None
         for match in OF_EVERYBODY.finditer(robot.tree.head(path, MOST)):
             name = next(filter(folders.__contains__, _names(match["folder"])), None)
-            source = robot.tree.read(path, judged=False) if name is not None and name not in found else None
-            if name is not None and source is not None:
-                found[name] = source.located(match.start(), match.start("folder") + len(name))
+            if name is not None and name not in found:
+                source = source or robot.tree.read(path, judged=False)
+                if source is not None:
+                    found[name] = source.located(match.start(), match.start("folder") + len(name))
     return found
 
 

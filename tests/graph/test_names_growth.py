@@ -106,6 +106,24 @@ def missing_pictures(size: int) -> dict[str, str]:
     return {"skiff/package.xml": PACKAGE, "skiff/CMakeLists.txt": build, "skiff/art/b.png": ""}
 
 
+MAIN = "int main() {{ rclcpp::init(0, 0); {} }}\n"
+
+
+def nested_loops(size: int) -> dict[str, str]:
+    loops = "while (rclcpp::ok()) { rclcpp::spin_some(node);\n" * size + "}" * size
+    return {"skiff/package.xml": PACKAGE, "skiff/src/a.cpp": "#include <rclcpp/rclcpp.hpp>\n" + MAIN.format(loops)}
+
+
+def declared_parameters(size: int) -> dict[str, str]:
+    declared = lines(size, 'declare_parameter("sail{}", 1);\n')
+    node = f'class Rig : public rclcpp::Node {{ public: Rig() : Node("rig") {{\n{declared}}} }};\n'
+    return {
+        "skiff/package.xml": PACKAGE,
+        "skiff/src/a.cpp": "#include <rclcpp/rclcpp.hpp>\n" + node + MAIN.format("std::make_shared<Rig>();"),
+        "skiff/config/a.yaml": "rig:\n  ros__parameters:\n" + lines(size, "    sail{}: 1\n"),
+    }
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("rule", "made", "small"),
@@ -122,6 +140,8 @@ def missing_pictures(size: int) -> dict[str, str]:
         ("params/absolute-home-path", open_remarks, 250),
         ("launch/executable-missing", misspelt_programs, 60),
         ("cyclonedds/deprecated-element", domains, 100),
+        ("node/busy-loop", nested_loops, 60),
+        ("node/parameter-unread", declared_parameters, 150),
         ("package/installed-file-missing", missing_pictures, 200),
     ],
 )

@@ -97,11 +97,13 @@ def runs(body: Node, node: Node) -> bool:
     """Whether a body holds a node itself, and not in a lambda that something else may run."""
     if not body.start_byte < node.start_byte or node.end_byte > body.end_byte:
         return False
-    outer = node.parent
-    while outer is not None and outer.id != body.id:
-        if outer.type == "lambda_expression":
+    cursor = body.walk()
+    while cursor.goto_first_child_for_byte(node.start_byte) is not None:
+        here = cursor.node
+        if here is None or here.id == node.id:
+            break
+        if here.type == "lambda_expression":
             return False
-        outer = outer.parent
     return True
 
 

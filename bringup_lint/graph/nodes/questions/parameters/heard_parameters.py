@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.endings import CPP
+from bringup_lint.graph.memo import memo
 from bringup_lint.model.cpp_text import COMMENT
 from bringup_lint.model.cpp_text import end_of_block
 from bringup_lint.model.node_source import Parameter
@@ -48,9 +49,12 @@ def heard_parameters(nodes: Nodes) -> Iterator[tuple[CppNode, Parameter]]:
 def package_texts(nodes: Nodes, source: Source) -> list[str]:
     """The C++ files of the package of a source, without comments."""
     owner = nodes.launch.workspace.owner(source)
-    if owner is None:
-        return [COMMENT.sub("", source.text)]
-    paths = [path for path in nodes.files.tree.walked_below(owner.folder) if path.endswith(CPP)]
+    return [COMMENT.sub("", source.text)] if owner is None else _texts_below(nodes, owner.folder)
+
+
+@memo
+def _texts_below(nodes: Nodes, folder: str) -> list[str]:
+    paths = [path for path in nodes.files.tree.walked_below(folder) if path.endswith(CPP)]
     found = (nodes.files.tree.read(path, judged=False) for path in paths[:FILES])
     return [COMMENT.sub("", each.text) for each in found if each is not None]
 

@@ -25,6 +25,9 @@ _READS_OTHERS = regex(
 """What may read parameters by names that are not literal, or in code of another package."""
 _OF_ROS = ("use_sim_time", "qos_overrides", "robot_description")
 
+_NEAR = 400
+"""Blanks around a declaration, at most."""
+
 
 class UnreadInCpp(NamedTuple):
     source: Source
@@ -51,5 +54,6 @@ def unread_in_cpp(nodes: Nodes) -> Iterator[UnreadInCpp]:
 
 def _is_dropped(source: Source, parameter: Parameter) -> bool:
     """Whether a declaration is a statement of its own, whose value nobody takes."""
-    before, after = source.text[: parameter.span.start].rstrip(), source.text[parameter.span.end :].lstrip()
+    start, end = parameter.span.start, parameter.span.end
+    before, after = source.text[max(start - _NEAR, 0) : start].rstrip(), source.text[end : end + _NEAR].lstrip()
     return before.endswith((";", "{", "}")) and after.startswith(";")
