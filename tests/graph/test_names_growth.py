@@ -106,6 +106,18 @@ def missing_pictures(size: int) -> dict[str, str]:
     return {"skiff/package.xml": PACKAGE, "skiff/CMakeLists.txt": build, "skiff/art/b.png": ""}
 
 
+def moved_services(size: int) -> dict[str, str]:
+    files = {f"sail{at}/compose.yaml": f"services:\n  rig:\n    build: sail{at}\n" for at in range(size)}
+    made = {f"sail{at}/Dockerfile": "FROM ros:jazzy\n" for at in range(size)}
+    return {**files, **made, "README.md": "a/b/" * size * 20}
+
+
+def waiting_units(size: int) -> dict[str, str]:
+    unit = "[Unit]\nAfter=network-online.target\n[Service]\nExecStart=/bin/sh -c 'exec $RIG/lib/rig/sail{}.sh'\n"
+    units = {f"sail{at}.service": unit.format(at) for at in range(size)}
+    return {**units, **{f"sail{at}.sh": "#!/bin/sh\nros2 launch rig sail.launch.py\n" for at in range(size)}}
+
+
 MAIN = "int main() {{ rclcpp::init(0, 0); {} }}\n"
 
 
@@ -140,6 +152,8 @@ def declared_parameters(size: int) -> dict[str, str]:
         ("params/absolute-home-path", open_remarks, 250),
         ("launch/executable-missing", misspelt_programs, 60),
         ("cyclonedds/deprecated-element", domains, 100),
+        ("compose", moved_services, 50),
+        ("systemd/network-online-no-wants", waiting_units, 60),
         ("node/busy-loop", nested_loops, 60),
         ("node/parameter-unread", declared_parameters, 150),
         ("package/installed-file-missing", missing_pictures, 200),

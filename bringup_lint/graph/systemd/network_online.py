@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from bringup_lint.graph.memo import kept
 from bringup_lint.graph.systemd.unit import Unit
 from bringup_lint.graph.systemd.units import Units
 from bringup_lint.model.unit import Assignment
@@ -64,7 +65,13 @@ def waits_itself(unit: Unit, units: Units) -> bool:
     if any(map(_waits, texts)):
         return True
     names = {name for text in texts for name in _INSTALLED.findall(text)}
-    return any(each.basename in names and _waits(each.text) for each in units.files.of_kind("shell-script"))
+    return bool(names) and not names.isdisjoint(_waiting_scripts(units))
+
+
+@kept
+def _waiting_scripts(units: Units) -> frozenset[str]:
+    """The names of the scripts of the tree that wait for the network."""
+    return frozenset(each.basename for each in units.files.of_kind("shell-script") if _waits(each.text))
 
 
 def _waits(text: str) -> bool:

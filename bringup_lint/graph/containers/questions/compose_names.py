@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.containers.questions.compose_projects import Projects
+from bringup_lint.graph.memo import kept
 from bringup_lint.model.compose import ComposeFile
 from bringup_lint.model.compose import Service
 from bringup_lint.model.compose import is_variable
@@ -39,6 +40,7 @@ _RECIPES = regex(r"(?:^|/)(?:(?:GNU)?[Mm]akefile|[Jj]ustfile|Taskfile\.ya?ml)$")
 """Files of commands that are no scripts of a shell."""
 _RECIPES_READ = 200_000
 _DOCKERFILES = ("Dockerfile", "dockerfile", "Containerfile")
+_WORD = regex(r"([^\s\"'`(){}=:,;]+)( ?)")
 
 
 class MissingFile(NamedTuple):
@@ -207,11 +209,22 @@ def _is_own_folder(files: Files, context: str) -> bool:
 def _is_moved(files: Files, service: Service) -> bool:
     """Whether something of the tree starts its services from another folder, or together with another file."""
     folder = os.path.basename(os.path.dirname(service.source.absolute))
-    file = f"{folder}/{service.source.basename}"
+    return _are_moved(files) or f"{folder}/{service.source.basename}" in _before_others(files)
+
+
+@kept
+def _are_moved(files: Files) -> bool:
+    """Whether something of the tree sets the folder or the files of projects."""
     if any("project_directory" in source.text for source in files.of_kind("compose")):
         return True
-    texts = _texts(files)
-    return any("project-directory" in text or "COMPOSE_FILE" in text or f"{file} " in text for text in texts)
+    return any("project-directory" in text or "COMPOSE_FILE" in text for text in _texts(files))
+
+
+@kept
+def _before_others(files: Files) -> frozenset[str]:
+    """The words of the tree behind which others stand, of paths the last folder and the name."""
+    words = (word for text in _texts(files) for word, blank in _WORD.findall(text) if blank and "/" in word)
+    return frozenset("/".join(word.rsplit("/", 2)[-2:]) for word in words)
 
 
 def _is_made(files: Files, path: str) -> bool:
