@@ -141,7 +141,7 @@ def _is_unused(package: _Package, read: _Read, is_last: bool) -> bool:
     """Whether the variable is only declared and read into, privately, and the parameter read once."""
     variable, name = str(read.variable), str(read.name)
     is_asked = read.call != "declare_parameter"
-    if package.reads[name] != is_asked or package.literals[name] + package.literals[f".{name}"] > 1 + is_asked:
+    if package.reads[name] != is_asked or package.literals[name] + package.literals[f".{name}"] != 1 + is_asked:
         return False
     if package.words[variable] != 2 - read.is_declared:
         return False

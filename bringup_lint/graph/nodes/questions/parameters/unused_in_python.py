@@ -81,7 +81,7 @@ def _unused(syntax: Syntax) -> Iterator[tuple[Located, ast.Attribute, bool]]:
     asked = Counter(_name(call) for call in syntax.calls if called_name(call) == "get_parameter")
     for call, target in kept:
         name, is_asked = _name(call), called_name(call) == "get_parameter"
-        is_once = asked[name] == is_asked and texts[str(name)] <= 1 + is_asked
+        is_once = asked[name] == is_asked and texts[str(name)] == 1 + is_asked
         if name is not None and is_once and target.attr not in used and not _may_react(syntax, target):
             yield Located(name, syntax.file.span_of(call.args[0])), target, target.attr in shown
 
