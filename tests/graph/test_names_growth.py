@@ -118,6 +118,12 @@ def waiting_units(size: int) -> dict[str, str]:
     return {**units, **{f"sail{at}.sh": "#!/bin/sh\nros2 launch rig sail.launch.py\n" for at in range(size)}}
 
 
+def started_units(size: int) -> dict[str, str]:
+    units = {f".config/systemd/user/sail{at}.service": "[Install]\nWantedBy=multi-user.target\n" for at in range(size)}
+    task = "    - name: Hoist\n      systemd:\n        name: sail{}.service\n        state: started\n"
+    return {**units, "playbooks/site.yml": "- hosts: boats\n  tasks:\n" + lines(size, task)}
+
+
 MAIN = "int main() {{ rclcpp::init(0, 0); {} }}\n"
 
 
@@ -154,6 +160,7 @@ def declared_parameters(size: int) -> dict[str, str]:
         ("cyclonedds/deprecated-element", domains, 100),
         ("compose", moved_services, 50),
         ("systemd/network-online-no-wants", waiting_units, 60),
+        ("systemd/user-unit-system-target", started_units, 60),
         ("node/busy-loop", nested_loops, 60),
         ("node/parameter-unread", declared_parameters, 150),
         ("package/installed-file-missing", missing_pictures, 200),

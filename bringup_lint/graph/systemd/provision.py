@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.folders import above
+from bringup_lint.graph.memo import kept
 from bringup_lint.pattern import regex
 from bringup_lint.type_names import TYPE_CHECKING
 
@@ -28,6 +29,13 @@ _BUILD = regex(
 )
 _OPEN = regex(r"[*$]|\{\{|[ \t]-\w{0,5}[rRa]|\b(?:rsync|tar|unzip|git|scp)\b|\bdest[\"']?:")
 """Lines whose files are not all named."""
+_SYSTEMCTL = regex(r"\bsystemctl\b([^\n|;&]*)", hints="systemctl")
+_STARTS = regex(r"\s(?:re)?start\s")
+_UNIT = regex(r"[\w.@:\\-]+")
+_TASK = regex(
+    r"\bname:\s*[\"']?([^\s\"']+)[\"']?[ \t]*\n(?=(?:[ \t]+\w+:.*\n){0,6}?[ \t]+state:\s*[\"']?(?:re)?started\b)",
+    hints="started",
+)
 _SIZE = 512 * 1024
 _COUNT = 3000
 """Bytes of a script and scripts of a tree that are looked at, at most."""
@@ -74,11 +82,19 @@ def may_make(tree: Tree, path: str) -> bool:
 
 def starts(tree: Tree, unit: str) -> bool:
     """Whether a script or an Ansible task of the tree starts the service by its name."""
-    name = re.escape(unit.removesuffix(".service")) + r"(?:\.service)?"
-    command = rf"\bsystemctl\b[^\n|;&]*\s(?:re)?start\s[^\n|;&]*(?<![\w.-]){name}(?![\w.-])"
-    task = rf"\bname:\s*[\"']?{name}[\"']?[ \t]*\n(?:[ \t]+\w+:.*\n){{0,6}}?[ \t]+state:\s*[\"']?(?:re)?started\b"
-    written = re.compile(f"{command}|{task}")
-    return any(unit.removesuffix(".service") in text and written.search(text) for text in scripts_of(tree))
+    return unit.removesuffix(".service") in _started(tree)
+
+
+@kept
+def _started(tree: Tree) -> frozenset[str]:
+    """What scripts and Ansible tasks start, without its ending."""
+    found: set[str] = set()
+    for text in scripts_of(tree):
+        for command in _SYSTEMCTL.findall(text):
+            verb = _STARTS.search(command)
+            found.update(_UNIT.findall(command, verb.end()) if verb is not None else ())
+        found.update(_TASK.findall(text))
+    return frozenset(name.removesuffix(".service") for name in found)
 
 
 def naming(tree: Tree, pattern: re.Pattern[str]) -> Iterator[str]:
