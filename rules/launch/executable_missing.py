@@ -36,7 +36,6 @@ external project generates.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
@@ -48,6 +47,7 @@ from bringup_lint.api import Located
 from bringup_lint.api import NamedTuple
 from bringup_lint.api import Related
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import fix
@@ -62,6 +62,10 @@ SYMLINKS = regex(r"--symlink-install\b")
 """With links in the place of files, a script keeps the mode that it has in the source."""
 UNKNOWN = regex(r"[$`%*{\\^]")
 """What a shell, systemd or a template fills in."""
+PUT_AWAY = regex(r"(?m)^[ \t]*#[^\n]{0,80}\b(?:add_executable|ament_add_gtest)[ \t]*\([ \t]*([\w.-]+)")
+MANY = 300
+"""Executables of a package among which none is looked for that a misspelt one means."""
+
 ABORTS = "launch aborts"
 ENDS = "ros2 run ends with 'No executable found'"
 
@@ -270,7 +274,8 @@ def of_other_package(start: Start, package: launch.Package, home: launch.Package
 
 def missing(start: Start, package: launch.Package) -> Finding:
     executable = start.executable
-    longer = [each for each in package.executables if f"_{executable}_" in f"_{each}_"]
+    few = package.executables if len(package.executables) <= MANY else ()
+    longer = [each for each in few if f"_{executable}_" in f"_{each}_"]
     near = longer if len(longer) == 1 else nearest_of_few(executable, package.executables, 3)
     builds = [build.source for build in package.builds[:1]]
     related = [note(package.executables[near[0]], "the executable of the package")] if near else []
@@ -287,9 +292,12 @@ def missing(start: Start, package: launch.Package) -> Finding:
 
 def _is_commented_out(package: launch.Package, executable: str) -> bool:
     """Whether the line of a CMakeLists.txt that would build it is a comment."""
-    makes = r"\b(?:add_executable|ament_add_gtest)[ \t]*\([ \t]*"
-    target = re.compile(rf"^[ \t]*#[^\n]{{0,80}}{makes}{re.escape(executable)}\b", re.M)
-    return any(target.search(build.source.text) for build in package.builds)
+    sources = (build.source for build in package.builds)
+    return any(executable in each.once(PUT_AWAY, partial(_put_away, each)) for each in sources)
+
+
+def _put_away(build: Source) -> frozenset[str]:
+    return frozenset(PUT_AWAY.findall(build.text))
 
 
 def _fix(executable: Located, name: str) -> Fix | None:
