@@ -61,7 +61,7 @@ MADE = regex(r"(?:^|/)(?:install|build|devel|_build)/|(?:^|/)(?:local_)?setup\.(
 MOST = 20
 
 
-@rule("warning", symptoms=["No such file or directory"])
+@rule("warning", symptoms=["bash: *.sh: No such file or directory"])
 def guide_script_missing(robot: Robot) -> Iterator[Finding]:
     read = filter(None, map(robot.tree.read, robot.tree.like(PAGE)))
     sources = [source for source in read if source.judged and ".sh" in source.text]

@@ -43,6 +43,9 @@ _WRAPPERS = {
 """Programs that run another one: their options that take a value, and how many words of their own they
 need."""
 
+_OWN_SHELL = ("chroot",)
+"""Those that start a shell of their own when no program is named: it reads what the script gives it."""
+
 
 def program_name(word: str) -> str:
     """The last component of a program's path."""
@@ -63,5 +66,7 @@ def unwrapped(words: tuple[Located, ...]) -> tuple[Located, ...]:
             at += 2 if words[at] in options.split() else 1
             if words[at - 1 : at] == ("--",):
                 break
+        if program_name(words[0]) in _OWN_SHELL and len(words) <= at + own:
+            break
         words = words[at + own :]
     return words

@@ -37,3 +37,9 @@ def test_program_after_a_wrapper(before: str) -> None:
     source = Source("start", f"{before} ros2 launch rover rover.launch.py")
     words = tuple(source.located(found.start(), found.end()) for found in re.finditer(r"\S+", source.text))
     assert [str(word) for word in unwrapped(words)][:2] == ["ros2", "launch"]
+
+
+def test_a_new_root_without_a_program_has_a_shell() -> None:
+    source = Source("start", "sudo chroot /mnt")
+    words = tuple(source.located(found.start(), found.end()) for found in re.finditer(r"\S+", source.text))
+    assert [str(word) for word in unwrapped(words)] == ["chroot", "/mnt"]
