@@ -106,11 +106,8 @@ class Start(NamedTuple):
 def executable_missing(robot: Robot) -> Iterator[Finding]:
     elsewhere: dict[str, list[Start]] = {}
     made: dict[str, list[Start]] = {}
-    starts = (*_of_launch_files(robot), *_of_commands(robot))
-    if not starts:
-        return
-    workspace = robot.launch.workspace
-    for start in starts:
+    for start in (*_of_launch_files(robot), *_of_commands(robot)):
+        workspace = robot.launch.workspace
         name, executable = start.package, start.executable
         package = workspace.packages.get(name)
         if package is not None:
@@ -121,8 +118,8 @@ def executable_missing(robot: Robot) -> Iterator[Finding]:
                 made.setdefault(name, []).append(start)
         elif name not in workspace.ambiguous and start.judged:
             yield from of_public(robot, start)
-    yield from (misplaced(workspace.packages[package], started) for package, started in elsewhere.items())
-    yield from (only_made(workspace.packages[package], started) for package, started in made.items())
+    yield from (misplaced(robot.launch.workspace.packages[name], started) for name, started in elsewhere.items())
+    yield from (only_made(robot.launch.workspace.packages[name], started) for name, started in made.items())
 
 
 def _of_launch_files(robot: Robot) -> Iterator[Start]:

@@ -110,16 +110,15 @@ def _is_of_robot(robot: Robot, user: str) -> bool:
 
 def _of_everybody(robot: Robot, folders: set[str]) -> dict[str, Located]:
     """For each of some folders the first place that has it in the home of whoever reads or runs it."""
-    found: dict[str, Located] = {}
+    found: dict[str, tuple[str, int, int]] = {}
     for path in robot.tree.like(PAGES):
-        source: Source | None = None
         for match in OF_EVERYBODY.finditer(robot.tree.head(path, MOST)):
             name = next(filter(folders.__contains__, _names(match["folder"])), None)
-            if name is not None and name not in found:
-                source = source or robot.tree.read(path, judged=False)
-                if source is not None:
-                    found[name] = source.located(match.start(), match.start("folder") + len(name))
-    return found
+            if name is not None:
+                found.setdefault(name, (path, match.start(), match.start("folder") + len(name)))
+    sources = {path: robot.tree.read(path, judged=False) for path, _, _ in found.values()}
+    placed = ((name, sources[path], start, end) for name, (path, start, end) in found.items())
+    return {name: source.located(start, end) for name, source, start, end in placed if source is not None}
 
 
 def _names(written: str) -> Iterator[str]:
