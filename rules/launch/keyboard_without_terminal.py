@@ -74,9 +74,9 @@ def reader(robot: Robot, node: Started) -> Span | None:
     package, program = literal_text(node.package), literal_text(node.executable)
     if package is None or program is None:
         return None
-    if READERS.get(str(package)) == str(program).removesuffix(".py"):
-        return node.span
     own = robot.nodes.program_of(node)
-    text = own.file.source.text if own is not None else ""
-    found = READS_KEYS.search(text)
-    return own.file.source.span(*found.span()) if own and found and not ASKS.search(text) else None
+    if own is None:
+        is_public = READERS.get(str(package)) == str(program).removesuffix(".py")
+        return node.span if is_public and package not in robot.launch.workspace.packages else None
+    found = READS_KEYS.search(own.file.source.text)
+    return own.file.source.span(*found.span()) if found and not ASKS.search(own.file.source.text) else None
