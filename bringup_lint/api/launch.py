@@ -289,7 +289,7 @@ def refused(launch: Launch, code: str, otherwise: str) -> Iterator[Finding]:
         for each in launch.refusals(file):
             if each.code == code:
                 near = each.near[0] if len(each.near) == 1 else ""
-                is_clear = near and is_free(near, each.word, names_beside(each.word))
+                is_clear = near and each.is_spelling and is_free(near, each.word, names_beside(each.word))
                 yield finding(
                     each.where,
                     each.effect,

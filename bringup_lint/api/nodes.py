@@ -114,6 +114,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.parameters.unread_parameters import unread_parameters
     from bringup_lint.graph.nodes.questions.parameters.unused_in_cpp import unused_in_cpp
     from bringup_lint.graph.nodes.questions.parameters.unused_in_python import unused_in_python
+    from bringup_lint.graph.nodes.questions.parameters.unused_parameter import UnusedParameter
     from bringup_lint.graph.nodes.questions.python.abstract_classes import unfinished_classes
     from bringup_lint.graph.nodes.questions.python.call_fit import unfit_calls
     from bringup_lint.graph.nodes.questions.python.class_attributes import class_attributes
@@ -177,6 +178,7 @@ __all__ = [
     "Timer",
     "Unchecked",
     "UnfitCallback",
+    "UnusedParameter",
     "WrongUnit",
     "asked_in_vain",
     "asked_quietly",

@@ -35,6 +35,7 @@ When another program reads the parameter of this node, through its parameter ser
 """
 
 from collections.abc import Iterator
+from functools import partial
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
@@ -70,12 +71,17 @@ def parameter_unread(robot: Robot) -> Iterator[Finding]:
             advice="register the callback before the declaration, or call get_parameter() once",
             severity=robot.nodes.lowered(source.source, "warning"),
         )
-    for unused in (*nodes.unused_in_cpp(robot.nodes), *nodes.unused_in_python(robot.nodes)):
-        uses = "nothing but a log line" if unused.is_logged else "nothing"
-        yield finding(
-            unused.name,
-            f"The value of '{unused.name}' is kept in {unused.variable}, which {uses} uses: what is set has no effect",
-            advice=f"use {unused.variable} where the node has a value of its own instead, or remove the parameter",
-            related=[note(unused.given, "set here")] if unused.given is not None else [],
-            severity=robot.nodes.lowered(unused.source, "warning" if unused.given is not None else "info"),
-        )
+    yield from map(partial(_unused, robot), nodes.unused_in_cpp(robot.nodes))
+    yield from map(partial(_unused, robot), nodes.unused_in_python(robot.nodes))
+
+
+def _unused(robot: Robot, unused: nodes.UnusedParameter) -> Finding:
+    """A value that goes to a variable, and no further."""
+    uses = "nothing but a log line" if unused.is_logged else "nothing"
+    return finding(
+        unused.name,
+        f"The value of '{unused.name}' is kept in {unused.variable}, which {uses} uses: what is set has no effect",
+        advice=f"use {unused.variable} where the node has a value of its own instead, or remove the parameter",
+        related=[note(unused.given, "set here")] if unused.given is not None else [],
+        severity=robot.nodes.lowered(unused.source, "warning" if unused.given is not None else "info"),
+    )

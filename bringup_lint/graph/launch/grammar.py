@@ -45,6 +45,8 @@ class Refusal(NamedTuple):
     """The names that may have been meant."""
     extension: bool = False
     """An extension of launch could define the name."""
+    is_spelling: bool = True
+    """Only the name has to be written in another way; what it holds stays as it is."""
 
     @property
     def word(self) -> Located:
@@ -128,8 +130,9 @@ class Checker:
 
     def unknown_attribute(self, tag: Tag, entity: Entity, key: Located) -> Refusal:
         free = [name for name in entity.attributes if name not in tag.attributes]
-        near = tuple(nearest(key, free, 3)) or tuple(_meant(tag, entity, str(key), free))
-        return Refusal("attribute", key, f"'{tag.name}' has no attribute '{key}'", near)
+        near = tuple(nearest(key, free, 3))
+        meant = near or tuple(_meant(tag, entity, str(key), free))
+        return Refusal("attribute", key, f"'{tag.name}' has no attribute '{key}'", meant, is_spelling=bool(near))
 
     def children(self, tag: Tag, entity: Entity) -> Iterator[Refusal]:
         for name, child in entity.children.items():

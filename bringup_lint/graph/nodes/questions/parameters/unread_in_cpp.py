@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.graph.nodes.questions.parameters.given_in_package import given_in_package
 from bringup_lint.graph.nodes.questions.parameters.heard_parameters import package_texts
+from bringup_lint.model.cpp_text import blanked
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
@@ -26,7 +27,7 @@ _READS_OTHERS = regex(
 _OF_ROS = ("use_sim_time", "qos_overrides", "robot_description")
 
 _NEAR = 400
-"""Blanks around a declaration, at most."""
+"""Blanks and comments around a declaration, at most."""
 
 
 class UnreadInCpp(NamedTuple):
@@ -55,5 +56,6 @@ def unread_in_cpp(nodes: Nodes) -> Iterator[UnreadInCpp]:
 def _is_dropped(source: Source, parameter: Parameter) -> bool:
     """Whether a declaration is a statement of its own, whose value nobody takes."""
     start, end = parameter.span.start, parameter.span.end
-    before, after = source.text[max(start - _NEAR, 0) : start].rstrip(), source.text[end : end + _NEAR].lstrip()
+    plain = source.once(blanked, lambda: blanked(source.text))
+    before, after = plain[max(start - _NEAR, 0) : start].rstrip(), plain[end : end + _NEAR].lstrip()
     return before.endswith((";", "{", "}")) and after.startswith(";")

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.endings import CPP
 from bringup_lint.graph.nodes.questions.parameters.given_in_package import given_in_package
+from bringup_lint.graph.nodes.questions.parameters.unused_parameter import UnusedParameter
 from bringup_lint.model.cpp_text import blanked
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
@@ -55,15 +56,6 @@ _FILES = 300
 """Files of a package that are searched; one with more is left alone."""
 
 
-class UnusedInCpp(NamedTuple):
-    source: Source
-    name: Located
-    variable: Located
-    given: Span | None
-    """Where a launch or parameter file of the package sets it."""
-    is_logged: bool
-
-
 class _Read(NamedTuple):
     name: Located
     variable: Located
@@ -82,7 +74,7 @@ class _Package(NamedTuple):
     """How often ``get_parameter`` asks for a name."""
 
 
-def unused_in_cpp(nodes: Nodes) -> Iterator[UnusedInCpp]:
+def unused_in_cpp(nodes: Nodes) -> Iterator[UnusedParameter]:
     packages: dict[str, _Package | None] = {}
     for node in nodes.cpp:
         source = node.source
@@ -95,7 +87,7 @@ def unused_in_cpp(nodes: Nodes) -> Iterator[UnusedInCpp]:
             package = packages[owner.folder]
             if package is not None and _is_unused(package, read, _ENDS_HERE.search(source.text) is not None):
                 given = given_in_package(nodes, source, str(read.name))
-                yield UnusedInCpp(source, read.name, read.variable, given, str(read.variable) in package.logged)
+                yield UnusedParameter(source, read.name, read.variable, given, str(read.variable) in package.logged)
 
 
 def _reads(source: Source) -> Iterator[_Read]:

@@ -9,15 +9,13 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.nodes.questions.parameters.given_in_package import given_in_package
+from bringup_lint.graph.nodes.questions.parameters.unused_parameter import UnusedParameter
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.node_source import NodeSource
 from bringup_lint.model.python import called_name
 from bringup_lint.model.python import is_own
-from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
-from bringup_lint.source import Source
-from bringup_lint.source import Span
 
 if TYPE_CHECKING:
     from bringup_lint.graph.nodes.nodes import Nodes
@@ -36,17 +34,7 @@ _FILES = 300
 """Files of a package that are searched; one with more is left alone."""
 
 
-class UnusedInPython(NamedTuple):
-    source: Source
-    name: Located
-    variable: Located
-    """``self.speed``."""
-    given: Span | None
-    """Where a launch or parameter file of the package sets it."""
-    is_logged: bool
-
-
-def unused_in_python(nodes: Nodes) -> Iterator[UnusedInPython]:
+def unused_in_python(nodes: Nodes) -> Iterator[UnusedParameter]:
     for file in nodes.robot_sources:
         text = file.source.text
         if not _READS.search(text) or _BY_NAME.search(text) or nodes.launch.workspace.is_vendored(file.source):
@@ -55,7 +43,7 @@ def unused_in_python(nodes: Nodes) -> Iterator[UnusedInPython]:
             if not _is_used_beside(nodes, file, target.attr):
                 variable = Located(f"self.{target.attr}", file.span_of(target))
                 given = given_in_package(nodes, file.source, str(name))
-                yield UnusedInPython(file.source, name, variable, given, is_logged)
+                yield UnusedParameter(file.source, name, variable, given, is_logged)
 
 
 def _unused(syntax: Syntax) -> Iterator[tuple[Located, ast.Attribute, bool]]:
