@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.image_builds import has_busybox
     from bringup_lint.graph.image_builds import runs_in_image
     from bringup_lint.graph.installed.ansible.names import missing_names
+    from bringup_lint.graph.installed.ansible.roles import roles_of
     from bringup_lint.graph.installed.ansible.shells import sh_commands
     from bringup_lint.graph.installed.masked import masked_units
     from bringup_lint.graph.installed.misnamed_files import Misnamed
@@ -92,6 +93,7 @@ __all__ = [
     "plain_modes",
     "plays",
     "program_name",
+    "roles_of",
     "run_options",
     "runs_in_image",
     "sh_commands",

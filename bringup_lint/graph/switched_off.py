@@ -281,8 +281,8 @@ def _is_code(remark: str) -> bool:
     """Whether a comment puts away code, and does not say something to people."""
     if remark.startswith("<!--"):
         return "<" in remark[1:] and _COMMAND.search(remark) is None
-    words, _, _ = _QUOTED.sub('""', remark.strip().lstrip("#")).partition("#")
-    return _PROSE.search(words) is None and _COMMAND.search(remark) is None
+    code, _, _ = _QUOTED.sub('""', remark.strip().lstrip("#")).partition("#")
+    return _PROSE.search(code) is None and _COMMAND.search(remark) is None
 
 
 def _switched(text: str) -> Iterator[str]:

@@ -41,9 +41,9 @@ from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.shell import plays
+from bringup_lint.api.shell import roles_of
 from bringup_lint.api.shell import tasks
 from bringup_lint.api.yaml import Mapping
-from bringup_lint.api.yaml import Node
 from bringup_lint.api.yaml import Scalar
 
 READING = frozenset(("copy", "unarchive"))
@@ -115,7 +115,7 @@ def _users(robot: Robot) -> dict[str, bool]:
     found: dict[str, bool] = {}
     for play in (play for each in robot.files.of_kind("ansible") for play in plays(each)):
         is_local = _is_for_local(play)
-        for name in ("", *_roles(play)):
+        for name in {"", *map(str, roles_of(play))}:
             found[name] = found.get(name, True) and is_local
     return found
 
@@ -132,12 +132,3 @@ def _is_for_local(play: Mapping) -> bool:
     return (isinstance(hosts, Scalar) and hosts.value in LOCAL) or (
         connection is not None and connection.value == "local"
     )
-
-
-def _roles(play: Mapping) -> set[str]:
-    return {str(name) for each in play.sequence("roles") or () if (name := _role(each)) is not None}
-
-
-def _role(entry: Node) -> Located | None:
-    name = entry.scalar("role") if isinstance(entry, Mapping) else entry
-    return name.value if isinstance(name, Scalar) else None

@@ -40,7 +40,7 @@ from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.shell import plays
-from bringup_lint.api.yaml import Mapping
+from bringup_lint.api.shell import roles_of
 from bringup_lint.api.yaml import Scalar
 
 HOME = regex(r"/home/\{\{ ?ansible_user ?\}\}(?=[/\"'\s])")
@@ -62,7 +62,7 @@ def home_of_root(robot: Robot) -> Iterator[Finding]:
             hosts = play.get("hosts")
             user = groups.get(str(hosts.value)) if isinstance(hosts, Scalar) else None
             if user is not None:
-                roles.update(dict.fromkeys(_roles(play), user))
+                roles.update(dict.fromkeys(map(str, roles_of(play)), user))
                 roles[source.name] = user
     for source, match in writing:
         role = ROLE.search(f"/{source.name}")
@@ -85,10 +85,3 @@ def _groups(robot: Robot) -> Iterator[tuple[str, Located]]:
             yield group["group"], source.located(*user.span("user"))
         for match in SECTION.finditer(source.text):
             yield match["group"], source.located(*match.span("user"))
-
-
-def _roles(play: Mapping) -> Iterator[str]:
-    for each in play.sequence("roles") or ():
-        name = each.scalar("role") if isinstance(each, Mapping) else each
-        if isinstance(name, Scalar):
-            yield str(name.value)

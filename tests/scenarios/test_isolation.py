@@ -90,8 +90,10 @@ def plant() -> Iterator[Plant]:
 
     def let_go_of_syntax(robot: Robot) -> None:
         planted.is_ahead = True
-        make_ahead(robot)
-        planted.is_ahead = False
+        try:
+            make_ahead(robot)
+        finally:
+            planted.is_ahead = False
 
     patch.setattr(Robot, "let_go_of_syntax", let_go_of_syntax)
     yield planted

@@ -140,15 +140,18 @@ class Roles:
 def named_roles(source: Source) -> Iterator[Located]:
     """The roles of ``roles:``, ``include_role`` and ``import_role``."""
     for play in plays(source):
-        for entry in play.sequence("roles") or ():
-            role = _role_name(entry)
-            if role is not None:
-                yield role
+        yield from roles_of(play)
     for task in tasks(source):
         for module in task.modules:
             name = module.settings.scalar("name") if isinstance(module.settings, Mapping) else None
             if module.name in _INCLUDES and name is not None:
                 yield name.value
+
+
+def roles_of(play: Mapping) -> Iterator[Located]:
+    """The roles that a play names under ``roles:``."""
+    names = map(_role_name, play.sequence("roles") or ())
+    return (name for name in names if name is not None)
 
 
 def _role_name(entry: Node) -> Located | None:

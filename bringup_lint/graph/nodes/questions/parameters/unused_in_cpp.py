@@ -91,7 +91,7 @@ def unused_in_cpp(nodes: Nodes) -> Iterator[UnusedParameter]:
 
 
 def _reads(source: Source) -> Iterator[_Read]:
-    plain = blanked(source.text)
+    plain = source.once(blanked, lambda: blanked(source.text))
     for found in _INTO.finditer(plain):
         is_into = found["call"] == "get_parameter" or (found["call"] == "get_parameter_or" and found["end"] == ",")
         if is_into and not _IF.search(plain[max(found.start() - 100, 0) : found.start()]):
