@@ -85,7 +85,9 @@ _REMOTE = regex(
 )
 _SETPOINTS = regex(r"/(?:JointTrajectory|PositionTarget|AttitudeTarget|TrajectorySetpoint)\Z")
 _GOALS = regex(r"/(?:Navigate(?:ToPose|ThroughPoses)|FollowWaypoints|FollowJointTrajectory|MoveGroup|DriveOnHeading)\Z")
-_COMMAND_TOPIC = regex(r"[\"'/}](?:cmd|commands?|cmd_vel|goal_pose)[\"'/]")
+_COMMAND_TOPIC = regex(r"[\"'/}](?:cmd|commands?|cmd_vel|goal_pose)[\"'/]|[\"'/}](?:take_?off|disarm|arming|kill)[\"']")
+_ORDERS = regex(r"^mavros_msgs/srv/(?:Command\w{1,20}|SetMode)\Z")
+"""What an autopilot is asked to do: to arm, to take off, to change its mode."""
 
 _TWIST = regex(r"\bTwist(?:Stamped)?\b")
 
@@ -100,6 +102,8 @@ def is_commanding(endpoint: Endpoint) -> bool:
     autopilot, by goals, or on a topic for commands."""
     if endpoint.role == "action-client":
         return _GOALS.search(endpoint.type or "") is not None
+    if endpoint.role == "client":
+        return _ORDERS.search(endpoint.type or "") is not None
     if endpoint.role != "publisher" or is_aimed(endpoint):
         return False
     if moves(endpoint) or is_remote(endpoint) or _SETPOINTS.search(endpoint.type or ""):

@@ -85,11 +85,11 @@ _MENTIONED = regex(
 _LOGIN = regex(
     r"auth(?!or(?!i))|[\"'](?:x-)?token[\"']|(?-i:\bTOKEN\b)|(?<![a-z]_)token\s{0,2}[!=]="
     r"|(?:access|api|auth|secret|session|user|admin|bearer|robot|control|server|http|web|ws|csrf)[_-]?token"
-    r"|passw|(?<!get)login|secret|api_?key|jwt|credential|certfile|ssl_context|ssl_keyfile|allowed_(?:ips|hosts)"
+    r"|passw|(?<!get)login|secret(?!_?key|[\"']\s{0,4}$)|api_?key|jwt|credential|certfile|ssl_context|ssl_keyfile|allowed_(?:ips|hosts)"
     r"|whitelist|allowlist",
-    re.I,
+    re.I | re.M,
 )
-"""What code that asks for a password or key has in it somewhere."""
+"""What code that asks for a password or key has in it somewhere; the key with which Flask signs its cookies is none."""
 _SIMULATES = regex(r"gazebo|isaac_?sim|webots", re.I)
 """The names of simulators: a server beside them drives a model. A mode without hardware is no simulator."""
 _TAKES = regex(
