@@ -10,6 +10,7 @@ from collections.abc import Collection
 from collections.abc import Iterable
 from collections.abc import Iterator
 from functools import cached_property
+from functools import lru_cache
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
@@ -508,6 +509,7 @@ def display_name(path: str) -> str:
     return path if relative.startswith("..") else relative
 
 
+@lru_cache(maxsize=8192)
 def _relative(path: str, folder: str) -> str:
     """As ``os.path.relpath``, which takes both paths to pieces, also where one lies below the other as it is."""
     prefix = folder.rstrip("/") + "/"

@@ -137,8 +137,10 @@ class ParameterFile:
 
 def matches(key: str, fqn: str) -> bool:
     """Whether a node key means a fully qualified name: ``*`` is one token, ``**`` any number of them, also none."""
-    tokens = key.lstrip("/").split("/")
-    names = fqn.lstrip("/").split("/")
+    key, fqn = key.lstrip("/"), fqn.lstrip("/")
+    if "*" not in key or key == "**":
+        return key in (fqn, "**")
+    tokens, names = key.split("/"), fqn.split("/")
     reachable = {0}
     for token in tokens:
         if token == "**" and reachable:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import warnings
+from collections.abc import Iterable
 from collections.abc import Iterator
 from collections.abc import Sequence
 from typing import Union
@@ -33,6 +34,10 @@ _PLAIN = frozenset(
 )
 """The fields that hold names, numbers, or what has no place in the text: contexts and operators."""
 _FIELDS: dict[type[ast.AST], tuple[str, ...]] = {ast.Constant: ()}
+_BINDING = frozenset(("name", "rest", "type_params"))
+"""The fields that hold a name, or names, that the node binds."""
+_BINDS: dict[type[ast.AST], bool] = {}
+"""Whether syntax of a kind may bind names by itself: most does not."""
 
 
 def fields_of(node: ast.AST) -> tuple[str, ...]:
@@ -85,11 +90,18 @@ def walk(node: ast.AST) -> Iterator[ast.AST]:
         yield each
 
 
-def bound_names(node: ast.AST) -> Iterator[str]:
+def bound_names(node: ast.AST) -> Iterable[str]:
     """The names that a node binds by itself, where it stands or, as ``global`` does, further out."""
-    if isinstance(node, ast.Name) and not isinstance(node.ctx, ast.Load):
-        yield node.id
-    elif isinstance(node, ast.arg):
+    kind = type(node)
+    if kind is ast.Name:
+        return () if type(node.ctx) is ast.Load else (node.id,)  # type: ignore[attr-defined]
+    if kind not in _BINDS:
+        _BINDS[kind] = not _BINDING.isdisjoint(kind._fields) or kind in (ast.arg, ast.Global, ast.Nonlocal)
+    return _named(node) if _BINDS[kind] else ()
+
+
+def _named(node: ast.AST) -> Iterator[str]:
+    if isinstance(node, ast.arg):
         yield node.arg
     elif isinstance(node, ast.alias):
         yield node.asname or node.name.partition(".")[0]

@@ -34,8 +34,12 @@ class Command(NamedTuple):
         return self.depth > 0
 
 
-def commands(source: Source) -> Iterator[Command]:
-    """The commands in order."""
+def commands(source: Source) -> list[Command]:
+    """The commands in order; read once for all that ask."""
+    return source.once(commands, lambda: list(_commands(source)))
+
+
+def _commands(source: Source) -> Iterator[Command]:
     text = source.text
     at = depth = 0
     while True:

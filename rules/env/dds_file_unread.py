@@ -50,6 +50,8 @@ SPOKEN = regex(r"[\w.+-]+")
 MOST = 65536
 """Characters of a document that are looked through."""
 FILES = 2000
+FEW = 40
+"""Words that are looked for in a text before it is taken to pieces."""
 
 
 class Middleware(NamedTuple):
@@ -87,11 +89,13 @@ def _chosen(robot: Robot) -> dict[str, Located]:
 
 
 def _unread(robot: Robot, middleware: Middleware, sources: list[Source], chosen: Located) -> Iterator[Finding]:
-    files = [each for each in sources if each.judged and robot.same_robot(each, chosen)]
+    files = [each for each in sources if each.judged and NAME.fullmatch(each.basename)]
+    files = [each for each in files if robot.same_robot(each, chosen)]
     documents = [path for path in robot.tree.paths if DOCUMENT.search(path)] if files else []
-    spoken = _spoken_of(robot, documents) if files and len(documents) <= FILES else set(middleware.words)
+    wanted = {*middleware.words, *(each.basename for each in files)}
+    spoken = _spoken_of(robot, documents, wanted) if files and len(documents) <= FILES else wanted
     is_set = not spoken.isdisjoint(middleware.words)
-    unread = [each for each in files if NAME.fullmatch(each.basename) and each.basename not in spoken and not is_set]
+    unread = [each for each in files if each.basename not in spoken and not is_set]
     for source in unread:
         yield finding(
             source,
@@ -101,7 +105,11 @@ def _unread(robot: Robot, middleware: Middleware, sources: list[Source], chosen:
         )
 
 
-def _spoken_of(robot: Robot, documents: list[str]) -> set[str]:
-    """The words of all files of the tree, names of files and of variables among them."""
-    texts = (*(source.text for source in robot.sources), *(robot.tree.head(path, MOST) for path in documents))
-    return {word.strip(".") for text in texts for word in SPOKEN.findall(text)}
+def _spoken_of(robot: Robot, documents: list[str], wanted: set[str]) -> set[str]:
+    """The words of all files of the tree that have one of those that are asked for."""
+    words: set[str] = set()
+    few = wanted if len(wanted) <= FEW else {""}
+    for text in (*(source.text for source in robot.sources), *(robot.tree.head(path, MOST) for path in documents)):
+        if any(word in text for word in few):
+            words.update(SPOKEN.findall(text))
+    return {word.strip(".") for word in words}

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.graph.dds.selection import PROFILES
 from bringup_lint.graph.dds.selection import URI
+from bringup_lint.graph.memo import kept
 from bringup_lint.parsers.cyclonedds_uri import split_uri
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
@@ -35,13 +36,20 @@ def is_named(files: Files, kind: str) -> bool:
     return any(name in source.text for name in _VARIABLES[kind] for source in files.sources)
 
 
+@kept
+def _choices(files: Files) -> list[str]:
+    """The lines that may choose a profile by its name."""
+    sources = (files.tree.read(path, judged=False) for path in files.tree.like(_CHOOSING)[:LIMIT])
+    texts = (source.text for source in sources if source is not None)
+    return [line for text in texts for line in text.split("\n") if "profile" in line.lower()]
+
+
 def is_chosen(files: Files, name: str) -> bool:
     """Whether something of the tree chooses a profile by its name, so that it needs not be the default."""
-    paths = files.tree.like(_CHOOSING)[:LIMIT]
-    for source in (files.tree.read(path, judged=False) for path in paths):
-        text = source.text if source is not None else ""
-        for match in re.finditer(rf"\b{re.escape(name)}\b", text):
-            before = text[max(0, match.start() - 80) : match.start()].rpartition("\n")[2].lower()
+    whole = re.compile(rf"\b{re.escape(name)}\b")
+    for line in (each for each in _choices(files) if name in each):
+        for match in whole.finditer(line):
+            before = line[max(0, match.start() - 80) : match.start()].lower()
             if "profile" in before and before.rstrip(" \"'").endswith((":", "=", "(", ",")):
                 return True
     return False

@@ -93,7 +93,7 @@ class PackageInterfaces:
     def commands(self) -> list[Command]:
         """Of the CMakeLists.txt of the package; empty when it has none."""
         source = next((each.source for each in self.package.builds if each.source.kind == "cmake"), None)
-        return list(commands(source)) if source is not None else []
+        return commands(source) if source is not None else []
 
     @cached_property
     def generators(self) -> list[Command]:

@@ -76,7 +76,7 @@ def misspelt_words(workspace: Workspace, package: Package) -> Iterator[MisspeltB
     for command in given:
         yield from _of_command(seen, command)
     if sources:
-        yield from _of_project(package, list(commands(sources[0])))
+        yield from _of_project(package, commands(sources[0]))
 
 
 class _Seen:

@@ -115,9 +115,11 @@ class Params:
     @property
     def parameters(self) -> Iterator[tuple[ParameterFile, Parameter]]:
         """Every value of the judged files, in the order of the text."""
-        for file in self.judged:
-            for parameter in file.parameters:
-                yield file, parameter
+        return iter(self._parameters)
+
+    @cached_property
+    def _parameters(self) -> list[tuple[ParameterFile, Parameter]]:
+        return [(file, parameter) for file in self.judged for parameter in file.parameters]
 
     def named(self, name: str) -> list[tuple[ParameterFile, Parameter]]:
         """Every value of a parameter in the judged files, in the order of the text."""
@@ -374,6 +376,7 @@ class Params:
             return False
         return package.made(executable) is None and self.launch().workspace.lacks(package, executable)
 
+    @memo
     def read_by(self, file: ParameterFile) -> str:
         """``rcl`` when at least one node gets the file as it is, ``pyyaml`` when all get it through PyYAML, or none
         gets it and a launch file that names it reads YAML, else empty."""

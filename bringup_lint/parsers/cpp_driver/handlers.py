@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from tree_sitter import Node
 
 HANDLES = regex(
-    r"\bvoid\s{1,4}(?:\w+::)*\w+\s{0,4}\(\s{0,4}(?:const\s{1,4})?int\b[^,(){};]{0,40}\)\s{0,40}\{", hints="void"
+    r"void\s{1,4}(?:\w+::)*\w+\s{0,4}\(\s{0,4}(?:const\s{1,4})?int\b[^,(){};]{0,40}\)\s{0,40}\{", hints="void"
 )
 """A function with the signature of a handler."""
 _WAITS = regex(

@@ -16,7 +16,7 @@ from bringup_lint.pattern import regex
 if TYPE_CHECKING:
     from tree_sitter import Node
 
-BY_HAND = regex(r"\.lock\s{0,4}\(\s{0,4}\)|\bpthread_mutex_lock\b", hints="lock")
+BY_HAND = regex(r"(?:\.|pthread_mutex_)lock\s{0,4}\(", hints=".lock pthread_mutex_lock")
 MOST = 200
 """Locks of one file that are looked at."""
 _MUTEX = regex(r"(?i)mutex|mtx")

@@ -84,7 +84,7 @@ def _ended(source: Source, name: str) -> dict[str, set[int]]:
 
 def _found(source: Source) -> dict[str, set[int]]:
     found: dict[str, set[int]] = {}
-    text = blanked(source.text)
+    text = source.once(blanked, lambda: blanked(source.text))
     for match in _ENDS.finditer(text):
         kind = str(match.lastgroup)
         found.setdefault(match[kind], set()).add(match.start(kind))

@@ -12,7 +12,6 @@ from bringup_lint.facts.ros.parameters import nav2_words
 from bringup_lint.facts.ros.parameters import node_called
 from bringup_lint.facts.ros.parameters import public_node
 from bringup_lint.graph.launch.started import literal_text
-from bringup_lint.model.params import matches
 from bringup_lint.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
@@ -81,9 +80,9 @@ def of_wrong_public_type(
 def _blocks(params: Params, launch: Launch) -> Iterator[PublicBlock]:
     for file in params.judged:
         if file.accepted and not file.uncertain and params.is_used(file):
-            controllers = _controllers(file)
+            controllers, programs = _controllers(file), _programs(params.loads(file))
             for block in file.blocks:
-                node = controllers.get(block.node_name) or _node_of(params.loads(file), block)
+                node = controllers.get(block.node_name) or _node_of(programs, block)
                 if node is not None and node.package not in launch.workspace.packages:
                     yield PublicBlock(file, block, node)
 
@@ -97,18 +96,23 @@ def _controllers(file: ParameterFile) -> dict[str, PublicNode]:
     return {name: node for name, node in found if node is not None}
 
 
-def _node_of(loads: list[Load], block: Block) -> PublicNode | None:
+def _programs(loads: list[Load]) -> dict[str, set[tuple[str, str]]]:
+    """Name of a block that a started node gets a file by -> the package and program of each such node."""
+    found: dict[str, set[tuple[str, str]]] = {}
+    for node in (load.node for load in loads):
+        program = literal_text(node.plugin) or literal_text(node.executable)
+        for name in ("/**", node.fqn) if node.fqn is not None else ("/**",):
+            found.setdefault(f"/{name.lstrip('/')}", set()).add((str(literal_text(node.package)), str(program)))
+    return found
+
+
+def _node_of(programs: dict[str, set[tuple[str, str]]], block: Block) -> PublicNode | None:
     """The one public node that a block is for: by what launch files start, else by its name. A wildcard is for whatever
     gets the file."""
-    started = {
-        (literal_text(load.node.package), literal_text(load.node.plugin) or literal_text(load.node.executable))
-        for load in loads
-        if block.name == "/**"
-        or ("*" not in block.name and load.node.fqn is not None and matches(block.name, load.node.fqn))
-    }
+    started = programs.get(f"/{block.name.lstrip('/')}")
     if not started:
         return node_called(block.node_name)
-    nodes = {public_node(str(package), str(program)) for package, program in started}
+    nodes = {public_node(package, program) for package, program in started}
     return nodes.pop() if len(nodes) == 1 else None
 
 

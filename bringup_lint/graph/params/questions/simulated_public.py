@@ -65,8 +65,10 @@ def _is_passed(launch: Launch, runners: Runners, file: LaunchFile) -> bool:
     says so."""
     if _NAME in runners.always_passed(file):
         return True
-    told = re.compile(rf"\b{re.escape(file.source.basename)}\b[^\n]*\b{_NAME}:=")
-    return any(_NAME in text and told.search(text) for text in launch.files.tree.pages(_PAGES, _SIZE))
+    name = file.source.basename
+    pages = [text for text in launch.files.tree.pages(_PAGES, _SIZE) if name in text and _NAME in text]
+    told = re.compile(rf"\b{re.escape(name)}\b[^\n]*\b{_NAME}:=") if pages else None
+    return told is not None and any(map(told.search, pages))
 
 
 def _of_includes(launch: Launch, expansion: Expansion) -> Iterator[OfPublic]:

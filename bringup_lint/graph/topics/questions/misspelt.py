@@ -68,8 +68,10 @@ def _is_enough(topics: Topics, use: Use, evidence: str) -> bool:
     that nothing else uses is one of the tree's own."""
     if evidence == "topics":
         return True
-    name = re.compile(rf"\b{re.escape(use.topic.rpartition('/')[2])}\b")
-    if any(name.search(source.text) for source in topics.files.sources if source is not use.where.source):
+    last = use.topic.rpartition("/")[2]
+    name = re.compile(rf"\b{re.escape(last)}\b")
+    others = (source.text for source in topics.files.sources if source is not use.where.source)
+    if any(last in text and name.search(text) for text in others):
         return False
     return evidence != "type" or (use.type or "").partition("/")[0] in topics.launch.workspace.packages
 

@@ -96,11 +96,19 @@ def written_names(sources: Iterable[Source]) -> dict[str, list[Located]]:
 
 def a_letter_apart(ends: Iterable[str], written: Iterable[str]) -> Iterator[tuple[str, str]]:
     """Each name of an end with the only other one that is a letter away from it."""
-    known = Neighbours(written)
-    for name in ends:
+    names = list(ends)
+    known = Neighbours(_alike(names, written))
+    for name in names:
         near = [other for other in known.near(name) if _is_slip(name, other)]
         if len(near) == 1:
             yield name, near[0]
+
+
+def _alike(names: list[str], written: Iterable[str]) -> Iterator[str]:
+    """Without those that have neither the first nor the last half of a name, and so are not a letter away from it."""
+    half = max(min(map(len, names), default=0) - 1, 0) // 2
+    starts, stops = {name[:half] for name in names}, {name[len(name) - half :] for name in names}
+    return (each for each in written if each[:half] in starts or each[max(len(each) - half, 0) :] in stops)
 
 
 def _is_slip(name: str, other: str) -> bool:

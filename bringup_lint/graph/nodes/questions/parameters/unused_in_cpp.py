@@ -91,6 +91,8 @@ def unused_in_cpp(nodes: Nodes) -> Iterator[UnusedParameter]:
 
 
 def _reads(source: Source) -> Iterator[_Read]:
+    if "_parameter" not in source.text:
+        return
     plain = source.once(blanked, lambda: blanked(source.text))
     for found in _INTO.finditer(plain):
         is_into = found["call"] == "get_parameter" or (found["call"] == "get_parameter_or" and found["end"] == ",")

@@ -41,8 +41,6 @@ _BOTH_PYTHONS = regex(
     hints="version_info sys.version PY2 PY3 six python2 python_version",
 )
 _CAUGHT = frozenset({"NameError", "Exception", "BaseException"})
-_BINDING_NOTHING = frozenset((ast.Attribute, ast.Call, ast.Constant, ast.Expr, ast.keyword, ast.Assign))
-"""The most frequent syntax that binds no name by itself."""
 
 
 class Undefined(NamedTuple):
@@ -146,7 +144,7 @@ class _Bindings:
 
 
 def _all_bound(nodes: Iterable[ast.AST]) -> Iterator[str]:
-    return (name for node in nodes if type(node) not in _BINDING_NOTHING for name in bound_names(node))
+    return (name for node in nodes for name in bound_names(node))
 
 
 def _is_harmless(syntax: Syntax, node: ast.Name, lazy: bool) -> bool:
