@@ -71,6 +71,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.secrets.in_clear import Secret
     from bringup_lint.graph.secrets.in_clear import Secrets
     from bringup_lint.graph.secrets.ros import Indirect
+    from bringup_lint.graph.set_aside import SetAside
     from bringup_lint.graph.sros2.sros2 import Sros2
     from bringup_lint.graph.supervision.notify import Notify
     from bringup_lint.graph.supervision.watchdog import Watchdog
@@ -244,12 +245,20 @@ class Robot:
         return self.files.environment_file(robot_path)
 
     def leads_to(self, place: Source | Located | Span) -> bool:
-        """Whether a file is more than a part of a copy that nothing of the robot's own uses, or of what the tree
-        switches off."""
+        """Whether a file is more than a part of a copy that nothing of the robot's own uses, of what the tree switches
+        off, or of what it keeps and does not use."""
         source = span_of(place).source
+        if self._set_aside.has(source):
+            return False
         return not self.files.of_kind("ros-package") or not (
             self._unreached.has(source) or self._switched_off.has(source)
         )
+
+    @cached_property
+    def _set_aside(self) -> SetAside:
+        from bringup_lint.graph.set_aside import SetAside
+
+        return SetAside(self.files, lambda: self.compose)
 
     @cached_property
     def _switched_off(self) -> SwitchedOff:

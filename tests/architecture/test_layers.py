@@ -35,7 +35,7 @@ LAYERS = (
     {"graph.dependencies", "graph.nodes", "graph.host", "graph.plugins"},
     {"graph.provenance"},
     {"graph.dds", "graph.params"},
-    {"graph.environment"},
+    {"graph.environment", "graph.set_aside"},
     {"graph.runners"},
     {
         "graph.systemd",

@@ -62,6 +62,11 @@ class Roles:
         return all(name in self._own for path in metadata for name in self._needed(path))
 
     @property
+    def needed(self) -> Iterator[str]:
+        """The roles that others depend on."""
+        return (name.rpartition("/")[2] for path in self._metadata for name in self._needed(path))
+
+    @property
     def _metadata(self) -> Iterator[str]:
         names = ("main.yml", "main.yaml")
         paths = (path for name in names for path in self.files.tree.named(name))

@@ -1,0 +1,114 @@
+"""What a tree keeps and uses no more, and what it uses somewhere."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from bringup_lint.discover.walk import discover
+from bringup_lint.robot import Robot
+from tests.lint import lint
+
+UNIT = "[Service]\nExecStart=/usr/bin/%s\n"
+UNITS = {f"units/{name}.service": UNIT % name for name in ("drive", "lidar", "weir")}
+INSTALLS = {
+    "install.sh": "#!/bin/sh\ncp units/drive.service /etc/systemd/system\ncp units/lidar.service /etc/systemd/system\n"
+}
+PLAY = "- hosts: all\n  roles:\n    - %s\n    - role: lidar\n"
+TASK = "- name: install a package\n  apt:\n    name: chrony\n"
+ROLES = {f"ansible/roles/{name}/tasks/main.yml": TASK for name in ("drive", "lidar", "weir")}
+WEIR = "ansible/roles/weir/tasks/main.yml"
+IMAGE = "FROM ros:humble\nCOPY scripts/install-a.sh scripts/install-b.sh /opt/\nRUN /opt/install-a.sh\n"
+SCRIPT = "#!/bin/sh\napt-get install -y chrony\n"
+SCRIPTS = {f"docker/scripts/{name}.sh": SCRIPT for name in ("install-a", "install-b", "install-c", "monitor")}
+BUILT = {
+    "docker/Dockerfile.drive": "FROM ros:humble\n",
+    "docker/Dockerfile.weir": "FROM ros:foxy\n",
+    "compose.yaml": "services:\n  drive:\n    build: {context: docker, dockerfile: Dockerfile.drive}\n",
+}
+PAGES = {"bashrc": "export ROS_DOMAIN_ID=4\n", "Documentation/Operation/bashrc": "export ROS_DOMAIN_ID=5\n"}
+
+
+def robot_of(folder: Path, files: dict[str, str]) -> Robot:
+    for name, text in files.items():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+    return Robot(discover([str(folder)]))
+
+
+def set_aside(folder: Path, files: dict[str, str]) -> list[str]:
+    """The files that are set aside."""
+    robot = robot_of(folder, files)
+    found = (each for each in robot.sources if not robot.leads_to(each))
+    return sorted(Path(each.absolute).relative_to(folder).as_posix() for each in found)
+
+
+@pytest.mark.parametrize(
+    ("files", "expected"),
+    [
+        ({**UNITS, **INSTALLS}, ["units/weir.service"]),
+        ({**UNITS, **INSTALLS, "README.md": "├── weir.service\n"}, ["units/weir.service"]),
+        ({**UNITS, **INSTALLS, "a.sh": "# cp units/weir.service /etc\n"}, ["units/weir.service"]),
+        (UNITS, []),
+        ({**UNITS, **INSTALLS, "README.md": "Then install weir.service by hand.\n"}, []),
+        ({**UNITS, **INSTALLS, "a.sh": "systemctl enable weir\n"}, []),
+        ({**UNITS, **INSTALLS, "a.py": "for name in ('weir',):\n    enable(f'{name}.service')\n"}, []),
+        ({**UNITS, **INSTALLS, "a.py": "weir = 4\n"}, ["units/weir.service"]),
+        ({**UNITS, **INSTALLS, "a.sh": "cp -r units /opt\n"}, []),
+        ({**UNITS, **INSTALLS, "a.sh": "cp units/* /opt\n"}, []),
+        ({**UNITS, **INSTALLS, "a.sh": "echo units of the robot\n"}, ["units/weir.service"]),
+        ({**UNITS, **INSTALLS, "units/install.sh": "cp ./*.service /etc/systemd/system\n"}, []),
+        ({**UNITS, "install.sh": "cp units/drive.service /etc/systemd/system/\n"}, []),
+        ({**UNITS, **INSTALLS, "units/notes.j2": UNIT % "a"}, ["units/weir.service"]),
+        ({Path(name).name: text for name, text in {**UNITS, **INSTALLS}.items()}, ["weir.service"]),
+        ({**ROLES, "ansible/site.yml": PLAY % "drive"}, [WEIR]),
+        ({**ROLES, "ansible/site.yml": PLAY % "drive", "ansible/roles/drive/files/a.sh": SCRIPT}, [WEIR]),
+        ({**ROLES, "ansible/site.yml": PLAY % "weir"}, ["ansible/roles/drive/tasks/main.yml"]),
+        ({**ROLES, "ansible/site.yml": PLAY % '"{{ chosen }}"'}, []),
+        ({**ROLES, "ansible/site.yml": PLAY % "drive", "a.sh": "sh ansible/roles/weir/files/a.sh\n"}, []),
+        (
+            {
+                **ROLES,
+                "ansible/site.yml": PLAY % "drive",
+                "ansible/roles/drive/meta/main.yml": "dependencies:\n  - role: weir\n",
+            },
+            [],
+        ),
+        ({**ROLES, "ansible/site.yml": "- hosts: all\n  roles:\n    - drive\n"}, []),
+        ({**SCRIPTS, "docker/Dockerfile": IMAGE}, ["docker/scripts/install-c.sh"]),
+        ({**SCRIPTS, "docker/Dockerfile": IMAGE, "README.md": "Run install-c.sh for a camera.\n"}, []),
+        ({**SCRIPTS, "docker/Dockerfile": "FROM ros:humble\nCOPY scripts /opt\n"}, []),
+        ({**SCRIPTS, "docker/scripts/Dockerfile": IMAGE}, []),
+        (BUILT, ["docker/Dockerfile.weir"]),
+        ({**BUILT, "a.sh": "docker build -f docker/Dockerfile.weir .\n"}, []),
+        (
+            {
+                "Dockerfile": "FROM ros:foxy\n",
+                "b.Dockerfile": "FROM ros:humble\n",
+                "compose.yaml": "services:\n  a: {build: {dockerfile: b.Dockerfile}}\n",
+            },
+            [],
+        ),
+        (PAGES, ["Documentation/Operation/bashrc"]),
+        ({**PAGES, "a.sh": "cp Documentation/Operation/bashrc ~/.bashrc\n"}, []),
+        ({"docs/bashrc": "export ROS_DOMAIN_ID=5\n"}, []),
+        ({"1.0.0/drive.service": UNIT % "a", "3.0.0/drive.service": UNIT % "a"}, ["1.0.0/drive.service"]),
+    ],
+)
+def test_what_is_set_aside(tmp_path: Path, files: dict[str, str], expected: list[str]) -> None:
+    assert set_aside(tmp_path, files) == expected
+
+
+def test_what_is_found_there_is_information(tmp_path: Path) -> None:
+    robot_of(tmp_path, {**UNITS, **INSTALLS, "units/weir.service": "[Service]\nExecStart=weir\nRestart=sometimes\n"})
+    arguments = ("--select", "systemd/invalid-value", "--output-format", "concise", ".")
+    assert "info[systemd/invalid-value]" in lint(*arguments, cwd=tmp_path).stdout
+    (tmp_path / "bringup-lint.toml").write_text('[purpose]\n"units" = "robot"\n')
+    assert "info[systemd/invalid-value]" not in lint(*arguments, cwd=tmp_path).stdout
+
+
+def test_a_tree_of_very_many_files_is_not_looked_through(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("bringup_lint.graph.set_aside._MOST", 3)
+    assert set_aside(tmp_path, {**UNITS, **INSTALLS}) == []
