@@ -2,11 +2,14 @@
 
 ## What it finds
 In a script under `set -e`, outside of branches and loops, a command that fails when what it makes is there already:
-`rosdep init`, `groupadd` and `useradd`, `mkdir` without `-p` and `ln -s` without `-f` for a path that is known.
+`rosdep init`, `groupadd` and `useradd`, `mkdir` without `-p` and `ln -s` without `-f` for a path that is known,
+`git clone` into a folder, `docker network create`, `ip link add` and `dkms add`. Also `mv` of a file of the checkout,
+which is no longer there the second time.
 
 An info for users and groups. Silent where the script removes the path or a folder above it, asks for one of them, or
 ends early where some file is there; in functions that are called under a condition; in scripts that build an image or
-set up a development container; and for temporary folders.
+set up a development container; and for temporary folders. A clone is not reported in a script that asks for a folder
+or removes one that it enters.
 
 ## Why it matters on a robot
 Set-up scripts are run again: after a step that failed, after an update, for the next user. The second run ends at this
@@ -34,11 +37,14 @@ When the script is only for a robot on which nothing is installed yet, and is ne
 - bash(1), "SHELL BUILTIN COMMANDS", set -e
 """
 
+import posixpath
+import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import regex
 from bringup_lint.api import rule
@@ -52,11 +58,28 @@ from bringup_lint.api.shell import unwrapped
 
 MOST = 40
 """Parts of a path that are looked at."""
-HAS_COMMAND = regex(r"\brosdep[ \t]+init\b|\b(?:groupadd|useradd|mkdir|ln)[ \t]")
+HAS_COMMAND = regex(
+    r"\brosdep[ \t]+init\b|\b(?:groupadd|useradd|mkdir|ln|mv)[ \t]"
+    r"|\b(?:git[ \t]+clone|dkms[ \t]+add|link[ \t]+add|network[ \t]+create)[ \t]"
+)
 KNOWN = regex(r"(?:/|~/|\$HOME/|\$\{HOME\}/)(?!tmp/|run/|dev/shm/|proc/|sys/)[\w./@+-]+")
-ASKS = regex(r"(?:\[|\b(?:test|rm|rmdir|getent|id|grep|unlink|userdel|groupdel|ls)\b)([^\n]*)")
+ASKS = regex(
+    r"(?:(?<!\S)\[|\b(?:test|rm|rmdir|getent|id|grep|unlink|userdel|groupdel|ls|inspect|show|status|del|delete|remove|uninstall)\b)"
+    r"([^\n]*)"
+)
+ENTERS = regex(r"\b(?:cd|pushd)[ \t]+([^\n;&|]+)")
+TEMPORARY = regex(r"\bmktemp\b|\b(?:cd|pushd)[ \t]+[\"']?(?:/tmp|/var/tmp|\$\{?\w*(?:TMP|TEMP))", re.I)
+ADDRESS = regex(r"(?:https?|ssh|git)://|git@")
+RELATIVE = regex(r"(?:\./)?[\w+-]+(?:/[\w+-]+)*\.\w+")
+ADDS: dict[str, tuple[str, ...]] = {"docker": ("network", "create"), "ip": ("link", "add"), "dkms": ("add",)}
+VALUED = ("-b", "--branch", "--depth", "-c", "-o", "--origin", "-j", "--jobs", "--reference", "--filter")
+"""Options of git clone with a value of their own."""
 NAME = regex(r"[\w.@+-]+")
+WORD = regex(r"[A-Za-z_][\w.@+-]+")
+HELD = regex(r"[\"']?\$")
+"""A path that begins with a variable."""
 FOLDER = regex(r"[ \t\"']((?:~|\$HOME|\$\{HOME\})?[\w./@+-]+)")
+TESTS = ("[", "[[", "test")
 IS_THERE = regex(r"-[edfhLrsx]")
 FOUND_BY = ("which", "type", "dpkg", "pgrep", "id", "getent", "grep")
 """Programs that are asked whether something was done before."""
@@ -69,10 +92,24 @@ ADVICE = {
     "useradd": "write id NAME || before it",
     "mkdir": "write mkdir -p",
     "ln": "write ln -sfn",
+    "git": "write [ -d FOLDER ] || before it",
+    "docker": "write docker network inspect NAME || before it",
+    "ip": "write ip link show NAME || before it",
+    "dkms": "write dkms status | grep -q NAME || before it",
+    "mv": "write cp",
 }
+EFFECTS = {"mv": "This moves a file of the checkout away"}
 
 
-@rule("warning", symptoms=["ERROR: default sources list file already exists"])
+@rule(
+    "warning",
+    symptoms=[
+        "ERROR: default sources list file already exists",
+        "fatal: destination path '*' already exists and is not an empty directory.",
+        "RTNETLINK answers: File exists",
+        "Error! DKMS tree already contains: ",
+    ],
+)
 def second_run_ends(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("shell-script"):
         if not source.judged or source.template or not source.matches(HAS_COMMAND):
@@ -87,16 +124,29 @@ def second_run_ends(robot: Robot) -> Iterator[Finding]:
         for statement in ended_by_failure(source):
             command = statement.block.command if id(statement.among) in lists else None
             found = _made(command) if command is not None and statement.after not in ("&&", "||", "|") else None
-            if found is not None and not _is_asked_for(asked, found[1]):
+            if found is not None and not _is_asked_for(asked, found[2]) and not _is_new(robot, source, asked, *found):
                 if robot.scripts.sets_up_image(source):
                     break
-                program, made = found
+                program, made, _ = found
+                effect = EFFECTS.get(program, "This fails when it is there already")
                 yield finding(
                     made,
-                    f"This fails when it is there already: under set -e the second run of {source.basename} ends here",
+                    f"{effect}: under set -e the second run of {source.basename} ends here",
                     advice=ADVICE[program],
                     severity="info" if program in ("groupadd", "useradd") else None,
                 )
+
+
+def _is_new(robot: Robot, source: Source, asked: set[str], program: str, made: Located, _: str) -> bool:
+    """Whether each run may begin in a new folder, or find the file that it moves."""
+    if program == "git" or HELD.match(made):
+        entered = {name for rest in ENTERS.findall(source.text) for name in WORD.findall(rest)}
+        return source.matches(TEMPORARY) or not asked.isdisjoint(entered)
+    if program == "mv":
+        name = posixpath.basename(made)
+        is_there = any(path.endswith(f"/{made.removeprefix('./')}") for path in robot.tree.named(name))
+        return not is_there or len(re.findall(rf"(?<![\w.-]){re.escape(name)}", source.text)) > 1
+    return False
 
 
 def _always(statements: tuple[Block, ...]) -> Iterator[tuple[Block, ...]]:
@@ -126,7 +176,11 @@ def _asks(block: Block) -> bool:
     command = block.command
     if command is None or command.ends == "||" or "!" in command.words or is_inverted(command):
         return False
-    return command.name in FOUND_BY or "-v" in command.words[1:2] or any(map(IS_THERE.fullmatch, command.words))
+    return command.name in FOUND_BY or "-v" in command.words[1:2] or _is_there(command)
+
+
+def _is_there(command: Command) -> bool:
+    return command.name in TESTS and any(map(IS_THERE.fullmatch, command.words))
 
 
 def _named(blocks: tuple[Block, ...]) -> Iterator[str]:
@@ -137,22 +191,52 @@ def _named(blocks: tuple[Block, ...]) -> Iterator[str]:
             yield from _named(body)
 
 
-def _made(command: Command) -> tuple[str, Located] | None:
-    """The program of a command that fails where something is there already, and what this is."""
+def _made(command: Command) -> tuple[str, Located, str] | None:
+    """The program of a command that fails where something is there already, the word that says it, and what it is."""
     words = unwrapped(command.words)
     name = program_name(words[0]) if words else ""
-    options = [word for word in words[1:] if word.startswith("-")]
     plain = [word for word in words[1:] if not word.startswith("-")]
-    letters = "".join(options)
+    letters = "".join(word for word in words[1:] if word.startswith("-"))
     if name == "rosdep":
-        return (name, words[0]) if plain[:1] == ["init"] else None
+        return (name, words[0], "20-default") if plain[:1] == ["init"] else None
     if name in ("groupadd", "useradd"):
-        return (name, words[-1]) if "f" not in letters and plain and words[-1].isidentifier() else None
+        is_plain = "f" not in letters and plain and words[-1].isidentifier()
+        return (name, words[-1], words[-1]) if is_plain else None
     if name == "mkdir":
-        return (name, plain[-1]) if "p" not in letters and len(plain) == 1 and KNOWN.fullmatch(plain[0]) else None
-    if name == "ln" and "s" in letters and "f" not in letters and len(plain) == 2 and FILE.search(plain[0]):
-        return (name, plain[1]) if KNOWN.fullmatch(plain[1]) and not plain[1].endswith("/") else None
-    return None
+        is_known = "p" not in letters and len(plain) == 1 and (KNOWN.fullmatch(plain[0]) or HELD.match(plain[0]))
+        return (name, plain[-1], plain[-1]) if is_known else None
+    if name == "ln":
+        is_file = "s" in letters and "f" not in letters and len(plain) == 2 and FILE.search(plain[0])
+        return (name, plain[1], _link(*plain)) if is_file and KNOWN.fullmatch(plain[1]) else None
+    if name == "git" and plain[:1] == ["clone"]:
+        found = _cloned(words[words.index("clone") + 1 :])
+        return (name, found, _last(found)) if found is not None else None
+    return _named_in(name, plain)
+
+
+def _link(to: str, place: str) -> str:
+    return f"{place}{posixpath.basename(to)}" if place.endswith("/") else place
+
+
+def _named_in(name: str, plain: list[Located]) -> tuple[str, Located, str] | None:
+    """The interface, network or module that a command adds, or the file that it moves away."""
+    if name == "mv":
+        return (name, plain[0], plain[0]) if len(plain) == 2 and RELATIVE.fullmatch(plain[0]) else None
+    verbs = ADDS.get(name)
+    if verbs is None or tuple(plain[: len(verbs)]) != verbs:
+        return None
+    rest = [word for word in plain[len(verbs) :] if word not in ("dev", "name")]
+    return (name, rest[0], rest[0]) if rest and WORD.fullmatch(rest[0]) else None
+
+
+def _cloned(words: tuple[Located, ...]) -> Located | None:
+    """The word that gives the folder of a clone its name: its own, or the address."""
+    plain = [
+        word
+        for before, word in zip(("", *words), words, strict=False)
+        if before not in VALUED and not word.startswith("-")
+    ]
+    return plain[-1] if plain and len(plain) < 3 and ADDRESS.match(plain[0]) else None
 
 
 def _asked_for(text: str) -> set[str]:
@@ -163,9 +247,14 @@ def _asked_for(text: str) -> set[str]:
     return words | folders | {word.partition(".")[0] for word in words} | {word.rpartition(".")[0] for word in words}
 
 
-def _is_asked_for(asked: set[str], made: Located) -> bool:
+def _last(path: str) -> str:
+    """The last part of a path or address, without the suffix of a repository."""
+    return posixpath.basename(path.rstrip("/")).removesuffix(".git")
+
+
+def _is_asked_for(asked: set[str], made: str) -> bool:
     """Whether the script looks for what it makes, or removes it, or a folder above it."""
-    if ("20-default" if made == "rosdep" else made.rpartition("/")[2]) in asked:
+    if not asked.isdisjoint(NAME.findall(_last(made))):
         return True
     parts = made.split("/", MOST)
     return any("/".join(parts[:end]) in asked for end in range(3 if made.startswith("/") else 2, len(parts)))
