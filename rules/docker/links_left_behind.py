@@ -1,12 +1,17 @@
 """An image gets the links of a workspace, and not what they lead to.
 
 ## What it finds
-`COPY --from=STAGE .../install` where the stage builds the workspace with `colcon build --symlink-install`, and nothing
-brings the folder `build` of the workspace to the same place. Silent where the stage replaces the links by files.
+- `COPY --from=STAGE .../install` where the stage builds the workspace with `colcon build --symlink-install`, and
+  nothing brings the folder `build` of the workspace to the same place;
+- `rm -r` of the folder `src` or `build` of a workspace that a step of the image has built in this way, while `install`
+  stays.
+
+Silent where the stage replaces the links by files.
 
 ## Why it matters on a robot
 `--symlink-install` fills `install/` with links into `build/` and `src/` of the workspace. COPY keeps them as links: in
-the image they lead nowhere, and ros2 finds neither the programs nor the launch files.
+the image they lead nowhere, and ros2 finds neither the programs nor the launch files. The same happens when an image
+that has been built removes the sources to become smaller.
 
 ## Bad
 ```dockerfile
@@ -46,6 +51,8 @@ from bringup_lint.api.docker import Dockerfile
 from bringup_lint.api.docker import Instruction
 from bringup_lint.api.docker import Stage
 from bringup_lint.api.docker import commands_of_run
+from bringup_lint.api.docker import expanded
+from bringup_lint.api.shell import Command
 
 LINKS = "--symlink-install"
 REPLACED = regex(
@@ -53,6 +60,9 @@ REPLACED = regex(
     hints="cp dereference copy-links readlink type",
 )
 """What puts files in the place of links."""
+RECURSIVE = regex(r"-\w*[rR]\w*|--recursive")
+AGAIN = ("colcon", "git", "vcs")
+"""What builds once more, or brings sources once more: only what is removed after it is missing at the end."""
 
 
 @rule("error", silent="the copy succeeds, and what looks for a file later only says that it is not there")
@@ -63,6 +73,7 @@ def links_left_behind(robot: Robot) -> Iterator[Finding]:
                 origin = _origin(file, copy)
                 if origin is not None and origin not in stage.chain:
                     yield from _of_copy(stage, copy, origin)
+            yield from _of_removal(stage)
 
 
 def _origin(file: Dockerfile, copy: Instruction) -> Stage | None:
@@ -106,3 +117,50 @@ def _covers(instruction: Instruction, workspace: str) -> bool:
     whole = (workspace, posixpath.join(workspace, "build"), posixpath.dirname(workspace))
     words = [word.rstrip("/") or "/" for word in list(instruction.value.words())[:-1]]
     return any(flag.startswith("--from=") for flag in instruction.flags) and any(word in whole for word in words)
+
+
+def _of_removal(stage: Stage) -> Iterator[Finding]:
+    """The first removal of what the links of a workspace of the stage lead to."""
+    link = _link(stage)
+    if link is None:
+        return
+    steps = list(_steps(stage))
+    built = {folder for command, folder in steps if command.words[:2] == ("colcon", "build")}
+    last = max((at for at, (command, _) in enumerate(steps) if command.name in AGAIN), default=0)
+    removed = [(word, path) for command, folder in steps[last:] for word, path in _removed(command, folder)]
+    gone = {path for _, path in removed}
+    for word, path in removed:
+        workspace, name = posixpath.split(path)
+        if name in ("src", "build") and workspace in built and posixpath.join(workspace, "install") not in gone:
+            yield finding(
+                word,
+                f"The links in install/ lead to {path}, which this step removes",
+                advice="build without --symlink-install, or keep the folder",
+                related=[note(link, "makes links instead of files")],
+            )
+            return
+
+
+def _steps(stage: Stage) -> Iterator[tuple[Command, str]]:
+    """The commands of the stage and of those that it builds on, each with the folder in which it runs, as written."""
+    folder = "/"
+    for one in reversed(list(stage.chain)):
+        for each in one.instructions:
+            if each.name == "WORKDIR":
+                folder = _entered(folder, expanded(one, each).strip("\"'"))
+            elif each.name == "RUN":
+                here = folder
+                for command in commands_of_run(each):
+                    if command.name == "cd" and len(command.words) > 1:
+                        here = _entered(here, command.words[1])
+                    yield command, here
+
+
+def _entered(folder: str, path: str) -> str:
+    return posixpath.normpath(path if path.startswith(("$", "~")) else posixpath.join(folder, path))
+
+
+def _removed(command: Command, folder: str) -> Iterator[tuple[Located, str]]:
+    words = command.words[1:]
+    if command.name == "rm" and any(RECURSIVE.fullmatch(word) for word in words):
+        yield from ((word, _entered(folder, word)) for word in words if not word.startswith("-"))
