@@ -41,6 +41,8 @@ _MOST_TEXT = 32 << 20
 _SUBMODULE = regex(r"^[^\S\n]*path[^\S\n]*=[^\S\n]*(\S+)", re.M)
 _ANY_ENCODING = frozenset({"cpp-driver", "cpp-node"})
 """Kinds that compilers read in whatever encoding their comments have."""
+_ODD = ("//", "/./", "/../")
+"""Parts of a path that is written in more than the shortest way."""
 _AFTER_SLASH = chr(ord("/") + 1)
 _PROGRAMS = frozenset({"", "shell-script"})
 """What commands name: a compiled program is as good as a script."""
@@ -513,7 +515,7 @@ def display_name(path: str) -> str:
 def _relative(path: str, folder: str) -> str:
     """As ``os.path.relpath``, which takes both paths to pieces, also where one lies below the other as it is."""
     prefix = folder.rstrip("/") + "/"
-    if path.startswith(prefix) and len(path) > len(prefix) and os.path.normpath(path) == path:
+    if path.startswith(prefix) and len(path) > len(prefix) and not any(odd in f"{path}/" for odd in _ODD):
         return path[len(prefix) :]
     return os.path.relpath(path, folder)
 

@@ -25,11 +25,15 @@ if TYPE_CHECKING:
 _CALL = r"(?P<call>get_parameter(?:_or)?|declare_parameter)\s{0,4}(?:<[^;()]{1,80}>)?\s{0,4}\(\s{0,40}"
 _NAME = r'(?:\w{1,40}\s{0,4}\+\s{0,4})?"\.?(?P<name>[^"\n]{1,80})"'
 _ASKS = regex(_CALL + _NAME, hints="_parameter")
-_INTO = regex(rf"{_CALL}{_NAME}\s{{0,4}},\s{{0,40}}(?:this->)?(?P<variable>[A-Za-z_]\w{{1,80}})\s{{0,4}}(?P<end>[,)])")
+_INTO = regex(r"\s{0,4},\s{0,40}(?:this->)?(?P<variable>[A-Za-z_]\w{1,80})\s{0,4}(?P<end>[,)])")
+"""After a call and its name: the variable that gets the value."""
 _ASSIGNED = regex(
     r"(?P<before>[;{})]\s{0,200}|[\w>&]\s{1,4})(?:this->)?(?P<variable>[A-Za-z_]\w{1,80})\s{0,4}=\s{0,40}"
-    rf"(?:static_cast<[^;()]{{1,40}}>\s{{0,4}}\(\s{{0,4}})?(?:\w{{1,40}}(?:\(\))?\s{{0,4}}(?:->|\.)\s{{0,4}}){{0,3}}{_CALL}{_NAME}"
+    r"(?:static_cast<[^;()]{1,40}>\s{0,4}\(\s{0,4})?(?:\w{1,40}(?:\(\))?\s{0,4}(?:->|\.)\s{0,4}){0,3}\Z"
 )
+"""Before a call: the variable that its value is assigned to."""
+_BEFORE = 600
+"""Characters before a call that may belong to its statement."""
 _LOG = regex(
     r"\b(?:RCLCPP_[A-Z_]{3,40}|f?printf)\s{0,4}\([^;]{0,600};|\bstd::c(?:out|err|log)\b[^;]{0,600};",
     hints="RCLCPP_ printf std::c",
@@ -41,7 +45,10 @@ _IF = regex(r"\bif\s{0,4}\(\s{0,4}(?:\w{1,40}\s{0,4}(?:->|\.)\s{0,4})?\Z")
 """The condition is whether the parameter is there, which is an effect of its own."""
 _STRING = regex(r'"(?:[^"\\\n]|\\.)*"', hints='"')
 _WORD = regex(r"[A-Za-z_]\w*")
-_HEARS = regex(r"\badd_(?:on|post|pre)_set_parameters_callback\b|\bParameterEventHandler\b")
+_HEARS = regex(
+    r"\badd_(?:on|post|pre)_set_parameters_callback\b|\bParameterEventHandler\b",
+    hints="_set_parameters_callback ParameterEventHandler",
+)
 _HEAD = regex(r"\s*(?:[A-Za-z_][\w:]{0,80}[\s<>,*&]{1,20}){1,12}\Z")
 """What a declaration has before the name: a type, and other names."""
 _WORDS_OF_STATEMENTS = regex(r"\b(?:return|delete|using|typedef|extern|friend|goto|throw|case|new|else)\b")
@@ -94,17 +101,20 @@ def _reads(source: Source) -> Iterator[_Read]:
     if "_parameter" not in source.text:
         return
     plain = source.once(blanked, lambda: blanked(source.text))
-    for found in _INTO.finditer(plain):
-        is_into = found["call"] == "get_parameter" or (found["call"] == "get_parameter_or" and found["end"] == ",")
-        if is_into and not _IF.search(plain[max(found.start() - 100, 0) : found.start()]):
-            yield _read(source, found, False)
-    for found in _ASSIGNED.finditer(plain):
-        yield _read(source, found, not found["before"].startswith((";", "{", "}", ")")))
+    for call in _ASKS.finditer(plain):
+        into = _INTO.match(plain, call.end())
+        ends = {"get_parameter": (",", ")"), "get_parameter_or": (",",)}.get(call["call"], ())
+        if into is not None and into["end"] in ends and not _IF.search(plain[max(call.start() - 100, 0) : call.start()]):
+            yield _read(source, call, into, False)
+        assigned = _ASSIGNED.search(plain, max(call.start() - _BEFORE, 0), call.start())
+        if assigned is not None:
+            yield _read(source, call, assigned, not assigned["before"].startswith((";", "{", "}", ")")))
 
 
-def _read(source: Source, found: re.Match[str], is_declared: bool) -> _Read:
-    name, variable = (Located(found[each], Span(source, *found.span(each))) for each in ("name", "variable"))
-    return _Read(name, variable, found["call"], is_declared)
+def _read(source: Source, call: re.Match[str], found: re.Match[str], is_declared: bool) -> _Read:
+    name = Located(call["name"], Span(source, *call.span("name")))
+    variable = Located(found["variable"], Span(source, *found.span("variable")))
+    return _Read(name, variable, call["call"], is_declared)
 
 
 def _package(nodes: Nodes, owner: Package) -> _Package | None:
