@@ -2,12 +2,14 @@
 
 ## What it finds
 Build contexts, Dockerfiles (the default one of a context, too), env files, bind-mounted configuration files and folders
-that are mounted read-only, or for `config`, `launch`, `src` and the like, with a path relative to compose.yaml or
-docker-compose.yml, and bind-mounted files below `/tmp`, such as `/tmp/.docker.xauth`, of which no script and no
-document of the tree speaks. Files that git ignores, files of which the tree has a copy or a template, files that a
-shell script names, and paths that exist below a folder above are not reported. A mount is a warning, one that the
-container starts an error (a file of nearly the same name beside the compose file is then meant rather than a copy
-elsewhere), a folder of which nothing names a file is info, and so is the build of an image that may be pulled instead.
+that are mounted read-only, or for `config`, `launch`, `src` and the like, with a path relative to the compose file,
+and bind-mounted files below `/tmp`, such as `/tmp/.docker.xauth`, of which no script and no document of the tree
+speaks. In files of other names than compose.yaml and docker-compose.yml, services with neither image nor build belong
+to another file. Files that git ignores, files of which the tree has a copy or a template, files that a shell script
+names, keystores, and paths that exist below a folder above are not reported; mounts of the latter are, where nothing
+of the tree sets the folder of a project. A mount is a warning, one that the container starts an error (a file of
+nearly the same name beside the compose file is then meant rather than a copy elsewhere), a folder of which nothing
+names a file is info, and so is the build of an image that may be pulled instead.
 
 ## Why it matters on a robot
 docker compose ends with "path not found" or "env file not found" and starts none of the services. For a mount docker

@@ -41,6 +41,8 @@ _RECIPES = regex(r"(?:^|/)(?:(?:GNU)?[Mm]akefile|[Jj]ustfile|Taskfile\.ya?ml)$")
 _RECIPES_READ = 200_000
 _DOCKERFILES = ("Dockerfile", "dockerfile", "Containerfile")
 _WORD = regex(r"([^\s\"'`(){}=:,;]+)( ?)")
+_KEYSTORE = regex(r"(?:^|/)[\w.-]*keystore")
+"""Is made by hand on each robot."""
 
 
 class MissingFile(NamedTuple):
@@ -62,18 +64,23 @@ class UndefinedName(NamedTuple):
 
 def missing_files(files: Files, compose: Compose) -> Iterator[MissingFile]:
     """The files that the services name beside their compose file, and that the tree certainly lacks."""
-    for file in _projects(compose):
+    for file in _complete(compose):
         for service in file.services:
+            if not service.is_whole and not _DEFAULT.fullmatch(file.source.basename):
+                continue
             for found in (*_built(files, service), *_read(service)):
                 if _is_own(service, found.path) and _is_missing(files, service, found):
                     yield found
 
 
-def _projects(compose: Compose) -> Iterator[ComposeFile]:
+def _complete(compose: Compose) -> Iterator[ComposeFile]:
     for file in compose.files:
-        judged = file.source.judged and not file.source.template and file.yaml.complete
-        if judged and _DEFAULT.fullmatch(file.source.basename):
+        if file.source.judged and not file.source.template and file.yaml.complete:
             yield file
+
+
+def _projects(compose: Compose) -> Iterator[ComposeFile]:
+    return (file for file in _complete(compose) if _DEFAULT.fullmatch(file.source.basename))
 
 
 def _is_own(service: Service, where: Located) -> bool:
@@ -147,7 +154,7 @@ def _is_missing(files: Files, service: Service, found: MissingFile) -> bool:
         return not _is_named(files, os.path.basename(found.path))
     if found.what == "default Dockerfile":
         return not any("Dockerfile" in source.text for source in files.sources if source.kind == "shell-script")
-    if is_variable(found.path) or found.path.startswith(("/", "~")):
+    if is_variable(found.path) or found.path.startswith(("/", "~")) or _KEYSTORE.search(found.path):
         return False
     context = service.build.context if found.what == "Dockerfile" and service.build else None
     relative = os.path.normpath(os.path.join(context or ".", found.path))
@@ -156,7 +163,7 @@ def _is_missing(files: Files, service: Service, found: MissingFile) -> bool:
         return False
     if found.what == "build context" and _is_own_folder(files, path):
         return not _is_moved(files, service)
-    if _elsewhere(files, service, relative):
+    if _elsewhere(files, service, relative) and (found.fatal or _is_moved(files, service)):
         return False
     may_be_copied = found.what in ("env_file", "mount") or (found.what == "mounted program" and not _near(files, path))
     is_copied = may_be_copied and any(files.tree.named(os.path.basename(path)))
