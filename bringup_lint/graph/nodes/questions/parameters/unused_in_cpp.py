@@ -104,7 +104,8 @@ def _reads(source: Source) -> Iterator[_Read]:
     for call in _ASKS.finditer(plain):
         into = _INTO.match(plain, call.end())
         ends = {"get_parameter": (",", ")"), "get_parameter_or": (",",)}.get(call["call"], ())
-        if into is not None and into["end"] in ends and not _IF.search(plain[max(call.start() - 100, 0) : call.start()]):
+        asks = _IF.search(plain, max(call.start() - 100, 0), call.start())
+        if into is not None and into["end"] in ends and not asks:
             yield _read(source, call, into, False)
         assigned = _ASSIGNED.search(plain, max(call.start() - _BEFORE, 0), call.start())
         if assigned is not None:
