@@ -1,4 +1,4 @@
-"""A folder that docker makes for a mount belongs to root, and the user of the container cannot write there.
+"""A container writes to a folder that docker makes for root, and runs as another user.
 
 ## What it finds
 A bind mount of a folder that is not in the tree, whose name says that the container writes to it (`logs`, `bags`,
