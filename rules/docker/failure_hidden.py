@@ -42,6 +42,7 @@ from collections.abc import Sequence
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import NamedTuple
+from bringup_lint.api import Purpose
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -86,6 +87,9 @@ PACKAGE_LISTS = ("apt", "apt-get")
 WITHOUT = "the image is built without its result"
 OLD_LISTS = "apt goes on with the package lists of the base image, if it has any"
 
+SILENT = (Purpose.CI, Purpose.TEST, Purpose.ARCHIVE)
+"""Images of these are no robot's, and often try what may fail."""
+
 JOIN = "join the commands with &&"
 SKIP = "leave out keys that cannot be resolved with --skip-keys, and let others end the build"
 GROUP = "put the fallback in parentheses with its own command"
@@ -109,6 +113,8 @@ class Hidden(NamedTuple):
 @rule("warning", confidence="medium", silent="the step ends with success, so the build reports nothing")
 def failure_hidden(robot: Robot) -> Iterator[Finding]:
     for file in robot.dockerfiles:
+        if robot.purpose(file.source) in SILENT:
+            continue
         for stage in file.stages:
             for hidden in _of_stage(stage):
                 if _imports_nothing(robot, hidden):
