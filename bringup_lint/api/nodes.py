@@ -43,6 +43,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.commands.zero_divisors import zero_divisors
     from bringup_lint.graph.nodes.questions.cpp.component_ends import ended_containers
     from bringup_lint.graph.nodes.questions.cpp.in_file import blind_waits
+    from bringup_lint.graph.nodes.questions.cpp.in_file import cut_answers
     from bringup_lint.graph.nodes.questions.cpp.in_file import early_members
     from bringup_lint.graph.nodes.questions.cpp.in_file import format_texts
     from bringup_lint.graph.nodes.questions.cpp.in_file import unread_answers
@@ -192,6 +193,7 @@ __all__ = [
     "clock_mixes",
     "consequence",
     "converted",
+    "cut_answers",
     "deaf_handlers",
     "declared_again",
     "dict_ranges",

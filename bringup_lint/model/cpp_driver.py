@@ -95,6 +95,18 @@ class Thrown(NamedTuple):
     """``a text`` or ``a number``."""
 
 
+class CutAnswer(NamedTuple):
+    """A part of an answer that is cut off at what was sought in it, found or not."""
+
+    place: Span
+    given: Span
+    """What leaves the answer empty when nothing comes."""
+    name: str
+    function: str
+    reads: str
+    """What makes a number of the part: ``atoi``."""
+
+
 class WaitingHandler(NamedTuple):
     """A function that waits for a lock, and that a signal may call."""
 
@@ -116,5 +128,6 @@ class CppDriver:
     endless_walks: list[EndlessWalk] = field(default_factory=list)
     taken_targets: list[TakenTarget] = field(default_factory=list)
     thrown: list[Thrown] = field(default_factory=list)
+    cut_answers: list[CutAnswer] = field(default_factory=list)
     waiting_handlers: list[WaitingHandler] = field(default_factory=list)
     problems: list[Problem] = field(default_factory=list)

@@ -24,7 +24,7 @@ def _is_node(path: str, head: Head) -> bool:
 
 _DEVICES = (
     *("linux/can", "SIOCGIFINDEX", "termios.h", "linux/i2c-dev.h", "gpiod", "wiringPi", "pigpio", "hidapi", "libusb"),
-    *("mutex", "ifaddrs.h", "asio.hpp", "asio/", "linux/videodev2.h"),
+    *("mutex", "ifaddrs.h", "asio.hpp", "asio/", "linux/videodev2.h", "LibSerial", "libserial/", "serial/serial.h"),
 )
 """Headers and calls by which programs open buses, ports, pins, cameras and sockets, and share what they read between
 threads."""

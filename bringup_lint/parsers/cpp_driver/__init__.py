@@ -5,6 +5,8 @@ from __future__ import annotations
 from bringup_lint.model.cpp_driver import CppDriver
 from bringup_lint.parsers.cpp_driver.blind_waits import WAITS
 from bringup_lint.parsers.cpp_driver.blind_waits import blind_waits
+from bringup_lint.parsers.cpp_driver.cut_answers import TAKES_APART
+from bringup_lint.parsers.cpp_driver.cut_answers import cut_answers
 from bringup_lint.parsers.cpp_driver.endless_walks import WALKS
 from bringup_lint.parsers.cpp_driver.endless_walks import endless_walks
 from bringup_lint.parsers.cpp_driver.handlers import HANDLES
@@ -33,11 +35,11 @@ def parse(source: Source) -> CppDriver:
     ``too-deep``."""
     driver = CppDriver(source)
     asks = ASKS in source.text
-    is_serial, locks, by_hand, walks, receives, opens, throws, handles, waits = (
+    is_serial, locks, by_hand, walks, receives, opens, throws, handles, waits, cuts = (
         each.search(source.text) is not None
-        for each in (SERIAL, LOCKS, BY_HAND, WALKS, RECEIVES, OPENS, THROWS, HANDLES, WAITS)
+        for each in (SERIAL, LOCKS, BY_HAND, WALKS, RECEIVES, OPENS, THROWS, HANDLES, WAITS, TAKES_APART)
     )
-    if not (asks or is_serial or locks or by_hand or walks or receives or opens or throws or handles or waits):
+    if not (asks or is_serial or locks or by_hand or walks or receives or opens or throws or handles or waits or cuts):
         return driver
     problem = too_much(source)
     if problem is not None:
@@ -54,4 +56,5 @@ def parse(source: Source) -> CppDriver:
     driver.waiting_handlers = list(waiting_handlers(code)) if handles else []
     driver.blind_waits = list(blind_waits(code)) if waits else []
     driver.thrown = list(thrown(code)) if throws else []
+    driver.cut_answers = list(cut_answers(code)) if cuts else []
     return driver

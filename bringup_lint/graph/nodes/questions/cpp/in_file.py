@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.model.cpp_driver import BlindWait
+from bringup_lint.model.cpp_driver import CutAnswer
 from bringup_lint.model.cpp_source import EarlyMember
 from bringup_lint.model.cpp_source import FormatText
 from bringup_lint.model.cpp_source import UnreadAnswer
@@ -46,3 +47,10 @@ def early_members(nodes: Nodes) -> Iterator[EarlyMember]:
     """The members that are made of one which is made after them."""
     for node in nodes.cpp:
         yield from node.early_members
+
+
+def cut_answers(nodes: Nodes) -> Iterator[list[CutAnswer]]:
+    """The answers of devices that are taken apart unseen."""
+    for driver in nodes.drivers:
+        if driver.cut_answers:
+            yield driver.cut_answers
