@@ -88,6 +88,8 @@ class Tree:
     """Folder -> top and index of the repository around it."""
     _indexes: dict[str, frozenset[bytes]] = field(default_factory=dict)
     _heads: dict[tuple[str, int], str] = field(default_factory=dict)
+    _whole: dict[str, tuple[int, str]] = field(default_factory=dict)
+    """Path -> the bytes of a file and its text, where the first bytes were all."""
     _indexed: int = 0
     """How many sources there were when these were filled:"""
     _placed: dict[str, list[Source]] = field(default_factory=dict)
@@ -370,8 +372,14 @@ class Tree:
 
     def head(self, path: str, size: int) -> str:
         """The first bytes of a regular file as text; empty when there is nothing to read, and for a link."""
+        length, whole = self._whole.get(path, (size + 1, ""))
+        if length <= size:
+            return whole
         if (path, size) not in self._heads:
-            self._heads[path, size] = self.start(path, size)
+            self._heads[path, size] = text = self.start(path, size)
+            begun, is_shown = self._begun, self.held is not None and path in self.held.texts
+            if begun is not None and (begun.path, begun.size) == (path, size) and begun.is_all and not is_shown:
+                self._whole[path] = (len(begun.data), text)
         return self._heads[path, size]
 
     def start(self, path: str, size: int) -> str:
