@@ -54,6 +54,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.cpp.time_clocks import ClockMix
     from bringup_lint.graph.nodes.questions.cpp.time_clocks import clock_mixes
     from bringup_lint.graph.nodes.questions.cpp.unset_members import unset_members
+    from bringup_lint.graph.nodes.questions.cpp.unthrown import unthrown
     from bringup_lint.graph.nodes.questions.cpp.waiting_handlers import waiting_handlers
     from bringup_lint.graph.nodes.questions.cpp.zero_fractions import zero_fractions
     from bringup_lint.graph.nodes.questions.ending.deaf_handlers import deaf_handlers
@@ -306,6 +307,7 @@ __all__ = [
     "unset",
     "unset_members",
     "unstamped",
+    "unthrown",
     "untyped_reads",
     "unused_in_cpp",
     "unused_in_python",
