@@ -1,0 +1,59 @@
+"""A service mounts two things at one path.
+
+## What it finds
+Two entries in the `volumes:` of one service with the same path in the container and different sources.
+
+## Why it matters on a robot
+docker compose keeps the last entry for a path and drops the others without a message; older versions refuse the service
+with "Duplicate mount point". What the dropped entry was to bring, such as maps, the display or a configuration, is not
+in the container.
+
+## Bad
+```yaml
+volumes:
+  - ./maps:/maps
+  - records:/maps
+```
+
+## Good
+```yaml
+volumes:
+  - ./maps:/maps
+  - records:/records
+```
+
+## When to ignore it
+When the first entry is kept for a change that somebody makes by hand.
+
+## References
+- https://github.com/compose-spec/compose-go, package override: `EnforceUnicity`
+- https://docs.docker.com/reference/compose-file/services/#volumes
+"""
+
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import rule
+from bringup_lint.api.compose import Volume
+
+
+@rule("warning", symptoms=["Duplicate mount point: *"])
+def target_twice(robot: Robot) -> Iterator[Finding]:
+    for service in robot.compose.services:
+        last: dict[str, Volume] = {}
+        for volume in reversed(service.volumes):
+            path = str(volume.target).rstrip("/")
+            if volume.where.span.start < service.body.span.start or "$" in path:
+                continue
+            kept = last.setdefault(path, volume)
+            if kept.source != volume.source and volume.source is not None and kept.source is not None:
+                yield finding(
+                    volume.where,
+                    f"docker compose keeps only the last mount at {path}: {volume.source} does not get into "
+                    f"'{service.name}'",
+                    advice="remove one of the two, or give it a path of its own",
+                    related=[note(kept.where, "this one is mounted")],
+                )
