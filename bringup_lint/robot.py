@@ -82,6 +82,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.target import Target
     from bringup_lint.graph.topics.topics import Topics
     from bringup_lint.graph.udev.udev import Udev
+    from bringup_lint.graph.unmade import Unmade
     from bringup_lint.graph.unreached import Unreached
     from bringup_lint.model.dockerfile import Dockerfile
     from bringup_lint.model.env_file import EnvFile
@@ -245,10 +246,10 @@ class Robot:
         return self.files.environment_file(robot_path)
 
     def leads_to(self, place: Source | Located | Span) -> bool:
-        """Whether a file is more than a part of a copy that nothing of the robot's own uses, of what the tree switches
-        off, or of what it keeps and does not use."""
+        """Whether a place is in more than a part of a copy that nothing of the robot's own uses, of what the tree
+        switches off, of what it keeps and does not use, or of a class that nothing makes."""
         source = span_of(place).source
-        if self._set_aside.has(source):
+        if self._set_aside.has(source) or self._unmade.has(span_of(place)):
             return False
         return not self.files.of_kind("ros-package") or not (
             self._unreached.has(source) or self._switched_off.has(source)
@@ -259,6 +260,12 @@ class Robot:
         from bringup_lint.graph.set_aside import SetAside
 
         return SetAside(self.files, lambda: self.compose)
+
+    @cached_property
+    def _unmade(self) -> Unmade:
+        from bringup_lint.graph.unmade import Unmade
+
+        return Unmade(self.files)
 
     @cached_property
     def _switched_off(self) -> SwitchedOff:

@@ -80,6 +80,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch.started import Started
     from bringup_lint.graph.launch.started import exclusive
     from bringup_lint.graph.launch.started import literal_text
+    from bringup_lint.graph.launch.without_effect import happens_anyway
     from bringup_lint.graph.launch.without_effect import is_real_clock
     from bringup_lint.graph.launch.without_effect import passed_without_effect
     from bringup_lint.graph.params.questions.simulated_literally import Literally
@@ -216,6 +217,7 @@ __all__ = [
     "exclusive",
     "full_name",
     "gone_packages",
+    "happens_anyway",
     "in_degrees",
     "is_known_package",
     "is_plain",

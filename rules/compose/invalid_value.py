@@ -9,8 +9,8 @@ A value that compose or the Docker engine refuses:
 - a missing key
 - `networks` beside `network_mode` in one service
 
-A mount option that compose does not know is a warning: it is passed over silently, so that `:r` mounts writable. A
-value of nothing but crosses, for somebody to fill in, is a warning, too.
+A mount option that compose does not know is a warning: it is passed over silently, so that `:r` mounts writable. One
+that means `rw` is an info, as is a value of nothing but crosses, for somebody to fill in.
 
 ## Why it matters on a robot
 docker compose refuses the whole file and starts none of the services, or the container is not created.
@@ -115,12 +115,13 @@ def _ignored(remarks: list[Remark]) -> Iterator[Finding]:
         found.setdefault((span.source, remark.detail), []).append(remark)
     for (_, option), (first, *others) in found.items():
         redundant = option in REDUNDANT
+        wanted = redundant or "".join(filter(str.isalpha, option)) == "rw"
         yield finding(
             first.where,
             f"Compose ignores the unknown mount option '{option}': "
             + ("a mount of a path is a bind mount anyway" if redundant else "the mount is writable"),
             advice="remove the option" if redundant else _mount_option(str(option)),
-            severity="info" if redundant else "warning",
+            severity="info" if wanted else "warning",
             related=[note(other.where, "here, too") for other in others],
         )
 
@@ -144,9 +145,10 @@ def _refused(remark: Remark) -> Finding:
         by_engine = remark.item is not None and remark.item.row["grammar"] in BY_ENGINE
         consequence = "the container is not created" if by_engine else REFUSED
         to_fill = isinstance(where, Located) and UNFILLED.fullmatch(where)
-        severity = "warning" if to_fill else None
+        severity = "info" if to_fill else None
         text = f"'{where}' {remark.detail}: {consequence}"
-        return finding(where, text, advice="correct the value", severity=severity)
+        advice = "write the address of this robot" if to_fill else "correct the value"
+        return finding(where, text, advice=advice, severity=severity)
     written = isinstance(where, Located) and str(where) != name
     message = f"{name} takes {remark.detail}, not '{where}'" if written else f"{name} takes {remark.detail}"
     quoted = written and remark.code == Code.UNQUOTED

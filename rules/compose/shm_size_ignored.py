@@ -1,7 +1,8 @@
 """The size of the shared memory of a service that has none of its own.
 
 ## What it finds
-`shm_size` of a service with `ipc: host`, `ipc: service:NAME` or `ipc: container:NAME`.
+`shm_size` of a service with `ipc: host`, `ipc: service:NAME` or `ipc: container:NAME`; an info where the service
+chooses Cyclone DDS, which needs none.
 
 ## Why it matters on a robot
 The container gets the /dev/shm of the host, or of the other container, as large as that is: half of the memory on most
@@ -35,6 +36,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.compose import Service
 
 
 @rule("warning", silent="docker ignores the size")
@@ -48,4 +50,11 @@ def shm_size_ignored(robot: Robot) -> Iterator[Finding]:
                 f"shm_size has no effect: '{service.name}' uses the /dev/shm of {owner}, whatever its size is",
                 advice=f"remove it and set the size of /dev/shm of {owner}, or write ipc: shareable",
                 related=[note(ipc, "not a shared memory of its own")],
+                severity="info" if _shares_nothing(service) else None,
             )
+
+
+def _shares_nothing(service: Service) -> bool:
+    """Whether the service says that its nodes use Cyclone DDS, which needs no shared memory by itself."""
+    middleware = service.environment.get("RMW_IMPLEMENTATION")
+    return middleware is not None and middleware.value == "rmw_cyclonedds_cpp"

@@ -7,7 +7,7 @@
   it includes, YAML of a driver in a folder such as `config/`, scripts, variables of Ansible's hosts and groups; the
   default of a launch argument where a unit launches the file without giving the argument a value.
 - Info: any other default of a launch argument or of an Ansible role; the default of a driver in its own launch file;
-  the only camera of the robot in a launch file, a script or code.
+  the only camera of the robot in a launch file, a script or code, and its first one in a parameter or compose file.
 
 In the source of a node it counts where it is opened, also under the name of a constant, and in a module that a node
 imports.

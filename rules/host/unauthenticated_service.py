@@ -3,20 +3,20 @@
 ## What it finds
 Services of the robot itself that listen on all addresses and ask for no password:
 - **error**: Jupyter with an empty token on `--ip=0.0.0.0`, in a compose service also `ttyd --writable` without
-  `--credential` and `code-server --auth none`, a VNC server with `SecurityTypes None` or `-nopw`, a
-  compose service whose image serves a desktop or an editor without a password (`linuxserver/baseimage-kasmvnc`,
-  `linuxserver/webtop`, `linuxserver/code-server`, `theasp/novnc`), and Flask with `debug=True` on `0.0.0.0`: its
-  debugger runs Python for whoever knows or guesses the PIN, and its reloader runs the program, and so a node in it,
-  twice. With an option by which the program makes people acknowledge that (`--I-KNOW-THIS-IS-INSECURE`), a warning.
+  `--credential` and `code-server --auth none`, a VNC server with `SecurityTypes None` or `-nopw`, a compose service
+  whose image serves a desktop or an editor without a password (`linuxserver/baseimage-kasmvnc`, `linuxserver/webtop`,
+  `linuxserver/code-server`, `theasp/novnc`), and Flask with `debug=True` on `0.0.0.0`: its debugger runs Python for
+  whoever knows or guesses the PIN, and its reloader runs the program, and so a node in it, twice. With an option by
+  which the program makes people acknowledge that (`--I-KNOW-THIS-IS-INSECURE`), a warning.
 - **warning**: `rosbridge_server` and `foxglove_bridge`, which publish for their clients, in a tree that mentions
-  `cmd_vel`; information in others. A mosquitto broker with `allow_anonymous true`, a ser2net `accepter: tcp,PORT`
-  without an address, and the `[inet_http_server]` of supervisord on all addresses without a user. A compose service
-  with the image of a database (`mongo`, `redis`, `valkey`, `memcached`, `influxdb:1`, `elasticsearch:7`; `postgres`,
-  `mysql` and later ones of `elasticsearch` where a variable takes the password away), of Node-RED, mosquitto 1 or EMQX
-  that is on the host network or publishes its port, and sets no password. A server (Flask, uvicorn, websockets,
-  aiohttp, NiceGUI, `http.server`, a socket and others) on all addresses in a node that publishes velocities, goals or
-  other commands, and has no login. The address may be the default of a parameter, an option or a variable that
-  nothing in the tree sets.
+  `cmd_vel` outside of a simulation; information in others. A mosquitto broker with `allow_anonymous true`, a ser2net
+  `accepter: tcp,PORT` without an address, and the `[inet_http_server]` of supervisord on all addresses without a user.
+  A compose service with the image of a database (`mongo`, `redis`, `valkey`, `memcached`, `influxdb:1`,
+  `elasticsearch:7`; `postgres`, `mysql` and later ones of `elasticsearch` where a variable takes the password away),
+  of Node-RED, mosquitto 1 or EMQX that is on the host network or publishes its port, and sets no password. A server
+  (Flask, uvicorn, websockets, aiohttp, NiceGUI, `http.server`, a socket and others) on all addresses in a node that
+  publishes velocities, goals or other commands, and has no login. The address may be the default of a parameter, an
+  option or a variable that nothing in the tree sets.
 
 Not reported: a service on the loopback address, with a password, with limits of its own (`topics_glob`,
 `capabilities` without `clientPublish`, `acl_file`), with parameters that are not known, and services for simulation,
@@ -106,7 +106,7 @@ def unauthenticated_service(robot: Robot) -> Iterator[Finding]:
             defaults[each.where] = each.default
     for (kind, name), (first, *others) in services.items():
         does, advice = TEXTS[kind]
-        motion = kind == "bridge" and robot.mentions(DRIVES)
+        motion = kind == "bridge" and _is_driven(robot)
         yield finding(
             first,
             f"{name} asks for no password and {does}" + (", /cmd_vel included" if motion else ""),
@@ -118,6 +118,14 @@ def unauthenticated_service(robot: Robot) -> Iterator[Finding]:
             severity=_severity(kind, motion) or ("warning" if _is_known_open(first) else None),
             confidence="medium" if kind in WARNED or kind == "bridge" else None,
         )
+
+
+def _is_driven(robot: Robot) -> bool:
+    """Whether a file names the topic that drives the robot, and not one that a simulator drives."""
+    if not robot.mentions(DRIVES):
+        return False
+    said = (each for each in robot.sources if each.judged and each.says(DRIVES))
+    return any(robot.files.purpose(each).value != "simulation" for each in said)
 
 
 def _severity(kind: str, motion: bool) -> str | None:

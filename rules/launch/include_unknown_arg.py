@@ -6,7 +6,8 @@ declare nor read. Of files in packages that are not in the tree, those of Nav2, 
 Robots, RPLIDAR and Velodyne, rosbridge, robot_localization, Gazebo, TurtleBot and others are known. `name:=value` in
 the `ros2 launch` commands of units, and of compose services that are built from this tree, is checked in the same way.
 Silent where nothing is lost: an empty value, `use_sim_time:=false` for a file that says nothing of it, and `use_X` that
-is off beside an empty `X`.
+is off beside an empty `X`. An info where the value asks for what happens anyway: it switches off what no launched file
+speaks of, or all parameter files of the tree have it.
 
 ## Why it matters on a robot
 launch accepts any name. It ignores the value silently, and the included part runs with its default: with simulated
@@ -54,7 +55,8 @@ def include_unknown_arg(robot: Robot) -> Iterator[Finding]:
             inner = robot.launch.expansion(include.target)
             idle = launch.passed_without_effect(include.action.arguments, inner)
             own = [name for name in names if name and not launch.read_elsewhere(robot.launch, name, file, inner.files)]
-            yield from unknown(robot, [name for name in own if name not in idle], include.target)
+            values = {str(launch.literal(key)): value for key, value in include.action.arguments}
+            yield from unknown(robot, [name for name in own if name not in idle], include.target, values)
         yield from _of_public(robot, file)
     for command in (*robot.runners.launches, *robot.runners.typed_launches):
         if command.file is not None and command.runner.certain:
@@ -62,7 +64,8 @@ def include_unknown_arg(robot: Robot) -> Iterator[Finding]:
                 (launch.Literal(name, name.span), launch.Literal(text, text.span)) for name, text in command.arguments
             ]
             idle = launch.passed_without_effect(given, robot.launch.expansion(command.file))
-            yield from unknown(robot, [name for name, _ in command.arguments if name not in idle], command.file)
+            values = {str(name.value): value for name, value in given}
+            yield from unknown(robot, [name for name, _ in command.arguments if name not in idle], command.file, values)
 
 
 def _of_public(robot: Robot, file: launch.LaunchFile) -> Iterator[Finding]:
@@ -78,7 +81,9 @@ def _of_public(robot: Robot, file: launch.LaunchFile) -> Iterator[Finding]:
         )
 
 
-def unknown(robot: Robot, names: list[Located], target: launch.LaunchFile) -> Iterator[Finding]:
+def unknown(
+    robot: Robot, names: list[Located], target: launch.LaunchFile, values: dict[str, launch.Value]
+) -> Iterator[Finding]:
     inner = robot.launch.expansion(target)
     if inner.open or launch.reads_unseen(robot.launch, inner.files):
         return
@@ -95,5 +100,8 @@ def unknown(robot: Robot, names: list[Located], target: launch.LaunchFile) -> It
             chain=robot.provenance.chain_to(name, f"'{name}' is passed"),
             fix=fix(f"pass '{near[0]}'", (name, near[0]), safe=False)
             if len(near) == 1 and name.span.text == name
+            else None,
+            severity="info"
+            if not near and launch.happens_anyway(str(name), values[str(name)], inner, robot.files)
             else None,
         )

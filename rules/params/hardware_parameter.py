@@ -8,7 +8,7 @@ In `<ros2_control>`, beside a `<plugin>` whose C++ source is in the tree:
 - parameters that no source of the tree names, where the source reads one of a similar name that is not given, also from
   a joint (warning), and other parameters that no source names (info);
 - values that xacro writes as `True`, from a property, an argument of a macro or a YAML file, where the source compares
-  them with `"true"` (warning).
+  them with `"true"` (warning; info where no source uses what it keeps of it).
 
 Silent where the source hands all parameters on, and where `<hardware>` gets some from a macro.
 
@@ -86,4 +86,4 @@ def _advice(each: HardwareParameter) -> str:
 def _severity(each: HardwareParameter) -> str | None:
     if each.kind == "missing":
         return None
-    return "warning" if each.kind == "boolean" or each.like else "info"
+    return "warning" if (each.kind == "boolean" and not each.is_idle) or each.like else "info"

@@ -58,11 +58,12 @@ def use_sim_time_real_robot(robot: Robot) -> Iterator[Finding]:
         node = found.load.node
         texts = _texts(robot, node, node.label())
         program = texts or _texts(robot, node, launch.literal_text(node.executable) or node.label())
+        looks_up = _only_looks_up(program)
         yield finding(
             found.parameter.span,
             f"Nothing publishes /clock on the robot: the ROS time of {found.load.node.label()} stays at zero, "
-            + (LOOKED_UP if _only_looks_up(program) else "in its stamps and in all that waits for that time"),
-            advice="write false",
+            + (LOOKED_UP if looks_up else "in its stamps and in all that waits for that time"),
+            advice="write false, and let the node look up transforms with a timeout" if looks_up else "write false",
             related=[note(found.load.node.span, "gets the value here")],
             chain=robot.provenance.chain_to_load(found.load, note(found.parameter.span, "the node waits for /clock")),
             fix=fix("write false", (found.parameter.span, "false"), safe=False),

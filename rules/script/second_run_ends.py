@@ -6,9 +6,11 @@ In a script under `set -e`, outside of branches and loops, a command that fails 
 `git clone` into a folder, `docker network create`, `ip link add` and `dkms add`. Also `mv` of a file of the checkout,
 which is no longer there the second time.
 
-An info for users and groups. Silent where the script removes the path or a folder above it, asks for one of them, or
-ends early where some file is there; in functions that are called under a condition; in scripts that build an image or
-set up a development container; and for temporary folders. A clone is not reported in a script that asks for a folder
+An info for users and groups, and for folders, links and `rosdep init` in a script of which nothing says that it runs
+again: nothing of the tree starts it, and it is not called after an update, a deployment or a start. Silent where the
+script removes the path or a folder above it, asks for one of them, or ends early where some file is there; in functions
+that are called under a condition; in scripts that build an image or set up a development container; and for temporary
+folders. A clone is not reported in a script that asks for a folder
 or removes one that it enters.
 
 ## Why it matters on a robot
@@ -84,6 +86,11 @@ IS_THERE = regex(r"-[edfhLrsx]")
 FOUND_BY = ("which", "type", "dpkg", "pgrep", "id", "getent", "grep")
 """Programs that are asked whether something was done before."""
 ENDS = ("exit", "return", "exec")
+USERS = ("groupadd", "useradd")
+ONCE = ("ln", "mkdir", "rosdep")
+"""What sets up a machine on which nothing is yet."""
+AGAIN = regex(r"(?i)(?:^|[_.-])(?:update|upgrade|start|run|launch|deploy|sync|entrypoint|boot)(?:[_.-]|$)")
+"""Names of scripts that people or the robot run more than once."""
 FILE = regex(r"\.\w+\Z|/s?bin/[^/]+\Z")
 """What is no folder; a link to a folder gets the next link inside."""
 ADVICE = {
@@ -133,8 +140,14 @@ def second_run_ends(robot: Robot) -> Iterator[Finding]:
                     made,
                     f"{effect}: under set -e the second run of {source.basename} ends here",
                     advice=ADVICE[program],
-                    severity="info" if program in ("groupadd", "useradd") else None,
+                    severity="info"
+                    if program in USERS or (program in ONCE and not _runs_again(robot, source))
+                    else None,
                 )
+
+
+def _runs_again(robot: Robot, source: Source) -> bool:
+    return AGAIN.search(source.basename) is not None or robot.scripts.starts_by_itself(source)
 
 
 def _is_new(robot: Robot, source: Source, asked: set[str], program: str, made: Located, _: str) -> bool:

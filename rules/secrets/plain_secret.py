@@ -8,10 +8,11 @@ literals of letters and digits with such a name are checked too. So are the pass
 NetworkManager, those that a script gives to `sshpass`, `x11vnc` or `nmcli`, and those that a Dockerfile gives to users
 where the image lets somebody log in.
 
-Not reported: variables, paths of credential files, placeholders such as `<your-password>`, and environment files
-that only root and a group can read. A weak or well-known value, a wireless password that is the robot's name, and one
-in a comment, is a warning; a sample value, the name of the user as the password of another machine, and a password of
-an Ansible inventory that names no host but `localhost`, is info. Places of a file with the same value are one finding.
+Not reported: variables, paths of credential files, placeholders such as `<your-password>`, and environment files that
+only root and a group can read. A weak or well-known value, a wireless password that is the robot's name, and one in a
+comment, is a warning; a sample value, the name of the user as the password of another machine, and a password of an
+Ansible inventory that names no host but `localhost`, or has `ansible_connection=local`, is info. Places of a file with
+the same value are one finding.
 
 ## Why it matters on a robot
 Every local user can read the settings of a unit with `systemctl show`, and can read arguments in the process list.
@@ -100,11 +101,17 @@ def plain_secret(robot: Robot) -> Iterator[Finding]:
             f"{first.name} is a default that everybody knows or guesses, the same on every robot"
             if weak
             else f"{first.name} is a secret in clear text: {who}",
-            advice="make a password for each robot, at its first boot" if weak else INSTEAD[first.holder],
+            advice="make a password for each robot, at its first boot" if weak else _instead(first),
             related=[note(each.value, "the same secret") for each in others],
             severity="info" if first.sample else "warning" if weak or _is_commented(first.value) else None,
             secrets=[each.value for each in (first, *others)],
         )
+
+
+def _instead(secret: Secret) -> str:
+    if secret.value.span.source.kind in ("ansible", "ansible-vars"):
+        return "keep it in a file that ansible-vault encrypts, and change the secret"
+    return INSTEAD[secret.holder]
 
 
 def _is_commented(value: Located) -> bool:

@@ -51,7 +51,8 @@ from bringup_lint.api import rule
 from bringup_lint.api.sros2 import Grant
 from bringup_lint.api.sros2 import PolicyEnclave
 
-TOPICS = "publish '{}', which is every topic of the robot, including /cmd_vel"
+TOPICS = "publish '{}', which is every topic of the robot"
+VELOCITY = regex(r"\bcmd_vel\b")
 CALLS = "call '{}', which is every service of the robot, including set_parameters of every node"
 ANSWERS = "answer '{}', which is every service of the robot"
 OF_GRANTS = {
@@ -79,10 +80,10 @@ def permissions_wildcard_topic(robot: Robot) -> Iterator[Finding]:
         keystores.setdefault(document.source.name.partition("enclaves/")[0], []).extend(_of_grant(grant))
     for rights in keystores.values():
         rights.sort(key=lambda right: robot.purpose(right.pattern).value != "robot")
-        yield from _by_right(rights, "list what its nodes use, and sign the document again")
+        yield from _by_right(robot, rights, "list what its nodes use, and sign the document again")
     for policy in robot.sros2.used_policies:
         rights = [right for enclave in policy.enclaves for right in _of_enclave(enclave)]
-        yield from _by_right(rights, "list what its nodes use (ros2 security generate_policy)")
+        yield from _by_right(robot, rights, "list what its nodes use (ros2 security generate_policy)")
 
 
 def _of_grant(grant: Grant) -> Iterator[Wide]:
@@ -105,7 +106,7 @@ def _of_enclave(enclave: PolicyEnclave) -> Iterator[Wide]:
             return
 
 
-def _by_right(rights: Iterable[Wide], advice: str) -> Iterator[Finding]:
+def _by_right(robot: Robot, rights: Iterable[Wide], advice: str) -> Iterator[Finding]:
     """One finding for all enclaves of a keystore or policy that have the same right."""
     found: dict[str, list[Wide]] = {}
     for each in rights:
@@ -114,8 +115,12 @@ def _by_right(rights: Iterable[Wide], advice: str) -> Iterator[Finding]:
         who = f"{first.enclave} and {len(others)} more" if others else first.enclave
         yield finding(
             first.pattern,
-            f"{who} may {first.text.format(first.pattern.strip())}",
+            f"{who} may {first.text.format(first.pattern.strip())}{_also(robot, first)}",
             advice=advice,
             related=[note(each.pattern, f"the same for {each.enclave}") for each in others],
             severity="info" if "permissive" in first.pattern.span.source.basename else None,
         )
+
+
+def _also(robot: Robot, right: Wide) -> str:
+    return ", including /cmd_vel" if right.text == TOPICS and robot.mentions(VELOCITY) else ""

@@ -4,9 +4,10 @@
 A service of ROS, one that only connects to a board, a clock or another computer (MicroXRCEAgent, ptp4l), or one with
 Type=simple and WantedBy= whose program the tree does not hold or that never ends, without Restart= that should keep
 running: it is not Type=oneshot or Type=forking, no timer or path unit starts it, it is not there to set something up by
-its name, and it runs more than a command-line tool such as ros2 topic. It is an info in two cases:
+its name, and it runs more than a command-line tool such as ros2 topic. It is an info in three cases:
 
 - Restart=no is set explicitly, which is a decision;
+- scripts or plays install the service and nothing enables it: somebody starts it, and is there;
 - the start script of the service is not in the tree.
 
 Any service with Restart=no and RestartSec= in one file, without RestartForceExitStatus=, is a warning: one of the two
@@ -56,9 +57,11 @@ from bringup_lint.api import rule
 from bringup_lint.api.systemd import Process
 from bringup_lint.api.systemd import Unit
 from bringup_lint.api.systemd import Units
+from bringup_lint.api.systemd import never_enabled_units
 from bringup_lint.api.systemd import only_connects
 
 TOOLS = "cli"
+INSTALLING = ("shell-script", "ansible", "cloud-init")
 OF_ROS = " (ros2 launch often exits with status 0)"
 SETS_UP = regex(
     r"set-?up|init|conf|once|boot|load|prepar|fix|updat|install|reset|clean|bind|mount|sync|generat|creat|enabl|check"
@@ -76,6 +79,7 @@ def restart_missing(robot: Robot) -> Iterator[Finding]:
     known = {unit.name for unit in (*ros, *agents)}
     daemons = [unit for unit in units.services if unit.name not in known and _is_daemon(robot, unit)]
     yield from (_waiting_in_vain(unit) for unit in units.services if _waits(units, unit))
+    by_hand: list[Unit] | None = None
     for unit in (*ros, *agents, *daemons):
         if _waits(units, unit):
             continue
@@ -86,6 +90,8 @@ def restart_missing(robot: Robot) -> Iterator[Finding]:
             continue
         if unit.get("Type") in ("oneshot", "forking") or not _stays(units, unit):
             continue
+        if by_hand is None:
+            by_hand = list(never_enabled_units(robot.files, units)) if robot.of_kind(*INSTALLING) else []
         chosen, sure = policy.restart_at is not None, unit not in units.presumed_ros and unit not in daemons
         yield finding(
             policy.restart_at or unit.where,
@@ -93,7 +99,9 @@ def restart_missing(robot: Robot) -> Iterator[Finding]:
             advice=f"set Restart=always{OF_ROS if unit in ros and unit not in units.ros1 else ''} and a start limit",
             related=[note(process.line, "this process") for process in units.started(unit)[:1]],
             fix=_restart(unit) if unit.editable and not chosen else None,
-            severity="info" if chosen or (unit in units.presumed_ros and not _is_daemon(robot, unit)) else "warning",
+            severity="info"
+            if chosen or unit in by_hand or (unit in units.presumed_ros and not _is_daemon(robot, unit))
+            else "warning",
             confidence="high" if sure else "medium",
         )
 

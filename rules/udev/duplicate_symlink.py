@@ -2,7 +2,8 @@
 
 ## What it finds
 One link name in two rules whose matches do not exclude each other. Rules for different vendors, products,
-serial numbers or ports are alternatives and are not reported; rules for two indexes of the same camera are a warning.
+serial numbers or ports are alternatives and are not reported; rules for two indexes of the same camera are a warning,
+and an info where one is above 3, which few cameras have.
 Rules that a `GOTO` separates, or with `link_priority`, are not reported.
 
 ## Why it matters on a robot
@@ -36,6 +37,9 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.udev import Link
+
+USUAL = ("0", "1", "2", "3")
 
 
 @rule("error", symptoms=["appeared twice with different sysfs paths"])
@@ -59,6 +63,11 @@ def duplicate_symlink(robot: Robot) -> Iterator[Finding]:
                     f"Two nodes of one camera take {second.path}: the order of discovery decides which one has it",
                     advice="leave out the rule for the node without images",
                     related=[note(first.name, "the other node")],
-                    severity="warning",
+                    severity="warning" if _are_usual(first, second) else "info",
                     confidence="medium",
                 )
+
+
+def _are_usual(*links: Link) -> bool:
+    """Whether the rules are for nodes that a camera may well have: two streams, each with a node for its data."""
+    return all(text in USUAL for link in links for each in link.rule.on("ATTR", "index") for text in each.patterns)

@@ -51,6 +51,7 @@ LAYERS = (
         "graph.udev",
         "graph.commands",
         "graph.switched_off",
+        "graph.unmade",
         "graph.unreached",
     },
     {"graph.copies"},

@@ -55,6 +55,7 @@ _UNTRACKED = frozenset({"video4linux", "hidraw", "input", "i2c-dev", "spidev", "
 _NUMBERED = regex(r"/dev/(?:input/)?[a-z0-9]+?-?\d+(?:\.\d+)?")
 _TAGGED = regex(r"TAG[ \t]*\+?=[ \t]*\"systemd", hints="TAG")
 _OF_THE_ROBOT = ("systemd-unit", "compose", "params", "udev-rules", *OF_VARIABLES)
+_OF_DRIVERS = ("compose", "params")
 _OF_KERNEL = frozenset(
     [
         "block",
@@ -190,11 +191,15 @@ class Devices:
         return source.kind.startswith("launch-") and is_driver_launch(source, self.launch())
 
     def is_single_camera(self, use: DeviceUse) -> bool:
-        """Whether a program opens the only camera that the tree names by its number.
+        """Whether something opens the only camera that the tree names by its number.
 
-        A unit, a container or a parameter file says what this robot has: there, the number counts.
+        A unit or a variable of Ansible says what this robot has: there, the number counts. So it does in a parameter
+        file and for a container, unless it is the first.
         """
-        if not use.path.startswith(_CAMERA) or use.path.span.source.kind in _OF_THE_ROBOT:
+        if not use.path.startswith(_CAMERA):
+            return False
+        kind = use.path.span.source.kind
+        if kind in _OF_THE_ROBOT and not (kind in _OF_DRIVERS and use.path == f"{_CAMERA}0"):
             return False
         cameras = {str(other.path) for other in self.uses if _BY_DISCOVERY.fullmatch(other.path)}
         return len([path for path in cameras if path.startswith(_CAMERA)]) == 1

@@ -2,20 +2,26 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.model.launch_values import literal
+from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.files import Files
     from bringup_lint.graph.launch.expansion import Expansion
     from bringup_lint.model.launch_values import Value
 
 CLOCK = "use_sim_time"
 _OFF = ("false", "0")
 _SWITCH = "use_"
+_WORD = regex(r"[a-z]{4,}")
+_GENERAL = frozenset("enable enabled launch node nodes publish run show start with".split())
+"""Words of a switch that do not say for what it is."""
 
 
 def is_real_clock(name: str, text: str | None) -> bool:
@@ -42,3 +48,23 @@ def _changes_nothing(name: str, text: str | None, texts: dict[str, str | None], 
     if is_real_clock(name, text):
         return not speaks_of_clock
     return name.startswith(_SWITCH) and (text or "").lower() in _OFF and is_empty(texts.get(name[len(_SWITCH) :]))
+
+
+def happens_anyway(name: str, value: Value, target: Expansion, files: Files) -> bool:
+    """Whether an argument that nothing takes asks for what the target does without it: it switches off what no file of
+    the target speaks of, it is the default of the argument of which the name is the end, or it is what all parameter
+    files of the tree give to a parameter of this name."""
+    text = (text_of(value) or "").lower()
+    if text in _OFF:
+        said = " ".join(file.source.text.lower() for file in target.files)
+        return any(word not in said for word in set(_WORD.findall(name.lower())) - _GENERAL)
+    if any(each.name.endswith(f"_{name}") and _is_same(each.action.default, value) for each in target.declared):
+        return True
+    given = regex(rf"(?m)^[ \t]*{re.escape(name)}:[ \t]*[\"']?([^\s\"'#]+)") if text else None
+    found = {word.lower() for each in files.of_kind("params") if given for word in given.findall(each.text)}
+    return found == {text}
+
+
+def _is_same(default: Value | None, value: Value) -> bool:
+    """Whether two values are written alike."""
+    return default is not None and default.span.text == value.span.text

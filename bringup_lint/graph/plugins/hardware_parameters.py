@@ -53,6 +53,9 @@ _PLAINLY = regex(
     r"\bhardware_parameters\s{0,4}(?:\[|\.\s{0,4}at\s{0,4}\()\s{0,40}\"(?P<name>[\w.-]{1,80})\"(?!\s{0,4}\]\s{0,4}=[^=])"
 )
 """What takes a parameter for given, in distinction to what looks for it or sets it."""
+_KEPT = regex(r"\b(\w{1,80})\s{0,9}=\s{0,9}\(?\s{0,9}(?:\w{1,80}(?:\.|->)){0,4}hardware_parameters\W[^=;]*\Z")
+_BEFORE = 300
+_TEXT = regex(r'"(?:\\.|[^"\\\n])*"')
 _SET = regex(r"\bhardware_parameters\s{0,4}\[\s{0,40}\"(?P<name>[\w.-]{1,80})\"\s{0,4}\]\s{0,4}=[^=]")
 _LEAVES = regex(r"\btry\b|\breturn\b[^;]{0,80}\b(?:SUCCESS|OK)\b|^[ \t]*#[ \t]*if", re.M)
 """What handles an exception, ends ``on_init`` well before its end, or is not compiled everywhere."""
@@ -84,6 +87,8 @@ class HardwareParameter(NamedTuple):
     """What the source reads, and the description does not give."""
     value: Span | None = None
     """Where the value comes from."""
+    is_idle: bool = False
+    """Nothing uses what the source keeps of it."""
 
 
 class Driver(NamedTuple):
@@ -214,7 +219,22 @@ def _boolean(driver: Driver, plugin: Element, values: XacroValues, files: Files)
         if "true" in compared.get(name, ()) and "True" not in compared[name] and name not in set_anew:
             value = _written_true(each, values, files)
             if value is not None:
-                yield HardwareParameter("boolean", name, each.text.span, _name(plugin), places[name], value=value)
+                idle = _is_idle(driver, places[name], files)
+                yield HardwareParameter(
+                    "boolean", name, each.text.span, _name(plugin), places[name], value=value, is_idle=idle
+                )
+
+
+def _is_idle(driver: Driver, place: Span, files: Files) -> bool:
+    """Whether a source keeps what it reads in a variable that no C++ source of the tree uses."""
+    kept = _KEPT.search(driver.plain[max(0, place.start - _BEFORE) : place.start])
+    if kept is None:
+        return False
+    used = re.compile(rf"(?<!bool )\b{re.escape(kept[1])}\b(?!\s{{0,9}}=[^=])")
+    paths = (path for path in files.tree.paths if path.endswith(CPP))
+    sources = (files.tree.read(path, judged=False) for path in paths)
+    texts = (source.text for source in sources if source is not None and kept[1] in source.text)
+    return not any(used.search(_TEXT.sub("", blanked(text))) for text in texts)
 
 
 def _written_true(parameter: Element, values: XacroValues, files: Files) -> Span | None:

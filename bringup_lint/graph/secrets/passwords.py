@@ -28,6 +28,7 @@ _VARIABLES = (
     regex(r"(?<![\w#])(?P<name>ansible_\w*pass(?:word)?)[ \t]*=[ \t]*" + _WORD + r"(?=\s|$)"),
 )
 """Variables of Ansible: YAML, and the words of an inventory."""
+_LOGS_IN_NOWHERE = regex(r"(?m)^[ \t]*ansible_connection[ \t]*[=:][ \t]*[\"']?local\b", hints="ansible_connection")
 _LOCAL = regex(r"localhost|127(?:\.\d{1,3}){3}|::1")
 
 _SUDO = r"(?:sudo[ \t]+(?:-\w+[ \t]+)*)?"
@@ -106,9 +107,10 @@ def in_variables(files: Files) -> Iterator[Password]:
 
 
 def _is_of_local_hosts(source: Source) -> bool:
-    """Whether an inventory names no host but this computer."""
+    """Whether an inventory names no host but this computer, or says that Ansible logs in nowhere."""
+    nowhere = source.says(_LOGS_IN_NOWHERE)
     if not source.basename.endswith((".ini", "hosts", "inventory")):
-        return False
+        return nowhere
     hosts = []
     in_hosts = True
     for line in source.text.splitlines():
@@ -117,7 +119,7 @@ def _is_of_local_hosts(source: Source) -> bool:
             in_hosts = ":" not in line
         elif words and in_hosts:
             hosts.append(words[0])
-    return bool(hosts) and all(_LOCAL.fullmatch(host) for host in hosts)
+    return (nowhere and len(hosts) < 2) or (bool(hosts) and all(_LOCAL.fullmatch(host) for host in hosts))
 
 
 def given_to_programs(files: Files) -> Iterator[Password]:

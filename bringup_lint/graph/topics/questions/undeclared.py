@@ -35,6 +35,12 @@ if TYPE_CHECKING:
     from bringup_lint.model.params import Block
 
 
+_REMARK = regex(r"//|#|<!--")
+_UNNEEDED = regex(
+    r"(?i)\b(?:(?:not|no longer|never) (?:needed|used|read|required)|unused|obsolete|ignored)\b",
+    hints="needed used read required obsolete ignored",
+)
+"""What a comment says after the name."""
 _FUNCTION = regex(r"^(?P<indent>[ \t]*)(?:async )?def (?P<name>\w+)", re.M)
 
 
@@ -54,6 +60,8 @@ class Undeclared(NamedTuple):
 
     node: LaunchedNode
     given: tuple[GivenName, ...]
+    is_unneeded: bool
+    """Comments of the package say that it does without them."""
 
 
 def undeclared(topics: Topics) -> Iterator[Undeclared]:
@@ -77,7 +85,25 @@ def undeclared(topics: Topics) -> Iterator[Undeclared]:
         if lacks and span.source.judged and not _is_read_by_launch(node, given):
             grouped.setdefault(given.group, []).append((node, given))
     for pairs in grouped.values():
-        yield Undeclared(pairs[0][0], tuple(given for _, given in pairs))
+        names = {given.name for _, given in pairs}
+        yield Undeclared(pairs[0][0], tuple(given for _, given in pairs), _are_unneeded(topics, pairs[0][0], names))
+
+
+def _are_unneeded(topics: Topics, node: LaunchedNode, names: set[str]) -> bool:
+    """Whether comments beside all the names, in the launch file or in the sources of the package, say that nodes do
+    without them."""
+    workspace = topics.launch.workspace
+    package = workspace.packages.get(literal_text(node.started.package) or "")
+    sources = (each for each in topics.files.of_kind("python-node", "cpp-node") if workspace.owner(each) is package)
+    own = [*sources, node.started.file.source]
+    return all(any(_is_called_unneeded(name, each.text) for each in own) for name in names)
+
+
+def _is_called_unneeded(name: str, text: str) -> bool:
+    if name not in text:
+        return False
+    lines = (line.partition(name) for line in text.splitlines() if name in line)
+    return any(_REMARK.search("".join(parts)) and _UNNEEDED.search(parts[2]) for parts in lines)
 
 
 def _is_read_by_launch(node: LaunchedNode, given: GivenName) -> bool:
