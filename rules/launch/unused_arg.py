@@ -3,9 +3,11 @@
 ## What it finds
 Declared arguments that neither the file nor any file that it includes reads. A variable that is only the default of
 the argument itself does not read it, a key of a dictionary neither, nor a file that only hands it on to this one. Of
-included files that are not in the tree, those of Gazebo, Nav2, slam_toolbox and others are known, and with others the
-rule is silent. Info in packages of others that the tree only holds, and where another launch file of this name declares
-the argument too: `vehicle_interface.launch.xml` of several vehicles.
+included files that are not in the tree, those of Gazebo, Nav2, slam_toolbox and others are known. With others, the rule
+is silent where the file includes them itself, or where they are handed nothing: they may read any argument. Info in
+packages of others that the tree only holds, and where other launch files may be included in its place: another one of
+this name declares the argument too, `vehicle_interface.launch.xml` of several vehicles, or the argument is passed to a
+file whose path is computed.
 
 ## Why it matters on a robot
 Setting the argument has no effect, and launch does not say so. The robot runs with another configuration than the

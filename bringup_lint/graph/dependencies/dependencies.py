@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import sys
 from collections.abc import Callable
 from collections.abc import Iterator
@@ -53,6 +54,7 @@ from bringup_lint.graph.purpose import Purpose
 from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
+    from bringup_lint.graph.dependencies.data_beside import Beside
     from bringup_lint.graph.dependencies.interface_lines import RefusedDefinition
     from bringup_lint.graph.dependencies.misspelt_builds import MisspeltBuild
     from bringup_lint.graph.dependencies.misspelt_depends import MisspeltDependency
@@ -70,6 +72,12 @@ _GOES_ON = regex(r"\s-[a-qs-z]*r[a-z]*(?:\s|$)|\s-s\s|--simulate|--dependency-ty
 """rosdep installs the rest, only says what it would do, or its failure is ignored."""
 _FOREIGN = regex(r"(?:^|_)(?:vendor|stubs?|template)(?:_|$)|[{}$<]")
 """Names of packages that wrap the build of others, and of templates."""
+_BUILDS = regex(
+    r"^(?![^\n]{0,500}\b(?:alias|echo|printf)\b)[^\n]{0,500}?\bcolcon\s+build\b(?:\\\r?\n|[^\n;&|]){0,2000}",
+    re.M,
+    "colcon",
+)
+"""A command that is run, and not shown or kept for later."""
 _OF_FOCAL = ("foxy", "galactic")
 """The distributions of ROS for Ubuntu 20.04."""
 _COMMON = frozenset(
@@ -234,6 +242,21 @@ class Dependencies:
     def left_out_modules(self, package: Package) -> Iterator[LeftOut]:
         """What a Python package imports of itself, and does not install."""
         return left_out(self._files.tree, package)
+
+    def data_beside(self, package: Package) -> Iterator[Beside]:
+        """What the console scripts of a Python package look for beside their modules, and that setuptools does
+        not install."""
+        from bringup_lint.graph.dependencies.data_beside import data_beside
+
+        return data_beside(self._files.tree, package)
+
+    @cached_property
+    def leads_to_source(self) -> bool:
+        """Whether the tree builds with links to the source, where nothing is missing that is not installed: it says so,
+        and no script or image builds without."""
+        sources = (each for each in self._files.of_kind("dockerfile", "shell-script") if each.judged)
+        builds = (command for each in sources for command in _BUILDS.findall(each.uncommented))
+        return self._installers.mentions_symlinks and all("--symlink" in command for command in builds)
 
     def unexported(self, package: Package) -> Iterator[Unexported]:
         """The descriptions of plugins that a package builds and does not export."""

@@ -62,6 +62,11 @@ class Installers:
         return any("rosdep" in text for text in self._all)
 
     @cached_property
+    def mentions_symlinks(self) -> bool:
+        """Whether any file says that colcon makes links to the source."""
+        return any("--symlink" in text for text in self._all)
+
+    @cached_property
     def rosdep_commands(self) -> list[str]:
         """The commands of the documentation at the top of the tree that install with rosdep."""
         tops = [f"{top}/" for top in self._tree.tops]

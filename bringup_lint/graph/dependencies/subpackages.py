@@ -35,7 +35,7 @@ def left_out(tree: Tree, package: Package) -> Iterator[LeftOut]:
             continue
         for module in _needed(tree, package, listed):
             folder = _package_of(tree, package, module)
-            if folder and folder not in found and not _is_installed(tree, package, listed, folder):
+            if folder and folder not in found and not is_installed(tree, package, listed, folder):
                 found.add(folder)
                 yield LeftOut(module, folder, listed)
 
@@ -47,7 +47,7 @@ def _needed(tree: Tree, package: Package, listed: Packages) -> Iterator[Located]
         if not path.endswith(".py"):
             continue
         own = os.path.relpath(os.path.dirname(os.path.abspath(path)), package.folder).replace(os.sep, ".")
-        if own != "." and _is_installed(tree, package, listed, own):
+        if own != "." and is_installed(tree, package, listed, own):
             source = tree.at(path)
             yield from imported(source, own) if source is not None else ()
 
@@ -64,7 +64,7 @@ def _package_of(tree: Tree, package: Package, module: str) -> str | None:
     return module if holds else None
 
 
-def _is_installed(tree: Tree, package: Package, listed: Packages, name: str) -> bool:
+def is_installed(tree: Tree, package: Package, listed: Packages, name: str) -> bool:
     if listed.names is not None:
         return name in listed.names
     parts = name.split(".")
