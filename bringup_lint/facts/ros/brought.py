@@ -25,6 +25,12 @@ def is_released(name: str) -> bool:
 
 
 @cache
+def lists() -> frozenset[str]:
+    """The packages of which the table has all that they bring of others that it knows."""
+    return frozenset(_brings())
+
+
+@cache
 def brought_packages() -> frozenset[str]:
     """All packages that the table knows."""
     return frozenset(_brings()).union(*_brings().values())

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.facts.ros.brought import brought_by
 from bringup_lint.facts.ros.brought import is_released
+from bringup_lint.facts.ros.brought import lists
 from bringup_lint.facts.ros.needed import COMMON
 from bringup_lint.facts.ros.needed import base
 from bringup_lint.facts.ros.needed import of_ros_base
@@ -286,7 +287,8 @@ class _Needed:
         if name in self._brought:
             return True
         if need.fact is not None:
-            return any(map(need.fact.comes_with, self._declared))
+            is_known = need.use in _STARTED and is_released(name)
+            return any(map(need.fact.comes_with, self._declared - lists() if is_known else self._declared))
         if name in base():
             return name in brought_by(self._declared & _METAPACKAGES)
         if need.use in _STARTED:
