@@ -46,6 +46,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.cpp.in_file import cut_answers
     from bringup_lint.graph.nodes.questions.cpp.in_file import early_members
     from bringup_lint.graph.nodes.questions.cpp.in_file import format_texts
+    from bringup_lint.graph.nodes.questions.cpp.in_file import repeated_branches
     from bringup_lint.graph.nodes.questions.cpp.in_file import unread_answers
     from bringup_lint.graph.nodes.questions.cpp.in_file import wrong_durations
     from bringup_lint.graph.nodes.questions.cpp.missing_returns import missing_returns
@@ -263,6 +264,7 @@ __all__ = [
     "relays",
     "relocks",
     "repeated",
+    "repeated_branches",
     "restamped",
     "runners_of",
     "sent_in_vain",

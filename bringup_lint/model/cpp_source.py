@@ -197,6 +197,13 @@ class BareMember(NamedTuple):
     owner: str
 
 
+class RepeatedBranch(NamedTuple):
+    """A condition of a chain that one before it has as well."""
+
+    place: Span
+    earlier: Span
+
+
 class MessageRace(NamedTuple):
     """A member that a callback replaces by a message while another thread reads it."""
 
@@ -414,6 +421,7 @@ class CppNode:
     unset_members: list[UnsetMember] = field(default_factory=list)
     bare_members: list[BareMember] = field(default_factory=list)
     races: list[MessageRace] = field(default_factory=list)
+    repeated_branches: list[RepeatedBranch] = field(default_factory=list)
     canceled: list[Canceled] = field(default_factory=list)
     divisors: list[Located] = field(default_factory=list)
     """Velocities of commands by which something is divided unseen."""

@@ -42,6 +42,7 @@ from bringup_lint.parsers.cpp_node.parameters import reads
 from bringup_lint.parsers.cpp_node.parameters import texts_as_bool
 from bringup_lint.parsers.cpp_node.profiles import Profiles
 from bringup_lint.parsers.cpp_node.races import races
+from bringup_lint.parsers.cpp_node.repeated_branches import repeated_branches
 from bringup_lint.parsers.cpp_node.restamped import RESTAMPS
 from bringup_lint.parsers.cpp_node.restamped import restamped
 from bringup_lint.parsers.cpp_node.service_answers import service_answers
@@ -120,6 +121,7 @@ def parse(source: Source) -> CppNode:
     node.misread = list(misread(code))
     node.missing_returns = list(missing_returns(code))
     node.races = list(races(code, node.callbacks[:CALLBACKS]))
+    node.repeated_branches = list(repeated_branches(code))
     node.unset = list(unset(code))
     node.bare_members = list(bare_members(code, node.classes))
     node.unset_members = list(unset_members(code, node.classes, node.callbacks[:CALLBACKS]))

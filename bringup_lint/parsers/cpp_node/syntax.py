@@ -47,6 +47,7 @@ _WRITTEN = """
 (field_declaration) @field
 (throw_statement) @throw
 (return_statement) @return
+(else_clause) @else
 """
 _EXPORTED = regex(
     rb"[csA-Z](?<!\w[csA-Z])(?:(?:(?<=c)lass|(?<=s)truct)[ \t\r\n]+(?P<macro>[A-Z][A-Z0-9_]+)"

@@ -9,6 +9,7 @@ from bringup_lint.model.cpp_driver import BlindWait
 from bringup_lint.model.cpp_driver import CutAnswer
 from bringup_lint.model.cpp_source import EarlyMember
 from bringup_lint.model.cpp_source import FormatText
+from bringup_lint.model.cpp_source import RepeatedBranch
 from bringup_lint.model.cpp_source import UnreadAnswer
 from bringup_lint.model.cpp_source import WrongDuration
 
@@ -54,3 +55,9 @@ def cut_answers(nodes: Nodes) -> Iterator[list[CutAnswer]]:
     for driver in nodes.drivers:
         if driver.cut_answers:
             yield driver.cut_answers
+
+
+def repeated_branches(nodes: Nodes) -> Iterator[RepeatedBranch]:
+    """The branches of C++ nodes that never run."""
+    for node in nodes.cpp:
+        yield from node.repeated_branches
