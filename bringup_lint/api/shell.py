@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.installed.script import Written
     from bringup_lint.graph.installed.script_arguments import short_calls
     from bringup_lint.graph.installed.script_files import missing_files
+    from bringup_lint.graph.installed.script_files import read_words
     from bringup_lint.graph.installed.script_functions import functions
     from bringup_lint.graph.installed.without_sudo import without_sudo
     from bringup_lint.graph.runners.questions.edits_without_effect import lost_edits
@@ -93,6 +94,7 @@ __all__ = [
     "plain_modes",
     "plays",
     "program_name",
+    "read_words",
     "roles_of",
     "run_options",
     "runs_in_image",

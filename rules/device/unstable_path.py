@@ -1,7 +1,8 @@
 """A device path contains a number that changes.
 
 ## What it finds
-`/dev/ttyUSB0`, `/dev/ttyACM1`, `/dev/video2`, `/dev/input/event3` with any number. The severity depends on the place:
+`/dev/ttyUSB0`, `/dev/ttyACM1`, `/dev/video2`, `/dev/input/event3`, `/dev/bus/usb/001/004` with any number. The
+severity depends on the place:
 
 - Warning: units and their environment files, compose, launch and parameter files, what a launch file gives to one that
   it includes, YAML of a driver in a folder such as `config/`, scripts, variables of Ansible's hosts and groups; the
@@ -94,7 +95,7 @@ def _finding(robot: Robot, use: DeviceUse, links: list[Link], others: list[Devic
     return finding(
         use.path,
         f"{use.path} is numbered in the order of discovery: after a reboot it may be another device",
-        advice=f"use {names}" if links else f"create a link with a udev rule, or use a path below {_folder(use.path)}",
+        advice=f"use {names}" if links else f"create a link with a udev rule, or {_instead(use.path)}",
         related=[
             *(note(link.name, f"creates {link.path}") for link in links[:3]),
             *(note(each, "opened here") for each in [use.opened_elsewhere] if each is not None),
@@ -106,11 +107,14 @@ def _finding(robot: Robot, use: DeviceUse, links: list[Link], others: list[Devic
     )
 
 
-def _folder(path: str) -> str:
-    """Where udev keeps stable names of a device of this kind."""
+def _instead(path: str) -> str:
+    """What else is stable for a device of this kind: where udev keeps its names."""
+    if path.startswith("/dev/bus"):
+        return "hand over /dev/bus/usb as a whole"
     if path.startswith("/dev/input"):
-        return "/dev/input/by-id"
-    return "/dev/v4l/by-id or /dev/v4l/by-path" if path.startswith("/dev/video") else "/dev/serial/by-id"
+        return "use a path below /dev/input/by-id"
+    folder = "/dev/v4l/by-id or /dev/v4l/by-path" if path.startswith("/dev/video") else "/dev/serial/by-id"
+    return f"use a path below {folder}"
 
 
 def _is_launched_at_boot(robot: Robot, use: DeviceUse) -> bool:

@@ -39,7 +39,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.udev.udev import Udev
     from bringup_lint.model.node_source import NodeSource
 
-_BY_DISCOVERY = regex(r"/dev/(?:ttyUSB\d+|ttyACM\d+|video\d|input/event\d+)")
+_BY_DISCOVERY = regex(r"/dev/(?:ttyUSB\d+|ttyACM\d+|video\d|input/event\d+|bus/usb/\d{3}/\d{3})")
 _PATH = regex(r"/dev/[\w./+-]+", hints="/dev/")
 _LOOP = regex(r"^\s*for\s+\w+\s+in\s")
 _CAMERA = "/dev/video"

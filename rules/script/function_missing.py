@@ -1,0 +1,96 @@
+"""A script calls a function that it does not have.
+
+## What it finds
+A call of a name with an underscore in a script that has other functions of this kind (`setup_host` beside
+`setup_workspace`), where nothing in the tree defines or otherwise names it. Silent in scripts that source files of
+others than ROS, and for calls whose failure is expected.
+
+## Why it matters on a robot
+The function was renamed or removed, and its call was left: "command not found". Under `set -e` the set-up ends there;
+without it the step is left out.
+
+## Bad
+```sh
+setup_workspace() { colcon build; }
+setup_host
+setup_workspace
+```
+
+## Good
+```sh
+setup_host() { sudo usermod -aG dialout "$USER"; }
+setup_workspace() { colcon build; }
+setup_host
+setup_workspace
+```
+
+## When to ignore it
+When it is a program of the robot that the tree does not install.
+
+## References
+- bash(1), "COMMAND EXECUTION"
+"""
+
+import re
+from collections.abc import Iterator
+
+from bringup_lint.api import Finding
+from bringup_lint.api import Robot
+from bringup_lint.api import Source
+from bringup_lint.api import finding
+from bringup_lint.api import note
+from bringup_lint.api import regex
+from bringup_lint.api import rule
+from bringup_lint.api.shell import Run
+
+DEFINES = regex(r"(?m)^[ \t]*(?:function[ \t]+(?P<word>[\w-]+)|(?P<name>[\w-]+)[ \t]*\([ \t]*\))")
+SOURCES = regex(
+    r"(?m)^[ \t]*(?:source|\.)[ \t]+(?![^\n]*(?:setup\.(?:ba|z)?sh|\.bashrc|os-release|activate)\b)|\beval\b"
+)
+NAME = regex(r"[a-z][a-z0-9]*(?:_[a-z0-9]+)+")
+MOST = 20
+
+
+@rule("warning", symptoms=["*: command not found"])
+def function_missing(robot: Robot) -> Iterator[Finding]:
+    for source in robot.of_kind("shell-script"):
+        if not source.judged or source.template or "_" not in source.text:
+            continue
+        own = {match["word"] or match["name"] for match in DEFINES.finditer(source.text)}
+        if len(own) < 2 or source.matches(SOURCES):
+            continue
+        found: dict[str, list[Run]] = {}
+        for run in robot.scripts.done(source):
+            if isinstance(run, Run) and NAME.fullmatch(run.name) and run.words[0] == run.name and run.name not in own:
+                found.setdefault(run.name, []).append(run)
+        for name, calls in found.items():
+            first, *others = calls
+            if (
+                _is_called_like(name, own)
+                and not any(map(_may_fail, calls))
+                and _is_alone(robot, source, name, len(calls))
+            ):
+                yield finding(
+                    first.words[0],
+                    f"Nothing defines {name}: the shell does not find it, and the step is not done",
+                    advice="define the function, or remove the call",
+                    related=[note(each.words[0], "here too") for each in others[:MOST]],
+                )
+
+
+def _is_called_like(name: str, own: set[str]) -> bool:
+    """Whether a function of the script begins with the same word."""
+    return any(each.partition("_")[0] == name.partition("_")[0] for each in own if "_" in each)
+
+
+def _may_fail(run: Run) -> bool:
+    return run.command.hides_errors or run.command.ends == "||"
+
+
+def _is_alone(robot: Robot, source: Source, name: str, calls: int) -> bool:
+    """Whether the name is nowhere else than where it is called."""
+    alone = re.compile(rf"(?<![\w-]){re.escape(name)}(?![\w-])")
+    if len(alone.findall(source.uncommented)) > calls:
+        return False
+    others = (robot.tree.head(path, 200_000) for path in robot.tree.paths if path != source.absolute)
+    return not any(name in text and alone.search(text) for text in others)
