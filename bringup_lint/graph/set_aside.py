@@ -46,7 +46,9 @@ _WHOLE = r"\b(?:cp|ln|mv|install|rsync|scp|copy|COPY|ADD|src|DIRECTORY|glob|iglo
 _EVERY_UNIT = regex(r"\*\.(?:service|timer|socket|path|target|\{|\$)")
 _SUFFIX = regex(r"[\]}\"'%)*s]\.(?:service|timer|socket|path|target)\b")
 """Of a name that is put together from its stem."""
-_WORD = regex(r"[\w.@-]+")
+_WORD = regex(r"[\w@](?:[\w.@-]*[\w@-])?")
+_PLACE = regex(r"/systemd/(?:system|user)/[^/]+$")
+"""A folder from which systemd loads units: such a tree is copied as a whole."""
 _FEWEST = 2
 """Files beside one that are used, at least: of two, each may be for another machine."""
 _INSTALLS = regex(r"(?:install|setup|build)[-_]")
@@ -90,10 +92,11 @@ class SetAside:
         if not _DOCUMENTATION.search(path):
             return False
         others = (each for each in self._files.of_kind(source.kind) if each.basename == source.basename)
-        if all(_DOCUMENTATION.search(self._path(each.absolute)) for each in others):
+        used = (each for each in others if not _DOCUMENTATION.search(self._path(each.absolute)))
+        if not any(_is_copy(source.text, each.text) for each in used):
             return False
         place = "/".join(path.split("/")[-2:])
-        return not any(place in each.text for each in self._others(source))
+        return not any(place in each.text for each in self._saying(source.basename, source))
 
     @memo
     def _is_left_over(self, source: Source) -> bool:
@@ -117,7 +120,7 @@ class SetAside:
         }
         if len(beside & taken) < _FEWEST:
             return False
-        others = (each.text for each in self._texts if not each.path.startswith(f"{folder}/{name}/"))
+        others = (each.text for each in self._by_word.get(name, ()) if not each.path.startswith(f"{folder}/{name}/"))
         return not any(f"roles/{name}" in text for text in others)
 
     @cached_property
@@ -133,7 +136,7 @@ class SetAside:
     @memo
     def _is_idle_unit(self, source: Source) -> bool:
         """Whether nothing installs, links or starts a unit, while others beside it are, each by its name."""
-        if not _UNIT.search(final_name(source.basename)):
+        if not _UNIT.search(final_name(source.basename)) or _PLACE.search(source.absolute):
             return False
         beside = [each for each in self._files.beside(source) if each.kind == source.kind and each.origin is None]
         if sum(map(self._is_brought, beside)) < _FEWEST or self._uses(source):
@@ -144,7 +147,7 @@ class SetAside:
         """Whether a line installs or starts a unit by its name."""
         name = final_name(unit.basename)
         line = re.compile(rf"{_BRINGS}[^\n]*(?<![\w.-]){re.escape(name)}(?![\w-])")
-        return any(name in each.text and line.search(each.text) for each in self._others(unit))
+        return any(line.search(each.text) for each in self._saying(name, unit))
 
     @memo
     def _uses(self, unit: Source) -> bool:
@@ -152,13 +155,9 @@ class SetAside:
         name = final_name(unit.basename)
         stem = name.rpartition(".")[0].rstrip("@")
         asked = re.compile(rf"\bsystemctl\b[^\n]*(?<![\w.-]){re.escape(stem)}(?![\w-])")
-        for each in self._others(unit):
-            if stem not in each.text:
-                continue
-            here = set(_WORD.findall(each.text))
-            if name in here or asked.search(each.text) or (stem in here and _SUFFIX.search(each.text)):
-                return True
-        return False
+        if next(self._saying(name, unit), None) is not None:
+            return True
+        return any(asked.search(each.text) or _SUFFIX.search(each.text) for each in self._saying(stem, unit))
 
     def _is_taken_whole(self, source: Source, names: Iterable[str]) -> bool:
         """Whether a line takes the whole folder of a file, and not one of these names of it."""
@@ -167,12 +166,10 @@ class SetAside:
             rf"(?<![\w.-]){re.escape(folder)}(?:/?[\"']?(?:[\s,)\]}}:]|$)|/[\"']?(?:\*|\$|\{{|\.(?![\w.])))"
         )
         whole = regex(_WHOLE)
-        for each in self._others(source):
-            beside = os.path.dirname(each.path) == os.path.dirname(self._path(source.absolute))
-            if beside and _EVERY_UNIT.search(each.text):
-                return True
-            if folder not in each.text:
-                continue
+        here = os.path.dirname(self._path(source.absolute))
+        if any(_EVERY_UNIT.search(each.text) for each in self._by_folder.get(here, ())):
+            return True
+        for each in self._saying(folder, source):
             lines = (line for line in each.text.splitlines() if folder in line and place.search(line))
             if any(whole.search(line) and not any(name in line for name in names) for line in lines):
                 return True
@@ -190,11 +187,27 @@ class SetAside:
         used = [name for name in beside if any(name in step for step in steps)]
         if len(used) < _FEWEST:
             return False
-        return not any(source.basename in each.text for each in self._others(source))
+        return next(self._saying(source.basename, source), None) is None
 
-    def _others(self, source: Source) -> Iterator[_Text]:
+    def _saying(self, word: str, source: Source) -> Iterator[_Text]:
+        """The texts that have a word, but for the file itself."""
         own = self._path(source.absolute)
-        return (each for each in self._texts if each.path != own)
+        return (each for each in self._by_word.get(word, ()) if each.path != own)
+
+    @cached_property
+    def _by_word(self) -> dict[str, list[_Text]]:
+        found: dict[str, list[_Text]] = {}
+        for each in self._texts:
+            for word in set(_WORD.findall(each.text)):
+                found.setdefault(word, []).append(each)
+        return found
+
+    @cached_property
+    def _by_folder(self) -> dict[str, list[_Text]]:
+        found: dict[str, list[_Text]] = {}
+        for each in self._texts:
+            found.setdefault(os.path.dirname(each.path), []).append(each)
+        return found
 
     def _path(self, absolute: str) -> str:
         return absolute.removeprefix(self._top)
@@ -211,3 +224,9 @@ class SetAside:
         texts = {path: source.text for path, source in known.items()}
         texts.update({path: tree.head(path, _SIZE) for path in tree.like(_USERS) if path not in known})
         return [_Text(self._path(path), _REMARK.sub("", text)) for path, text in texts.items()]
+
+
+def _is_copy(text: str, other: str) -> bool:
+    """Whether most lines of a text are those of another one."""
+    lines, others = set(text.split("\n")), set(other.split("\n"))
+    return len(lines & others) * 2 > len(lines)

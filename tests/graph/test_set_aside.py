@@ -27,7 +27,8 @@ BUILT = {
     "docker/Dockerfile.weir": "FROM ros:foxy\n",
     "compose.yaml": "services:\n  drive:\n    build: {context: docker, dockerfile: Dockerfile.drive}\n",
 }
-PAGES = {"bashrc": "export ROS_DOMAIN_ID=4\n", "Documentation/Operation/bashrc": "export ROS_DOMAIN_ID=5\n"}
+BASHRC = "source /opt/ros/humble/setup.bash\nexport RMW_IMPLEMENTATION=rmw_cyclonedds_cpp\nexport ROS_DOMAIN_ID=%s\n"
+PAGES = {"bashrc": BASHRC % 4, "Documentation/Operation/bashrc": BASHRC % 5}
 
 
 def robot_of(folder: Path, files: dict[str, str]) -> Robot:
@@ -52,6 +53,8 @@ def set_aside(folder: Path, files: dict[str, str]) -> list[str]:
         ({**UNITS, **INSTALLS, "README.md": "├── weir.service\n"}, ["units/weir.service"]),
         ({**UNITS, **INSTALLS, "a.sh": "# cp units/weir.service /etc\n"}, ["units/weir.service"]),
         (UNITS, []),
+        ({f"etc/systemd/system/{Path(name).name}": text for name, text in UNITS.items()} | INSTALLS, []),
+        ({**UNITS, **INSTALLS, "units/weir.conf.in": UNIT % "weir"}, ["units/weir.service"]),
         ({**UNITS, **INSTALLS, "README.md": "Then install weir.service by hand.\n"}, []),
         ({**UNITS, **INSTALLS, "a.sh": "systemctl enable weir\n"}, []),
         ({**UNITS, **INSTALLS, "a.py": "for name in ('weir',):\n    enable(f'{name}.service')\n"}, []),
@@ -93,6 +96,7 @@ def set_aside(folder: Path, files: dict[str, str]) -> list[str]:
         ),
         (PAGES, ["Documentation/Operation/bashrc"]),
         ({**PAGES, "a.sh": "cp Documentation/Operation/bashrc ~/.bashrc\n"}, []),
+        ({**PAGES, "bashrc": "export ROS_LOCALHOST_ONLY=1\n"}, []),
         ({"docs/bashrc": "export ROS_DOMAIN_ID=5\n"}, []),
         ({"1.0.0/drive.service": UNIT % "a", "3.0.0/drive.service": UNIT % "a"}, ["1.0.0/drive.service"]),
     ],
