@@ -7,7 +7,7 @@ A process that has `ROS_SECURITY_ENABLE` set to true, but neither `--enclave` no
   the unit, service or script that runs `ros2 launch`
 - nodes that a command line starts with `ros2 run`
 - nodes of launch files beside others that select an enclave, where a script exports the variable with Enforce, and the
-  tree holds the keystore
+  tree holds the keystore; an info where another launch file starts the same program with an enclave
 
 A keystore with an enclave for `/` counts as intent, and nothing is reported. Without a keystore in the tree
 the finding is a warning, because the robot may have an enclave `/`, unless the node itself sets the variable
@@ -48,12 +48,15 @@ from bringup_lint.api import rule
 def enclave_not_selected(robot: Robot) -> Iterator[Finding]:
     if robot.sros2.overridden or any("/" in keystore.enclaves for keystore in robot.sros2.keystores):
         return
-    for group in robot.sros2.without_enclave:
+    for found in robot.sros2.without_enclave:
+        left = [each for each in found if not each.elsewhere]
+        group = left or found
         first = group[0]
         if not first.own and robot.ros.is_development(first.where):
             continue
         more = f" and {len(group) - 1} more select" if len(group) > 1 else " selects"
         they = "they use '/'" if len(group) > 1 else "it uses '/'"
+        is_chosen = first.own or (bool(robot.sros2.keystores) and not first.by_hand)
         yield finding(
             first.where,
             f"{first.label}{more} no enclave: {they}, which fails with Enforce and is a shared identity without it",
@@ -62,5 +65,5 @@ def enclave_not_selected(robot: Robot) -> Iterator[Finding]:
                 note(first.switch, "security is switched on here"),
                 *(note(other.where, "this one selects none either") for other in group[1:6]),
             ],
-            severity=None if first.own or (robot.sros2.keystores and not first.by_hand) else "warning",
+            severity="info" if first.elsewhere else None if is_chosen else "warning",
         )

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from bringup_lint.graph.commands.environment import Environment
 from bringup_lint.graph.commands.environment import Variable
 from bringup_lint.graph.environment.launched import launched_environment
+from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.sros2.enclaves import OPTION
 from bringup_lint.graph.sros2.enclaves import OVERRIDE
 from bringup_lint.graph.sros2.enclaves import enclave_of
@@ -36,6 +37,8 @@ class Secured(NamedTuple):
     """Whether that value is for this process alone."""
     by_hand: bool = False
     """Only whoever sources a script switches it on."""
+    elsewhere: bool = False
+    """Another launch file starts the same program with an enclave."""
 
 
 def without_enclave(ros: RosEnvironment, nodes: Iterable[Started]) -> list[list[Secured]]:
@@ -74,9 +77,15 @@ def _of_exports(ros: RosEnvironment, nodes: list[Started]) -> Iterator[Secured]:
     chosen = [enclave_of(node)[0] for node in nodes]
     if len(switches) != 1 or not any(chosen) or ros.is_development(switches[0].value):
         return
+    programs = {_program(node): node.file.source for node, selects in zip(nodes, chosen) if selects}
     for node, selects in zip(nodes, chosen):
         if node.is_node and not selects and not node.env and not node.own_env:
-            yield Secured(node.label(), node.span, switches[0].value, own=False, by_hand=True)
+            elsewhere = programs.get(_program(node), node.file.source) is not node.file.source
+            yield Secured(node.label(), node.span, switches[0].value, own=False, by_hand=True, elsewhere=elsewhere)
+
+
+def _program(node: Started) -> tuple[str | None, str | None]:
+    return literal_text(node.package), literal_text(node.executable)
 
 
 def _of_commands(launcher: RosProcess) -> Iterator[Secured]:
