@@ -31,7 +31,7 @@ When the board always answers in time, or the caller notices a jump.
 
 ## References
 - C++ standard, [string.find] and [string.substr]: `npos` where nothing is found, and all that is left for a count of it
-- https://en.cppreference.com/w/cpp/string/byte/atoi: 0 where there is no number
+- https://en.cppreference.com/w/cpp/string/byte/atoi: 0 where the text does not begin with digits
 """
 
 from collections.abc import Iterator
