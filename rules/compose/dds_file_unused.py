@@ -67,6 +67,7 @@ class Middleware(NamedTuple):
 CYCLONE = Middleware("rmw_cyclonedds_cpp", ("CYCLONEDDS_URI",), "file://")
 FAST = Middleware("rmw_fastrtps_cpp", ("FASTRTPS_DEFAULT_PROFILES_FILE", "FASTDDS_DEFAULT_PROFILES_FILE"), "")
 NAMES = ((regex(r"(?i)[^/]*cyclone[^/]*\.xml$"), CYCLONE), (regex(r"(?i)[^/]*fast_?(?:dds|rtps)[^/]*\.xml$"), FAST))
+VARIABLES = (*CYCLONE.variables, *FAST.variables)
 
 
 class Mount(NamedTuple):
@@ -80,11 +81,12 @@ class Mount(NamedTuple):
 def dds_file_unused(robot: Robot) -> Iterator[Finding]:
     mounts = [mount for service in robot.compose.whole_services for mount in _mounts(service)]
     named = {str(mount.target): value for mount in mounts if (value := _names(robot, mount)) is not None}
+    speaking = _speaking(robot) if mounts else set()
     for mount in mounts:
         if _may_be_set(robot, mount):
             continue
         other = named.get(str(mount.target))
-        if other is not None or _is_unset_in_image(robot, mount):
+        if other is not None or _is_unset_in_image(robot, mount, speaking):
             variable = mount.middleware.variables[0]
             yield finding(
                 mount.where,
@@ -131,7 +133,15 @@ def _may_be_set(robot: Robot, mount: Mount) -> bool:
     )
 
 
-def _is_unset_in_image(robot: Robot, mount: Mount) -> bool:
+def _speaking(robot: Robot) -> set[tuple[str, str]]:
+    """The folders of files that may get into an image and speak of a variable, with that."""
+    texts = ((each.name, each.text) for each in robot.sources if each.kind != "compose")
+    told = ((path, robot.tree.head(path, READ)) for path in robot.tree.like(SHELLS))
+    both = (each for all_of in (texts, told) for each in all_of)
+    return {(posixpath.dirname(path), name) for path, text in both for name in VARIABLES if name in text}
+
+
+def _is_unset_in_image(robot: Robot, mount: Mount, speaking: set[tuple[str, str]]) -> bool:
     """Whether the tree builds the image, and nothing that may get into it speaks of the variable."""
     stage = robot.compose.stage(mount.service)
     if stage is None or not mount.service.is_ros:
@@ -140,10 +150,8 @@ def _is_unset_in_image(robot: Robot, mount: Mount) -> bool:
     build = mount.service.build
     context = posixpath.normpath(posixpath.join(beside, str(build.context or "."))) if build is not None else beside
     folders = [beside, context, *(posixpath.dirname(one.start.keyword.span.source.name) for one in stage.chain)]
-    texts = ((each.name, each.text) for each in robot.sources if each.kind != "compose")
-    told = ((path, robot.tree.head(path, READ)) for path in robot.tree.paths if SHELLS.search(path))
-    near = (text for all_of in (texts, told) for path, text in all_of if any(_is_in(each, path) for each in folders))
-    return not any(name in text for text in near for name in mount.middleware.variables)
+    near = (name for path, name in speaking if any(_is_in(each, f"{path}/") for each in folders))
+    return not any(name in mount.middleware.variables for name in near)
 
 
 def _is_in(folder: str, path: str) -> bool:

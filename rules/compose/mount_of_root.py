@@ -38,17 +38,21 @@ When the folder is made by hand before the first start.
 
 import posixpath
 import re
+from collections import Counter
 from collections.abc import Iterator
+from functools import cached_property
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.compose import Service
 from bringup_lint.api.compose import Volume
+from bringup_lint.api.docker import Stage
 from bringup_lint.api.docker import expanded
 from bringup_lint.api.docker import last_user
 from bringup_lint.api.docker import runs_as_root
@@ -62,28 +66,88 @@ CHOWN = regex(r"^[^#\n]*\b(?:chown|setfacl|fixuid|chmod\b[^\n]*\b0?777)\b[^\n]*"
 TEXTS = regex(r"\.(?:md|rst|txt|sh|bash|ya?ml|mk)$|(?:^|/)(?:(?:GNU)?[Mm]akefile|[Jj]ustfile)$")
 READ = 200_000
 SCRIPTS = ("shell-script", "devcontainer")
-
-
+PLACING = ("COPY", "ADD", "WORKDIR", "VOLUME")
+MOST = 100
+"""Volumes of an image that are looked for in its steps."""
 VOLUME = regex(r"[A-Za-z0-9][\w.-]+")
 MAKES = (
     r"\b(?:mkdir|install|chown|clone|cp|mv|tar|unzip|rsync|ln|touch|useradd|adduser|colcon|npm|yarn|pnpm|pip3?|uv|poetry)"
     r"\b[^\n]*(?:{path}|(?<![\w-]){name}(?![\w-]))"
 )
 OF_COLCON = ("build", "install", "log")
+MAKING = regex(r"^[^\n]*(?:\bmkdir\b|\bmakedirs\b|\b(?:path|dest):)[^\n]*", re.M, "mkdir makedirs path: dest:")
+WORD = regex(r"[\w.-]+")
+OPTIONS = regex(
+    r"^[ \t]+(?P<name>[\w.-]+):[ \t]*$(?=\n(?:[ \t]+\S[^\n]*\n){0,3}?[ \t]+(?:driver_opts|external):)",
+    re.M,
+    "driver_opts external",
+)
+"""Volumes that are not only a folder of docker."""
+
+
+class Known:
+    """What the tree says of folders, each asked once."""
+
+    def __init__(self, robot: Robot) -> None:
+        self._robot = robot
+        self._steps: dict[Stage, tuple[str, str]] = {}
+        self.left: Counter[Stage] = Counter()
+
+    @cached_property
+    def given(self) -> frozenset[str]:
+        """The words of the lines of scripts that give something to somebody."""
+        lines = (line for source in self._robot.of_kind(*SCRIPTS) for line in CHOWN.findall(source.text))
+        return frozenset(word for line in lines for word in WORD.findall(line))
+
+    @cached_property
+    def openers(self) -> list[str]:
+        """The scripts of images that give something to somebody."""
+        scripts = (each for each in self._robot.of_kind(*SCRIPTS) if CHOWN.search(each.text))
+        return [each.name for each in scripts if self._robot.scripts.is_for_image(each)][:MOST]
+
+    @cached_property
+    def made(self) -> frozenset[str]:
+        """The words of the lines of scripts, recipes and texts that make folders."""
+        texts = (self._robot.tree.head(path, READ) for path in self._robot.tree.like(TEXTS))
+        return frozenset(word for text in texts for line in MAKING.findall(text) for word in WORD.findall(line))
+
+    @cached_property
+    def mounting(self) -> dict[tuple[Source, str], list[Service]]:
+        """The services of a file that mount a volume."""
+        found: dict[tuple[Source, str], list[Service]] = {}
+        for service in self._robot.compose.services:
+            for volume in service.volumes:
+                found.setdefault((service.source, str(volume.source)), []).append(service)
+        return found
+
+    @cached_property
+    def with_options(self) -> frozenset[tuple[Source, str]]:
+        files = (file.source for file in self._robot.compose.files)
+        return frozenset((each, match["name"]) for each in files for match in OPTIONS.finditer(each.text))
+
+    def steps(self, stage: Stage) -> tuple[str, str]:
+        """What the steps of an image run, and the places to which they copy."""
+        if stage not in self._steps:
+            runs = [each for one in stage.chain for each in one.all("RUN")]
+            texts = "\n".join(text for each in runs for text in (str(each.value), *map(str, each.heredocs)))
+            places = (str(expanded(one, each)) for one in stage.chain for each in one.all(*PLACING))
+            self._steps[stage] = texts, "\n".join(places)
+        return self._steps[stage]
 
 
 @rule("warning", confidence="medium", symptoms=["Permission denied: '*'"])
 def mount_of_root(robot: Robot) -> Iterator[Finding]:
+    known = Known(robot)
     for service in robot.compose.whole_services:
         user = _user(robot, service) if service.volumes else None
-        if user is None:
+        if user is None or any(CHOWN.search(text) for text in service.scripts):
             continue
         last = {str(each.target): each for each in service.volumes}
         for volume in last.values():
-            if volume.where.span.start < service.body.span.start:
+            if volume.where.span.start < service.body.span.start or _is_given(known, service, volume):
                 continue
             is_bind = _is_for_writing(volume)
-            if _is_missing(robot, service, volume) if is_bind else _is_new(robot, service, volume):
+            if _is_missing(robot, service, volume, known) if is_bind else _is_new(robot, service, volume, known):
                 what = volume.source if is_bind else f"the volume {volume.source}"
                 yield finding(
                     volume.where,
@@ -96,45 +160,40 @@ def mount_of_root(robot: Robot) -> Iterator[Finding]:
                 break
 
 
-def _is_new(robot: Robot, service: Service, volume: Volume) -> bool:
+def _is_given(known: Known, service: Service, volume: Volume) -> bool:
+    """Whether a script of an image beside it, or one that names the folder, gives it to somebody."""
+    below = posixpath.dirname(service.source.name)
+    paths = [str(each) for each in (volume.source, volume.target) if each]
+    if any(posixpath.basename(posixpath.normpath(path)) in known.given for path in paths):
+        return True
+    return any(not below or name.startswith(f"{below}/") for name in known.openers)
+
+
+def _is_new(robot: Robot, service: Service, volume: Volume, known: Known) -> bool:
     """Whether a named volume begins as an empty folder of root: nothing is at its path in the image."""
     stage = robot.compose.stage(service)
     if stage is None or volume.read_only or volume.target is None or not VOLUME.fullmatch(volume.source or ""):
         return False
-    if not runs_as_root(stage.origin) or _is_shared(robot, service, volume) or _has_chown(robot, service, volume):
-        return False
     path = str(volume.target).rstrip("/")
-    if path.startswith("/tmp/"):
+    if path.startswith("/tmp/") or not runs_as_root(stage.origin) or _is_shared(robot, service, volume, known):
         return False
+    known.left[stage] += 1
+    texts, places = known.steps(stage)
     name = posixpath.basename(path)
-    steps = [each for one in stage.chain for each in one.all("RUN")]
-    texts = "\n".join(text for each in steps for text in (str(each.value), *map(str, each.heredocs)))
-    placed = (str(expanded(one, each)) for one in stage.chain for each in one.all("COPY", "ADD", "WORKDIR", "VOLUME"))
-    if any(path in text or "$" in text for text in placed) or (name in OF_COLCON and "colcon" in texts):
+    if known.left[stage] > MOST or path in places or "$" in places or (name in OF_COLCON and "colcon" in texts):
         return False
     return re.search(MAKES.format(path=re.escape(path), name=re.escape(name)), texts) is None
 
 
-def _is_shared(robot: Robot, service: Service, volume: Volume) -> bool:
+def _is_shared(robot: Robot, service: Service, volume: Volume, known: Known) -> bool:
     """Whether another image may make the folder, or the volume has options of its own."""
+    key = (service.source, str(volume.source))
     own = robot.compose.stage(service)
-    for other in robot.compose.services:
-        if other.source is service.source and any(each.source == volume.source for each in other.volumes):
-            is_same = other.image == service.image if other.build is None else robot.compose.stage(other) is own
-            if not is_same:
-                return True
-    name = re.escape(str(volume.source))
-    options = re.compile(rf"^[ \t]+{name}:[ \t]*\n(?:[ \t]+\S[^\n]*\n){{0,3}}?[ \t]+(?:driver_opts|external):", re.M)
-    return options.search(service.source.text) is not None
-
-
-def _has_chown(robot: Robot, service: Service, volume: Volume) -> bool:
-    """Whether a script of the image, or one that names the folder, gives it to somebody."""
-    names = {posixpath.basename(posixpath.normpath(str(each))) for each in (volume.source, volume.target) if each}
-    found = ((each, match[0]) for each in robot.of_kind(*SCRIPTS) for match in CHOWN.finditer(each.text))
-    if any(any(name in line for name in names) or robot.scripts.is_for_image(each) for each, line in found):
-        return True
-    return any(CHOWN.search(text) for text in service.scripts)
+    others = known.mounting[key][:MOST]
+    is_same = (
+        each.image == service.image if each.build is None else robot.compose.stage(each) is own for each in others
+    )
+    return key in known.with_options or not all(is_same)
 
 
 def _is_for_writing(volume: Volume) -> bool:
@@ -156,13 +215,9 @@ def _name(user: Located) -> str:
     return match["name"] if match is not None else ""
 
 
-def _is_missing(robot: Robot, service: Service, volume: Volume) -> bool:
+def _is_missing(robot: Robot, service: Service, volume: Volume, known: Known) -> bool:
     beside = posixpath.dirname(service.source.absolute)
     path = posixpath.normpath(posixpath.join(beside, str(volume.source)))
     if not robot.tree.holds(path) or robot.tree.exists(path):
         return False
-    if _has_chown(robot, service, volume):
-        return False
-    name = re.escape(posixpath.basename(path))
-    made = re.compile(rf"\bmkdir\b[^\n]*[\s/\"'{{,]{name}\b|\b(?:path|dest):[^\n]*/{name}\b|\bmakedirs\b[^\n]*{name}")
-    return not any(made.search(robot.tree.head(each, READ)) for each in robot.tree.like(TEXTS))
+    return posixpath.basename(path) not in known.made

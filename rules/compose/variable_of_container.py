@@ -36,8 +36,10 @@ When whoever calls docker compose sets the variable.
 - https://docs.docker.com/compose/how-tos/environment-variables/variable-interpolation/
 """
 
+import posixpath
 import re
 from collections.abc import Iterator
+from itertools import islice
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
@@ -62,12 +64,16 @@ SETS = (
 """How a shell sets a variable."""
 LIST = regex(r"\b(?P<name>\w*PATH)=[\"']?(?P<adds>[^\s;&|\"'$]{1,400}:)?$", hints="PATH=")
 """The assignment of a list of folders, up to what it takes over."""
-GIVEN = r"(?<![\w$-]){0}[ \t]*[:?]?="
+GIVEN = regex(r"(?<![\w$-])([A-Za-z_]\w*)[ \t]*[:?]?=", hints="=")
 """How an environment file, a script, a recipe of make or a text for people sets a variable."""
 TEXTS = regex(r"\.(?:md|rst|txt)$|(?:^|/)(?:(?:GNU)?[Mm]akefile|[Jj]ustfile|Taskfile\.ya?ml|\.env[^/]*)$|\.env$")
 SAME = r"\$(?:{0}\b|\{{{0}(?:\}}|:?\?))"
 """The value of a variable that the container gets as docker compose knows it."""
 READ = 200_000
+LONGEST = 20_000
+MOST = 64
+"""Of a text that is looked through, and of its variables."""
+BEFORE = 500
 OF_THE_IMAGE = ("compose", "dockerfile")
 
 
@@ -88,23 +94,29 @@ class Setter(NamedTuple):
 
 @rule("warning", confidence="medium", symptoms=['The "*" variable is not set. Defaulting to a blank string.'])
 def variable_of_container(robot: Robot) -> Iterator[Finding]:
+    given: dict[str, set[str]] = {}
     for file in robot.compose.files:
         if file.source.judged and not file.source.template and "$" in file.source.text:
-            found: dict[str, tuple[Use, Setter]] = {}
+            found: set[str] = set()
             for use in (use for service in file.services for use in _uses(service)):
                 setter = _setter(robot, use) if use.name not in found else None
-                if setter is not None:
-                    found[use.name] = (use, setter)
-            for use, setter in found.values():
+                if setter is None:
+                    continue
+                if setter.where is not None:
+                    given = given or _given(robot)
+                    if _may_be_given(robot, use, given):
+                        continue
+                found.add(use.name)
                 yield _report(use, setter)
 
 
 def _uses(service: Service) -> Iterator[Use]:
     for text in service.scripts:
-        for match in USED.finditer(text):
-            name = match["braced"] or match["plain"]
-            where = text.part(*match.span("use"))
-            yield Use(service, text, where, name, text[: match.start("use")], match["adds"] is not None)
+        if "$" in text and len(text) <= LONGEST:
+            for match in islice(USED.finditer(text), MOST):
+                name = match["braced"] or match["plain"]
+                where = text.part(*match.span("use"))
+                yield Use(service, text, where, name, text[: match.start("use")], match["adds"] is not None)
 
 
 def _report(use: Use, setter: Setter) -> Finding:
@@ -120,14 +132,12 @@ def _report(use: Use, setter: Setter) -> Finding:
 
 
 def _setter(robot: Robot, use: Use) -> Setter | None:
-    """What gives the container the variable that docker compose does not know; None where it may know it."""
-    takes = LIST.search(use.before)
+    """What gives the container the variable."""
+    takes = LIST.search(use.before[-BEFORE:])
     if takes is not None and takes["name"] == use.name and (use.adds or takes["adds"]):
         return Setter(None, "the one of the image is lost")
     where = _set_in_text(use) or _set_by_service(robot, use) or _set_by_image(robot, use)
-    if where is None or _may_be_given(robot, use):
-        return None
-    return Setter(where, "nothing, where only the container has it")
+    return Setter(where, "nothing, where only the container has it") if where is not None else None
 
 
 def _set_in_text(use: Use) -> Located | None:
@@ -150,11 +160,18 @@ def _set_by_image(robot: Robot, use: Use) -> Located | None:
     return next((value for name, value in given if name == use.name), None)
 
 
-def _may_be_given(robot: Robot, use: Use) -> bool:
+def _given(robot: Robot) -> dict[str, set[str]]:
+    """The names that files of the tree set in a shell or for docker compose, each with the files that do."""
+    sources = ((each.absolute, each.text) for each in robot.sources if each.kind not in OF_THE_IMAGE)
+    told = ((posixpath.abspath(path), robot.tree.head(path, READ)) for path in robot.tree.like(TEXTS))
+    found: dict[str, set[str]] = {"": set()}
+    for path, text in (each for texts in (sources, told) for each in texts):
+        for name in set(GIVEN.findall(text)):
+            found.setdefault(name, set()).add(path)
+    return found
+
+
+def _may_be_given(robot: Robot, use: Use, given: dict[str, set[str]]) -> bool:
     """Whether something sets the variable in the shell that calls docker compose, or in a file that it reads."""
-    given = re.compile(GIVEN.format(re.escape(use.name)))
-    own = [each for each in robot.compose.env_files(use.service) if each.basename != ".env"]
-    others = (each.text for each in robot.sources if each.kind not in OF_THE_IMAGE and each not in own)
-    kept = {path for each in own for path in (each.name, each.absolute)}
-    told = (robot.tree.head(path, READ) for path in robot.tree.paths if TEXTS.search(path) and path not in kept)
-    return any(use.name in text and given.search(text) for texts in (others, told) for text in texts)
+    own = {each.absolute for each in robot.compose.env_files(use.service) if each.basename != ".env"}
+    return not given.get(use.name, set()) <= own

@@ -61,6 +61,7 @@ REPLACED = regex(
 )
 """What puts files in the place of links."""
 RECURSIVE = regex(r"-\w*[rR]\w*|--recursive")
+REMOVES = regex(r"\brm\b[^\n;&|]*\b(?:src|build)\b", hints="rm")
 AGAIN = ("colcon", "git", "vcs")
 """What builds once more, or brings sources once more: only what is removed after it is missing at the end."""
 
@@ -121,7 +122,8 @@ def _covers(instruction: Instruction, workspace: str) -> bool:
 
 def _of_removal(stage: Stage) -> Iterator[Finding]:
     """The first removal of what the links of a workspace of the stage lead to."""
-    link = _link(stage)
+    may_remove = any(REMOVES.search(text) for each in stage.all("RUN") for text in each.scripts)
+    link = _link(stage) if may_remove else None
     if link is None:
         return
     steps = list(_steps(stage))
@@ -142,7 +144,7 @@ def _of_removal(stage: Stage) -> Iterator[Finding]:
 
 
 def _steps(stage: Stage) -> Iterator[tuple[Command, str]]:
-    """The commands of the stage and of those that it builds on, each with the folder in which it runs, as written."""
+    """The commands of a stage and of those that it builds on, each with the folder in which it runs, as written."""
     folder = "/"
     for one in reversed(list(stage.chain)):
         for each in one.instructions:
