@@ -1,4 +1,4 @@
-"""A node imports a Python package that setup.py does not install.
+"""A node imports a module of its package that the build does not install.
 
 ## What it finds
 Console scripts and modules of an ament_python package that need a folder of modules beside them, which `packages` of
@@ -6,6 +6,8 @@ setup.py does not install: it lists the outer package only, or `find_packages` p
 `__init__.py`. Imports inside `try`, `if` and functions are not judged. It is an info when something of the tree
 builds with `--symlink-install`, which leads to the source and hides the mistake, and a warning when no console script
 names the module that imports it.
+Also scripts that CMakeLists.txt installs as programs and that import a module from their own folder, which it does not
+install there.
 
 ## Why it matters on a robot
 The node works where the workspace is built with `--symlink-install`, and ends with "No module named" on a robot that
@@ -57,6 +59,15 @@ def module_not_installed(robot: Robot) -> Iterator[Finding]:
                 advice=f"add {path}/__init__.py" if found else f"add '{folder}' to packages, or use find_packages()",
                 related=[note(listed.where, "takes folders with an __init__.py" if found else "what is installed")],
                 severity="info" if robot.files.mentions(SYMLINKS) else severity,
+            )
+        for each in robot.dependencies.left_beside(package):
+            program = each.module.span.source.basename
+            yield finding(
+                each.module,
+                f"{each.path} is not installed beside {program}, which ends with \"No module named '{each.module}'\"",
+                advice=f"add {each.path} to the files that are installed with {program}",
+                related=[note(each.program.where, f"{program} is installed here")],
+                severity="info" if robot.dependencies.leads_to_source else None,
             )
 
 

@@ -40,7 +40,9 @@ from bringup_lint.graph.dependencies.plain_programs import programs_without_mode
 from bringup_lint.graph.dependencies.plugin_needs import of_plugins
 from bringup_lint.graph.dependencies.provided import Provided
 from bringup_lint.graph.dependencies.ros1_programs import ros1_programs
+from bringup_lint.graph.dependencies.subpackages import LeftBeside
 from bringup_lint.graph.dependencies.subpackages import LeftOut
+from bringup_lint.graph.dependencies.subpackages import left_beside
 from bringup_lint.graph.dependencies.subpackages import left_out
 from bringup_lint.graph.dependencies.unexported import Unexported
 from bringup_lint.graph.dependencies.unexported import unexported
@@ -242,6 +244,10 @@ class Dependencies:
     def left_out_modules(self, package: Package) -> Iterator[LeftOut]:
         """What a Python package imports of itself, and does not install."""
         return left_out(self._files.tree, package)
+
+    def left_beside(self, package: Package) -> Iterator[LeftBeside]:
+        """What the scripts of a package import from their own folder, and CMake does not install there."""
+        return left_beside(self._files.tree, package)
 
     def data_beside(self, package: Package) -> Iterator[Beside]:
         """What the console scripts of a Python package look for beside their modules, and that setuptools does
