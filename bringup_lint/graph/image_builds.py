@@ -33,7 +33,8 @@ def is_in_layer(tree: Tree, source: Source) -> bool:
 
 def has_busybox(tree: Tree, source: Source) -> bool:
     """Whether a script is for an image whose ``/bin/sh`` is that of BusyBox."""
-    return is_in_layer(tree, source) or any(next(tree.named(name), None) is not None for name in _OF_BUILDROOT)
+    of_buildroot = (posixpath.dirname(path) for name in _OF_BUILDROOT for path in tree.named(name))
+    return is_in_layer(tree, source) or is_below(source.absolute, of_buildroot)
 
 
 def runs_in_image(source: Source) -> bool:

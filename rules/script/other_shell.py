@@ -4,7 +4,11 @@
 - `source` in a script that begins with `#!/bin/sh`, and `.` with a `setup.bash` there;
 - `source` or `.` with a `setup.zsh` in a script for bash or sh;
 - `source`, and `set -o pipefail`, in a task of Ansible's `shell` module without `executable: /bin/bash`;
-- `[[ ]]`, an array, `NAME=(a b)`, and `&>` in a script that begins with `#!/bin/sh`.
+- `[[ ]]`, an array, `NAME=(a b)`, and `&>` in a script that begins with `#!/bin/sh`;
+- there too: `trap` and `kill` with a signal that is written with `SIG`, `trap ... ERR`, `set -o pipefail`, `echo -e`
+  to a file or pipe, `[ a == b ]`, `read` with `-a`, `-n`, `-s` or `-t`, the commands `pushd`, `popd`, `let`,
+  `declare`, `typeset`, `shopt`, `mapfile`, `readarray` and `disown`, and expansions such as `${NAME[0]}`,
+  `${NAME:0:3}` and `${NAME//a/b}`.
 
 Lines under a condition are not reported, nor scripts that something of the tree reads with `source`, or starts with
 the name of another shell, that start themselves again in bash, or that are for BusyBox (OpenWrt, Alpine).
@@ -48,6 +52,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.shell import SH_IS_BASH
 from bringup_lint.api.shell import Redirect
 from bringup_lint.api.shell import Run
+from bringup_lint.api.shell import Word
 from bringup_lint.api.shell import has_busybox
 from bringup_lint.api.shell import sh_commands
 from bringup_lint.api.shell import shell_blocks
@@ -74,13 +79,27 @@ OF_REDIRECTS = (
     "counts as successful",
     "write > FILE 2>&1",
 )
+HAS_NO = frozenset("pushd popd let declare typeset shopt mapfile readarray disown".split())
+GOES_ON = "and the script goes on"
+FAILS = f"this command fails, {GOES_ON}"
+SIGNAL = regex(r"(?:-s)?-?SIG[A-Z]{2,6}")
+PSEUDO = ("ERR", "DEBUG", "RETURN")
+READS = regex(r"-[pr]*[ansdtNu]\w*")
+EXPANSION = regex(r"\$\{(?:![A-Za-z_]|\w+(?:\[[\w@*]|:[0-9]|:[ ]-|/|\^|,))")
+COMMANDS = ("source", ".", "[[", "[", "test", "trap", "kill", "set", "echo", "read", *HAS_NO)
+OF_EXPANSIONS = (
+    "/bin/sh is dash on Ubuntu and Debian and cannot read this expansion: the script stops here, 'Bad substitution'",
+    "begin the script with #!/bin/bash",
+)
 ARRAY = regex(r"(?m)^[ \t]*(\w+)\+?=\(")
 MOST = 20
 RESTARTS = regex(r"\bexec[ \t]+(?:/usr)?(?:/bin/)?(?:env[ \t]+)?(?:bash|zsh)\b[^\n]{0,40}\$(?:0|\{0\}|BASH_SOURCE)")
 """The script goes on in another shell."""
 OF_BUSYBOX = regex(r"^#!/bin/sh[ \t]+/etc/rc\.common|(?m:^[ \t]*(?:uci|opkg|apk)[ \t])")
 """The script is for OpenWrt or Alpine, whose shell is that of BusyBox."""
-ALPINE = regex(r"(?:docker\.io/)?(?:library/)?(?:(?:arm64v8|amd64|arm32v7)/)?(?:alpine|busybox)(?:[:@]|$)|[^@]*-alpine")
+ALPINE = regex(
+    r"(?:docker\.io/)?(?:library/)?(?:(?:arm64v8|amd64|arm32v7)/)?(?:alpine|busybox)(?:[:@]|$)|[^@]*[-:]alpine"
+)
 PAGE = regex(r"\.(?:md|rst|py|json|mk)$|(?:^|/)(?:makefile|justfile)$", re.I)
 """Files that are no configuration, but may say how the script is started."""
 MOST_OF_PAGE = 100_000
@@ -91,17 +110,23 @@ BOTH = regex(r"\b(?:ZSH_VERSION|ZSH_NAME|BASH_VERSION|BASH_SOURCE)\b")
 def other_shell(robot: Robot) -> Iterator[Finding]:
     found: dict[Source, list[tuple[Located, str, str]]] = {}
     by_services = _run_by_services(robot)
-    for source, run in robot.scripts.run("source", ".", "[["):
+    for source, run in robot.scripts.run(*COMMANDS):
         wrong = _wrong(source, run) if run.certain and source not in by_services else None
         if wrong is not None:
-            found.setdefault(source, []).append((run.words[0], *wrong))
-    for source in robot.of_kind("shell-script"):
-        if source not in found and source not in by_services:
+            found.setdefault(source, []).append(wrong)
+    for source in (each for each in robot.of_kind("shell-script") if each not in by_services):
+        if source not in found:
             found[source] = [(word, *OF_REDIRECTS) for word in _redirected(source)]
+        expanded = next(_expanded(robot, source), None)
+        if expanded is not None:
+            found[source].append(expanded)
         array = _array(source)
-        if array is not None and source not in by_services:
-            found.setdefault(source, []).insert(0, (array, *OF_ARRAYS))
-    for source, ((first, message, advice), *others) in ((each, wrong) for each, wrong in found.items() if wrong):
+        if array is not None:
+            found[source].insert(0, (array, *OF_ARRAYS))
+    for source, wrongs in found.items():
+        if not wrongs:
+            continue
+        (first, message, advice), *others = sorted(wrongs, key=lambda each: each[1].endswith(GOES_ON))
         replaced = SHELL.match(source.said)
         if replaced is not None and replaced[1] == "sh" and robot.mentions(SH_IS_BASH):
             continue
@@ -111,6 +136,7 @@ def other_shell(robot: Robot) -> Iterator[Finding]:
                 message,
                 advice=advice,
                 related=[note(word, "here too") for word, _, _ in others],
+                severity="warning" if message.endswith(GOES_ON) else None,
             )
     yield from _of_tasks(robot)
 
@@ -167,22 +193,73 @@ def _takes_both(redirect: Redirect) -> bool:
     return redirect.operator in ("&>", "&>>")
 
 
-def _wrong(source: Source, run: Run) -> tuple[str, str] | None:
+def _wrong(source: Source, run: Run) -> tuple[Located, str, str] | None:
+    """The word that the shell of a command does not take as it is meant, what follows, and what to write."""
     shebang = SHELL.match(source.text)
     if shebang is None or len(run.words) < 2:
         return None
     own = run.shell or shebang[1]
-    if run.name == "[[":
-        return OF_CONDITIONS if own in ("sh", "dash") else None
-    named = SETUP.search(run.text(run.words[1]))
+    if own in ("sh", "dash"):
+        if run.name == "[[":
+            return run.words[0], *OF_CONDITIONS
+        if run.name == "source":
+            return (
+                run.words[0],
+                "/bin/sh is dash on Ubuntu and Debian and has no 'source': what follows has no such environment",
+                "begin the script with #!/bin/bash",
+            )
+        refused = _refused(run)
+        if refused is not None:
+            word, message, advice = refused
+            return word, f"/bin/sh is dash on Ubuntu and Debian and {message}", advice
+    named = SETUP.search(run.text(run.words[1])) if run.name in ("source", ".") else None
     other = named[1] if named is not None else ""
-    if own in ("sh", "dash") and run.name == "source":
-        return "/bin/sh is dash on Ubuntu and Debian and has no 'source': what follows has no such environment", (
-            "begin the script with #!/bin/bash"
-        )
     if other and own != other and (own, other) != ("zsh", "bash"):
-        return f"{own} cannot read a setup.{other}: the environment of ROS is not set", f"source the setup.{own}"
+        message = f"{own} cannot read a setup.{other}: the environment of ROS is not set"
+        return run.words[0], message, f"source the setup.{own}"
     return None
+
+
+def _refused(run: Run) -> tuple[Located, str, str] | None:
+    """The word of a command that dash has not, or takes otherwise."""
+    begin = "begin the script with #!/bin/bash"
+    name, first, words = run.name, run.words[0], run.words[1:]
+    if name in HAS_NO:
+        return first, f"has no '{name}': {FAILS}", begin
+    if name in ("[", "test"):
+        equals = next((word for word in words if word == "=="), None)
+        return (equals, f"has no == in [ ]: the condition is false, {GOES_ON}", "write =") if equals else None
+    if name in ("trap", "kill"):
+        signal = next((word for word in words if SIGNAL.fullmatch(word)), None)
+        if signal is not None:
+            return signal, f"knows no {signal.lstrip('-')}: {FAILS}", f"write {signal.replace('SIG', '')}"
+    if name == "trap":
+        pseudo = next((word for word in words[1:] if word in PSEUDO), None)
+        return (pseudo, f"knows no {pseudo} for trap: {FAILS}", begin) if pseudo is not None else None
+    if name == "set":
+        option = next((word for word in words if word == "pipefail"), None)
+        return (option, "has no pipefail: the script stops here", begin) if option is not None else None
+    if name == "echo":
+        is_kept = words[0] == "-e" and (run.command.ends == "|" or any(each.writes for each in run.command.redirects))
+        return (words[0], f"has no -e for echo: it is written too, {GOES_ON}", "write printf") if is_kept else None
+    option = next((word for word in words if READS.fullmatch(word)), None) if name == "read" else None
+    return (option, f"has no {option} for read: {FAILS}", begin) if option is not None else None
+
+
+def _expanded(robot: Robot, source: Source) -> Iterator[tuple[Located, str, str]]:
+    """The expansions in a script for sh, outside of conditions and single quotes, at which dash stops."""
+    shebang = SHELL.match(source.text)
+    if shebang is None or shebang[1] not in ("sh", "dash") or not source.judged or not source.matches(EXPANSION):
+        return
+    for did in robot.scripts.done(source):
+        if not isinstance(did, Run) or not did.certain or did.shell not in ("", "sh", "dash"):
+            continue
+        for word in (*did.command.assignments, *did.command.words):
+            stretches = word.stretches() if isinstance(word, Word) and EXPANSION.search(word) else ()
+            for stretch, quote in stretches:
+                match = EXPANSION.search(stretch) if quote != "'" else None
+                if match is not None:
+                    yield stretch.part(*match.span()), OF_EXPANSIONS[0], OF_EXPANSIONS[1]
 
 
 def _is_read_otherwise(robot: Robot, source: Source) -> bool:
