@@ -75,7 +75,8 @@ def missing_files(scripts: Scripts, source: Source) -> Iterator[NamedFile]:
         folder = _start(each, base) if each.folder is None else _below(source, each.folder)
         if each.folder is not None and not any(path.startswith(str(folder).lstrip(".")) for path in there):
             continue
-        if folder is not None and _is_missing(scripts, source, folder, each) and not _is_made(scripts, source, each):
+        is_sure = each.folder is not None or base.shown > _LEAST
+        if folder is not None and _is_missing(scripts, source, folder, each, is_sure) and not _is_made(scripts, source, each):
             yield each
 
 
@@ -194,7 +195,8 @@ def _above(folder: str) -> list[str]:
     return [folder, *above(folder), *(["/" if folder.startswith("/") else ""] if folder.strip("/") else [])]
 
 
-def _is_missing(scripts: Scripts, source: Source, base: str, named: NamedFile) -> bool:
+def _is_missing(scripts: Scripts, source: Source, base: str, named: NamedFile, is_sure: bool) -> bool:
+    """Whether the tree lacks a file, and nothing may make it; where the folder is sure, also one without its folder."""
     tree = scripts.files.tree
     path = posixpath.normpath(posixpath.join(base, named.path))
     folder, _, name = path.rpartition("/")
@@ -207,9 +209,10 @@ def _is_missing(scripts: Scripts, source: Source, base: str, named: NamedFile) -
         return False
     if "*" in name:
         return not tree.matches(path) and (tree.exists(folder or ".") or _is_missing_folder(tree, source, folder))
-    if len(re.findall(rf"(?<![\w.-]){re.escape(name)}(?![\w-])", source.uncommented)) > 1:
+    inner = "/".join(named.path.split("/")[-2:]) if is_sure and named.folder is None else name
+    if len(re.findall(rf"(?<![\w.-]){re.escape(inner)}(?![\w-])", source.uncommented)) > 1:
         return False
-    return tree.exists(folder or ".") or (named.folder is not None and _is_missing_folder(tree, source, folder))
+    return tree.exists(folder or ".") or (is_sure and _is_missing_folder(tree, source, folder))
 
 
 def _is_only_template(scripts: Scripts, path: str) -> bool:
