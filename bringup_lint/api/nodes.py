@@ -66,6 +66,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.ending.safe_state import publish_after_deactivate
     from bringup_lint.graph.nodes.questions.ending.safe_state import relays
     from bringup_lint.graph.nodes.questions.ending.shut_constructors import shut_constructors
+    from bringup_lint.graph.nodes.questions.ending.shut_constructors import spun_after
     from bringup_lint.graph.nodes.questions.ending.stopping import double_shutdown
     from bringup_lint.graph.nodes.questions.ending.stopping import handler_never_runs
     from bringup_lint.graph.nodes.questions.ending.stopping import stop_after_shutdown
@@ -94,6 +95,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.messages.message_fields import NoField
     from bringup_lint.graph.nodes.questions.messages.message_fields import consequence
     from bringup_lint.graph.nodes.questions.messages.message_fields import converted
+    from bringup_lint.graph.nodes.questions.messages.message_fields import given_in_order
     from bringup_lint.graph.nodes.questions.messages.message_fields import is_checked
     from bringup_lint.graph.nodes.questions.messages.message_fields import missing_fields
     from bringup_lint.graph.nodes.questions.messages.message_fields import wrong_fields
@@ -215,6 +217,7 @@ __all__ = [
     "ends_thread",
     "fed_without_condition",
     "format_texts",
+    "given_in_order",
     "given_up",
     "guards_commands",
     "half_made",
@@ -270,6 +273,7 @@ __all__ = [
     "sent_in_vain",
     "shell_commands",
     "shut_constructors",
+    "spun_after",
     "stale_readings",
     "stale_reads",
     "starved_waits",

@@ -2,12 +2,13 @@
 
 ## What it finds
 `rclpy.shutdown()` in the constructor of a Python node that neither returns nor raises after it, and then makes a
-publisher, a subscription, a service, a client or a timer.
+publisher, a subscription, a service, a client or a timer; or that returns, where the program spins the node without
+asking `rclpy.ok()`.
 
 ## Why it matters on a robot
 `shutdown()` ends nothing: it returns. The constructor goes on without the device that it did not find, and the next
-entity raises an error of rcl about the context. The log ends with that, launch sees a crash, and nobody tries the
-device again.
+entity, or `rclpy.spin()`, raises an error about the context. The log ends with that, launch sees a crash, and nobody
+tries the device again.
 
 ## Bad
 ```python
@@ -28,6 +29,7 @@ self.timer = self.create_timer(0.1, self.read)
 Never: raise an exception, which launch or systemd can answer with a restart.
 
 ## References
+- tried with rclpy of Jazzy
 - rclpy, `shutdown`; rcl, guard_condition.c and node.c: both refuse a context that is not valid
 """
 
@@ -48,6 +50,14 @@ def constructor_after_shutdown(robot: Robot) -> Iterator[Finding]:
             yield finding(
                 file.span_of(found.shutdown),
                 f"The constructor goes on after this: {found.name}() raises, because the context is shut down",
+                advice="raise an exception instead, and let launch or systemd start the node again",
+                related=[note(file.span_of(found.made), "raises")],
+                severity=robot.nodes.lowered_if_vendored(file.source, "warning"),
+            )
+        for found in nodes.spun_after(robot.nodes.syntax(file), node):
+            yield finding(
+                file.span_of(found.shutdown),
+                f"The constructor only returns after this: {found.name}() raises, because the context is shut down",
                 advice="raise an exception instead, and let launch or systemd start the node again",
                 related=[note(file.span_of(found.made), "raises")],
                 severity=robot.nodes.lowered_if_vendored(file.source, "warning"),

@@ -3,9 +3,10 @@
 ## What it finds
 Python nodes that read or set a field which the message does not have, and values of another type than the field:
 `twist.linear.x = 1` (the field is a `float64`), `header.stamp = self.get_clock().now()`, a text for a number; and a
-`publish()` that gets a number, a text or a message of another type, as `publish(True)`, which rospy allowed. The
-fields are those of the `.msg`, `.srv` and `.action` files of the tree, and of the common interface packages. It is an
-info in packages that others wrote and the tree only carries.
+`publish()` that gets a number, a text or a message of another type, as `publish(True)`, which rospy allowed. Also
+fields that a message gets without their names, `Point(0.0, 0.0, 0.0)`, as in ROS 1. The fields are those of the
+`.msg`, `.srv` and `.action` files of the tree, and of the common interface packages. It is an info in packages that
+others wrote and the tree only carries.
 
 ## Why it matters on a robot
 Python looks at fields and values when the line runs, often only in the branch for an emergency. A field that is
@@ -58,6 +59,7 @@ from bringup_lint.api import rule
         "AttributeError: 'Odometry' object has no attribute",
         "AttributeError: 'Imu' object has no attribute",
         "TypeError: Expected <class '*'>, got <class '*'>",
+        "TypeError: *.__init__() takes 1 positional argument but * were given",
     ],
 )
 def message_field(robot: Robot) -> Iterator[Finding]:
@@ -85,6 +87,15 @@ def message_field(robot: Robot) -> Iterator[Finding]:
                 related=[note(each, "the same") for each in spans[1:]],
                 fix=fix(f"write {better}", *edits, safe=False) if better else None,
                 severity=of_values,
+            )
+        for given in nodes.given_in_order(types):
+            places = [types.file.span_of(call.args[0]) for call in given.calls]
+            yield finding(
+                places[0],
+                f"{given.type} takes its fields by their names only: TypeError, and {given.end}",
+                advice="write NAME=VALUE for each field",
+                related=[note(each, "here too") for each in places[1:]],
+                severity="info" if given.function and robot.nodes.is_idle(types.file, given.function) else severity,
             )
         for wrong in nodes.wrong_publishes(types):
             yield finding(

@@ -2,16 +2,17 @@
 
 ## What it finds
 `self.x`, and `self.x += 1`, in a Python node when no code sets `x` and neither its base classes nor rclpy define it;
-and assignments to `self.subscriptions`, `self.publishers`, `self.clients`, `self.services`, `self.timers` and the other
-properties of `rclpy.node.Node` that cannot be set; and `get_parameter('x').double_value` or `.as_double()`, which are
-those of ParameterValue and of C++; and attributes that only a subscription sets and that a timer or another
-subscription uses without asking whether the message came; and attributes whose every assignment comes behind a use of
-them; and those that a `try` of the constructor sets, whose `except` goes on, and that the constructor or a callback
-uses afterwards; and what the module rclpy does not have, such as `rclpy.Time` and the functions of rospy; and
-`Encoder.port`, where only the objects of the class Encoder have a port. The same holds for classes beside the nodes, in
-Python modules of the tree too, that build on nothing and that the code makes. Classes with bases that are not in the
-tree are left out. It is an info in a method that nothing calls, and after the `join()` of a thread, where the node has
-done its work. It is an info in packages that others wrote and the tree only carries.
+and assignments to `self.subscriptions`, `self.publishers`, `self.clients`, `self.services`, `self.timers` and the
+other properties of `rclpy.node.Node` that cannot be set; and `get_parameter('x').double_value` or `.as_double()`,
+which are those of ParameterValue and of C++, and `.value.bool_value` of a parameter that rclpy hands out; and
+attributes that only a subscription sets and that a timer or another subscription uses without asking whether the
+message came; and attributes whose every assignment comes behind a use of them; and those that a `try` of the
+constructor sets, whose `except` goes on, and that the constructor or a callback uses afterwards; and what the module
+rclpy does not have, such as `rclpy.Time` and the functions of rospy; and `Encoder.port`, where only the objects of
+the class Encoder have a port. The same holds for classes beside the nodes, in Python modules of the tree too, that
+build on nothing and that the code makes. Classes with bases that are not in the tree are left out. It is an info in a
+method that nothing calls, and after the `join()` of a thread, where the node has done its work. It is an info in
+packages that others wrote and the tree only carries.
 
 ## Why it matters on a robot
 Python looks an attribute up when the line runs: in the callback for a fault or an emergency stop, perhaps weeks later,
@@ -38,6 +39,7 @@ When the attribute is set from outside in a way that the linter does not see.
 - rclpy, node.py: the properties of Node
 """
 
+import ast
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -159,10 +161,16 @@ def _untyped(robot: Robot) -> Iterator[Finding]:
         reads = list(nodes.untyped_reads(robot.nodes.syntax(file)))
         for read in reads[:1]:
             end = nodes.end_of(robot.nodes.syntax(file), read)
+            is_farther = isinstance(read.value, ast.Attribute)
+            lacking = (
+                f"the value of a Parameter is one of Python, which has no '{read.attr}'"
+                if is_farther
+                else f"get_parameter() returns a Parameter, which has no '{read.attr}'"
+            )
             yield finding(
                 file.span_of(read),
-                f"AttributeError: get_parameter() returns a Parameter, which has no '{read.attr}', and {end}",
-                advice="write .value",
+                f"AttributeError: {lacking}, and {end}",
+                advice=f"leave out .{read.attr}" if is_farther else "write .value",
                 related=[note(file.span_of(each), f"nor '{each.attr}'") for each in reads[1:]],
                 severity=robot.nodes.lowered_if_vendored(file.source, "error"),
             )

@@ -76,7 +76,9 @@ def missing_files(scripts: Scripts, source: Source) -> Iterator[NamedFile]:
         if each.folder is not None and not any(path.startswith(str(folder).lstrip(".")) for path in there):
             continue
         is_sure = each.folder is not None or base.shown > _LEAST
-        if folder is not None and _is_missing(scripts, source, folder, each, is_sure) and not _is_made(scripts, source, each):
+        if folder is None or not _is_missing(scripts, source, folder, each, is_sure):
+            continue
+        if not _is_made(scripts, source, each):
             yield each
 
 

@@ -10,6 +10,7 @@ from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.graph.nodes.sources.syntax import own
 from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import NodeClass
+from bringup_lint.model.python import FunctionNode
 from bringup_lint.model.python import called_name
 from bringup_lint.model.python import is_own
 from bringup_lint.named_tuple import NamedTuple
@@ -18,6 +19,8 @@ _SHUTDOWNS = frozenset({"rclpy.shutdown", "rclpy.try_shutdown"})
 _MAKES = frozenset(
     {"create_publisher", "create_subscription", "create_service", "create_client", "create_timer", "create_rate"}
 )
+_ASKS = frozenset({"ok", "exit", "is_shutdown"})
+_CAUGHT = frozenset({"Exception", "BaseException", "RuntimeError", "RCLError"})
 _LEAVES = (ast.Return, ast.Raise)
 _EXITS = frozenset({"exit", "quit", "_exit", "kill", "abort"})
 
@@ -39,6 +42,43 @@ def shut_constructors(syntax: Syntax, node: NodeClass) -> Iterator[ShutConstruct
             if made is not None:
                 yield ShutConstructor(call, made, ast.unparse(made.func))
                 return
+
+
+def spun_after(syntax: Syntax, node: NodeClass) -> Iterator[ShutConstructor]:
+    """The first shutdown of a constructor that returns after it, with the ``rclpy.spin`` of a function which makes the
+    node and spins it without a question."""
+    init = node.methods.get("__init__")
+    calls = own_calls(body_of(init.node)) if init is not None and node.name is not None else ()
+    shutdowns = [each for each in calls if syntax.qualified(each) in _SHUTDOWNS and _returns_after(syntax, each)]
+    if not shutdowns:
+        return
+    for spin in syntax.named.get("rclpy.spin", []):
+        function = syntax.function(spin)
+        if function is not None and len(spin.args) == 1 and _is_made_in(function, spin.args[0], str(node.name)):
+            asked = {called_name(each) for each in own_calls(function.body)} & _ASKS
+            if not asked and not syntax.is_dead(spin) and not syntax.catches(spin, _CAUGHT):
+                yield ShutConstructor(shutdowns[0], spin, "rclpy.spin")
+                return
+
+
+def _returns_after(syntax: Syntax, call: ast.Call) -> bool:
+    """Whether the constructor returns right after a call."""
+    statement = next((outer for outer, _ in syntax.within(call) if isinstance(outer, ast.stmt)), None)
+    following = syntax.after(statement) if statement is not None else []
+    return len(following) == 1 and isinstance(following[0], ast.Return)
+
+
+def _is_made_in(function: FunctionNode, given: ast.expr, name: str) -> bool:
+    """Whether what is given is a new object of a class, or a variable to which the function assigns one, and nothing
+    else."""
+    if not isinstance(given, ast.Name):
+        return isinstance(given, ast.Call) and called_name(given) == name
+    values = [
+        each.value
+        for each in own(function.body)
+        if isinstance(each, ast.Assign) and any(isinstance(to, ast.Name) and to.id == given.id for to in each.targets)
+    ]
+    return len(values) == 1 and isinstance(values[0], ast.Call) and called_name(values[0]) == name
 
 
 def _made_after(syntax: Syntax, call: ast.Call) -> Iterator[ast.Call]:

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
+from bringup_lint.graph.nodes.sources.idle import is_idle
 from bringup_lint.graph.nodes.sources.message_types import MessageTypes
 from bringup_lint.graph.nodes.sources.what_ends import end_of
 from bringup_lint.named_tuple import NamedTuple
@@ -25,6 +26,7 @@ _WANTED = regex(r"(?P<float>float(?:32|64))$|(?P<bool>bool)$|(?P<str>w?string)$|
 """Types of fields, each in a group that is called as the type of Python which it takes."""
 _CLOCK = "an rclpy.time.Time"
 OUT_OF_RANGE = "out of its range"
+_EXPECTED = frozenset({"TypeError"})
 _CAUGHT = frozenset({"Exception", "BaseException", "AttributeError", "AssertionError", "TypeError"})
 
 
@@ -69,6 +71,16 @@ class WrongField(NamedTuple):
         return f"{'an' if self.wanted.startswith('int') else 'a'} {self.wanted}"
 
 
+class Unnamed(NamedTuple):
+    """``Point(0.0, 0.0, 0.0)``"""
+
+    calls: list[ast.Call]
+    type: str
+    end: str
+    function: str
+    """The function that no other of the file calls and that holds all of them; empty where there is none."""
+
+
 def missing_fields(types: MessageTypes) -> Iterator[list[NoField]]:
     """The uses of fields that do not exist, those of one field of one type together."""
     groups: dict[tuple[str, str, bool], list[NoField]] = {}
@@ -93,6 +105,20 @@ def _lacking(
     if owner is None or fields is None or name is None or _has(fields, name) or types.syntax.is_dead(place):
         return
     yield NoField(place, name, owner, tuple(fields), isinstance(place, ast.keyword), _end(types, place))
+
+
+def given_in_order(types: MessageTypes) -> Iterator[Unnamed]:
+    """The messages that get their fields without the names, those of one type together."""
+    groups: dict[tuple[str, str], list[ast.Call]] = {}
+    for call in types.syntax.calls:
+        made = types.made(call) if call.args and not isinstance(call.args[0], ast.Starred) else None
+        if made is not None and not types.syntax.is_dead(call) and not types.syntax.catches(call, _EXPECTED):
+            groups.setdefault((made, _end(types, call)), []).append(call)
+    for (made, end), calls in groups.items():
+        functions = [types.syntax.function(call) for call in calls]
+        first = functions[0]
+        idle = all(each is first for each in functions) and all(is_idle(types.syntax, call) for call in calls)
+        yield Unnamed(calls, made, end, first.name if first is not None and idle else "")
 
 
 def wrong_fields(types: MessageTypes, distribution: str | None) -> Iterator[list[WrongField]]:
