@@ -6,7 +6,9 @@ After `set -e` (or `#!/bin/bash -e`), outside of conditions:
 - `$?` right after a command, where the branch for a failure is never reached;
 - a test whether NAME is empty after `NAME=$(which PROGRAM)`, and with `command -v`, `pgrep`, `pidof`, `grep` and
   `getent`, which fail where they find nothing, with `ls`, `dpkg` and the like whose errors go to `/dev/null`, and with
-  `systemctl is-active`. With `pipefail` one of them anywhere in a pipe.
+  `systemctl is-active`. With `pipefail` one of them anywhere in a pipe;
+- a default, `NAME=${NAME:-value}`, after such a `NAME=$(...)`, also where it calls a function of the script that is
+  one such pipe.
 
 A warning where the branch does something, and where the command before prints nothing itself. Info where the branch
 only prints a message, or cleans up, and ends the script, and in scripts that run while an image is built, whose failure
@@ -55,6 +57,7 @@ from bringup_lint.api.shell import commands
 from bringup_lint.api.shell import ended_by_failure
 from bringup_lint.api.shell import is_inverted
 from bringup_lint.api.shell import program_name
+from bringup_lint.api.shell import shell_blocks
 from bringup_lint.api.shell import shell_commands
 from bringup_lint.api.shell import substitutions
 from bringup_lint.api.shell import unwrapped
@@ -88,8 +91,52 @@ def status_never_seen(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("shell-script"):
         if source.judged and not source.template:
             pipefail = source.matches(PIPEFAIL)
-            for statement in ended_by_failure(source):
+            statements = list(ended_by_failure(source))
+            searches = _searches(source, pipefail) if statements else frozenset()
+            for statement in statements:
                 yield from _dead(robot, source, statement, pipefail)
+                yield from _dead_default(robot, source, statement, pipefail, searches)
+
+
+def _searches(source: Source, pipefail: bool) -> frozenset[str]:
+    """The functions of a script that are one pipe which fails where it finds nothing."""
+    found = (block for block in shell_blocks(source) if block.kind == "function")
+    return frozenset(block.name for block in found if _is_search_pipe(block.bodies[0], pipefail))
+
+
+def _is_search_pipe(blocks: tuple[Block, ...], pipefail: bool) -> bool:
+    piped = [block.command for block in blocks if block.command is not None]
+    if len(piped) != len(blocks) or any(each.ends != "|" for each in piped[:-1]) or piped[-1].ends not in ENDS:
+        return False
+    return any(_is_search(each) for each in (piped if pipefail else piped[-1:]))
+
+
+def _dead_default(
+    robot: Robot, source: Source, statement: Statement, pipefail: bool, searches: frozenset[str]
+) -> Iterator[Finding]:
+    """A default for what was not found, which is never reached."""
+    command = statement.block.command
+    if command is None or command.words or len(command.assignments) != 1 or statement.after in ("&&", "||", "|"):
+        return
+    found = FOUND.match(command.assignments[0])
+    if found is None or not _finds_nothing(command.assignments[0], found.end(), pipefail, searches):
+        return
+    default = next(_defaults(statement.among[statement.at + 1 : statement.at + 1 + NEAR], found["name"]), None)
+    if default is not None and not _is_turned_off(robot, source):
+        yield finding(
+            default,
+            "The script has set -e: where nothing is found, it ends before this default",
+            advice="write || true behind the command in $(...)",
+            related=[note(command.assignments[0], "a failure ends the script here")],
+            severity="info" if robot.scripts.sets_up_image(source) else None,
+        )
+
+
+def _defaults(after: tuple[Block, ...], name: str) -> Iterator[Located]:
+    """The assignments that give a variable its own value or a default."""
+    for block in after:
+        words = block.command.assignments if block.command is not None and not block.command.words else ()
+        yield from (word for word in words if word.startswith((f"{name}=${{{name}:-", f"{name}=${{{name}-")))
 
 
 def _is_turned_off(robot: Robot, source: Source) -> bool:
@@ -191,7 +238,7 @@ def _asked_text(command: Command, after: tuple[Block, ...], pipefail: bool) -> t
     return None
 
 
-def _finds_nothing(word: Located, start: int, pipefail: bool) -> bool:
+def _finds_nothing(word: Located, start: int, pipefail: bool, searches: frozenset[str] = frozenset()) -> bool:
     """Whether the value is that of a search which fails where it finds nothing."""
     texts = list(substitutions(word))
     if len(texts) != 1 or word[start:] not in (f"$({texts[0]})", f"`{texts[0]}`"):
@@ -199,7 +246,7 @@ def _finds_nothing(word: Located, start: int, pipefail: bool) -> bool:
     inner = commands(texts[0])
     if not inner or any(each.depth or each.ends in ("||", "&&", ";") for each in inner):
         return False
-    return any(_is_search(each) for each in (inner if pipefail else inner[-1:]))
+    return any(_is_search(each) or each.name in searches for each in (inner if pipefail else inner[-1:]))
 
 
 def _is_search(command: Command) -> bool:

@@ -28,6 +28,11 @@ _AT_BOOT = regex(r"^### BEGIN INIT INFO(?:\n#[^\n]*){0,20}\n# *Default-Start: *\
 _PART = regex(r"\{\{ [^{}]* \}\}|\$\{\w+\}|\$\w+")
 _ITSELF = regex(r"\$\{?(?:0|BASH_SOURCE)\b")
 _STEP = r"^[ \t]*RUN[ \t](?:[^\n]*\\\n)*[^\n]*"
+_NEXT = regex(r"&&|;|\|\|?")
+_HANDLES = regex(
+    r"\s*(?:RUN[ \t]+)?(?:--\S+\s+)*(?:\\\n\s*)?(?:sudo\s+)?(?:chmod|chown|sed|dos2unix|cp|mv|ln|install|touch)\s", re.I
+)
+"""A command of a step that does not run the script which it names."""
 _ENTERS = regex(r"\b(?:on_|arch-)?chroot\b|\bsystemd-nspawn\b|\bvirt-customize\b|\bqemu-\w{1,20}-static\b")
 """What a script says that runs commands in the system of an image."""
 SIZE = 200_000
@@ -79,7 +84,7 @@ class Scripts:
         step = re.compile(rf"{_STEP}{re.escape(name)}", re.M | re.I)
         return (
             any(name in each.text for each in self.files.of_kind("devcontainer"))
-            or any(name in each.text and step.search(each.text) for each in self.files.of_kind("dockerfile"))
+            or any(_runs_in_step(step, each.text) for each in self.files.of_kind("dockerfile") if name in each.text)
             or any(
                 name in each.text and _ENTERS.search(each.text) and each is not source
                 for each in self.files.of_kind("shell-script")
@@ -116,6 +121,12 @@ class Scripts:
             return True
         starters = (each for kind in STARTING if kind not in KINDS for each in self.files.of_kind(kind))
         return any(name in each.text for each in starters)
+
+
+def _runs_in_step(step: re.Pattern[str], text: str) -> bool:
+    """Whether a step of a Dockerfile names a script for more than to change its mode or its place."""
+    last = (_NEXT.split(found[0])[-1] for found in step.finditer(text))
+    return not all(map(_HANDLES.match, last))
 
 
 def _speaking(run: Run) -> list[str]:
