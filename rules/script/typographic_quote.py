@@ -60,10 +60,14 @@ def typographic_quote(robot: Robot) -> Iterator[Finding]:
                 found.setdefault(word.span.source, []).extend(_in(word))
     for first, *others in (places for places in found.values() if places):
         is_quote = first in PLAIN
-        what = f"{first} is no quote for the shell, but a letter of the word" if is_quote else f"{first} is no option"
+        message = (
+            f"{first} is no quote for the shell: it becomes part of the word"
+            if is_quote
+            else f"{first} is no option: its dash is not that of the keyboard"
+        )
         yield finding(
             first,
-            f"{what}: {'what is in it is split at blanks' if is_quote else 'its dash is that of a text'}",
+            message,
             advice=f"write {PLAIN[first] if is_quote else '-'}",
             related=[note(each, "here too") for each in others],
         )
