@@ -2,7 +2,7 @@
 
 ## What it finds
 `chmod 777`, `chmod 666`, `chmod a+w` and the like on a file or folder in `/etc`, `/usr`, `/boot`, `/lib`, `/opt`,
-on a hidden file of a home folder, or on a private key.
+on a hidden file of a home folder, on a private key, or on a file `.env`.
 
 ## Why it matters on a robot
 Every service and every user of the robot can change the file. Configuration that root reads, such as /etc/hosts or
@@ -43,6 +43,7 @@ OPEN = regex(r"0?[0-7]?[0-7][0-7][2367]|(?:[ugo]*[ao][ugo]*)?\+r?wx?X?|[ugo]*[ao
 STICKY = regex(r"[1357][0-7]{3}|0[1357][0-7]{3}")
 TRUSTED = regex(
     r"/(?:etc|usr|boot|lib|opt)/.+|(?:/home/[^/]+|/root|~|\{\{ HOME \}\})/\.[^/]+.*|.*/id_(?:rsa|ed25519|ecdsa)"
+    r"|(?:[^*]*/)?\.env"
 )
 NO_MATTER = regex(r"/(?:logs?|tmp|cache|run|data)(?:/|$)|\.log$|\.Xauth|\.docker\.xauth")
 
