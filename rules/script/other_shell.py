@@ -208,7 +208,7 @@ def _wrong(source: Source, run: Run) -> tuple[Located, str, str] | None:
                 "/bin/sh is dash on Ubuntu and Debian and has no 'source': what follows has no such environment",
                 "begin the script with #!/bin/bash",
             )
-        refused = _refused(run)
+        refused = _refused(run) if run.words == run.command.words else None
         if refused is not None:
             word, message, advice = refused
             return word, f"/bin/sh is dash on Ubuntu and Debian and {message}", advice
