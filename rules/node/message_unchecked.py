@@ -4,6 +4,8 @@
 In callbacks of subscriptions and services of Python nodes, outside every `try` that takes the exception:
 - `json.loads`, `ast.literal_eval`, `yaml.safe_load`, `float` and `int` of the text of a message,
 - an entry of a dictionary that the file writes out, for the text of a message,
+- both also after a branch that asks for the text, where the branch leaves nothing and the line after it runs all the
+  same,
 - the first or last element, `max()` or `min()` of an array that is empty in regular operation, and that the function
   asks nothing about before: `detections`, `markers`, the `poses` of a path, the `points` of a trajectory.
 
@@ -87,6 +89,7 @@ def _finding(robot: Robot, file: nodes.NodeSource, first: nodes.Unchecked, *othe
         advice="catch it, log it and go without this message" if fault.is_text else "return when it is empty",
         related=[
             note(first.endpoint.span, f"{first.name}() is the callback of this {first.endpoint.role}"),
+            *(note(file.span_of(each), "raises too") for each in first.others),
             *(note(file.span_of(each.fault.node), f"the same in {each.name}()") for each in others),
         ],
         severity=robot.nodes.lowered_if_vendored(file.source, "warning"),

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import ast
+from collections.abc import Iterable
 from collections.abc import Iterator
 from functools import partial
+from itertools import islice
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.memo import memo
@@ -65,10 +67,12 @@ _EMPTY = {
 _SEEN = regex(r"(?:detections|bounding_boxes|boxes|objects|obstacles|persons|people|faces|tracks|markers|marker_ids)\Z")
 """Names for the same in messages of the robot's own."""
 _CLEANED = ("strip", "lower", "upper", "rstrip", "lstrip", "replace")
+_MOST = 10
 _ROLES = ("subscription", "service")
 _KEY_ERRORS = frozenset({"KeyError", "LookupError"})
 _INDEX_ERRORS = frozenset({"IndexError", "LookupError"})
 _MOST_ERRORS = frozenset({"ValueError"})
+_CONDITIONAL = (ast.If, ast.While, ast.IfExp, ast.BoolOp, ast.Match, ast.comprehension, ast.Lambda, ast.ExceptHandler)
 
 
 class Fault(NamedTuple):
@@ -89,6 +93,8 @@ class Unchecked(NamedTuple):
     name: str
     """The callback."""
     fault: Fault
+    others: list[ast.expr]
+    """Further places of the callback that raise the same."""
 
 
 def unchecked_messages(nodes: Nodes) -> Iterator[Unchecked]:
@@ -110,10 +116,13 @@ def _in_class(nodes: Nodes, types: MessageTypes, cls: NodeClass, encoded: frozen
         if endpoint is None or _last_word(endpoint) in encoded:
             continue
         name, body = code_of(ending, cls, callback)
-        fault = next((each for each in _faults(types.syntax, looks, body) if each.node not in seen), None)
-        if fault is not None:
-            seen.add(fault.node)
-            yield Unchecked(types.file, endpoint, name, fault)
+        new = (each for each in _faults(types.syntax, looks, body) if each.node not in seen)
+        faults = list(islice(new, _MOST))
+        if faults:
+            fault, *others = faults
+            seen.update(each.node for each in faults)
+            alike = [each.node for each in others if each.raises == fault.raises]
+            yield Unchecked(types.file, endpoint, name, fault, alike)
 
 
 def _last_word(endpoint: Endpoint) -> str:
@@ -247,9 +256,16 @@ def _is_taken(node: ast.Attribute) -> bool:
 
 
 def _is_asked(syntax: Syntax, fault: Fault) -> bool:
-    """Whether the function around a place asks for the field in a condition, counts it or goes through it."""
+    """Whether the function around a place asks for the field in a condition, counts it or goes through it, and not only
+    in a branch that is over before."""
     function = syntax.function(fault.node)
-    return function is None or not syntax.once(_Asked).of(function).isdisjoint(fault.fields)
+    if function is None:
+        return True
+    asked = syntax.once(_Asked)
+    if asked.of(function).isdisjoint(fault.fields):
+        return False
+    is_in_branch = any(isinstance(outer, _CONDITIONAL) for outer, _ in syntax.within(fault.node))
+    return is_in_branch or not asked.lastingly(function).isdisjoint(fault.fields)
 
 
 class _Asked:
@@ -260,13 +276,41 @@ class _Asked:
 
     @memo
     def of(self, function: ast.AST) -> frozenset[str]:
-        parts = (part for asked in _asked(function) for part in walk(asked))
-        named = (part for part in parts if isinstance(part, (ast.Name, ast.Attribute)))
-        return frozenset(map(ast.unparse, named))
+        return _named(part for asked in _asked(walk(function)) for part in walk(asked))
+
+    @memo
+    def lastingly(self, function: ast.AST) -> frozenset[str]:
+        """Those of which more is asked than whether to run a branch that neither leaves nor changes anything of the
+        same name."""
+        branches = (each for each in walk(function) if isinstance(each, ast.If) and not _leaves(each))
+        over = {id(part) for each in branches for part in walk(each.test)}
+        nodes = (each for each in walk(function) if id(each) not in over)
+        return _named(part for asked in _asked(nodes) for part in walk(asked) if id(part) not in over)
 
 
-def _asked(function: ast.AST) -> Iterator[ast.AST]:
-    for node in walk(function):
+def _named(parts: Iterator[ast.AST]) -> frozenset[str]:
+    return frozenset(ast.unparse(part) for part in parts if isinstance(part, (ast.Name, ast.Attribute)))
+
+
+def _leaves(branch: ast.If) -> bool:
+    """Whether a branch may leave, or sets what its condition asks for."""
+    asked = {each.id for each in walk(branch.test) if isinstance(each, ast.Name)}
+    for each in walk(branch):
+        if isinstance(each, (ast.Return, ast.Raise, ast.Continue, ast.Break)):
+            return True
+        if isinstance(each, (ast.Name, ast.Attribute)) and isinstance(each.ctx, ast.Store) and _root(each) in asked:
+            return True
+    return False
+
+
+def _root(node: ast.expr) -> str:
+    while isinstance(node, ast.Attribute):
+        node = node.value
+    return node.id if isinstance(node, ast.Name) else ""
+
+
+def _asked(nodes: Iterable[ast.AST]) -> Iterator[ast.AST]:
+    for node in nodes:
         if isinstance(node, (ast.If, ast.While, ast.IfExp, ast.Assert)):
             yield node.test
         elif isinstance(node, (ast.For, ast.comprehension)):
