@@ -405,3 +405,48 @@ def test_a_count_may_be_any_number_or_none(count: str, tmp_path: Path) -> None:
     (tmp_path / "compose.yaml").write_text(f"services:\n  rover:\n{service}{devices}")
     found = lint("--no-cache", "--quiet", "--select", "compose", ".", cwd=tmp_path)
     assert "internal-error" not in found.stdout + found.stderr
+
+
+PACKAGE = """<package format="3">
+  <name>boat</name>
+  <version>1.0.0</version>
+  <description>Boat</description>
+  <maintainer email="boat@example.com">Boat</maintainer>
+  <license>MIT</license>
+  <export><build_type>ament_python</build_type></export>
+</package>
+"""
+
+
+def python_package(folder: Path, module: str) -> None:
+    """A package with one module, of which it makes a program."""
+    (folder / "boat").mkdir(exist_ok=True)
+    (folder / "boat/__init__.py").touch()
+    (folder / "boat/row.py").write_text(f"import os\nfrom pathlib import Path\n\n{module}")
+    (folder / "package.xml").write_text(PACKAGE)
+    setup = "name='boat', packages=['boat'], entry_points={'console_scripts': ['row = boat.row:main']}"
+    (folder / "setup.py").write_text(f"from setuptools import setup\n\nsetup({setup})\n")
+
+
+@pytest.mark.parametrize(
+    "path",
+    [
+        f"__file__{' + str(1)' * 900}",
+        f"Path(__file__){'.parent' * 900}",
+        f"boat{'.at()' * 900}",
+        f"Path(__file__).parents[{'9' * 12}]",
+    ],
+)
+def test_a_path_of_very_many_steps_is_no_error(path: str, tmp_path: Path) -> None:
+    python_package(tmp_path, f"PLACE = {path}\nif {path}:\n    PLACE = None\n")
+    found = lint("--no-cache", "--quiet", "--select", "package/data-not-installed", ".", cwd=tmp_path)
+    assert "internal-error" not in found.stdout + found.stderr
+
+
+@pytest.mark.slow
+def test_time_grows_as_the_files_beside_a_module(tmp_path: Path) -> None:
+    def check(size: int) -> None:
+        python_package(tmp_path, "".join(f"P{at} = os.path.join(__file__, 'a{at}')\n" for at in range(size)))
+        lint("--no-cache", "--quiet", "--select", "package/data-not-installed", ".", cwd=tmp_path)
+
+    assert is_linear(check, 400)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import os
 from collections.abc import Iterator
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.dependencies.imports import imported
@@ -31,6 +32,8 @@ _PACKS = regex(
 _SETTINGS = ("setup.py", "setup.cfg", "pyproject.toml")
 _SAME = ("abspath", "realpath", "normpath", "fspath", "Path", "PurePath", "str")
 """Functions that give the path that they are given."""
+_DEEPEST = 40
+"""Steps in which a path is computed."""
 _METHODS = ("resolve", "absolute", "as_posix")
 _ASKS = frozenset(
     "exists isfile isdir is_file is_dir glob rglob mkdir makedirs insert append save savefig savetxt savez imwrite"
@@ -100,9 +103,10 @@ def _looked_for(tree: Tree, package: Package, source: Source) -> Iterator[tuple[
     paths = _Paths(source, syntax)
     positions = Positions(source, byte_order_mark(source))
     named = {path: node for node in reversed(paths.outermost) if (path := paths.value(node)) is not None}
+    ordered = sorted(f"{path}/" for path in named)
+    parts = {path[:-1] for path, other in pairwise(ordered) if other.startswith(path)}
     for path, node in sorted(named.items(), key=lambda item: item[1].lineno):
-        is_part = any(other.startswith(f"{path}/") for other in named)
-        if not is_part and path not in paths.asked and _is_data(tree, package, source, path):
+        if path not in parts and path not in paths.asked and _is_data(tree, package, source, path):
             yield positions.span(node), path
 
 
@@ -131,8 +135,9 @@ class _Paths:
         for node in nodes:
             if isinstance(node, ast.Assign) and isinstance(node.targets[0], (ast.Name, ast.Attribute)):
                 value = self.value(node.value)
-                if value is not None:
-                    self._variables[ast.unparse(node.targets[0])] = value
+                name = _dotted(node.targets[0])
+                if value is not None and name:
+                    self._variables[name] = value
         self._collect(nodes)
 
     def _collect(self, nodes: list[ast.AST]) -> None:
@@ -149,28 +154,31 @@ class _Paths:
                 self.outermost.append(node)
                 parts.update(map(id, ast.walk(node)))
 
-    def value(self, node: ast.expr) -> str | None:
+    def value(self, node: ast.expr, depth: int = 0) -> str | None:
         """An absolute path; None of everything else."""
+        inner = depth + 1
+        if inner > _DEEPEST:
+            return None
         if isinstance(node, (ast.Name, ast.Attribute)):
             if isinstance(node, ast.Name) and node.id == "__file__":
                 return self._file
-            known = self._variables.get(ast.unparse(node))
-            above = self.value(node.value) if isinstance(node, ast.Attribute) and node.attr == "parent" else None
+            known = self._variables.get(_dotted(node))
+            above = self.value(node.value, inner) if isinstance(node, ast.Attribute) and node.attr == "parent" else None
             return os.path.dirname(above) if above is not None else known
         if isinstance(node, ast.Subscript):
-            return self._above(node)
+            return self._above(node, inner)
         if isinstance(node, ast.BinOp):
-            return self._joined(node.op, self.value(node.left), self._text(node.right))
+            return self._joined(node.op, self.value(node.left, inner), self._text(node.right))
         if isinstance(node, ast.JoinedStr):
-            return self._format(node)
-        return self._called(node) if isinstance(node, ast.Call) else None
+            return self._format(node, inner)
+        return self._called(node, inner) if isinstance(node, ast.Call) else None
 
-    def _above(self, node: ast.Subscript) -> str | None:
+    def _above(self, node: ast.Subscript, depth: int) -> str | None:
         """``Path(...).parents[1]``."""
         number = node.slice.value if isinstance(node.slice, ast.Constant) else None
         is_parents = isinstance(node.value, ast.Attribute) and node.value.attr == "parents"
-        path = self.value(node.value.value) if isinstance(node.value, ast.Attribute) and is_parents else None
-        if path is None or not isinstance(number, int):
+        path = self.value(node.value.value, depth) if isinstance(node.value, ast.Attribute) and is_parents else None
+        if path is None or not isinstance(number, int) or number >= path.count("/"):
             return None
         for _ in range(number + 1):
             path = os.path.dirname(path)
@@ -184,23 +192,23 @@ class _Paths:
             return os.path.normpath(os.path.join(path, more))
         return os.path.normpath(path + more) if isinstance(operator, ast.Add) else None
 
-    def _format(self, node: ast.JoinedStr) -> str | None:
+    def _format(self, node: ast.JoinedStr, depth: int) -> str | None:
         first, *others = node.values or [node]
-        path = self.value(first.value) if isinstance(first, ast.FormattedValue) else None
+        path = self.value(first.value, depth) if isinstance(first, ast.FormattedValue) else None
         texts = [str(each.value) for each in others if isinstance(each, ast.Constant)]
         return os.path.normpath(path + "".join(texts)) if path is not None and len(texts) == len(others) else None
 
-    def _called(self, node: ast.Call) -> str | None:
+    def _called(self, node: ast.Call, depth: int) -> str | None:
         name = _name(node.func)
         if name == "render_template" and self._flask and node.args:
             template = self._text(node.args[0])
             return template and os.path.join(os.path.dirname(self._file), "templates", template)
         if name in _METHODS and isinstance(node.func, ast.Attribute):
-            return self.value(node.func.value)
+            return self.value(node.func.value, depth)
         parts = [*node.args]
         if name == "joinpath" and isinstance(node.func, ast.Attribute):
             parts.insert(0, node.func.value)
-        path = self.value(parts[0]) if parts else None
+        path = self.value(parts[0], depth) if parts else None
         if path is None or (name in _SAME and len(parts) == 1):
             return path
         if name == "dirname":
@@ -215,6 +223,13 @@ class _Paths:
         if isinstance(node, ast.Attribute) and node.attr == "pardir":
             return ".."
         return node.value if isinstance(node, ast.Constant) and isinstance(node.value, str) else None
+
+
+def _dotted(node: ast.AST) -> str:
+    """A name, or that of an attribute of one; empty for everything else."""
+    if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name):
+        return f"{node.value.id}.{node.attr}"
+    return node.id if isinstance(node, ast.Name) else ""
 
 
 def _name(function: ast.expr) -> str:
@@ -243,7 +258,7 @@ def _run_when_imported(syntax: ast.Module) -> Iterator[ast.AST]:
     todo: list[ast.AST] = [syntax]
     while todo:
         node = todo.pop()
-        is_main = isinstance(node, ast.If) and "__name__" in ast.unparse(node.test)
+        is_main = isinstance(node, ast.If) and any(_dotted(each) == "__name__" for each in ast.walk(node.test))
         if not is_main and not (isinstance(node, ast.Try) and node.handlers):
             yield node
             todo.extend(reversed(list(ast.iter_child_nodes(node))))
