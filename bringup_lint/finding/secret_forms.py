@@ -104,8 +104,13 @@ _PAIRS = (
         (?:\s{{1,80}}(?!name\b)[\w:-]{{1,40}}=(?:"[^"<]{{0,200}}"|'[^'<]{{0,200}}')){{0,4}}
         \s{{1,80}}name=["']{_HEAD}{NAME}["']""",
     ),
-    # <Password>x</Password>, <PrivateKey><![CDATA[x]]>
-    _form("", rf"""{NAME}>\s{{0,80}}(?:<!\[CDATA\[)?\s{{0,80}}(?P<secret>[^<\s][^<\]]*)"""),
+    # <Password>x</Password>, <PrivateKey><![CDATA[x]]>; of more than one line only what is closed, and not the end of
+    # a text in quotes, as of "usage: <name> <password>"
+    _form(
+        "",
+        rf"""{NAME}>\s{{0,80}}(?:<!\[CDATA\[)?\s{{0,80}}(?!["')]{{1,4}}[ \t]*(?:\n|\Z))
+        (?P<secret>[^<\s](?:[^<\]]{{0,4000}}(?=</|\]\])|[^<\]\n]*))""",
+    ),
     # declare_parameter("token", "x"), DeclareLaunchArgument("token", default_value="x"), setenv("TOKEN", "x")
     _form("default_value", rf"""{NAME}["'][ \t]*,\s{{0,80}}default_value[ \t]*=[ \t]*["'](?P<secret>[^"'\n]+)"""),
     _form(

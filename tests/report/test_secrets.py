@@ -34,6 +34,8 @@ def found(text: str, name: str = "robot.conf") -> list[str]:
         ('{"client_secret": "s3cr3t"}', "s3cr3t"),
         ("ExecStart=/usr/bin/bridge --password hunter22 --port 1", "hunter22"),
         ("<password>hunter22</password>", "hunter22"),
+        ("<Password>\n  hunter22\n  more\n</Password>", "hunter22\n  more"),
+        ("<password>hunter22\nthe rest is lost", "hunter22"),
         ("<name>dds.sec.auth.password</name>\n <value>hunter22</value>", "hunter22"),
         ('<arg name="mqtt_password" default="hunter22"/>', "hunter22"),
         ('<env name="TOKEN" value="hunter22"/>', "hunter22"),
@@ -71,6 +73,7 @@ def test_secret(text: str, secret: str) -> None:
         "http://10.0.0.9:8080/front",
         "scp robot:/etc/a:b@c .",
         "docker run -v data:/data:ro registry/robot@sha256",
+        'echo "usage: $0 <network> <password>"\nset -e\n',
     ],
 )
 def test_no_secret(text: str) -> None:
