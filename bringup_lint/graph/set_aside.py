@@ -9,8 +9,9 @@ from __future__ import annotations
 
 import os
 import re
+from collections import Counter
+from collections import defaultdict
 from collections.abc import Callable
-from collections.abc import Iterable
 from collections.abc import Iterator
 from functools import cached_property
 
@@ -49,6 +50,9 @@ _SUFFIX = regex(r"[\]}\"'%)*s]\.(?:service|timer|socket|path|target)\b")
 _WORD = regex(r"[\w@](?:[\w.@-]*[\w@-])?")
 _PLACE = regex(r"/systemd/(?:system|user)/[^/]+$")
 """A folder from which systemd loads units: such a tree is copied as a whole."""
+_OF_UNIT = regex(r"\.(?:service|timer|socket|path|target)\b")
+_ALIKE = 50
+"""Files of one name with which a page is compared."""
 _FEWEST = 2
 """Files beside one that are used, at least: of two, each may be for another machine."""
 _INSTALLS = regex(r"(?:install|setup|build)[-_]")
@@ -86,17 +90,25 @@ class SetAside:
             return self._is_idle_unit(source)
         return source.kind == "shell-script" and self._is_idle_script(source)
 
+    @memo
     def _is_copied_page(self, source: Source) -> bool:
         """Whether a file of the documentation has the name of one outside of it, which is the one that is used."""
         path = self._path(source.absolute)
         if not _DOCUMENTATION.search(path):
             return False
-        others = (each for each in self._files.of_kind(source.kind) if each.basename == source.basename)
-        used = (each for each in others if not _DOCUMENTATION.search(self._path(each.absolute)))
-        if not any(_is_copy(source.text, each.text) for each in used):
+        used = self._outside_of_documentation.get((source.kind, source.basename), ())
+        if not any(_is_copy(source.text, each.text) for each in used[:_ALIKE]):
             return False
         place = "/".join(path.split("/")[-2:])
         return not any(place in each.text for each in self._saying(source.basename, source))
+
+    @cached_property
+    def _outside_of_documentation(self) -> dict[tuple[str, str], list[Source]]:
+        found: dict[tuple[str, str], list[Source]] = {}
+        for each in self._files.sources:
+            if not _DOCUMENTATION.search(self._path(each.absolute)):
+                found.setdefault((each.kind, each.basename), []).append(each)
+        return found
 
     @memo
     def _is_left_over(self, source: Source) -> bool:
@@ -113,15 +125,18 @@ class SetAside:
         """Whether no play and no other role names a role, while others of its folder are named."""
         folder, name = role
         taken = self._taken_roles
-        if any("{{" in each for each in taken) or name in taken:
-            return False
-        beside = {
-            match["name"] for each in self._texts if (match := _ROLE.match(each.path)) and match["roles"] == folder
-        }
-        if len(beside & taken) < _FEWEST:
+        if name in taken or len(self._roles[folder] & taken) < _FEWEST or any("{{" in each for each in taken):
             return False
         others = (each.text for each in self._by_word.get(name, ()) if not each.path.startswith(f"{folder}/{name}/"))
         return not any(f"roles/{name}" in text for text in others)
+
+    @cached_property
+    def _roles(self) -> defaultdict[str, set[str]]:
+        """The folders of roles, each with the names of those in it."""
+        found: defaultdict[str, set[str]] = defaultdict(set)
+        for match in (match for each in self._texts if (match := _ROLE.match(each.path))):
+            found[match["roles"]].add(match["name"])
+        return found
 
     @cached_property
     def _taken_roles(self) -> frozenset[str]:
@@ -138,56 +153,106 @@ class SetAside:
         """Whether nothing installs, links or starts a unit, while others beside it are, each by its name."""
         if not _UNIT.search(final_name(source.basename)) or _PLACE.search(source.absolute):
             return False
-        beside = [each for each in self._files.beside(source) if each.kind == source.kind and each.origin is None]
-        if sum(map(self._is_brought, beside)) < _FEWEST or self._uses(source):
+        folder = os.path.dirname(self._path(source.absolute))
+        if self._brought_units[folder] < _FEWEST or self._uses(source):
             return False
-        return not self._is_taken_whole(source, [final_name(each.basename) for each in beside])
+        own = self._path(source.absolute)
+        return not any(path != own for path in self._taking(folder))
 
     def _is_brought(self, unit: Source) -> bool:
         """Whether a line installs or starts a unit by its name."""
-        name = final_name(unit.basename)
-        line = re.compile(rf"{_BRINGS}[^\n]*(?<![\w.-]){re.escape(name)}(?![\w-])")
-        return any(line.search(each.text) for each in self._saying(name, unit))
+        own = self._path(unit.absolute)
+        return any(path != own for path in self._bringing.get(final_name(unit.basename), ()))
+
+    @cached_property
+    def _units(self) -> defaultdict[str, list[Source]]:
+        """The units of each folder."""
+        found: defaultdict[str, list[Source]] = defaultdict(list)
+        for each in self._files.of_kind("systemd-unit"):
+            if each.origin is None:
+                found[os.path.dirname(self._path(each.absolute))].append(each)
+        return found
+
+    @cached_property
+    def _brought_units(self) -> Counter[str]:
+        """How many units of each folder a line installs or starts by their names."""
+        return Counter({folder: sum(map(self._is_brought, units)) for folder, units in self._units.items()})
+
+    @cached_property
+    def _bringing(self) -> dict[str, set[str]]:
+        """The names of units in lines that install or start something, each with the files that have them."""
+        return self._behind(regex(_BRINGS), _OF_UNIT)
+
+    @cached_property
+    def _asking(self) -> dict[str, set[str]]:
+        """The words of lines that call systemctl, each with the files that have them."""
+        return self._behind(regex(r"\bsystemctl\b", hints="systemctl"), regex(""))
+
+    def _behind(self, pattern: re.Pattern[str], lines: re.Pattern[str]) -> dict[str, set[str]]:
+        """The words that follow a pattern in lines, with and without the ending, each with the files that have them."""
+        found: dict[str, set[str]] = {}
+        for each in self._texts:
+            for line in each.text.splitlines() if pattern.search(each.text) else ():
+                match = pattern.search(line) if lines.search(line) else None
+                for word in _WORD.findall(line, match.end()) if match is not None else ():
+                    for part in (word, word.rpartition(".")[0], word.partition("@")[0]):
+                        found.setdefault(part, set()).add(each.path)
+        return found
 
     @memo
     def _uses(self, unit: Source) -> bool:
         """Whether anything of the tree may install or start a unit, or pull it in."""
-        name = final_name(unit.basename)
+        name, own = final_name(unit.basename), self._path(unit.absolute)
         stem = name.rpartition(".")[0].rstrip("@")
-        asked = re.compile(rf"\bsystemctl\b[^\n]*(?<![\w.-]){re.escape(stem)}(?![\w-])")
         if next(self._saying(name, unit), None) is not None:
             return True
-        return any(asked.search(each.text) or _SUFFIX.search(each.text) for each in self._saying(stem, unit))
+        if any(path != own for path in self._asking.get(stem, ())):
+            return True
+        return any(each.path in self._putting_together for each in self._saying(stem, unit))
 
-    def _is_taken_whole(self, source: Source, names: Iterable[str]) -> bool:
-        """Whether a line takes the whole folder of a file, and not one of these names of it."""
-        folder = os.path.basename(os.path.dirname(source.absolute))
+    @cached_property
+    def _putting_together(self) -> frozenset[str]:
+        """The files that put the name of a unit together from its stem."""
+        return frozenset(each.path for each in self._texts if _SUFFIX.search(each.text))
+
+    @memo
+    def _taking(self, here: str) -> list[str]:
+        """The files with a line that takes a whole folder of units, and not one of their names."""
+        names = {final_name(each.basename) for each in self._units[here]}
+        folder = os.path.basename(here) or os.path.basename(self._top.rstrip("/"))
         place = re.compile(
             rf"(?<![\w.-]){re.escape(folder)}(?:/?[\"']?(?:[\s,)\]}}:]|$)|/[\"']?(?:\*|\$|\{{|\.(?![\w.])))"
         )
         whole = regex(_WHOLE)
-        here = os.path.dirname(self._path(source.absolute))
-        if any(_EVERY_UNIT.search(each.text) for each in self._by_folder.get(here, ())):
-            return True
-        for each in self._saying(folder, source):
+        found = [each.path for each in self._by_folder.get(here, ()) if _EVERY_UNIT.search(each.text)]
+        for each in self._by_word.get(folder, ()):
             lines = (line for line in each.text.splitlines() if folder in line and place.search(line))
-            if any(whole.search(line) and not any(name in line for name in names) for line in lines):
-                return True
-        return False
+            if any(whole.search(line) and names.isdisjoint(map(final_name, _WORD.findall(line))) for line in lines):
+                found.append(each.path)
+        return found
 
     @memo
     def _is_idle_script(self, source: Source) -> bool:
         """Whether nothing names a script that installs something, while a Dockerfile puts others beside it into its
         image, each by its name. Those in the folder of the Dockerfile itself are for people."""
-        around = self._files.beside(source)
-        if not _INSTALLS.match(source.basename) or any(each.kind == "dockerfile" for each in around):
+        if not _INSTALLS.match(source.basename):
             return False
-        beside = {each.basename for each in around if each.kind == source.kind}
-        steps = [step for each in self._files.of_kind("dockerfile") for step in _IN_IMAGE.findall(each.text)]
-        used = [name for name in beside if any(name in step for step in steps)]
-        if len(used) < _FEWEST:
+        folder = os.path.dirname(source.absolute)
+        if folder in self._with_dockerfile or self._scripts_in_image[folder] < _FEWEST:
             return False
         return next(self._saying(source.basename, source), None) is None
+
+    @cached_property
+    def _with_dockerfile(self) -> frozenset[str]:
+        return frozenset(os.path.dirname(each.absolute) for each in self._files.of_kind("dockerfile"))
+
+    @cached_property
+    def _scripts_in_image(self) -> Counter[str]:
+        """How many scripts of each folder steps of images name."""
+        steps = (step for each in self._files.of_kind("dockerfile") for step in _IN_IMAGE.findall(each.text))
+        named = {word for step in steps for word in _WORD.findall(step)}
+        scripts = (each for each in self._files.of_kind("shell-script") if each.basename in named)
+        return Counter(os.path.dirname(path) for path in {each.absolute for each in scripts})
 
     def _saying(self, word: str, source: Source) -> Iterator[_Text]:
         """The texts that have a word, but for the file itself."""

@@ -62,7 +62,7 @@ WRITTEN = regex(
     r"|captures?|snapshots?|rosbag2?|ros_logs?|databases?|db|videos?|images)"
 )
 USER = regex(r"(?:\$\{\w+:?-)?(?P<name>[\w-]+)\}?(?::.*)?$")
-CHOWN = regex(r"^[^#\n]*\b(?:chown|setfacl|fixuid|chmod\b[^\n]*\b0?777)\b[^\n]*", re.M)
+CHOWN = regex(r"^[^#\n]*\b(?:chown|setfacl|fixuid|chmod\b(?:(?!\bchmod\b)[^\n])*\b0?777)\b[^\n]*", re.M)
 TEXTS = regex(r"\.(?:md|rst|txt|sh|bash|ya?ml|mk)$|(?:^|/)(?:(?:GNU)?[Mm]akefile|[Jj]ustfile)$")
 READ = 200_000
 SCRIPTS = ("shell-script", "devcontainer")
@@ -70,9 +70,8 @@ PLACING = ("COPY", "ADD", "WORKDIR", "VOLUME")
 MOST = 100
 """Volumes of an image that are looked for in its steps."""
 VOLUME = regex(r"[A-Za-z0-9][\w.-]+")
-MAKES = (
-    r"\b(?:mkdir|install|chown|clone|cp|mv|tar|unzip|rsync|ln|touch|useradd|adduser|colcon|npm|yarn|pnpm|pip3?|uv|poetry)"
-    r"\b[^\n]*(?:{path}|(?<![\w-]){name}(?![\w-]))"
+MAKES = regex(
+    r"\b(?:mkdir|install|chown|clone|cp|mv|tar|unzip|rsync|ln|touch|useradd|adduser|colcon|npm|yarn|pnpm|pip3?|uv|poetry)\b"
 )
 OF_COLCON = ("build", "install", "log")
 MAKING = regex(r"^[^\n]*(?:\bmkdir\b|\bmakedirs\b|\b(?:path|dest):)[^\n]*", re.M, "mkdir makedirs path: dest:")
@@ -182,7 +181,14 @@ def _is_new(robot: Robot, service: Service, volume: Volume, known: Known) -> boo
     name = posixpath.basename(path)
     if known.left[stage] > MOST or path in places or "$" in places or (name in OF_COLCON and "colcon" in texts):
         return False
-    return re.search(MAKES.format(path=re.escape(path), name=re.escape(name)), texts) is None
+    return not _is_made(path, name, texts)
+
+
+def _is_made(path: str, name: str, texts: str) -> bool:
+    """Whether a line of the steps of an image makes a folder."""
+    place = re.compile(rf"{re.escape(path)}|(?<![\w-]){re.escape(name)}(?![\w-])")
+    lines = ((line, MAKES.search(line)) for line in texts.split("\n") if name in line)
+    return any(making is not None and place.search(line, making.end()) for line, making in lines)
 
 
 def _is_shared(robot: Robot, service: Service, volume: Volume, known: Known) -> bool:

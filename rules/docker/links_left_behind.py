@@ -60,8 +60,9 @@ REPLACED = regex(
     hints="cp dereference copy-links readlink type",
 )
 """What puts files in the place of links."""
+MOST_DIGITS = 4
 RECURSIVE = regex(r"-\w*[rR]\w*|--recursive")
-REMOVES = regex(r"\brm\b[^\n;&|]*\b(?:src|build)\b", hints="rm")
+REMOVES = regex(r"\brm\b(?:(?!\brm\b)[^\n;&|])*\b(?:src|build)\b", hints="rm")
 AGAIN = ("colcon", "git", "vcs")
 """What builds once more, or brings sources once more: only what is removed after it is missing at the end."""
 
@@ -69,11 +70,17 @@ AGAIN = ("colcon", "git", "vcs")
 @rule("error", silent="the copy succeeds, and what looks for a file later only says that it is not there")
 def links_left_behind(robot: Robot) -> Iterator[Finding]:
     for file in robot.dockerfiles:
+        links: dict[Stage, Located | None] = {}
         for stage in file.stages:
-            for copy in stage.all("COPY"):
-                origin = _origin(file, copy)
-                if origin is not None and origin not in stage.chain:
-                    yield from _of_copy(stage, copy, origin)
+            copies = [(copy, origin) for copy in stage.all("COPY") if (origin := _origin(file, copy)) is not None]
+            for _, origin in copies:
+                if origin not in links:
+                    links[origin] = _link(origin)
+            brought = {word for one in stage.chain for each in one.all("COPY") for word in _brought(each)}
+            for copy, origin in copies:
+                link = links[origin]
+                if link is not None and origin not in stage.chain:
+                    yield from _of_copy(copy, link, brought)
             yield from _of_removal(stage)
 
 
@@ -81,19 +88,18 @@ def _origin(file: Dockerfile, copy: Instruction) -> Stage | None:
     """The stage that files are copied from."""
     name = next((flag.partition("=")[2] for flag in copy.flags if flag.startswith("--from=")), "")
     if name.isdecimal():
-        return file.stages[int(name)] if int(name) < len(file.stages) else None
+        return file.stages[int(name)] if len(name) <= MOST_DIGITS and int(name) < len(file.stages) else None
     return file.stage(name)
 
 
-def _of_copy(stage: Stage, copy: Instruction, origin: Stage) -> Iterator[Finding]:
+def _of_copy(copy: Instruction, link: Located, brought: set[str]) -> Iterator[Finding]:
     word = next(
         (word for word in list(copy.value.words())[:-1] if posixpath.basename(word.rstrip("/")) == "install"), None
     )
-    link = _link(origin) if word is not None else None
-    if word is None or link is None:
+    if word is None:
         return
     workspace = posixpath.dirname(word.rstrip("/")) or "/"
-    if any(_covers(each, workspace) for one in stage.chain for each in one.all("COPY")):
+    if not brought.isdisjoint((workspace, posixpath.join(workspace, "build"), posixpath.dirname(workspace))):
         return
     yield finding(
         word,
@@ -113,11 +119,10 @@ def _link(stage: Stage) -> Located | None:
     return options[0] if options and None not in options else None
 
 
-def _covers(instruction: Instruction, workspace: str) -> bool:
-    """Whether an instruction brings the folder `build` of a workspace from another stage."""
-    whole = (workspace, posixpath.join(workspace, "build"), posixpath.dirname(workspace))
-    words = [word.rstrip("/") or "/" for word in list(instruction.value.words())[:-1]]
-    return any(flag.startswith("--from=") for flag in instruction.flags) and any(word in whole for word in words)
+def _brought(copy: Instruction) -> list[str]:
+    """What an instruction brings from another stage."""
+    words = [word.rstrip("/") or "/" for word in list(copy.value.words())[:-1]]
+    return words if any(flag.startswith("--from=") for flag in copy.flags) else []
 
 
 def _of_removal(stage: Stage) -> Iterator[Finding]:

@@ -41,6 +41,7 @@ When the script is only for a robot on which nothing is installed yet, and is ne
 
 import posixpath
 import re
+from collections import Counter
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -69,6 +70,7 @@ ASKS = regex(
     r"(?:(?<!\S)\[|\b(?:test|rm|rmdir|getent|id|grep|unlink|userdel|groupdel|ls|inspect|show|status|del|delete|remove|uninstall)\b)"
     r"([^\n]*)"
 )
+FILES = regex(r"(?<![\w.+-])[\w+-]+\.\w+")
 ENTERS = regex(r"\b(?:cd|pushd)[ \t]+([^\n;&|]+)")
 TEMPORARY = regex(r"\bmktemp\b|\b(?:cd|pushd)[ \t]+[\"']?(?:/tmp|/var/tmp|\$\{?\w*(?:TMP|TEMP))", re.I)
 ADDRESS = regex(r"(?:https?|ssh|git)://|git@")
@@ -153,12 +155,12 @@ def _runs_again(robot: Robot, source: Source) -> bool:
 def _is_new(robot: Robot, source: Source, asked: set[str], program: str, made: Located, _: str) -> bool:
     """Whether each run may begin in a new folder, or find the file that it moves."""
     if program == "git" or HELD.match(made):
-        entered = {name for rest in ENTERS.findall(source.text) for name in WORD.findall(rest)}
+        entered = source.once(ENTERS, lambda: frozenset(WORD.findall("\n".join(ENTERS.findall(source.text)))))
         return source.matches(TEMPORARY) or not asked.isdisjoint(entered)
     if program == "mv":
         name = posixpath.basename(made)
         is_there = any(path.endswith(f"/{made.removeprefix('./')}") for path in robot.tree.named(name))
-        return not is_there or len(re.findall(rf"(?<![\w.-]){re.escape(name)}", source.text)) > 1
+        return not is_there or source.once(FILES, lambda: Counter(FILES.findall(source.text)))[name] > 1
     return False
 
 

@@ -284,6 +284,10 @@ def counts(size: int) -> str:
         ("script/syntax", lambda size: "".join(f"sed s/@TOKEN{at}@/x/ a\n" for at in range(size * 10))),
         ("script/apt-asks", lambda size: "".join(f"n{at}=0\n" for at in range(size * 4)) + "apt install rover\n"),
         ("script/apt-asks", lambda size: f"{'apt install rover; ' * size * 2}\n"),
+        (
+            "script/second-run-ends",
+            lambda size: "".join(f"cd /a{at}\ngit clone https://a.b/c{at}\n" for at in range(size)),
+        ),
     ],
 )
 def test_time_grows_as_what_a_script_repeats(rule: str, made: Callable[[int], str], tmp_path: Path) -> None:
@@ -296,6 +300,12 @@ def test_time_grows_as_what_a_script_repeats(rule: str, made: Callable[[int], st
 
 def shells(size: int) -> str:
     return "FROM ros:jazzy\n" + 'SHELL ["/bin/bash", "-c"]\nRUN apt-get install -y rover\n' * size
+
+
+def copies(size: int) -> str:
+    builds = "RUN colcon build --symlink-install\n" * size
+    brought = "".join(f"COPY --from=0 /w{at}/install /w{at}/install\n" for at in range(size))
+    return f"FROM ros:jazzy\n{builds}FROM ros:jazzy\n{brought}"
 
 
 def stages(size: int) -> str:
@@ -312,6 +322,8 @@ def stages(size: int) -> str:
         ("script/apt-asks", lambda size: f"FROM ros:jazzy\nRUN {'apt-get install -y rover && ' * size * 3}:\n"),
         ("script/yes-ends-script", stages),
         ("docker/failure-hidden", shells),
+        ("docker/links-left-behind", copies),
+        ("docker/links-left-behind", lambda size: f"FROM ros:jazzy\nRUN {'rm -r ' * size * 5}\n"),
     ],
 )
 def test_time_grows_as_what_a_dockerfile_repeats(rule: str, made: Callable[[int], str], tmp_path: Path) -> None:
@@ -320,6 +332,32 @@ def test_time_grows_as_what_a_dockerfile_repeats(rule: str, made: Callable[[int]
         lint("--no-cache", "--quiet", "--select", rule, ".", cwd=tmp_path)
 
     assert is_linear(check, 160)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("step", ["chmod 1 ", "mkdir a "])
+def test_time_grows_as_what_a_step_of_an_image_repeats(step: str, tmp_path: Path) -> None:
+    (tmp_path / "compose.yaml").write_text("services:\n  rover:\n    build: .\n    volumes: [maps:/var/maps]\n")
+
+    def check(size: int) -> None:
+        (tmp_path / "Dockerfile").write_text(f"FROM ros:jazzy\nRUN {step * size}\nUSER rover\n")
+        (tmp_path / "start.sh").write_text(f"#!/bin/bash\n{step * size}\n")
+        lint("--no-cache", "--quiet", "--select", "compose/mount-of-root", ".", cwd=tmp_path)
+
+    assert is_linear(check, 800)
+
+
+@pytest.mark.slow
+def test_time_grows_as_the_units_beside_each_other(tmp_path: Path) -> None:
+    def check(size: int) -> None:
+        for at in range(size):
+            unit = f"[Service]\nExecStart=/bin/bash -c 'ros2 launch rover part{at}.launch.py'\n"
+            (tmp_path / f"part{at}.service").write_text(unit)
+        lines = "".join(f"cp part{at}.service /etc/systemd/system\n" for at in range(size // 2))
+        (tmp_path / "install.sh").write_text(f"#!/bin/bash\n{lines}")
+        lint("--no-cache", "--quiet", "--select", "systemd/restart-missing", ".", cwd=tmp_path)
+
+    assert is_linear(check, 30)
 
 
 NODE = "import rclpy\n\nrclpy.init()\n"
@@ -396,6 +434,12 @@ def test_time_grows_as_the_services_that_start_a_job(tmp_path: Path) -> None:
         lint("--no-cache", "--quiet", "--select", "systemd/job-not-before", ".", cwd=tmp_path)
 
     assert is_linear(check, 800)
+
+
+def test_a_stage_may_have_any_number(tmp_path: Path) -> None:
+    (tmp_path / "Dockerfile").write_text(f"FROM ros:jazzy\nCOPY --from={'9' * 5_000} /a/install /b\n")
+    found = lint("--no-cache", "--quiet", "--select", "docker", ".", cwd=tmp_path)
+    assert "internal-error" not in found.stdout + found.stderr
 
 
 @pytest.mark.parametrize("count", ["\u00b2", "9" * 5_000])
