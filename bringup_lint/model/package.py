@@ -40,6 +40,8 @@ class Manifest:
     problems: list[Problem] = field(default_factory=list)
     refused: list[Problem] = field(default_factory=list)
     """What stops catkin_pkg, in order."""
+    exported_depends: list[Located] = field(default_factory=list)
+    """Packages of dependencies in ``<export>``, which nobody reads."""
     near_build_type: Located | None = None
     """A tag in ``<export>`` that is nearly ``build_type``, where there is none."""
 

@@ -49,6 +49,7 @@ def parse(source: Source) -> Manifest:
         elif tag == "export":
             manifest.export = element.tag
             manifest.near_build_type = near_build_type(element.children)
+            manifest.exported_depends += (each.text for each in element.children if str(each.local) in DEPENDENCIES)
             for exported in element.find_all("build_type"):
                 manifest.for_both |= bool(_ROS_1.search(exported.get("condition") or ""))
                 manifest.build_type = str(exported.text)

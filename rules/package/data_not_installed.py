@@ -40,7 +40,10 @@ from bringup_lint.api import rule
 
 @rule(
     "warning",
-    symptoms=["FileNotFoundError: [Errno 2] No such file or directory:", "jinja2.exceptions.TemplateNotFound:"],
+    symptoms=[
+        "FileNotFoundError: [Errno 2] No such file or directory: '*/site-packages/*'",
+        "jinja2.exceptions.TemplateNotFound:",
+    ],
 )
 def data_not_installed(robot: Robot) -> Iterator[Finding]:
     for package in robot.launch.workspace.packages.values():

@@ -115,7 +115,6 @@ EFFECTS = {"mv": "This moves a file of the checkout away"}
     symptoms=[
         "ERROR: default sources list file already exists",
         "fatal: destination path '*' already exists and is not an empty directory.",
-        "RTNETLINK answers: File exists",
         "Error! DKMS tree already contains: ",
     ],
 )
