@@ -33,7 +33,7 @@ When the page goes into the folder before the call, and the path only shows wher
 """
 
 import posixpath
-import re
+from collections import Counter
 from collections.abc import Collection
 from collections.abc import Iterator
 
@@ -58,6 +58,11 @@ CALL = regex(
 OWN_PATH = regex(r"\bBASH_SOURCE\b|\bdirname\b|\$\{?0\b|\brealpath\b|\breadlink\b|%x|\bgit[ \t]+rev-parse\b")
 RELATIVE = regex(r"(?:\.\.?/)*[A-Za-z0-9_+-][\w.+-]*(?:/[\w.+-]+)*/?")
 TALK = regex(r"(?m)^[ \t]*(?:echo|printf)[ \t][^\n]*")
+WORD = regex(r"[\w.+-]+")
+MOST_DOTS = 8
+"""Of a word, that are looked at."""
+FEW = 20
+"""Names that are looked for one by one."""
 MOVES = ("cd", "pushd")
 MOST = 200_000
 
@@ -80,9 +85,13 @@ def called_from_elsewhere(robot: Robot) -> Iterator[Finding]:
             named = list(_needed(robot, source))
             if named:
                 needed[source.absolute] = source, named
+    asked: set[tuple[str, str]] = set()
     for script, call in _calls(robot, needed):
         source, named = needed[script]
         started = posixpath.normpath(source.name)[: -len(posixpath.normpath(call))]
+        if (script, started) in asked:
+            continue
+        asked.add((script, started))
         missing = (each for each in named if not _is_there(robot, source, started, each.path))
         lost = [(each, folder) for each in missing if (folder := _home(robot, source, each)) is not None]
         if lost:
@@ -114,8 +123,16 @@ def _needed(robot: Robot, source: Source) -> Iterator[Needed]:
 
 def _is_named_once(source: Source, path: str) -> bool:
     """Whether no other line of a script has to do with the file."""
-    name = re.compile(rf"(?<![\w.-]){re.escape(posixpath.basename(path))}(?![\w-])")
-    return sum(name.search(line) is not None for line in TALK.sub("", source.uncommented).splitlines()) == 1
+    return source.once(TALK, lambda: _lines_with_names(source))[posixpath.basename(path)] == 1
+
+
+def _lines_with_names(source: Source) -> Counter[str]:
+    """How many lines of a script have each word, with and without what follows a dot in it."""
+    found: Counter[str] = Counter()
+    for line in TALK.sub("", source.uncommented).splitlines():
+        parts = [word.split(".", MOST_DOTS) for word in WORD.findall(line)]
+        found.update({".".join(each[:end]) for each in parts for end in range(1, len(each) + 1)})
+    return found
 
 
 def _calls(robot: Robot, needed: Collection[str]) -> Iterator[tuple[str, Located]]:
@@ -125,7 +142,8 @@ def _calls(robot: Robot, needed: Collection[str]) -> Iterator[tuple[str, Located
         return
     for path in robot.tree.like(CALLERS):
         text = robot.tree.head(path, MOST)
-        source = robot.tree.read(path, judged=False) if any(name in text for name in names) else None
+        is_named = not names.isdisjoint(WORD.findall(text)) if len(names) > FEW else any(map(text.__contains__, names))
+        source = robot.tree.read(path, judged=False) if is_named else None
         if source is None:
             continue
         for match in CALL.finditer(source.text):

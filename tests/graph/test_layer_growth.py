@@ -284,6 +284,7 @@ def counts(size: int) -> str:
         ("script/syntax", lambda size: "".join(f"sed s/@TOKEN{at}@/x/ a\n" for at in range(size * 10))),
         ("script/apt-asks", lambda size: "".join(f"n{at}=0\n" for at in range(size * 4)) + "apt install rover\n"),
         ("script/apt-asks", lambda size: f"{'apt install rover; ' * size * 2}\n"),
+        ("script/called-from-elsewhere", lambda size: "".join(f"cp a{at}.txt /opt\n" for at in range(size * 5))),
         (
             "script/second-run-ends",
             lambda size: "".join(f"cd /a{at}\ngit clone https://a.b/c{at}\n" for at in range(size)),

@@ -40,6 +40,7 @@ _SILENT = regex(
 def cut_answers(code: Code) -> Iterator[CutAnswer]:
     """One for each function that takes an answer apart and looks at nothing."""
     bodies = [(each, body) for each in code.written.get("function", ()) if (body := each.child_by_field_name("body"))]
+    givers: dict[str, Span] | None = None
     for function, body in bodies:
         text = blanked(code.text(body)) if TAKES_APART.search(code.text(body)) else ""
         found = _ANSWER.search(text)
@@ -47,7 +48,9 @@ def cut_answers(code: Code) -> Iterator[CutAnswer]:
         if found is None or number is None:
             continue
         place = _part(text, found["name"])
-        given = _giver(code, bodies, found["call"]) if place is not None else None
+        if place is not None and givers is None:
+            givers = _givers(code, bodies)
+        given = givers.get(found["call"]) if givers is not None else None
         if place is not None and given is not None:
             start = code.span(body).start
             span = code.source.span(start + place[0], start + place[1])
@@ -65,12 +68,13 @@ def _part(text: str, name: str) -> tuple[int, int] | None:
     return part.span() if part is not None else None
 
 
-def _giver(code: Code, bodies: list[tuple[Node, Node]], name: str) -> Span | None:
-    """Where the function of the file that gives an answer goes on without one."""
+def _givers(code: Code, bodies: list[tuple[Node, Node]]) -> dict[str, Span]:
+    """The functions of the file that give an answer, each with where it goes on without one."""
+    givers: dict[str, Span] = {}
     for function, body in bodies:
-        if (code.defined_name(function) or "").rpartition("::")[2] == name:
-            found = _SILENT.search(blanked(code.text(body)))
-            if found is not None:
-                start = code.span(body).start
-                return code.source.span(start + found.start(), start + found.end())
-    return None
+        found = _SILENT.search(blanked(code.text(body)))
+        if found is not None:
+            start = code.span(body).start
+            name = (code.defined_name(function) or "").rpartition("::")[2]
+            givers.setdefault(name, code.source.span(start + found.start(), start + found.end()))
+    return givers
