@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 import re
+from bisect import bisect_left
+from bisect import bisect_right
 from functools import cached_property
 
 from bringup_lint.endings import CPP
@@ -16,7 +18,7 @@ _METHOD = regex(
     r"(?m)^[A-Za-z_~][^\n;{}()=]{0,300}?(?<![\w:])(?:\w{1,80}::){0,8}(?P<name>\w{1,80})::~?\w{1,80}[ \t]*\("
 )
 """The head of a function that is defined outside of its class, at the start of a line."""
-_CLASS = regex(r"(?m)^(?:class|struct)[ \t]+(?:[A-Z_]{3,40}[ \t]+)?(?P<name>\w+)[^;{}()]*\{")
+_CLASS = regex(r"(?m)^(?:class|struct)[ \t]+(?:[A-Z_]{3,40}[ \t]+)?(?P<name>\w+)[^;{}()]{0,400}\{")
 _DEFINED = r"[ \t]*\(|::~?\w+[ \t]*\(|[ \t]*(?:final[ \t]*)?[:{][^:]"
 """What follows the name of a class where it is defined, and its methods are."""
 _END = regex(r"(?m)^\}")
@@ -49,6 +51,7 @@ class Unmade:
         """Whether the C++ files of a package start or register something: what is made may be looked for there."""
         return any(path.startswith(package) and _STARTS.search(text) for path, text in self._texts.items())
 
+    @memo
     def _package(self, path: str) -> str:
         """The folder of the package that a file is of; that of the file where it is of none."""
         around = [each for each in self._packages if path.startswith(each)]
@@ -88,12 +91,21 @@ class Unmade:
 
 def _around(place: Span) -> str | None:
     """The class that a place is in, where its definition begins at the start of a line."""
-    text = place.source.text[: place.start]
-    heads = (each for pattern in (_METHOD, _CLASS) for each in pattern.finditer(text))
-    head = max(heads, key=lambda each: each.start(), default=None)
-    if head is None or _END.search(text, head.end()):
+    heads, ends = place.source.once(_around, lambda: _heads(place.source.text))
+    at = bisect_right(heads, (place.start, place.start))
+    while at and heads[at - 1][1] > place.start:
+        at -= 1
+    if not at:
         return None
-    return head["name"]
+    _, after, name = heads[at - 1]
+    end = bisect_left(ends, after)
+    return name if end == len(ends) or ends[end] >= place.start else None
+
+
+def _heads(text: str) -> tuple[list[tuple[int, int, str]], list[int]]:
+    """Where definitions of classes and their functions begin, up to where, and of which class; and where they end."""
+    found = (each for pattern in (_METHOD, _CLASS) for each in pattern.finditer(text))
+    return sorted((*each.span(), each["name"]) for each in found), [each.start() for each in _END.finditer(text)]
 
 
 def _stem(path: str) -> str:

@@ -141,9 +141,14 @@ def _defaults(after: tuple[Block, ...], name: str) -> Iterator[Located]:
 
 def _is_turned_off(robot: Robot, source: Source) -> bool:
     """Whether a script that this one reads has ``set +e``, maybe in a function."""
+    read = source.once(OFF, lambda: _read(source))
+    return bool(read) and any(each.basename in read and OFF.search(each.text) for each in robot.of_kind("shell-script"))
+
+
+def _read(source: Source) -> frozenset[str]:
+    """The names of the scripts that a script reads."""
     reads = (each for each in shell_commands(source) if each.name in (".", "source") and each.words[1:])
-    read = {each.words[1].rpartition("/")[2] for each in reads}
-    return any(each.basename in read and OFF.search(each.text) for each in robot.of_kind("shell-script"))
+    return frozenset(each.words[1].rpartition("/")[2] for each in reads)
 
 
 def _dead(robot: Robot, source: Source, statement: Statement, pipefail: bool) -> Iterator[Finding]:

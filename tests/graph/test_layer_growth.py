@@ -199,6 +199,16 @@ def early_members(size: int) -> str:
     return BOAT.format(f'Boat() : Node("boat"), listener_({used}) {{}}\nListener listener_;\nBuffer buffer_;\n')
 
 
+def branches(size: int) -> str:
+    chain = "".join(f" else if (wind == {at}) {{ reef(); }}" for at in range(size * 4))
+    return BOAT.format("") + f"void turn(int wind) {{ if (wind == 0) {{ reef(); }}{chain} }}\n"
+
+
+def unmade(size: int) -> str:
+    turns = "".join(f"void Sail{at}::turn() {{ if (a) {{}} else if (a) {{}} }}\n" for at in range(size))
+    return BOAT.format("") + "class Sail\n" * size * 4 + f";\n{turns}"
+
+
 def spun(size: int) -> str:
     spins, returns = "rclcpp::spin(boat);\n" * size, "if (dry) return 0;\n" * size
     return BOAT.format("") + f"int main() {{ try {{ {spins} }} catch (const std::exception & e) {{}}\n{returns} }}\n"
@@ -218,6 +228,8 @@ def spun(size: int) -> str:
         ("node/service-answer-unread", answered),
         ("node/member-early", early_members),
         ("node/failure-exits-zero", spun),
+        ("node/branch-repeated", branches),
+        ("node/branch-repeated", unmade),
     ],
 )
 def test_time_grows_as_what_a_cpp_file_repeats(rule: str, made: Callable[[int], str], tmp_path: Path) -> None:
@@ -284,7 +296,7 @@ def counts(size: int) -> str:
         ("script/syntax", lambda size: "".join(f"sed s/@TOKEN{at}@/x/ a\n" for at in range(size * 10))),
         ("script/apt-asks", lambda size: "".join(f"n{at}=0\n" for at in range(size * 4)) + "apt install rover\n"),
         ("script/apt-asks", lambda size: f"{'apt install rover; ' * size * 2}\n"),
-        ("script/called-from-elsewhere", lambda size: "".join(f"cp a{at}.txt /opt\n" for at in range(size * 5))),
+        ("script/status-never-seen", lambda size: "".join(f"x=$(grep a b)\nx=${{x:-{at}}}\n" for at in range(size))),
         (
             "script/second-run-ends",
             lambda size: "".join(f"cd /a{at}\ngit clone https://a.b/c{at}\n" for at in range(size)),
@@ -307,6 +319,21 @@ def copies(size: int) -> str:
     builds = "RUN colcon build --symlink-install\n" * size
     brought = "".join(f"COPY --from=0 /w{at}/install /w{at}/install\n" for at in range(size))
     return f"FROM ros:jazzy\n{builds}FROM ros:jazzy\n{brought}"
+
+
+@pytest.mark.slow
+def test_time_grows_as_what_a_called_script_needs(tmp_path: Path) -> None:
+    (tmp_path / "tools").mkdir()
+    (tmp_path / "README.md").write_text("    bash tools/start.sh\n")
+
+    def check(size: int) -> None:
+        for at in range(size):
+            (tmp_path / f"tools/a{at}.txt").touch()
+        lines = "".join(f"cp a{at}.txt /opt\n" for at in range(size))
+        (tmp_path / "tools/start.sh").write_text(f"#!/bin/bash\nset -e\n{lines}")
+        lint("--no-cache", "--quiet", "--select", "script/called-from-elsewhere", ".", cwd=tmp_path)
+
+    assert is_linear(check, 100)
 
 
 def stages(size: int) -> str:

@@ -64,9 +64,10 @@ def left_beside(tree: Tree, package: Package) -> Iterator[LeftBeside]:
             for module in imported(source) if source is not None and "sys.path" not in source.text else ():
                 name = module.partition(".")[0]
                 beside = os.path.join(os.path.dirname(path), f"{name}.py")
-                is_there = any(package.origins(f"lib/{package.name}/{name}.py"))
-                if name not in found and tree.is_file(beside) and not is_there and name not in sys.stdlib_module_names:
-                    found.add(name)
+                if name in found or name in sys.stdlib_module_names or not tree.is_file(beside):
+                    continue
+                found.add(name)
+                if not any(package.origins(f"lib/{package.name}/{name}.py")):
                     yield LeftBeside(module, os.path.relpath(beside, package.folder), install)
 
 

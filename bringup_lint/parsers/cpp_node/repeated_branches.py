@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import islice
 from typing import TYPE_CHECKING
 
 from bringup_lint.model.cpp_source import RepeatedBranch
@@ -20,26 +19,28 @@ _CHANGES = regex(r"\+\+|--|(?<![=!<>])=(?!=)|[\w>\])]\s{0,4}\(|//|/\*")
 
 
 def repeated_branches(code: Code) -> Iterator[RepeatedBranch]:
+    chains: dict[int, list[tuple[Node, str | None]]] = {}
     for clause in code.written.get("else", ()):
         later = next((each for each in clause.named_children if each.type == "if_statement"), None)
-        condition = _condition(code, later)
-        if later is None or condition is None or _CHANGES.search(condition):
+        if later is None:
             continue
-        for earlier in islice(_before(clause), CHAIN):
-            if _condition(code, earlier) == condition:
-                places = [each.child_by_field_name("condition") for each in (later, earlier)]
-                first, second = (code.span(each) for each in places if each is not None)
-                yield RepeatedBranch(first, second)
-                break
+        before = chains.pop(clause.id, None) or [(each, _condition(code, each)) for each in _first(clause)]
+        condition = _condition(code, later)
+        following = later.child_by_field_name("alternative")
+        if following is not None:
+            chains[following.id] = [(later, condition), *before[: CHAIN - 1]]
+        if condition is None or _CHANGES.search(condition):
+            continue
+        earlier = next((each for each, asked in before if asked == condition), None)
+        if earlier is not None:
+            places = [each.child_by_field_name("condition") for each in (later, earlier)]
+            first, second = (code.span(each) for each in places if each is not None)
+            yield RepeatedBranch(first, second)
 
 
-def _before(clause: Node) -> Iterator[Node]:
-    """The statements of a chain before its ``else``, the last one first."""
-    outer = clause.parent
-    while outer is not None and outer.type == "if_statement":
-        yield outer
-        inner = outer.parent
-        outer = inner.parent if inner is not None and inner.type == "else_clause" else None
+def _first(clause: Node) -> list[Node]:
+    """The statement that begins a chain, of the first ``else`` in it."""
+    return [clause.parent] if clause.parent is not None and clause.parent.type == "if_statement" else []
 
 
 def _condition(code: Code, statement: Node | None) -> str | None:
