@@ -201,8 +201,13 @@ class Devices:
         kind = use.path.span.source.kind
         if kind in _OF_THE_ROBOT and not (kind in _OF_DRIVERS and use.path == f"{_CAMERA}0"):
             return False
-        cameras = {str(other.path) for other in self.uses if _BY_DISCOVERY.fullmatch(other.path)}
-        return len([path for path in cameras if path.startswith(_CAMERA)]) == 1
+        return self._numbered_cameras == 1
+
+    @cached_property
+    def _numbered_cameras(self) -> int:
+        """How many cameras the tree names by their numbers."""
+        paths = {str(use.path) for use in self.uses if _BY_DISCOVERY.fullmatch(use.path)}
+        return sum(path.startswith(_CAMERA) for path in paths)
 
     @property
     def undefined(self) -> Iterator[tuple[DeviceUse, Link | None]]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterator
+from functools import partial
 from itertools import islice
 from typing import TYPE_CHECKING
 
@@ -233,8 +234,13 @@ def _is_idle(driver: Driver, place: Span, files: Files) -> bool:
     used = re.compile(rf"(?<!bool )\b{re.escape(kept[1])}\b(?!\s{{0,9}}=[^=])")
     paths = (path for path in files.tree.paths if path.endswith(CPP))
     sources = (files.tree.read(path, judged=False) for path in paths)
-    texts = (source.text for source in sources if source is not None and kept[1] in source.text)
-    return not any(used.search(_TEXT.sub("", blanked(text))) for text in texts)
+    named = (source for source in sources if source is not None and kept[1] in source.text)
+    return not any(used.search(each.once(_TEXT, partial(_code, each))) for each in named)
+
+
+def _code(source: Source) -> str:
+    """A C++ source without its comments and texts."""
+    return _TEXT.sub("", blanked(source.text))
 
 
 def _written_true(parameter: Element, values: XacroValues, files: Files) -> Span | None:

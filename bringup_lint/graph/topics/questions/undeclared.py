@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from bringup_lint.facts.ros.parameters import is_of_library
 from bringup_lint.graph.launch.resolve import text_of
 from bringup_lint.graph.launch.started import literal_text
+from bringup_lint.graph.memo import memo
 from bringup_lint.graph.params.loads import path_of
 from bringup_lint.graph.topics.resolved.velocity_types import NEEDED
 from bringup_lint.graph.topics.resolved.velocity_types import switch
@@ -92,18 +93,26 @@ def undeclared(topics: Topics) -> Iterator[Undeclared]:
 def _are_unneeded(topics: Topics, node: LaunchedNode, names: set[str]) -> bool:
     """Whether comments beside all the names, in the launch file or in the sources of the package, say that nodes do
     without them."""
+    own = (*_remarks_of(topics, literal_text(node.started.package) or ""), *_remarks(node.started.file.source))
+    return all(any(name in line and _UNNEEDED.search(line.partition(name)[2]) for line in own) for name in names)
+
+
+@memo
+def _remarks_of(topics: Topics, package: str) -> list[str]:
+    """What comments in the nodes of a package call unneeded; of none, in the nodes that are of no package."""
     workspace = topics.launch.workspace
-    package = workspace.packages.get(literal_text(node.started.package) or "")
-    sources = (each for each in topics.files.of_kind("python-node", "cpp-node") if workspace.owner(each) is package)
-    own = [*sources, node.started.file.source]
-    return all(any(_is_called_unneeded(name, each.text) for each in own) for name in names)
+    owner = workspace.packages.get(package)
+    sources = (each for each in topics.files.of_kind("python-node", "cpp-node") if workspace.owner(each) is owner)
+    return [line for each in sources for line in _remarks(each)]
 
 
-def _is_called_unneeded(name: str, text: str) -> bool:
-    if name not in text:
-        return False
-    lines = (line.partition(name) for line in text.splitlines() if name in line)
-    return any(_REMARK.search("".join(parts)) and _UNNEEDED.search(parts[2]) for parts in lines)
+def _remarks(source: Source) -> list[str]:
+    """The lines of a file with a comment that calls something unneeded."""
+    return source.once(_UNNEEDED, lambda: [*filter(_is_remark, source.text.splitlines())])
+
+
+def _is_remark(line: str) -> bool:
+    return _UNNEEDED.search(line) is not None and _REMARK.search(line) is not None
 
 
 def _is_read_by_launch(node: LaunchedNode, given: GivenName) -> bool:
