@@ -106,7 +106,12 @@ def _searches(source: Source, pipefail: bool) -> frozenset[str]:
 
 def _is_search_pipe(blocks: tuple[Block, ...], pipefail: bool) -> bool:
     piped = [block.command for block in blocks if block.command is not None]
-    if len(piped) != len(blocks) or any(each.ends != "|" for each in piped[:-1]) or piped[-1].ends not in ENDS:
+    if (
+        not piped
+        or len(piped) != len(blocks)
+        or any(each.ends != "|" for each in piped[:-1])
+        or piped[-1].ends not in ENDS
+    ):
         return False
     return any(_is_search(each) for each in (piped if pipefail else piped[-1:]))
 

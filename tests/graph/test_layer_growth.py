@@ -470,6 +470,13 @@ def test_a_stage_may_have_any_number(tmp_path: Path) -> None:
     assert "internal-error" not in found.stdout + found.stderr
 
 
+@pytest.mark.parametrize("function", ["{\n}", "{", "(\n)", ""])
+def test_a_function_of_a_script_may_have_nothing_in_it(function: str, tmp_path: Path) -> None:
+    (tmp_path / "start.sh").write_text(f"#!/bin/bash\nset -e\nrow_a() {function}\nx=$(grep a b)\nx=${{x:-1}}\nrow_b\n")
+    found = lint("--no-cache", "--quiet", "--select", "script", ".", cwd=tmp_path)
+    assert "internal-error" not in found.stdout + found.stderr
+
+
 @pytest.mark.parametrize("count", ["\u00b2", "9" * 5_000])
 def test_a_count_may_be_any_number_or_none(count: str, tmp_path: Path) -> None:
     service = f"    image: rover:1\n    container_name: rover\n    scale: {count}\n    group_add: ['{count}']\n"
