@@ -57,8 +57,10 @@ PATHS: tuple[tuple[Purpose, re.Pattern[str]], ...] = (
     (Purpose.CI, _folder(r"(?:self[_-]?hosted|actions|github|gitlab|ci)[_-]runners?", "runner")),
     (
         Purpose.ARCHIVE,
-        _folder(
-            r"(?:[^/]+[_-])?(?:old|archived?|deprecated|obsolete|unused|attic|backups?)|legacy|unported(?:[_-][^/]*)?",
+        regex(
+            r"(?<!roles)(?:^|/)(?:(?:[^/]+[_-])?(?:old|archived?|deprecated|obsolete|unused|attic|backups?)|legacy"
+            r"|unported(?:[_-][^/]*)?)/",
+            re.I,
             "old archive deprecated obsolete unused attic backup legacy unported",
         ),
     ),

@@ -19,6 +19,7 @@ from bringup_lint.graph.containers.compose import Compose
 from bringup_lint.graph.files import Files
 from bringup_lint.graph.memo import memo
 from bringup_lint.graph.purpose import Purpose
+from bringup_lint.graph.purpose import by_path
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
@@ -33,8 +34,11 @@ _USERS = regex(
     r"|adoc|html|ipynb|service|target|timer)|/[\w-]+)$"
 )
 """Files that may use others, or say to people how to."""
-_REMARK = regex(r"(?m)^[ \t]*(?:#(?!!)|//|\*|<!--)[^\n]*|^[^\n\w]{0,40}[├└│][^\n]*")
-"""Comments, and drawings of folders."""
+_REMARK = regex(r"(?m)^[ \t]*(?:#(?!!)|//|\*(?=[ \t/*])|<!--)[^\n]*")
+_DRAWING = regex(r"(?m)^[^\n\w]{0,40}[├└│][^\n]*")
+"""Of folders."""
+_PAGE = regex(r"(?i)\.(?:md|rst|txt|adoc)$")
+"""Texts for people, in which a heading and an item of a list are no comments."""
 _SIZE = 200_000
 """How much is read of a file."""
 _MOST = 20_000
@@ -45,6 +49,11 @@ _BRINGS = (
 )
 _WHOLE = r"\b(?:cp|ln|mv|install|rsync|scp|copy|COPY|ADD|src|DIRECTORY|glob|iglob|listdir|iterdir|for|find|tar)\b"
 _EVERY_UNIT = regex(r"\*\.(?:service|timer|socket|path|target|\{|\$)")
+_STARTS = regex(r"\bsystemctl\b|\bdh_installsystemd\b[^\n]*--name\b", hints="systemctl dh_installsystemd")
+_MATCHED = regex(r"(?<![\w-])([\w-]{1,80})@?\.[*{]")
+"""The stem of a name whose ending is a pattern."""
+_STARTS_ANY = regex(r"\bsystemctl\b[^\n]*\$")
+"""Starts a unit whose name a variable has."""
 _SUFFIX = regex(r"[\]}\"'%)*s]\.(?:service|timer|socket|path|target)\b")
 """Of a name that is put together from its stem."""
 _WORD = regex(r"[\w@](?:[\w.@-]*[\w@-])?")
@@ -55,6 +64,11 @@ _ALIKE = 50
 """Files of one name with which a page is compared."""
 _FEWEST = 2
 """Files beside one that are used, at least: of two, each may be for another machine."""
+_IMAGES = ("Dockerfile", "Containerfile")
+_PUT_TOGETHER = regex(
+    r"(?:Docker|Container)file[._-](?:[\"']?[ \t]*[$*{%+])|[$*}%][\w}]{0,40}[\"']?[._-](?:Docker|Container)file\b"
+)
+"""The name of a Dockerfile of which a variable or a pattern has a part."""
 _INSTALLS = regex(r"(?:install|setup|build)[-_]")
 _IN_IMAGE = regex(r"^[ \t]*(?:COPY|ADD|RUN)\b(?:[^\n]*\\\n)*[^\n]*", re.M)
 
@@ -74,14 +88,23 @@ class SetAside:
     def has(self, source: Source) -> bool:
         if self._files.tree.root is not None or source.origin is not None or self._files.is_configured(source):
             return False
-        if self._files.purpose(source) is Purpose.ARCHIVE:
-            return True
         if len(self._files.tree.paths) > _MOST:
-            return False
+            return self._files.purpose(source) is Purpose.ARCHIVE
+        if self._files.purpose(source) is Purpose.ARCHIVE:
+            return not self._is_taken_from_archive(source)
         role = _ROLE.match(self._path(source.absolute))
         if role is not None and self._is_idle_role((role["roles"], role["name"])):
             return True
         return self._is_copied_page(source) or self._is_idle(source)
+
+    @memo
+    def _is_taken_from_archive(self, source: Source) -> bool:
+        """Whether something that is no page, and outside of the folder, has a file by its path."""
+        place = "/".join(self._path(source.absolute).split("/")[-2:])
+        return any(
+            place in each.text and not _PAGE.search(each.path) and by_path(each.path) is not Purpose.ARCHIVE
+            for each in self._saying(source.basename, source)
+        )
 
     def _is_idle(self, source: Source) -> bool:
         if source.kind == "dockerfile":
@@ -115,10 +138,26 @@ class SetAside:
         """Whether nothing builds a Dockerfile, and another one is built in its place. That of the top, people build."""
         from bringup_lint.graph.containers.questions.image_use import is_left_over
 
-        if self._path(source.absolute) == "Dockerfile":
+        path = self._path(source.absolute)
+        if path == "Dockerfile" or self._is_built(source, path):
             return False
         compose = self._compose()
         return any(is_left_over(compose, file) for file in compose.images.dockerfiles if file.source is source)
+
+    def _is_built(self, source: Source, path: str) -> bool:
+        """Whether a page, a script or a setting names a Dockerfile, or puts its name together."""
+        folder, name = os.path.basename(os.path.dirname(path)), source.basename
+        if name not in _IMAGES:
+            return self._names_are_put_together or next(self._saying(name, source), None) is not None
+        built = re.compile(
+            rf"\b(?:docker|podman)\b[^\n]*\bbuild\b[^\n]*[\s/\"']{re.escape(folder)}(?:[/\s\"',]|$)|[$}}*]/{name}\b",
+            re.M,
+        )
+        return any(built.search(each.text) for each in self._saying(folder, source))
+
+    @cached_property
+    def _names_are_put_together(self) -> bool:
+        return any(_PUT_TOGETHER.search(each.text) for each in self._texts)
 
     @memo
     def _is_idle_role(self, role: tuple[str, str]) -> bool:
@@ -128,7 +167,8 @@ class SetAside:
         if name in taken or len(self._roles[folder] & taken) < _FEWEST or any("{{" in each for each in taken):
             return False
         others = (each.text for each in self._by_word.get(name, ()) if not each.path.startswith(f"{folder}/{name}/"))
-        return not any(f"roles/{name}" in text for text in others)
+        used = re.compile(rf"roles/{re.escape(name)}(?![\w-])|_role\b[^\n]*\bname={re.escape(name)}(?![\w-])")
+        return not any(used.search(text) for text in others)
 
     @cached_property
     def _roles(self) -> defaultdict[str, set[str]]:
@@ -146,7 +186,8 @@ class SetAside:
 
         sources = self._files.of_kind("ansible")
         named = {str(name).rpartition("/")[2] for source in sources for name in named_roles(source)}
-        return frozenset(named | set(Roles(self._files).needed))
+        of_collections = {name.rpartition(".")[2] for name in named if name.count(".") > 1}
+        return frozenset(named | of_collections | set(Roles(self._files).needed))
 
     @memo
     def _is_idle_unit(self, source: Source) -> bool:
@@ -185,8 +226,8 @@ class SetAside:
 
     @cached_property
     def _asking(self) -> dict[str, set[str]]:
-        """The words of lines that call systemctl, each with the files that have them."""
-        return self._behind(regex(r"\bsystemctl\b", hints="systemctl"), regex(""))
+        """The words of lines that start units, each with the files that have them."""
+        return self._behind(_STARTS, regex(""))
 
     def _behind(self, pattern: re.Pattern[str], lines: re.Pattern[str]) -> dict[str, set[str]]:
         """The words that follow a pattern in lines, with and without the ending, each with the files that have them."""
@@ -204,16 +245,29 @@ class SetAside:
         """Whether anything of the tree may install or start a unit, or pull it in."""
         name, own = final_name(unit.basename), self._path(unit.absolute)
         stem = name.rpartition(".")[0].rstrip("@")
-        if next(self._saying(name, unit), None) is not None:
+        if next(self._saying(name, unit), None) is not None or stem in self._matched:
             return True
-        if any(path != own for path in self._asking.get(stem, ())):
+        if any(path != own for path in self._asking.get(stem, ())) or ("@" in name and stem in self._instances):
             return True
         return any(each.path in self._putting_together for each in self._saying(stem, unit))
 
     @cached_property
     def _putting_together(self) -> frozenset[str]:
         """The files that put the name of a unit together from its stem."""
-        return frozenset(each.path for each in self._texts if _SUFFIX.search(each.text))
+        return frozenset(
+            each.path for each in self._texts if _SUFFIX.search(each.text) or _STARTS_ANY.search(each.text)
+        )
+
+    @cached_property
+    def _matched(self) -> frozenset[str]:
+        """The stems of names of which a pattern has the ending."""
+        return frozenset(stem for each in self._texts for stem in _MATCHED.findall(each.text))
+
+    @cached_property
+    def _instances(self) -> frozenset[str]:
+        """The stems of templates of which an instance is named."""
+        parts = (word.partition("@") for word in self._by_word)
+        return frozenset(stem for stem, _, name in parts if name and not name.startswith("."))
 
     @memo
     def _taking(self, here: str) -> list[str]:
@@ -227,7 +281,9 @@ class SetAside:
         found = [each.path for each in self._by_folder.get(here, ()) if _EVERY_UNIT.search(each.text)]
         for each in self._by_word.get(folder, ()):
             lines = (line for line in each.text.splitlines() if folder in line and place.search(line))
-            if any(whole.search(line) and names.isdisjoint(map(final_name, _WORD.findall(line))) for line in lines):
+            if _EVERY_UNIT.search(each.text) or any(
+                whole.search(line) and names.isdisjoint(map(final_name, _WORD.findall(line))) for line in lines
+            ):
                 found.append(each.path)
         return found
 
@@ -288,7 +344,13 @@ class SetAside:
         known = {source.absolute: source for source in self._files.sources if source.origin is None}
         texts = {path: source.text for path, source in known.items()}
         texts.update({path: tree.head(path, _SIZE) for path in tree.like(_USERS) if path not in known})
-        return [_Text(self._path(path), _REMARK.sub("", text)) for path, text in texts.items()]
+        return [_Text(self._path(path), _said(path, text)) for path, text in texts.items()]
+
+
+def _said(path: str, text: str) -> str:
+    """A text without comments and drawings of folders."""
+    text = _DRAWING.sub("", text)
+    return text if _PAGE.search(path) else _REMARK.sub("", text)
 
 
 def _is_copy(text: str, other: str) -> bool:

@@ -21,6 +21,8 @@ _METHOD = regex(
 _CLASS = regex(r"(?m)^(?:class|struct)[ \t]+(?:[A-Z_]{3,40}[ \t]+)?(?P<name>\w+)[^;{}()]{0,400}\{")
 _DEFINED = r"[ \t]*\(|::~?\w+[ \t]*\(|[ \t]*(?:final[ \t]*)?[:{][^:]"
 """What follows the name of a class where it is defined, and its methods are."""
+_MADE = r"(?:\b(?:new|return|throw)[ \t(]|[=(?][ \t]*|<<[ \t]*)(?:\w+::){0,8}"
+"""What is before the name of a class where an object is made without a name."""
 _END = regex(r"(?m)^\}")
 _REMARK = regex(r"//[^\n]*|/\*[\s\S]*?(?:\*/|\Z)|^[ \t]*#[ \t]*(?:include|ifndef|define|endif)[^\n]*", re.M)
 _STARTS = regex(r"\bmain\s{0,4}\(|\b(?:RCLCPP_COMPONENTS_REGISTER_NODE|PLUGINLIB_EXPORT_CLASS)\b")
@@ -69,7 +71,9 @@ class Unmade:
             return True
         written = re.escape(name)
         word = re.compile(rf"(?<!\w){written}(?!\w)(?![ \t]*;)")
-        own = re.compile(rf"(?<![\w~])(?<!class )(?<!struct )(?<!explicit ){written}(?!\w)(?!{_DEFINED})")
+        own = re.compile(
+            rf"(?<![\w~])(?<!class )(?<!struct )(?<!explicit ){written}(?!\w)(?!{_DEFINED})|{_MADE}{written}[ \t]*[({{]"
+        )
         return any(
             (own if _stem(path) == stem else word).search(text) for path, text in self._texts.items() if name in text
         ) or any(name in text for text in self._naming)

@@ -6,7 +6,8 @@ with that middleware which sets neither `CYCLONEDDS_URI` nor `FASTRTPS_DEFAULT_P
 - where another service of the tree mounts the file at the same path and does set the variable;
 - where the image is built by the tree, and neither its Dockerfile nor any script speaks of the variable.
 
-Silent where the command speaks of the variable or the file, and where an `env_file:` is not in the tree.
+Silent where the command speaks of the variable or the file, where a launch file or a script that may be of the
+container sets it, and where an `env_file:` is not in the tree.
 
 ## Why it matters on a robot
 Only the variable makes the library read a file. The nodes of this service keep all interfaces, multicast and the small
@@ -44,6 +45,7 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import NamedTuple
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
@@ -81,12 +83,14 @@ class Mount(NamedTuple):
 def dds_file_unused(robot: Robot) -> Iterator[Finding]:
     mounts = [mount for service in robot.compose.whole_services for mount in _mounts(service)]
     named = {str(mount.target): value for mount in mounts if (value := _names(robot, mount)) is not None}
-    speaking = _speaking(robot) if mounts else set()
+    speaking = _speaking(robot, mounts[0].service.source) if mounts else set()
+    exported = _exported(robot) if mounts else set()
     for mount in mounts:
         if _may_be_set(robot, mount):
             continue
         other = named.get(str(mount.target))
-        if other is not None or _is_unset_in_image(robot, mount, speaking):
+        is_exported = not exported.isdisjoint(mount.middleware.variables)
+        if (other is not None and not is_exported) or _is_unset_in_image(robot, mount, speaking):
             variable = mount.middleware.variables[0]
             yield finding(
                 mount.where,
@@ -133,10 +137,20 @@ def _may_be_set(robot: Robot, mount: Mount) -> bool:
     )
 
 
-def _speaking(robot: Robot) -> set[tuple[str, str]]:
+def _exported(robot: Robot) -> set[str]:
+    """The variables of which scripts and launch files speak that a container may start."""
+    of_services = {each.absolute for one in robot.compose.services for each in robot.compose.env_files(one)}
+    launched = (each.text for each in robot.sources if each.kind.startswith("launch-"))
+    paths = (each for each in robot.tree.like(SHELLS) if each not in of_services and not each.endswith("/.env"))
+    texts = (*launched, *(robot.tree.head(each, READ) for each in paths))
+    return {name for text in texts for name in VARIABLES if name in text}
+
+
+def _speaking(robot: Robot, compose: Source) -> set[tuple[str, str]]:
     """The folders of files that may get into an image and speak of a variable, with that."""
+    top = compose.absolute[: -len(compose.name)]
     texts = ((each.name, each.text) for each in robot.sources if each.kind != "compose")
-    told = ((path, robot.tree.head(path, READ)) for path in robot.tree.like(SHELLS))
+    told = ((path.removeprefix(top), robot.tree.head(path, READ)) for path in robot.tree.like(SHELLS))
     both = (each for all_of in (texts, told) for each in all_of)
     return {(posixpath.dirname(path), name) for path, text in both for name in VARIABLES if name in text}
 

@@ -6,8 +6,9 @@ In a service that runs as another user than root:
   `recordings`, `data`, `output`, `build` and the like);
 - a named volume at a path that no step of its Dockerfile makes, on an official image.
 
-Silent where a script, a recipe or a text for people makes the folder, where a script or the command calls `chown`,
-where the folder is mounted read-only, below `/tmp`, and for a volume with options or one that several images mount.
+Silent where a script, a recipe or a text for people makes the folder or names a file in it, where a script or a command
+calls `chown`, where the folder is mounted read-only, below `/tmp`, and for a volume with options or one that several
+images mount.
 
 ## Why it matters on a robot
 When the folder of a bind mount is missing, the docker daemon makes it, as root with mode 755. So it does with the
@@ -63,7 +64,7 @@ WRITTEN = regex(
 )
 USER = regex(r"(?:\$\{\w+:?-)?(?P<name>[\w-]+)\}?(?::.*)?$")
 CHOWN = regex(r"^[^#\n]*\b(?:chown|setfacl|fixuid|chmod\b(?:(?!\bchmod\b)[^\n])*\b0?777)\b[^\n]*", re.M)
-TEXTS = regex(r"\.(?:md|rst|txt|sh|bash|ya?ml|mk)$|(?:^|/)(?:(?:GNU)?[Mm]akefile|[Jj]ustfile)$")
+TEXTS = regex(r"\.(?:md|rst|txt|sh|bash|ya?ml|mk|py|service|conf)$|(?:^|/)(?:(?:GNU)?[Mm]akefile|[Jj]ustfile)$")
 READ = 200_000
 SCRIPTS = ("shell-script", "devcontainer")
 PLACING = ("COPY", "ADD", "WORKDIR", "VOLUME")
@@ -74,7 +75,15 @@ MAKES = regex(
     r"\b(?:mkdir|install|chown|clone|cp|mv|tar|unzip|rsync|ln|touch|useradd|adduser|colcon|npm|yarn|pnpm|pip3?|uv|poetry)\b"
 )
 OF_COLCON = ("build", "install", "log")
-MAKING = regex(r"^[^\n]*(?:\bmkdir\b|\bmakedirs\b|\b(?:path|dest):)[^\n]*", re.M, "mkdir makedirs path: dest:")
+MAKING = regex(
+    r"^[^\n]*(?:\bmkdir\b|\bmakedirs\b|\binstall[ \t]+-d\b|\b(?:path|dest):)[^\n]*"
+    r"|^[ \t]*for[ \t]+\w+[ \t]+in[ \t][^\n]*"
+    r"|^[dDvqQ]\+?[ \t]+/[^\n]*",
+    re.M,
+)
+"""Lines that make folders, a loop over names of some among them."""
+FILLED = regex(r"(?<![\w/.-])(?:\./)?(?P<folder>[\w-]+)/[\w-]+\.\w")
+"""A file that somebody puts into a folder."""
 WORD = regex(r"[\w.-]+")
 OPTIONS = regex(
     r"^[ \t]+(?P<name>[\w.-]+):[ \t]*$(?=\n(?:[ \t]+\S[^\n]*\n){0,3}?[ \t]+(?:driver_opts|external):)",
@@ -107,8 +116,9 @@ class Known:
     @cached_property
     def made(self) -> frozenset[str]:
         """The words of the lines of scripts, recipes and texts that make folders."""
-        texts = (self._robot.tree.head(path, READ) for path in self._robot.tree.like(TEXTS))
-        return frozenset(word for text in texts for line in MAKING.findall(text) for word in WORD.findall(line))
+        texts = [self._robot.tree.head(path, READ) for path in self._robot.tree.like(TEXTS)]
+        words = {word for text in texts for line in MAKING.findall(text) for word in WORD.findall(line)}
+        return frozenset(words.union(*(FILLED.findall(text) for text in texts)))
 
     @cached_property
     def mounting(self) -> dict[tuple[Source, str], list[Service]]:
@@ -164,6 +174,8 @@ def _is_given(known: Known, service: Service, volume: Volume) -> bool:
     below = posixpath.dirname(service.source.name)
     paths = [str(each) for each in (volume.source, volume.target) if each]
     if any(posixpath.basename(posixpath.normpath(path)) in known.given for path in paths):
+        return True
+    if any(CHOWN.search(text) for each in known.mounting[service.source, str(volume.source)] for text in each.scripts):
         return True
     return any(not below or name.startswith(f"{below}/") for name in known.openers)
 

@@ -30,6 +30,7 @@ When the first entry is kept for a change that somebody makes by hand.
 - https://docs.docker.com/reference/compose-file/services/#volumes
 """
 
+import posixpath
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -46,10 +47,12 @@ def target_twice(robot: Robot) -> Iterator[Finding]:
         last: dict[str, Volume] = {}
         for volume in reversed(service.volumes):
             path = str(volume.target).rstrip("/")
-            if volume.where.span.start < service.body.span.start or "$" in path:
+            if not service.body.span.start <= volume.where.span.start < service.body.span.end or "$" in path:
                 continue
             kept = last.setdefault(path, volume)
-            if kept.source != volume.source and volume.source is not None and kept.source is not None:
+            if volume.source is None or kept.source is None:
+                continue
+            if posixpath.normpath(kept.source) != posixpath.normpath(volume.source):
                 yield finding(
                     volume.where,
                     f"docker compose keeps only the last mount at {path}: {volume.source} does not get into "

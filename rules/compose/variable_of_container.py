@@ -64,9 +64,16 @@ SETS = (
 """How a shell sets a variable."""
 LIST = regex(r"\b(?P<name>\w*PATH)=[\"']?(?P<adds>[^\s;&|\"'$]{1,400}:)?$", hints="PATH=")
 """The assignment of a list of folders, up to what it takes over."""
-GIVEN = regex(r"(?<![\w$-])([A-Za-z_]\w*)[ \t]*[:?]?=", hints="=")
-"""How an environment file, a script, a recipe of make or a text for people sets a variable."""
-TEXTS = regex(r"\.(?:md|rst|txt)$|(?:^|/)(?:(?:GNU)?[Mm]akefile|[Jj]ustfile|Taskfile\.ya?ml|\.env[^/]*)$|\.env$")
+GIVEN = regex(
+    r"(?<![\w$-])(?P<set>[A-Za-z_]\w*)[ \t]*[:?]?=|\benviron\b[^\n]{0,40}?[\"'](?P<python>[A-Za-z_]\w*)[\"']"
+    r"|\b(?:export|read)[ \t]+(?:-\w+[ \t]+(?:\"[^\"\n]*\"[ \t]+)?)*(?P<shell>[A-Za-z_]\w*)"
+    r"|^[ \t-]*[\"']?(?P<yaml>[A-Z_][A-Z0-9_]*)[\"']?:[ \t]",
+    re.M,
+)
+"""How an environment file, a script, a recipe of make, a play, a workflow or a text for people sets a variable."""
+TEXTS = regex(r"\.(?:md|rst|txt|env|conf|cfg|ini|py|ya?ml)$|(?:^|/)(?:(?:GNU)?[Mm]akefile|[Jj]ustfile|\.env[^/]*)$")
+HANDED = regex(r"--env-file[ =][^\n]*?(?P<name>[\w.-]+)(?=[\"'\s]|$)", re.M, hints="--env-file")
+"""An environment file that docker compose itself gets."""
 SAME = r"\$(?:{0}\b|\{{{0}(?:\}}|:?\?))"
 """The value of a variable that the container gets as docker compose knows it."""
 READ = 200_000
@@ -161,17 +168,22 @@ def _set_by_image(robot: Robot, use: Use) -> Located | None:
 
 
 def _given(robot: Robot) -> dict[str, set[str]]:
-    """The names that files of the tree set in a shell or for docker compose, each with the files that do."""
+    """The names that files of the tree set in a shell or for docker compose, each with the files that do; without a
+    name, those of the environment files that docker compose gets."""
     sources = ((each.absolute, each.text) for each in robot.sources if each.kind not in OF_THE_IMAGE)
-    told = ((posixpath.abspath(path), robot.tree.head(path, READ)) for path in robot.tree.like(TEXTS))
+    of_images = {each.absolute for each in robot.of_kind(*OF_THE_IMAGE)}
+    paths = (each for each in robot.tree.like(TEXTS) if posixpath.abspath(each) not in of_images)
+    told = ((posixpath.abspath(path), robot.tree.head(path, READ)) for path in paths)
     found: dict[str, set[str]] = {"": set()}
     for path, text in (each for texts in (sources, told) for each in texts):
-        for name in set(GIVEN.findall(text)):
+        for name in {match[match.lastgroup or 0] for match in GIVEN.finditer(text)}:
             found.setdefault(name, set()).add(path)
+        found[""].update(HANDED.findall(text))
     return found
 
 
 def _may_be_given(robot: Robot, use: Use, given: dict[str, set[str]]) -> bool:
     """Whether something sets the variable in the shell that calls docker compose, or in a file that it reads."""
-    own = {each.absolute for each in robot.compose.env_files(use.service) if each.basename != ".env"}
+    of_container = (each for each in robot.compose.env_files(use.service) if each.basename not in (".env", *given[""]))
+    own = {each.absolute for each in of_container}
     return not given.get(use.name, set()) <= own

@@ -44,7 +44,10 @@ from bringup_lint.api.docker import ros_distro
 from bringup_lint.api.shell import unwrapped
 
 CORE = regex(r"ros-core|ros1-bridge")
-LISTS = regex(r"sources\.list\.d/(?:\*|20-default)|/etc/ros/rosdep|\bset[ \t]+\+e\b")
+LISTS = regex(
+    r"sources\.list\.d/(?:\*|20-default)|/etc/ros(?![\w-])|\bROSDEP_SOURCE_PATH\b|\bset[ \t]+\+e\b"
+    r"|![ \t]+(?:sudo[ \t]+)?rosdep\b"
+)
 """What makes room for the list, or looks for it."""
 
 

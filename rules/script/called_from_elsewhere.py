@@ -55,6 +55,12 @@ CALL = regex(
     r"(?P<path>(?P<dot>\./)?(?:[\w-][\w.-]{0,80}/){1,8}(?P<name>[\w-][\w.-]{0,80}))(?![\w./-])",
     hints="/",
 )
+COMMAND = regex(
+    r"(?:^[ \t]*(?:[$#>+@-][ \t]*|\d{1,2}[.)][ \t]+)?|(?:&&|[|;]|(?<!\])\()[ \t]*|Exec=|(?i:\busage:?[ \t]+|\brun:[ \t]+)"
+    r"|\b(?:then|do|else|exec|nohup|time)[ \t]+)(?:\w+=\S*[ \t]+)*(?:(?:sudo|env)[ \t]+(?:-\w+[ \t]+)*)?\Z"
+    r"|(?i:\b(?:run|execut|call|start|launch|invok)(?:e|ing)?\b)[^.\n`]{0,40}`[^\n`]{0,80}\Z"
+)
+"""What is before a call in its line: it begins a command, or a sentence says that one runs it."""
 OWN_PATH = regex(r"\bBASH_SOURCE\b|\bdirname\b|\$\{?0\b|\brealpath\b|\breadlink\b|%x|\bgit[ \t]+rev-parse\b")
 RELATIVE = regex(r"(?:\.\.?/)*[A-Za-z0-9_+-][\w.+-]*(?:/[\w.+-]+)*/?")
 TALK = regex(r"(?m)^[ \t]*(?:echo|printf)[ \t][^\n]*")
@@ -147,10 +153,19 @@ def _calls(robot: Robot, needed: Collection[str]) -> Iterator[tuple[str, Located
         if source is None:
             continue
         for match in CALL.finditer(source.text):
-            if match["name"] in names and (match["dot"] or match["program"]):
+            if match["name"] in names and (
+                match["program"] or (match["dot"] and _begins_command(source, match.start()))
+            ):
                 script = _meant(robot, match["path"])
                 if script in needed:
                     yield script, source.located(*match.span("path"))
+
+
+def _begins_command(source: Source, start: int) -> bool:
+    """Whether what is said there is a call, and not a word about a file or what a program gets."""
+    line = source.text.rfind("\n", 0, start) + 1
+    before = source.text[max(line, start - 200) : start]
+    return not before.lstrip().startswith("|") and COMMAND.search(before) is not None
 
 
 def _meant(robot: Robot, call: str) -> str:

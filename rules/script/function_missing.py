@@ -3,7 +3,7 @@
 ## What it finds
 A call of a name with an underscore in a script that has other functions of this kind (`setup_host` beside
 `setup_workspace`), where nothing in the tree defines or otherwise names it. Silent in scripts that source files of
-others than ROS, and for calls whose failure is expected.
+others than ROS, for calls with options or with `sudo`, as of programs, and for those whose failure is expected.
 
 ## Why it matters on a robot
 The function was renamed or removed, and its call was left: "command not found". Under `set -e` the set-up ends there;
@@ -48,6 +48,11 @@ SOURCES = regex(
     r"(?m)^[ \t]*(?:source|\.)[ \t]+(?![^\n]*(?:setup\.(?:ba|z)?sh|\.bashrc|os-release|activate)\b)|\beval\b"
 )
 NAME = regex(r"[a-z][a-z0-9]*(?:_[a-z0-9]+)+")
+PROGRAMS = regex(
+    r"(?:wpa|jetson|mosquitto|pg|mysql|catkin|ament|rqt|colcon|fw|flash|nand|lsb|mount|mkfs|gst|xmlrpc)_\w+|create_ap"
+    r"|usb_modeswitch\w*|xinput_calibrator|start_x|test_cam"
+)
+"""Names of programs and of functions of a workspace, which have an underscore as well."""
 MOST = 20
 
 
@@ -61,7 +66,7 @@ def function_missing(robot: Robot) -> Iterator[Finding]:
             continue
         found: dict[str, list[Run]] = {}
         for run in robot.scripts.done(source):
-            if isinstance(run, Run) and NAME.fullmatch(run.name) and run.words[0] == run.name and run.name not in own:
+            if isinstance(run, Run) and run.name not in own and _may_be_function(run):
                 found.setdefault(run.name, []).append(run)
         for name, calls in found.items():
             first, *others = calls
@@ -76,6 +81,14 @@ def function_missing(robot: Robot) -> Iterator[Finding]:
                     advice="define the function, or remove the call",
                     related=[note(each.words[0], "here too") for each in others[:MOST]],
                 )
+
+
+def _may_be_function(run: Run) -> bool:
+    """Whether a call looks like one of a function: the shell itself makes it, without options."""
+    name = run.name
+    if not NAME.fullmatch(name) or PROGRAMS.fullmatch(name) or run.words[0] != name or run.command.words[0] != name:
+        return False
+    return not any(word.startswith("-") for word in run.words)
 
 
 def _is_called_like(name: str, own: set[str]) -> bool:
