@@ -4,7 +4,8 @@
 Files and folders of an ament_python package that the modules of its console scripts name by their own place, with
 `__file__` or as templates of Flask, and that the build leaves in the source: setuptools installs modules alone, and
 what `data_files` takes goes to `share`. Silent where `package_data`, `include_package_data` or anything else may bring
-them, where the module asks first whether they are there, and inside of `try`. It is an info where the tree builds with
+them, where the module asks first whether they are there, inside of `try`, and for the default of a parameter, an option
+or a variable that something of the tree sets. It is an info where the tree builds with
 `--symlink-install`, which leads to the source and hides the mistake, and no script or image builds without.
 
 ## Why it matters on a robot

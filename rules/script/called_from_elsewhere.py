@@ -56,7 +56,8 @@ CALL = regex(
     hints="/",
 )
 COMMAND = regex(
-    r"(?:^[ \t]*(?:[$#>+@-][ \t]*|\d{1,2}[.)][ \t]+)?|(?:&&|[|;]|(?<!\])\()[ \t]*|Exec=|(?i:\busage:?[ \t]+|\brun:[ \t]+)"
+    r"(?:^[ \t]*(?:[$#>+@-][ \t]*|\d{1,2}[.)][ \t]+)?|(?:&&|[|;]|(?<!\])\()[ \t]*|Exec="
+    r"|(?i:\busage:?[ \t]+|\brun:[ \t]+)"
     r"|\b(?:then|do|else|exec|nohup|time)[ \t]+)(?:\w+=\S*[ \t]+)*(?:(?:sudo|env)[ \t]+(?:-\w+[ \t]+)*)?\Z"
     r"|(?i:\b(?:run|execut|call|start|launch|invok)(?:e|ing)?\b)[^.\n`]{0,40}`[^\n`]{0,80}\Z"
 )

@@ -10,8 +10,8 @@ An info for users and groups, and for folders, links and `rosdep init` in a scri
 again: nothing of the tree starts it, and it is not called after an update, a deployment or a start. Silent where the
 script removes the path or a folder above it, asks for one of them, or ends early where some file is there; in functions
 that are called under a condition; in scripts that build an image or set up a development container; and for temporary
-folders. A clone is not reported in a script that asks for a folder
-or removes one that it enters.
+folders. A clone is not reported in a script that asks for a folder or removes one that it enters. An info as well
+where the script does nothing after it but to the interface that is there.
 
 ## Why it matters on a robot
 Set-up scripts are run again: after a step that failed, after an update, for the next user. The second run ends at this
@@ -73,6 +73,9 @@ ASKS = regex(
 FILES = regex(r"(?<![\w.+-])[\w+-]+\.\w+")
 ENTERS = regex(r"\b(?:cd|pushd)[ \t]+([^\n;&|]+)")
 TEMPORARY = regex(r"\bmktemp\b|\b(?:cd|pushd)[ \t]+[\"']?(?:/tmp|/var/tmp|\$\{?\w*(?:TMP|TEMP))", re.I)
+DATED = regex(r"\bdate\b[ \t]+[\"']?[-+]")
+UNPACKED = regex(r"\b(?:mktemp|tar|unzip|dpkg-deb)\b")
+"""What makes the files of a folder anew."""
 ADDRESS = regex(r"(?:https?|ssh|git)://|git@")
 RELATIVE = regex(r"(?:\./)?[\w+-]+(?:/[\w+-]+)*\.\w+")
 ADDS: dict[str, tuple[str, ...]] = {"docker": ("network", "create"), "ip": ("link", "add"), "dkms": ("add",)}
@@ -88,6 +91,7 @@ IS_THERE = regex(r"-[edfhLrsx]")
 FOUND_BY = ("which", "type", "dpkg", "pgrep", "id", "getent", "grep")
 """Programs that are asked whether something was done before."""
 ENDS = ("exit", "return", "exec")
+TALKS = ("echo", "printf", "exit")
 USERS = ("groupadd", "useradd")
 ONCE = ("ln", "mkdir", "rosdep")
 """What sets up a machine on which nothing is yet."""
@@ -142,7 +146,13 @@ def second_run_ends(robot: Robot) -> Iterator[Finding]:
                     f"{effect}: under set -e the second run of {source.basename} ends here",
                     advice=ADVICE[program],
                     severity="info"
-                    if program in USERS or (program in ONCE and not _runs_again(robot, source))
+                    if program in USERS
+                    or (program in ONCE and not _runs_again(robot, source))
+                    or (
+                        statement.among is always[0]
+                        and _is_last(statement.among[statement.at + 1 :], program, made)
+                        and not robot.scripts.starts_by_itself(source)
+                    )
                     else None,
                 )
 
@@ -151,16 +161,27 @@ def _runs_again(robot: Robot, source: Source) -> bool:
     return AGAIN.search(source.basename) is not None or robot.scripts.starts_by_itself(source)
 
 
+def _is_last(later: tuple[Block, ...], program: str, made: Located) -> bool:
+    """Whether nothing that the second run lacks comes after: only words, or what is done to the interface that is
+    there already."""
+    return program != "mv" and all(
+        block.command is not None and (block.command.name in TALKS or (program == "ip" and made in block.command.words))
+        for block in later
+    )
+
+
 def _is_new(robot: Robot, source: Source, asked: set[str], program: str, made: Located, _: str) -> bool:
     """Whether each run may begin in a new folder, or find the file that it moves."""
     if program == "git" or HELD.match(made):
         entered = source.once(ENTERS, lambda: frozenset(WORD.findall("\n".join(ENTERS.findall(source.text)))))
-        return source.matches(TEMPORARY) or not asked.isdisjoint(entered)
-    if program == "mv":
+        held = WORD.findall(made.partition("/")[0]) if HELD.match(made) else ()
+        is_dated = "$" in made and source.matches(DATED)
+        return is_dated or source.matches(TEMPORARY) or not asked.isdisjoint((*entered, *held))
+    if program == "mv" and not source.matches(UNPACKED):
         name = posixpath.basename(made)
         is_there = any(path.endswith(f"/{made.removeprefix('./')}") for path in robot.tree.named(name))
         return not is_there or source.once(FILES, lambda: Counter(FILES.findall(source.text)))[name] > 1
-    return False
+    return program == "mv"
 
 
 def _always(statements: tuple[Block, ...]) -> Iterator[tuple[Block, ...]]:
@@ -239,8 +260,15 @@ def _named_in(name: str, plain: list[Located]) -> tuple[str, Located, str] | Non
     verbs = ADDS.get(name)
     if verbs is None or tuple(plain[: len(verbs)]) != verbs:
         return None
-    rest = [word for word in plain[len(verbs) :] if word not in ("dev", "name")]
-    return (name, rest[0], rest[0]) if rest and WORD.fullmatch(rest[0]) else None
+    rest = plain[len(verbs) :]
+    made = _link_name(rest) if name == "ip" else (rest[-1] if name == "docker" and rest else next(iter(rest), None))
+    return (name, made, made) if made is not None and WORD.fullmatch(made) else None
+
+
+def _link_name(words: list[Located]) -> Located | None:
+    """The name that ``ip link add`` gives: ``[link DEVICE] [name] NAME``."""
+    rest = words[2:] if words[:1] == ["link"] else words
+    return next((word for word in rest if word not in ("dev", "name")), None)
 
 
 def _cloned(words: tuple[Located, ...]) -> Located | None:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.graph.dependencies.imports import imported
 from bringup_lint.graph.dependencies.subpackages import is_installed
+from bringup_lint.graph.memo import kept
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.python_syntax import Positions
 from bringup_lint.parsers.python_syntax import byte_order_mark
@@ -40,6 +41,13 @@ _ASKS = frozenset(
     " to_csv write_text write_bytes touch".split()
 )
 """What asks first whether a file is there or makes it, and what lengthens the path of modules."""
+
+_WORD = regex(r"[A-Za-z_][\w.-]*")
+_TESTS = frozenset("exists isfile isdir is_file is_dir".split())
+_DEFAULTS = frozenset("declare_parameter add_argument get getenv".split())
+"""What gives a value where nobody gives another one, by the name that is its first argument."""
+_GIVING = regex(r"(?:launch|\.ya?ml|\.xml|\.sh|\.bash|\.service|\.env|\.conf|[Dd]ockerfile[^/]*|[Mm]akefile)(?:\.py)?$")
+"""Files that start nodes and set them up."""
 
 
 class Beside(NamedTuple):
@@ -106,7 +114,9 @@ def _looked_for(tree: Tree, package: Package, source: Source) -> Iterator[tuple[
     ordered = sorted(f"{path}/" for path in named)
     parts = {path[:-1] for path, other in pairwise(ordered) if other.startswith(path)}
     for path, node in sorted(named.items(), key=lambda item: item[1].lineno):
-        if path not in parts and path not in paths.asked and _is_data(tree, package, source, path):
+        if path in parts or path in paths.asked or not _given(tree).isdisjoint(paths.defaults.get(path, ())):
+            continue
+        if _is_data(tree, package, source, path):
             yield positions.span(node), path
 
 
@@ -120,6 +130,12 @@ def _is_data(tree: Tree, package: Package, source: Source, path: str) -> bool:
     return bool(below) and not any(each.endswith(".py") for each in below)
 
 
+@kept
+def _given(tree: Tree) -> frozenset[str]:
+    """The words of files that start nodes or set them up, parameters, options and variables among them."""
+    return frozenset(word for text in tree.pages(_GIVING, 100_000) for word in _WORD.findall(text))
+
+
 class _Paths:
     """The paths that a module computes from its own place."""
 
@@ -130,6 +146,8 @@ class _Paths:
         """The expressions that may be such paths, no parts of others, in any order."""
         self.asked: set[str] = set()
         """The paths of which the module asks whether they are there, or that it makes."""
+        self.defaults: dict[str, list[str]] = {}
+        """The names of parameters, options and variables of which a path is the default."""
         self._flask = _has_flask(syntax)
         nodes = list(_run_when_imported(syntax))
         for node in nodes:
@@ -139,6 +157,7 @@ class _Paths:
                 if value is not None and name:
                     self._variables[name] = value
         self._collect(nodes)
+        self._excuse(syntax, nodes)
 
     def _collect(self, nodes: list[ast.AST]) -> None:
         parts: set[int] = set()
@@ -153,6 +172,35 @@ class _Paths:
             elif self.value(node) is not None:
                 self.outermost.append(node)
                 parts.update(map(id, ast.walk(node)))
+
+    def _excuse(self, syntax: ast.Module, nodes: list[ast.AST]) -> None:
+        """Adds what one of several places, or a function of the module, may test before, and what nothing reads, but
+        for the constants of the module, which others may import."""
+        names = (each for each in ast.walk(syntax) if isinstance(each, ast.Name))
+        read = {each.id for each in names if isinstance(each.ctx, ast.Load)}
+        constants = set(map(id, syntax.body))
+        has_test = any(isinstance(each, ast.Call) and _name(each.func) in _TESTS for each in nodes)
+        own = {each.name for each in nodes if isinstance(each, ast.FunctionDef)} if has_test else set()
+        for node in nodes:
+            tested: list[ast.expr] = []
+            if isinstance(node, (ast.List, ast.Tuple)) and has_test:
+                tested = node.elts
+            elif isinstance(node, ast.Assign) and id(node) not in constants:
+                is_read = any(not isinstance(each, ast.Name) or each.id in read for each in node.targets)
+                tested = [] if is_read else [node.value]
+            elif isinstance(node, ast.Call):
+                tested = node.args if _name(node.func) in own else []
+                self._note_default(node)
+            self.asked.update(path for each in tested if (path := self.value(each)) is not None)
+
+    def _note_default(self, call: ast.Call) -> None:
+        name = self._text(call.args[0]) if call.args and _name(call.func) in _DEFAULTS else None
+        if name is None:
+            return
+        for each in (*call.args[1:], *(each.value for each in call.keywords)):
+            path = self.value(each)
+            if path is not None:
+                self.defaults.setdefault(path, []).append(name.lstrip("-"))
 
     def value(self, node: ast.expr, depth: int = 0) -> str | None:
         """An absolute path; None of everything else."""
