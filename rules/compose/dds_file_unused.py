@@ -84,13 +84,12 @@ def dds_file_unused(robot: Robot) -> Iterator[Finding]:
     mounts = [mount for service in robot.compose.whole_services for mount in _mounts(service)]
     named = {str(mount.target): value for mount in mounts if (value := _names(robot, mount)) is not None}
     speaking = _speaking(robot, mounts[0].service.source) if mounts else set()
-    exported = _exported(robot) if mounts else set()
+    exported = _exported(robot) if mounts else []
     for mount in mounts:
         if _may_be_set(robot, mount):
             continue
         other = named.get(str(mount.target))
-        is_exported = not exported.isdisjoint(mount.middleware.variables)
-        if (other is not None and not is_exported) or _is_unset_in_image(robot, mount, speaking):
+        if (other is not None and not _is_exported(exported, mount)) or _is_unset_in_image(robot, mount, speaking):
             variable = mount.middleware.variables[0]
             yield finding(
                 mount.where,
@@ -137,13 +136,22 @@ def _may_be_set(robot: Robot, mount: Mount) -> bool:
     )
 
 
-def _exported(robot: Robot) -> set[str]:
-    """The variables of which scripts and launch files speak that a container may start."""
+def _exported(robot: Robot) -> list[tuple[str, str]]:
+    """The scripts and launch files that speak of a variable, each with that."""
     of_services = {each.absolute for one in robot.compose.services for each in robot.compose.env_files(one)}
-    launched = (each.text for each in robot.sources if each.kind.startswith("launch-"))
+    launched = ((each.absolute, each.text) for each in robot.sources if each.kind.startswith("launch-"))
     paths = (each for each in robot.tree.like(SHELLS) if each not in of_services and not each.endswith("/.env"))
-    texts = (*launched, *(robot.tree.head(each, READ) for each in paths))
-    return {name for text in texts for name in VARIABLES if name in text}
+    texts = (*launched, *((path, robot.tree.head(path, READ)) for path in paths))
+    return [(path, name) for path, text in texts for name in VARIABLES if name in text]
+
+
+def _is_exported(exported: list[tuple[str, str]], mount: Mount) -> bool:
+    """Whether a script or a launch file that the container may start sets the variable: one of the folder of the
+    compose file, or one that it names."""
+    compose = mount.service.source
+    folder = f"{posixpath.dirname(compose.absolute)}/"
+    near = (name for path, name in exported if path.startswith(folder) or posixpath.basename(path) in compose.text)
+    return any(name in mount.middleware.variables for name in near)
 
 
 def _speaking(robot: Robot, compose: Source) -> set[tuple[str, str]]:

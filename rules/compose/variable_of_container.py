@@ -72,7 +72,7 @@ GIVEN = regex(
 )
 """How an environment file, a script, a recipe of make, a play, a workflow or a text for people sets a variable."""
 TEXTS = regex(r"\.(?:md|rst|txt|env|conf|cfg|ini|py|ya?ml)$|(?:^|/)(?:(?:GNU)?[Mm]akefile|[Jj]ustfile|\.env[^/]*)$")
-HANDED = regex(r"--env-file[ =][^\n]*?(?P<name>[\w.-]+)(?=[\"'\s]|$)", re.M, hints="--env-file")
+HANDED = regex(r"--env-file[ =][\"']?(?P<path>[^\s\"']{1,200})", hints="--env-file")
 """An environment file that docker compose itself gets."""
 SAME = r"\$(?:{0}\b|\{{{0}(?:\}}|:?\?))"
 """The value of a variable that the container gets as docker compose knows it."""
@@ -178,7 +178,7 @@ def _given(robot: Robot) -> dict[str, set[str]]:
     for path, text in (each for texts in (sources, told) for each in texts):
         for name in {match[match.lastgroup or 0] for match in GIVEN.finditer(text)}:
             found.setdefault(name, set()).add(path)
-        found[""].update(HANDED.findall(text))
+        found[""].update(map(posixpath.basename, HANDED.findall(text)))
     return found
 
 

@@ -98,7 +98,9 @@ def _modules(tree: Tree, package: Package, listed: Packages) -> Iterator[Source]
 def _members(source: Source, module: str) -> Iterator[str]:
     """What ``from package import module`` may mean."""
     tree = tree_of(source)
-    for statement in tree.body if tree is not None else ():
+    if tree is None:
+        return
+    for statement in tree.body:
         if isinstance(statement, ast.ImportFrom) and (statement.level or statement.module == module):
             yield from (f"{module}.{alias.name}" for alias in statement.names)
 

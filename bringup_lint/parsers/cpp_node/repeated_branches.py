@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -16,6 +17,8 @@ CHAIN = 50
 """Conditions before one that are compared with it."""
 _CHANGES = regex(r"\+\+|--|(?<![=!<>])=(?!=)|[\w>\])]\s{0,4}\(|//|/\*")
 """What may give another answer when it is asked again: a call, an assignment."""
+_CHOSEN = regex(r"^[ \t]*#[ \t]*(?:else|elif|endif)\b", re.M)
+"""The compiler gets one of two parts alone."""
 
 
 def repeated_branches(code: Code) -> Iterator[RepeatedBranch]:
@@ -35,7 +38,8 @@ def repeated_branches(code: Code) -> Iterator[RepeatedBranch]:
         if earlier is not None:
             places = [each.child_by_field_name("condition") for each in (later, earlier)]
             first, second = (code.span(each) for each in places if each is not None)
-            yield RepeatedBranch(first, second)
+            if not _CHOSEN.search(code.source.text, second.end, first.start):
+                yield RepeatedBranch(first, second)
 
 
 def _first(clause: Node) -> list[Node]:
