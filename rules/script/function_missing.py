@@ -54,10 +54,13 @@ PROGRAMS = regex(
 )
 """Names of programs and of functions of a workspace, which have an underscore as well."""
 MOST = 20
+ASKED = 100
+"""Names of a tree that are looked for in all of its files."""
 
 
 @rule("warning", symptoms=["*: command not found"])
 def function_missing(robot: Robot) -> Iterator[Finding]:
+    asked = 0
     for source in robot.of_kind("shell-script"):
         if not source.judged or source.template or "_" not in source.text:
             continue
@@ -70,11 +73,10 @@ def function_missing(robot: Robot) -> Iterator[Finding]:
                 found.setdefault(run.name, []).append(run)
         for name, calls in found.items():
             first, *others = calls
-            if (
-                _is_called_like(name, own)
-                and not any(map(_may_fail, calls))
-                and _is_alone(robot, source, name, len(calls))
-            ):
+            if asked >= ASKED or not _is_called_like(name, own) or any(map(_may_fail, calls)):
+                continue
+            asked += 1
+            if _is_alone(robot, source, name, len(calls)):
                 yield finding(
                     first.words[0],
                     f"Nothing defines {name}: the shell does not find it, and the step is not done",

@@ -23,7 +23,6 @@ if TYPE_CHECKING:
     from bringup_lint.graph.systemd.units import Units
     from bringup_lint.model.launch import Action
     from bringup_lint.model.launch_values import Value
-    from bringup_lint.model.params import Parameter
     from bringup_lint.model.params import ParameterFile
 
 _ADDRESS = regex(r"(?:.*[._])?(?:ip|ip_?addr(?:ess)?|host(?:_?name)?)", re.I)
@@ -126,10 +125,13 @@ def of_env_files(compose: Compose, files: Files) -> Iterator[DeviceUse]:
 def of_params(params: Params) -> Iterator[DeviceUse]:
     from bringup_lint.model.yaml_node import Scalar
 
+    networked: dict[int, set[int]] = {}
     for file, parameter in params.parameters:
         if "/dev/" not in parameter.text or (params.loads(file) and not params.effective(file, parameter)):
             continue
-        if _is_on_network(parameter, file) or params.is_unknown_to_code(file, parameter):
+        if id(file) not in networked:
+            networked[id(file)] = _on_network(file)
+        if id(parameter.block) in networked[id(file)] or params.is_unknown_to_code(file, parameter):
             continue
         nodes = parameter.node.items if hasattr(parameter.node, "items") else [parameter.node]
         for node in nodes:
@@ -137,12 +139,10 @@ def of_params(params: Params) -> Iterator[DeviceUse]:
                 yield from uses_in(node.value, f"{parameter.block.name}")
 
 
-def _is_on_network(parameter: Parameter, file: ParameterFile) -> bool:
-    """Whether the same block gives the driver the network address of its device, so that it opens no port."""
-    block = parameter.block
-    others = (other for other in file.parameters if other.block is block)
-    hosts = (other.text.strip("'\"") for other in others if _ADDRESS.fullmatch(other.name))
-    return any(is_address(host) or _HOST.fullmatch(host) for host in hosts)
+def _on_network(file: ParameterFile) -> set[int]:
+    """The blocks that give the driver the network address of its device, so that it opens no port."""
+    hosts = ((each.block, each.text.strip("'\"")) for each in file.parameters if _ADDRESS.fullmatch(each.name))
+    return {id(block) for block, host in hosts if is_address(host) or _HOST.fullmatch(host)}
 
 
 def of_launch(launch: Launch) -> Iterator[DeviceUse]:

@@ -75,6 +75,7 @@ class Scripts:
         """Whether a Dockerfile or compose file names the script, so that a container may run it."""
         return any(source.basename in each.text for each in self.files.of_kind("dockerfile", "compose"))
 
+    @memo
     def sets_up_image(self, source: Source) -> bool:
         """Whether a script runs once while an image is built: a step of a Dockerfile or a devcontainer.json names it,
         or another script that runs commands in the system of an image."""

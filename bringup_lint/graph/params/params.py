@@ -228,8 +228,16 @@ class Params:
     def is_unknown_to_code(self, file: ParameterFile, parameter: Parameter) -> bool:
         """Whether the sources of the tree name several other parameters of the same block, and not this one: what would
         read it is here, and does not."""
-        others = {_last(other) for other in file.parameters if other.block is parameter.block}
-        return _last(parameter) not in self._names_in_code and len(others & self._names_in_code) >= 3
+        if _last(parameter) in self._names_in_code:
+            return False
+        return len(self._names_by_block(file)[id(parameter.block)] & self._names_in_code) >= 3
+
+    @memo
+    def _names_by_block(self, file: ParameterFile) -> dict[int, set[str]]:
+        found: dict[int, set[str]] = {}
+        for each in file.parameters:
+            found.setdefault(id(each.block), set()).add(_last(each))
+        return found
 
     def is_named_in_code(self, name: str) -> bool:
         """Whether a source of the tree that has to do with parameters names one, or its last part."""
