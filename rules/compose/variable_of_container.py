@@ -5,7 +5,8 @@
 - where the service itself gives NAME to the container, with `environment:`, an `env_file:` or the Dockerfile of its
   image;
 - where the same text of a shell sets NAME;
-- where the text puts something before or after it: `PYTHONPATH=$PYTHONPATH:/opt/drive`.
+- where the text puts something before or after it: `PYTHONPATH=$PYTHONPATH:/opt/drive`; as information where the text
+  sources a setup file after that, which sets it again.
 
 Silent where `.env`, a script, a recipe of make or a text for people sets NAME: compose may know it then.
 
@@ -74,6 +75,8 @@ GIVEN = regex(
 TEXTS = regex(r"\.(?:md|rst|txt|env|conf|cfg|ini|py|ya?ml)$|(?:^|/)(?:(?:GNU)?[Mm]akefile|[Jj]ustfile|\.env[^/]*)$")
 HANDED = regex(r"--env-file[ =][\"']?(?P<path>[^\s\"']{1,200})", hints="--env-file")
 """An environment file that docker compose itself gets."""
+SETUP = regex(r"(?:\bsource|[\s;&|]\.)[ \t]{1,9}[^\s;&|]{0,300}setup\.\w", hints="setup.")
+"""What sets the paths of ROS, whatever they were before."""
 SAME = r"\$(?:{0}\b|\{{{0}(?:\}}|:?\?))"
 """The value of a variable that the container gets as docker compose knows it."""
 READ = 200_000
@@ -97,6 +100,8 @@ class Use(NamedTuple):
 class Setter(NamedTuple):
     where: Located | None
     says: str
+    again: bool = False
+    """The text sets it again before anything reads it."""
 
 
 @rule("warning", confidence="medium", symptoms=['The "*" variable is not set. Defaulting to a blank string.'])
@@ -104,16 +109,16 @@ def variable_of_container(robot: Robot) -> Iterator[Finding]:
     given: dict[str, set[str]] = {}
     for file in robot.compose.files:
         if file.source.judged and not file.source.template and "$" in file.source.text:
-            found: set[str] = set()
+            found: set[tuple[str, bool]] = set()
             for use in (use for service in file.services for use in _uses(service)):
-                setter = _setter(robot, use) if use.name not in found else None
-                if setter is None:
+                setter = _setter(robot, use) if (use.name, False) not in found else None
+                if setter is None or (use.name, setter.again) in found:
                     continue
                 if setter.where is not None:
                     given = given or _given(robot)
                     if _may_be_given(robot, use, given):
                         continue
-                found.add(use.name)
+                found.add((use.name, setter.again))
                 yield _report(use, setter)
 
 
@@ -135,6 +140,7 @@ def _report(use: Use, setter: Setter) -> Finding:
         if in_shell
         else f"set {use.name} in .env beside this file, or write its value here",
         related=[note(setter.where, "set for the container alone")] if setter.where is not None else [],
+        severity="info" if setter.again else None,
     )
 
 
@@ -142,7 +148,8 @@ def _setter(robot: Robot, use: Use) -> Setter | None:
     """What gives the container the variable."""
     takes = LIST.search(use.before[-BEFORE:])
     if takes is not None and takes["name"] == use.name and (use.adds or takes["adds"]):
-        return Setter(None, "the one of the image is lost")
+        again = use.name != "PATH" and SETUP.search(use.text, len(use.before)) is not None
+        return Setter(None, "the one of the image is lost", again)
     where = _set_in_text(use) or _set_by_service(robot, use) or _set_by_image(robot, use)
     return Setter(where, "nothing, where only the container has it") if where is not None else None
 

@@ -62,5 +62,5 @@ def data_not_installed(robot: Robot) -> Iterator[Finding]:
                     *(note(each.where, f"{each.path} is named here") for each in others),
                     note(first.installed.where, "only the modules of these are installed there"),
                 ],
-                severity="info" if robot.dependencies.leads_to_source else None,
+                severity="info" if robot.dependencies.leads_to_source(package) else None,
             )

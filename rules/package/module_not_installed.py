@@ -67,7 +67,7 @@ def module_not_installed(robot: Robot) -> Iterator[Finding]:
                 f"{each.path} is not installed beside {program}, which ends with \"No module named '{each.module}'\"",
                 advice=f"add {each.path} to the files that are installed with {program}",
                 related=[note(each.program.where, f"{program} is installed here")],
-                severity="info" if robot.dependencies.leads_to_source else None,
+                severity="info" if robot.dependencies.leads_to_source(package) else None,
             )
 
 

@@ -74,6 +74,7 @@ _GOES_ON = regex(r"\s-[a-qs-z]*r[a-z]*(?:\s|$)|\s-s\s|--simulate|--dependency-ty
 """rosdep installs the rest, only says what it would do, or its failure is ignored."""
 _FOREIGN = regex(r"(?:^|_)(?:vendor|stubs?|template)(?:_|$)|[{}$<]")
 """Names of packages that wrap the build of others, and of templates."""
+_SELECTS = "--packages-select "
 _BUILDS = regex(
     r"^(?![^\n]{0,500}\b(?:alias|echo|printf)\b)[^\n]{0,500}?\bcolcon\s+build\b(?:\\\r?\n|[^\n;&|]){0,2000}",
     re.M,
@@ -256,13 +257,19 @@ class Dependencies:
 
         return data_beside(self._files.tree, package)
 
+    def leads_to_source(self, package: Package) -> bool:
+        """Whether the tree builds a package with links to the source, where nothing is missing that is not installed:
+        it says so, and no script or image builds it without."""
+        return self._installers.mentions_symlinks and not any(
+            _SELECTS not in command or package.name in command.split() for command in self._unlinked_builds
+        )
+
     @cached_property
-    def leads_to_source(self) -> bool:
-        """Whether the tree builds with links to the source, where nothing is missing that is not installed: it says so,
-        and no script or image builds without."""
+    def _unlinked_builds(self) -> list[str]:
+        """The commands of scripts and images that build without links to the source."""
         sources = (each for each in self._files.of_kind("dockerfile", "shell-script") if each.judged)
         builds = (command for each in sources for command in _BUILDS.findall(each.uncommented))
-        return self._installers.mentions_symlinks and all("--symlink" in command for command in builds)
+        return [command for command in builds if "--symlink" not in command]
 
     def unexported(self, package: Package) -> Iterator[Unexported]:
         """The descriptions of plugins that a package builds and does not export."""

@@ -29,6 +29,8 @@ _ADDRESS = regex(r"(?:.*[._])?(?:ip|ip_?addr(?:ess)?|host(?:_?name)?)", re.I)
 _HOST = regex(r"[A-Za-z][\w-]*(?:\.[\w-]+)+")
 _GIVEN = regex(r"(?:^|^[ \t]*[-\w.]+[ \t]*[:=][ \t]*[\"']?)(?P<path>/dev/[\w./:+-]+)[\"']?[ \t]*$", re.M)
 """A path that is a whole value, or that of a key in a file which is written as one."""
+_BUS = "/dev/bus/usb/"
+"""The devices here have numbers only: a mapping of one opens it for whatever looks for it by its properties."""
 _PATH = regex(r"(?<![\w./$}])/dev/[A-Za-z][\w.+-]*(?:/[\w.:+-]+)*")
 
 
@@ -104,7 +106,10 @@ def of_compose(compose: Compose) -> Iterator[DeviceUse]:
     for service in compose.services:
         user = f"the service {service.name}"
         for device in service.devices:
-            yield from uses_in(device.host, user, "host")
+            # Docker skips a mapping of a privileged container, which has all devices, to the same path.
+            is_skipped = service.is_privileged and device.target in (None, device.host)
+            if not (is_skipped and device.host.startswith(_BUS)):
+                yield from uses_in(device.host, user, "host")
         texts = [volume.source for volume in service.volumes if volume.source is not None]
         texts += [variable.value for variable in service.environment.values() if variable.value is not None]
         for text in (*texts, *service.command, *service.entrypoint):
