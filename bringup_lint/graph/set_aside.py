@@ -232,10 +232,12 @@ class SetAside:
     def _behind(self, pattern: re.Pattern[str], lines: re.Pattern[str]) -> dict[str, set[str]]:
         """The words that follow a pattern in lines, with and without the ending, each with the files that have them."""
         found: dict[str, set[str]] = {}
-        for each in self._texts:
-            for line in each.text.splitlines() if pattern.search(each.text) else ():
-                match = pattern.search(line) if lines.search(line) else None
-                for word in _WORD.findall(line, match.end()) if match is not None else ():
+        for each in (one for one in self._texts if pattern.search(one.text)):
+            for line in filter(lines.search, each.text.splitlines()):
+                match = pattern.search(line)
+                if match is None:
+                    continue
+                for word in _WORD.findall(line, match.end()):
                     for part in (word, word.rpartition(".")[0], word.partition("@")[0]):
                         found.setdefault(part, set()).add(each.path)
         return found

@@ -61,7 +61,9 @@ def left_beside(tree: Tree, package: Package) -> Iterator[LeftBeside]:
             path = os.path.normpath(os.path.join(os.path.dirname(build.source.absolute), install.source))
             is_program = not install.tree and install.destination.strip("/") == f"lib/{package.name}"
             source = tree.at(path) if is_program and path.endswith(".py") else None
-            for module in imported(source) if source is not None and "sys.path" not in source.text else ():
+            if source is None or "sys.path" in source.text:
+                continue
+            for module in imported(source):
                 name = module.partition(".")[0]
                 beside = os.path.join(os.path.dirname(path), f"{name}.py")
                 if name in found or name in sys.stdlib_module_names or not tree.is_file(beside):
