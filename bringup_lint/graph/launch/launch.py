@@ -118,6 +118,15 @@ class Launch:
         file of this name at all."""
         return self.find(value) or missing_everywhere(value, self.workspace)
 
+    def never_runs(self, node: Started) -> bool:
+        """Whether the package of a node, which is in the tree, surely has no such executable. One that is built and
+        only not installed is meant to run."""
+        package = self.workspace.packages.get(literal_text(node.package) or "")
+        executable = literal_text(node.executable)
+        if package is None or executable is None:
+            return False
+        return package.made(executable) is None and self.workspace.lacks(package, executable)
+
     def locate(self, value: Value) -> LaunchFile | None:
         """The launch file that a resolved value names, if it is in the tree."""
         found = self.find(value)

@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING
 from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.endings import CPP
 from bringup_lint.graph.launch.resolve import text_of
-from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.memo import memo
 from bringup_lint.graph.params import values as param_values
 from bringup_lint.graph.params.values import Item
@@ -374,15 +373,6 @@ class Params:
     @cached_property
     def _reached_by_block(self) -> dict[tuple[int, str], list[tuple[Load, frozenset[str] | None]]]:
         return {}
-
-    def is_missing(self, node: Started) -> bool:
-        """Whether the package of a node, which is in the tree, surely has no such executable, so that it never runs.
-        One that is built and only not installed is meant to run."""
-        package = self.launch().workspace.packages.get(literal_text(node.package) or "")
-        executable = literal_text(node.executable)
-        if package is None or executable is None:
-            return False
-        return package.made(executable) is None and self.launch().workspace.lacks(package, executable)
 
     @memo
     def read_by(self, file: ParameterFile) -> str:

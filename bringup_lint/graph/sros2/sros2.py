@@ -123,7 +123,9 @@ class Sros2:
     @property
     def without_enclave(self) -> list[list[Secured]]:
         """The secured processes that select no enclave; those that one setting secures together."""
-        return without_enclave(self.ros, launched_processes(self.files, self.launch()))
+        launch = self.launch()
+        nodes = launched_processes(self.files, launch)
+        return without_enclave(self.ros, (each for each in nodes if not launch.never_runs(each)))
 
     @property
     def shared_enclaves(self) -> Iterator[tuple[User, list[User]]]:

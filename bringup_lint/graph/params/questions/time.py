@@ -46,7 +46,7 @@ def simulated(params: Params) -> Iterator[Simulated]:
         if not told or _gives_time(file.source.name):
             continue
         for parameter in told:
-            loads = (each for each in params.loads(file) if not params.is_missing(each.node))
+            loads = (each for each in params.loads(file) if not params.launch().never_runs(each.node))
             load = next((each for each in loads if _waits(each, parameter)), None)
             if load is not None:
                 yield Simulated(file, parameter, load)

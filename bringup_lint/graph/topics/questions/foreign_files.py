@@ -80,7 +80,7 @@ class _Foreign:
     def _alone(self, load: Load) -> bool:
         """Whether a node gets no other file."""
         rest = [each for each in load.node.parameters if not isinstance(each, DictValue)]
-        return load.certain and len(rest) == 1 and not self.params.is_missing(load.node)
+        return load.certain and len(rest) == 1 and not self.params.launch().never_runs(load.node)
 
     def _where(self, load: Load) -> Span:
         """The name of the file in the launch file, else its path."""

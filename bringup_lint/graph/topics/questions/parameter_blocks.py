@@ -173,7 +173,7 @@ def _program(load: Load) -> tuple[str, str]:
 def _certain(params: Params) -> Iterator[tuple[ParameterFile, list[Load]]]:
     """Files with the nodes that get them; without those that never start, as nothing builds their program."""
     for file in params.judged:
-        loads = [load for load in params.loads(file) if not params.is_missing(load.node)]
+        loads = [load for load in params.loads(file) if not params.launch().never_runs(load.node)]
         odd = any(sign in block.name for block in file.blocks for sign in "$<>{}%@")
         read = all(problem.code in VALUES for problem in file.problems)
         few = len(loads) * len(file.blocks) <= _MOST
