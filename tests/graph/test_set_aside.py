@@ -149,3 +149,11 @@ def test_what_is_found_there_is_information(tmp_path: Path) -> None:
 def test_a_tree_of_very_many_files_is_not_looked_through(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("bringup_lint.graph.set_aside._MOST", 3)
     assert set_aside(tmp_path, {**UNITS, **INSTALLS}) == []
+
+
+def test_an_archive_that_the_run_is_for_is_judged(tmp_path: Path) -> None:
+    robot_of(tmp_path, {"old/drive.service": UNIT % "drive", "new/drive.service": UNIT % "drive"})
+    for asked, expected in ((tmp_path, False), (tmp_path / "old", True)):
+        robot = Robot(discover([str(asked)]))
+        found = next(each for each in robot.sources if each.absolute.endswith("old/drive.service"))
+        assert robot.leads_to(found) is expected

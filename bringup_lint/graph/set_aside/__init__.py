@@ -7,9 +7,11 @@ file all use it."""
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
 from functools import cached_property
 
+from bringup_lint.discover.tree import is_below
 from bringup_lint.graph.containers.compose import Compose
 from bringup_lint.graph.files import Files
 from bringup_lint.graph.memo import memo
@@ -38,10 +40,11 @@ class SetAside:
     def has(self, source: Source) -> bool:
         if self._files.tree.root is not None or source.origin is not None or self._files.is_configured(source):
             return False
-        if len(self._files.tree.paths) > _MOST:
-            return self._files.purpose(source) is Purpose.ARCHIVE
+        is_large = len(self._files.tree.paths) > _MOST
         if self._files.purpose(source) is Purpose.ARCHIVE:
-            return not self._is_taken_from_archive(source)
+            return not self._is_asked_for(source) and (is_large or not self._is_taken_from_archive(source))
+        if is_large:
+            return False
         return self._roles.have(source) or self._pages.have(source) or self._is_idle(source)
 
     def _is_idle(self, source: Source) -> bool:
@@ -50,6 +53,11 @@ class SetAside:
         if source.kind == "systemd-unit":
             return self._units.have(source)
         return source.kind == "shell-script" and self._scripts.have(source)
+
+    def _is_asked_for(self, source: Source) -> bool:
+        """Whether the run is for the folder of an archive itself."""
+        around = (each for each in self._files.tree.asked if is_below(os.path.dirname(source.absolute), (each,)))
+        return any(by_path(f"{self._texts.path_of(each)}/{source.basename}") is Purpose.ARCHIVE for each in around)
 
     @memo
     def _is_taken_from_archive(self, source: Source) -> bool:

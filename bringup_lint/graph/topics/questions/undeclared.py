@@ -38,8 +38,9 @@ if TYPE_CHECKING:
 
 _REMARK = regex(r"//|#|<!--")
 _UNNEEDED = regex(
-    r"(?i)\b(?:(?:not|no longer|never) (?:needed|used|read|required)|unused|obsolete|ignored)\b",
-    hints="needed used read required obsolete ignored",
+    r"\b(?:(?:not|no longer|never) (?:needed|used|read|required)|unused|obsolete|ignored)\b",
+    re.I,
+    "needed used read required obsolete ignored",
 )
 """What a comment says after the name."""
 _FUNCTION = regex(r"^(?P<indent>[ \t]*)(?:async )?def (?P<name>\w+)", re.M)
