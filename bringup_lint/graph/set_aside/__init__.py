@@ -11,6 +11,7 @@ import os
 from collections.abc import Callable
 from functools import cached_property
 
+from bringup_lint.discover.tree import display_name
 from bringup_lint.discover.tree import is_below
 from bringup_lint.graph.containers.compose import Compose
 from bringup_lint.graph.files import Files
@@ -57,7 +58,8 @@ class SetAside:
     def _is_asked_for(self, source: Source) -> bool:
         """Whether the run is for the folder of an archive itself."""
         around = (each for each in self._files.tree.asked if is_below(os.path.dirname(source.absolute), (each,)))
-        return any(by_path(f"{self._texts.path_of(each)}/{source.basename}") is Purpose.ARCHIVE for each in around)
+        folders = {folder for each in around for folder in display_name(each).split("/")}
+        return any(by_path(f"{folder}/") is Purpose.ARCHIVE for folder in folders)
 
     @memo
     def _is_taken_from_archive(self, source: Source) -> bool:
