@@ -86,7 +86,7 @@ class IdleUnits:
     def _behind(self, pattern: re.Pattern[str], lines: re.Pattern[str]) -> dict[str, set[str]]:
         """The words that follow a pattern in lines, with and without the ending, each with the files that have them."""
         found: dict[str, set[str]] = {}
-        for each in (one for one in self._texts.all if pattern.search(one.text)):
+        for each in (one for one in self._texts.all if lines.search(one.text) and pattern.search(one.text)):
             for line in filter(lines.search, each.text.splitlines()):
                 match = pattern.search(line)
                 if match is None:
