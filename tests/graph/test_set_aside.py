@@ -6,8 +6,10 @@ from pathlib import Path
 
 import pytest
 
+from bringup_lint.discover.tree import Tree
 from bringup_lint.discover.walk import discover
 from bringup_lint.robot import Robot
+from bringup_lint.source import Source
 from tests.lint import lint
 
 UNIT = "[Service]\nExecStart=/usr/bin/%s\n"
@@ -157,3 +159,8 @@ def test_an_archive_that_the_run_is_for_is_judged(tmp_path: Path) -> None:
         robot = Robot(discover([str(asked)]))
         found = next(each for each in robot.sources if each.absolute.endswith("old/drive.service"))
         assert robot.leads_to(found) is expected
+
+
+def test_a_text_beside_no_file_is_judged() -> None:
+    robot = Robot(Tree(sources=[Source("drive.service", UNIT % "drive", kind="systemd-unit")]))
+    assert robot.leads_to(robot.sources[0])

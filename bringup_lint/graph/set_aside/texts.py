@@ -79,7 +79,8 @@ class Texts:
 
     @cached_property
     def top(self) -> str:
-        return f"{os.path.commonpath(self._files.tree.paths)}/"
+        folders = {os.path.dirname(os.path.abspath(each)) for each in self._files.tree.paths}
+        return f"{os.path.commonpath(folders).rstrip('/')}/" if folders else "/"
 
 
 def _said(path: str, text: str) -> str:
