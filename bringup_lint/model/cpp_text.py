@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from bringup_lint.pattern import regex
+from bringup_lint.source import Source
 
 COMMENT = regex(r"//[^\n]*|/\*(?:[^*]|\*(?!/))*(?:\*/|\Z)")
 _BRACES = regex(r"[{}]")
@@ -11,6 +12,11 @@ _BRACES = regex(r"[{}]")
 def blanked(text: str) -> str:
     """A text with blanks for its comments: all offsets stay."""
     return COMMENT.sub(lambda comment: " " * len(comment[0]), text)
+
+
+def plain_of(source: Source) -> str:
+    """The text of a source with blanks for its comments, made once for all that ask."""
+    return source.once(plain_of, lambda: blanked(source.text))
 
 
 def end_of_block(plain: str, start: int) -> int:

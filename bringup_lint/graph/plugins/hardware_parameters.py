@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.endings import CPP
 from bringup_lint.graph.plugins.xacro_values import XacroValues
-from bringup_lint.model.cpp_text import blanked
 from bringup_lint.model.cpp_text import end_of_block
+from bringup_lint.model.cpp_text import plain_of
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.xml import parse
 from bringup_lint.pattern import regex
@@ -128,7 +128,7 @@ def _drivers(files: Files) -> dict[str, Driver]:
         for name in classes:
             found.setdefault(name, []).extend([source] * len(classes))
     single = {name: sources[0] for name, sources in found.items() if len(sources) == 1}
-    return {name: Driver(each, blanked(each.text)) for name, each in single.items()}
+    return {name: Driver(each, plain_of(each)) for name, each in single.items()}
 
 
 def _quoted(files: Files) -> frozenset[str]:
@@ -240,7 +240,7 @@ def _is_idle(driver: Driver, place: Span, files: Files) -> bool:
 
 def _code(source: Source) -> str:
     """A C++ source without its comments and texts."""
-    return _TEXT.sub("", blanked(source.text))
+    return _TEXT.sub("", plain_of(source))
 
 
 def _written_true(parameter: Element, values: XacroValues, files: Files) -> Span | None:

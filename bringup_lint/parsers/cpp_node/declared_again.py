@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from itertools import islice
 from typing import TYPE_CHECKING
 
-from bringup_lint.model.cpp_text import blanked
+from bringup_lint.model.cpp_text import plain_of
 from bringup_lint.model.declared_again import GUARD
 from bringup_lint.model.declared_again import RETAKES
 from bringup_lint.model.declared_again import DeclaredAgain
@@ -38,7 +38,7 @@ _WORD = regex(r"[a-zA-Z_]\w*")
 
 def declared_again(code: Code) -> Iterator[DeclaredAgain]:
     """The first unguarded declaration of each function that configures a node."""
-    text = blanked(code.source.text) if DECLARES in code.source.text else ""
+    text = plain_of(code.source) if DECLARES in code.source.text else ""
     if DECLARES not in text or RETAKES.search(text):
         return
     bodies = Bodies(code)

@@ -9,7 +9,7 @@ from bringup_lint.endings import CPP
 from bringup_lint.graph.memo import memo
 from bringup_lint.graph.nodes.sources.with_header import with_header
 from bringup_lint.model.cpp_source import LateJoin
-from bringup_lint.model.cpp_text import blanked
+from bringup_lint.model.cpp_text import plain_of
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 
@@ -84,7 +84,7 @@ def _ended(source: Source, name: str) -> dict[str, set[int]]:
 
 def _found(source: Source) -> dict[str, set[int]]:
     found: dict[str, set[int]] = {}
-    text = source.once(blanked, lambda: blanked(source.text))
+    text = plain_of(source)
     for match in _ENDS.finditer(text):
         kind = str(match.lastgroup)
         found.setdefault(match[kind], set()).add(match.start(kind))

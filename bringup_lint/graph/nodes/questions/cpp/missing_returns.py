@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.graph.nodes.sources.threads import package_sources
 from bringup_lint.model.cpp_source import MissingReturn
-from bringup_lint.model.cpp_text import blanked
+from bringup_lint.model.cpp_text import plain_of
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 
@@ -39,7 +39,7 @@ def _called(nodes: Nodes, source: Source, functions: set[str]) -> set[str]:
         return called
     for each in package_sources(nodes, source):
         if each is not None:
-            called.update(_named(blanked(each.text), functions))
+            called.update(_named(plain_of(each), functions))
     return called
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from bringup_lint.model.cpp_text import blanked
+from bringup_lint.model.cpp_text import plain_of
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
@@ -29,7 +29,7 @@ def unthrown(nodes: Nodes) -> Iterator[list[Located]]:
     """Those of one source together."""
     for driver in nodes.drivers:
         source = driver.source
-        matches = _ALONE.finditer(blanked(source.text)) if source.matches(_MADE) else ()
+        matches = _ALONE.finditer(plain_of(source)) if source.matches(_MADE) else ()
         found = [source.located(*each.span("made")) for each in matches]
         if found:
             yield found

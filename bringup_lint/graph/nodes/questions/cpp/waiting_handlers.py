@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.graph.nodes.sources.threads import package_sources
 from bringup_lint.model.cpp_driver import WaitingHandler
-from bringup_lint.model.cpp_text import blanked
+from bringup_lint.model.cpp_text import plain_of
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
@@ -52,6 +52,6 @@ def _places(source: Source) -> dict[str, Located]:
 
 def _found(source: Source) -> dict[str, Located]:
     found: dict[str, Located] = {}
-    for each in _REGISTERS.finditer(blanked(source.text)):
+    for each in _REGISTERS.finditer(plain_of(source)):
         found.setdefault(each["name"], source.located(*each.span("name")))
     return found

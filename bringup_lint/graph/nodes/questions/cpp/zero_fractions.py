@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from bringup_lint.model.cpp_text import blanked
+from bringup_lint.model.cpp_text import plain_of
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
@@ -24,7 +24,7 @@ _QUOTIENT = regex(r"\d\s{0,4}/\s{0,4}[1-9]", hints="/")
 def zero_fractions(nodes: Nodes) -> Iterator[list[Located]]:
     """Those of one source together."""
     for driver in nodes.drivers:
-        matches = _FRACTION.finditer(blanked(driver.source.text)) if driver.source.matches(_QUOTIENT) else ()
+        matches = _FRACTION.finditer(plain_of(driver.source)) if driver.source.matches(_QUOTIENT) else ()
         found = [each for each in matches if each["all"] is not None and int(each["part"]) < int(each["whole"])]
         if found:
             yield [driver.source.located(*each.span("all")) for each in found]

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.facts.ros import simulation
 from bringup_lint.graph.nodes.sources.with_header import with_header
-from bringup_lint.model.cpp_text import blanked
 from bringup_lint.model.cpp_text import end_of_block
+from bringup_lint.model.cpp_text import plain_of
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.cpp_node.sockets import KNOWN_CALLS
 from bringup_lint.parsers.cpp_node.sockets import OPENS
@@ -146,7 +146,7 @@ def hardware(nodes: Nodes) -> Iterator[tuple[Source, str, dict[str, tuple[int, i
 
 def _read(source: Source) -> tuple[str, dict[str, tuple[int, int]]]:
     def read() -> tuple[str, dict[str, tuple[int, int]]]:
-        plain = blanked(source.text)
+        plain = plain_of(source)
         return plain, _bodies(plain)
 
     return source.once(_read, read)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.graph.nodes.questions.parameters.given_in_package import given_in_package
 from bringup_lint.graph.nodes.questions.parameters.heard_parameters import package_texts
-from bringup_lint.model.cpp_text import blanked
+from bringup_lint.model.cpp_text import plain_of
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
@@ -56,6 +56,6 @@ def unread_in_cpp(nodes: Nodes) -> Iterator[UnreadInCpp]:
 def _is_dropped(source: Source, parameter: Parameter) -> bool:
     """Whether a declaration is a statement of its own, whose value nobody takes."""
     start, end = parameter.span.start, parameter.span.end
-    plain = source.once(blanked, lambda: blanked(source.text))
+    plain = plain_of(source)
     before, after = plain[max(start - _NEAR, 0) : start].rstrip(), plain[end : end + _NEAR].lstrip()
     return before.endswith((";", "{", "}")) and after.startswith(";")

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from bringup_lint.endings import CPP
 from bringup_lint.graph.nodes.questions.parameters.given_in_package import given_in_package
 from bringup_lint.graph.nodes.questions.parameters.unused_parameter import UnusedParameter
-from bringup_lint.model.cpp_text import blanked
+from bringup_lint.model.cpp_text import plain_of
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
@@ -100,7 +100,7 @@ def unused_in_cpp(nodes: Nodes) -> Iterator[UnusedParameter]:
 def _reads(source: Source) -> Iterator[_Read]:
     if "_parameter" not in source.text:
         return
-    plain = source.once(blanked, lambda: blanked(source.text))
+    plain = plain_of(source)
     for call in _ASKS.finditer(plain):
         into = _INTO.match(plain, call.end())
         ends = {"get_parameter": (",", ")"), "get_parameter_or": (",",)}.get(call["call"], ())
