@@ -56,6 +56,7 @@ if TYPE_CHECKING:
     from bringup_lint.parsers.dockerfile import blocks_of_run
     from bringup_lint.parsers.dockerfile import commands_of
     from bringup_lint.parsers.dockerfile import commands_of_run
+    from bringup_lint.parsers.dockerfile import environment_of
     from bringup_lint.parsers.dockerfile_variables import expanded
     from bringup_lint.parsers.dockerfile_variables import last_user
     from bringup_lint.robot import Robot
@@ -87,6 +88,7 @@ __all__ = [
     "deploying",
     "distro_of",
     "ended_release",
+    "environment_of",
     "expanded",
     "first_unlisted",
     "foreign_programs",

@@ -240,6 +240,11 @@ def assignments(instruction: Instruction) -> Iterator[tuple[str, Located]]:
             yield name, word.part(len(name) + 1, len(word))
 
 
+def environment_of(stage: Stage) -> Iterator[tuple[str, Located]]:
+    """What ENV sets in a stage and those that it builds on, the nearest first."""
+    return (pair for one in stage.chain for each in one.all("ENV") for pair in assignments(each))
+
+
 def commands_of(stage: Stage) -> Iterator[Command]:
     """The shell commands of a Dockerfile stage's RUN instructions, in order."""
     for instruction in stage.all("RUN"):

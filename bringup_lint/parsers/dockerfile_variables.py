@@ -9,6 +9,7 @@ from bringup_lint.model.dockerfile import Instruction
 from bringup_lint.model.dockerfile import Stage
 from bringup_lint.model.dockerfile import substituted
 from bringup_lint.parsers.dockerfile import assignments
+from bringup_lint.parsers.dockerfile import environment_of
 from bringup_lint.source import Located
 
 
@@ -33,7 +34,7 @@ def variables(stage: Stage, until: Instruction | None = None) -> dict[str, str]:
 
 def variables_of_env(stage: Stage) -> dict[str, str]:
     """The variables that an image hands on to the images that build on it."""
-    names = {name for one in stage.chain for each in one.all("ENV") for name, _ in assignments(each)}
+    names = {name for name, _ in environment_of(stage)}
     return {name: value for name, value in variables(stage).items() if name in names}
 
 

@@ -51,7 +51,7 @@ from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.compose import Service
-from bringup_lint.api.docker import assignments
+from bringup_lint.api.docker import environment_of
 
 SHELLS = regex(r"(?:^|/)[^/]*(?:bashrc|profile|bash_aliases|zshrc|entrypoint)[^/]*$|\.(?:sh|bash|zsh|env|mk)$")
 READ = 100_000
@@ -131,9 +131,7 @@ def _may_be_set(robot: Robot, mount: Mount) -> bool:
     if any(word in text for text in service.scripts for word in words):
         return True
     stage = robot.compose.stage(service)
-    return stage is not None and any(
-        name in middleware.variables for one in stage.chain for each in one.all("ENV") for name, _ in assignments(each)
-    )
+    return stage is not None and any(name in middleware.variables for name, _ in environment_of(stage))
 
 
 def _exported(robot: Robot) -> list[tuple[str, str]]:

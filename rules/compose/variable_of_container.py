@@ -51,7 +51,7 @@ from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.compose import Service
-from bringup_lint.api.docker import assignments
+from bringup_lint.api.docker import environment_of
 
 USED = regex(
     r"(?<!\$)(?:\$\$)*(?P<use>\$(?:\{(?P<braced>[A-Za-z_]\w*)\}|(?P<plain>[A-Za-z_]\w*)))(?P<adds>:[^\s\"';&|])?",
@@ -170,8 +170,7 @@ def _set_by_image(robot: Robot, use: Use) -> Located | None:
     stage = robot.compose.stage(use.service)
     if stage is None:
         return None
-    given = (pair for one in stage.chain for each in one.all("ENV") for pair in assignments(each))
-    return next((value for name, value in given if name == use.name), None)
+    return next((value for name, value in environment_of(stage) if name == use.name), None)
 
 
 def _given(robot: Robot) -> dict[str, set[str]]:

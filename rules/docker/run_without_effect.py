@@ -43,8 +43,8 @@ from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.docker import Instruction
 from bringup_lint.api.docker import Stage
-from bringup_lint.api.docker import assignments
 from bringup_lint.api.docker import commands_of_run
+from bringup_lint.api.docker import environment_of
 from bringup_lint.api.docker import may_set
 from bringup_lint.api.shell import Command
 
@@ -106,7 +106,7 @@ def _lost(stage: Stage) -> Iterator[Command]:
 
 def _read_later(stage: Stage, lost: list[Command]) -> Iterator[Finding]:
     """The first reading of each variable that only an earlier step has set."""
-    known = {name for one in stage.chain for each in one.all("ENV") for name, _ in assignments(each)}
+    known = {name for name, _ in environment_of(stage)}
     arguments = (word for one in stage.chain for each in one.all("ARG") for word in each.value.words())
     known.update(ALWAYS, (str(word).partition("=")[0] for word in arguments))
     ended = {word.span for command in lost for word in command.words}

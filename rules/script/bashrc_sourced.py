@@ -47,8 +47,8 @@ from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.docker import Stage
-from bringup_lint.api.docker import assignments
 from bringup_lint.api.docker import commands_of_run
+from bringup_lint.api.docker import environment_of
 from bringup_lint.api.docker import ubuntu_codename
 from bringup_lint.api.shell import SHELLS
 from bringup_lint.api.shell import Command
@@ -204,6 +204,5 @@ def _in_step(step: list[Command]) -> Lost | None:
 
 def _is_set_up(stage: Stage) -> bool:
     """Whether the image itself has the variables of ROS, or a `.bashrc` of the tree."""
-    names = (name for one in stage.chain for each in one.all("ENV") for name, _ in assignments(each))
     copied = (each.value for one in stage.chain for each in one.all("COPY", "ADD"))
-    return any(name in SETTLED for name in names) or any("bashrc" in value for value in copied)
+    return any(name in SETTLED for name, _ in environment_of(stage)) or any("bashrc" in value for value in copied)
