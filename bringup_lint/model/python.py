@@ -82,6 +82,13 @@ def called_name(call: ast.Call) -> str:
     return getattr(call.func, "attr", getattr(call.func, "id", ""))
 
 
+def dotted_name(node: ast.AST) -> str:
+    """``name`` or ``Class.name``; empty for what is longer, and for everything else."""
+    if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name):
+        return f"{node.value.id}.{node.attr}"
+    return node.id if isinstance(node, ast.Name) else ""
+
+
 def walk(node: ast.AST) -> Iterator[ast.AST]:
     """As ``ast.walk``, breadth first, without contexts and operators."""
     found = [node]

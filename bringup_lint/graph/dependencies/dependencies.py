@@ -30,6 +30,8 @@ from bringup_lint.graph.dependencies.interfaces import ungenerated
 from bringup_lint.graph.dependencies.missing_files import missing_files
 from bringup_lint.graph.dependencies.misspelt_packages import MisspeltPackage
 from bringup_lint.graph.dependencies.misspelt_packages import misspelt_packages
+from bringup_lint.graph.dependencies.modules_beside import LeftBeside
+from bringup_lint.graph.dependencies.modules_beside import left_beside
 from bringup_lint.graph.dependencies.needs import Need
 from bringup_lint.graph.dependencies.needs import of_descriptions
 from bringup_lint.graph.dependencies.needs import of_launch
@@ -40,9 +42,7 @@ from bringup_lint.graph.dependencies.plain_programs import programs_without_mode
 from bringup_lint.graph.dependencies.plugin_needs import of_plugins
 from bringup_lint.graph.dependencies.provided import Provided
 from bringup_lint.graph.dependencies.ros1_programs import ros1_programs
-from bringup_lint.graph.dependencies.subpackages import LeftBeside
 from bringup_lint.graph.dependencies.subpackages import LeftOut
-from bringup_lint.graph.dependencies.subpackages import left_beside
 from bringup_lint.graph.dependencies.subpackages import left_out
 from bringup_lint.graph.dependencies.unexported import Unexported
 from bringup_lint.graph.dependencies.unexported import unexported

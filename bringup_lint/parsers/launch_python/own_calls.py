@@ -10,6 +10,7 @@ from bringup_lint.model.launch import RefusedCall
 from bringup_lint.model.python import FunctionNode
 from bringup_lint.model.python import bound_names
 from bringup_lint.model.python import called_name
+from bringup_lint.model.python import dotted_name
 from bringup_lint.model.python_calls import misfit
 from bringup_lint.parsers.launch_python.unbound import caught_in
 from bringup_lint.parsers.python_syntax import Positions
@@ -42,7 +43,7 @@ def _known(tree: ast.Module, bound: Counter[str]) -> dict[str, FunctionNode]:
         methods = [each for each in owner.body if isinstance(each, _FUNCTIONS)]
         count = Counter(each.name for each in methods)
         for each in methods:
-            if count[each.name] == 1 and [_dotted(word) for word in each.decorator_list] == ["staticmethod"]:
+            if count[each.name] == 1 and [dotted_name(word) for word in each.decorator_list] == ["staticmethod"]:
                 found[f"{owner.name}.{each.name}"] = each
     return found
 
@@ -61,20 +62,11 @@ def _calls(tree: ast.Module) -> Iterator[ast.Call]:
 
 def _made(call: ast.Call, known: dict[str, FunctionNode]) -> Iterator[tuple[FunctionNode, str, ast.Call]]:
     """The function that a call runs, its name, and the call as the function gets it."""
-    name = _dotted(call.func)
+    name = dotted_name(call.func)
     if name in known:
         yield known[name], name, call
     elif called_name(call) == "OpaqueFunction":
         yield from _opaque(call, known)
-
-
-def _dotted(function: ast.expr) -> str:
-    """``name`` or ``Class.name``; empty for what is longer."""
-    if isinstance(function, ast.Name):
-        return function.id
-    if isinstance(function, ast.Attribute) and isinstance(function.value, ast.Name):
-        return f"{function.value.id}.{function.attr}"
-    return ""
 
 
 def _opaque(call: ast.Call, known: dict[str, FunctionNode]) -> Iterator[tuple[FunctionNode, str, ast.Call]]:
