@@ -111,13 +111,9 @@ class Params:
             if parameter is not None:
                 yield file, parameter
 
-    @property
-    def parameters(self) -> Iterator[tuple[ParameterFile, Parameter]]:
-        """Every value of the judged files, in the order of the text."""
-        return iter(self._parameters)
-
     @cached_property
-    def _parameters(self) -> list[tuple[ParameterFile, Parameter]]:
+    def parameters(self) -> list[tuple[ParameterFile, Parameter]]:
+        """Every value of the judged files, in the order of the text."""
         return [(file, parameter) for file in self.judged for parameter in file.parameters]
 
     def named(self, name: str) -> list[tuple[ParameterFile, Parameter]]:

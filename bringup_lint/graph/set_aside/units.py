@@ -18,11 +18,13 @@ from bringup_lint.source import Source
 from bringup_lint.templates import final_name
 
 _UNIT = regex(r"\.(?:service|timer|socket|path|target)$")
-_BRINGS = (
+_BRINGS = regex(
     r"\b(?:cp|ln|mv|install|rsync|scp|link\w{0,20}|symlink\w{0,20}|copy|COPY|ADD|src|put|enabled?|start|restart"
     r"|PROGRAMS|FILES|template|tee)\b"
 )
-_WHOLE = r"\b(?:cp|ln|mv|install|rsync|scp|copy|COPY|ADD|src|DIRECTORY|glob|iglob|listdir|iterdir|for|find|tar)\b"
+_WHOLE = regex(
+    r"\b(?:cp|ln|mv|install|rsync|scp|copy|COPY|ADD|src|DIRECTORY|glob|iglob|listdir|iterdir|for|find|tar)\b"
+)
 _EVERY_UNIT = regex(r"\*\.(?:service|timer|socket|path|target|\{|\$)")
 _STARTS = regex(r"\bsystemctl\b|\bdh_installsystemd\b[^\n]*--name\b", hints="systemctl dh_installsystemd")
 _MATCHED = regex(r"(?<![\w-])([\w-]{1,80})@?\.[*{]")
@@ -33,6 +35,7 @@ _SUFFIX = regex(r"[\]}\"'%)*s]\.(?:service|timer|socket|path|target)\b")
 """Of a name that is put together from its stem."""
 _PLACE = regex(r"/systemd/(?:system|user)/[^/]+$")
 """A folder from which systemd loads units: such a tree is copied as a whole."""
+_ANY = regex("")
 _OF_UNIT = regex(r"\.(?:service|timer|socket|path|target)\b")
 
 
@@ -76,12 +79,12 @@ class IdleUnits:
     @cached_property
     def _bringing(self) -> dict[str, set[str]]:
         """The names of units in lines that install or start something, each with the files that have them."""
-        return self._behind(regex(_BRINGS), _OF_UNIT)
+        return self._behind(_BRINGS, _OF_UNIT)
 
     @cached_property
     def _asking(self) -> dict[str, set[str]]:
         """The words of lines that start units, each with the files that have them."""
-        return self._behind(_STARTS, regex(""))
+        return self._behind(_STARTS, _ANY)
 
     def _behind(self, pattern: re.Pattern[str], lines: re.Pattern[str]) -> dict[str, set[str]]:
         """The words that follow a pattern in lines, with and without the ending, each with the files that have them."""
@@ -133,12 +136,11 @@ class IdleUnits:
         place = re.compile(
             rf"(?<![\w.-]){re.escape(folder)}(?:/?[\"']?(?:[\s,)\]}}:]|$)|/[\"']?(?:\*|\$|\{{|\.(?![\w.])))"
         )
-        whole = regex(_WHOLE)
         found = [each.path for each in self._texts.by_folder.get(here, ()) if _EVERY_UNIT.search(each.text)]
         for each in self._texts.by_word.get(folder, ()):
             lines = (line for line in each.text.splitlines() if folder in line and place.search(line))
             if _EVERY_UNIT.search(each.text) or any(
-                whole.search(line) and names.isdisjoint(map(final_name, WORD.findall(line))) for line in lines
+                _WHOLE.search(line) and names.isdisjoint(map(final_name, WORD.findall(line))) for line in lines
             ):
                 found.append(each.path)
         return found

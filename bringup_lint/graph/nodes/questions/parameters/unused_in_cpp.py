@@ -27,6 +27,8 @@ _NAME = r'(?:\w{1,40}\s{0,4}\+\s{0,4})?"\.?(?P<name>[^"\n]{1,80})"'
 _ASKS = regex(_CALL + _NAME, hints="_parameter")
 _INTO = regex(r"\s{0,4},\s{0,40}(?:this->)?(?P<variable>[A-Za-z_]\w{1,80})\s{0,4}(?P<end>[,)])")
 """After a call and its name: the variable that gets the value."""
+_ENDS = {"get_parameter": (",", ")"), "get_parameter_or": (",",), "declare_parameter": ()}
+"""Call -> what follows the second argument, where that gets the value."""
 _ASSIGNED = regex(
     r"(?P<before>[;{})]\s{0,200}|[\w>&]\s{1,4})(?:this->)?(?P<variable>[A-Za-z_]\w{1,80})\s{0,4}=\s{0,40}"
     r"(?:static_cast<[^;()]{1,40}>\s{0,4}\(\s{0,4})?(?:\w{1,40}(?:\(\))?\s{0,4}(?:->|\.)\s{0,4}){0,3}\Z"
@@ -103,9 +105,8 @@ def _reads(source: Source) -> Iterator[_Read]:
     plain = plain_of(source)
     for call in _ASKS.finditer(plain):
         into = _INTO.match(plain, call.end())
-        ends = {"get_parameter": (",", ")"), "get_parameter_or": (",",)}.get(call["call"], ())
         asks = _IF.search(plain, max(call.start() - 100, 0), call.start())
-        if into is not None and into["end"] in ends and not asks:
+        if into is not None and into["end"] in _ENDS[call["call"]] and not asks:
             yield _read(source, call, into, False)
         assigned = _ASSIGNED.search(plain, max(call.start() - _BEFORE, 0), call.start())
         if assigned is not None:
