@@ -32,9 +32,12 @@ When it is a program of the robot that the tree does not install.
 """
 
 import re
+from collections.abc import Iterable
 from collections.abc import Iterator
+from itertools import islice
 
 from bringup_lint.api import Finding
+from bringup_lint.api import NamedTuple
 from bringup_lint.api import Robot
 from bringup_lint.api import Source
 from bringup_lint.api import finding
@@ -54,13 +57,33 @@ PROGRAMS = regex(
 )
 """Names of programs and of functions of a workspace, which have an underscore as well."""
 MOST = 20
+READ = 200_000
+"""How much of a file is searched for a name."""
 ASKED = 100
 """Names of a tree that are looked for in all of its files."""
 
 
+class Suspect(NamedTuple):
+    """A function that a script calls and does not define."""
+
+    source: Source
+    name: str
+    calls: list[Run]
+
+
 @rule("warning", symptoms=["*: command not found"])
 def function_missing(robot: Robot) -> Iterator[Finding]:
-    asked = 0
+    for each in _alone(robot, islice(_suspects(robot), ASKED)):
+        first, *others = each.calls
+        yield finding(
+            first.words[0],
+            f"Nothing defines {each.name}: the shell does not find it, and the step is not done",
+            advice="define the function, or remove the call",
+            related=[note(other.words[0], "here too") for other in others[:MOST]],
+        )
+
+
+def _suspects(robot: Robot) -> Iterator[Suspect]:
     for source in robot.of_kind("shell-script"):
         if not source.judged or source.template or "_" not in source.text:
             continue
@@ -72,17 +95,8 @@ def function_missing(robot: Robot) -> Iterator[Finding]:
             if isinstance(run, Run) and run.name not in own and _may_be_function(run):
                 found.setdefault(run.name, []).append(run)
         for name, calls in found.items():
-            first, *others = calls
-            if asked >= ASKED or not _is_called_like(name, own) or any(map(_may_fail, calls)):
-                continue
-            asked += 1
-            if _is_alone(robot, source, name, len(calls)):
-                yield finding(
-                    first.words[0],
-                    f"Nothing defines {name}: the shell does not find it, and the step is not done",
-                    advice="define the function, or remove the call",
-                    related=[note(each.words[0], "here too") for each in others[:MOST]],
-                )
+            if _is_called_like(name, own) and not any(map(_may_fail, calls)):
+                yield Suspect(source, name, calls)
 
 
 def _may_be_function(run: Run) -> bool:
@@ -102,10 +116,17 @@ def _may_fail(run: Run) -> bool:
     return run.command.hides_errors or run.command.ends == "||"
 
 
-def _is_alone(robot: Robot, source: Source, name: str, calls: int) -> bool:
-    """Whether the name is nowhere else than where it is called."""
-    alone = re.compile(rf"(?<![\w-]){re.escape(name)}(?![\w-])")
-    if len(alone.findall(source.uncommented)) > calls:
-        return False
-    others = (robot.tree.head(path, 200_000) for path in robot.tree.paths if path != source.absolute)
-    return not any(name in text and alone.search(text) for text in others)
+def _alone(robot: Robot, suspects: Iterable[Suspect]) -> list[Suspect]:
+    """Those whose names are nowhere else than where they are called. Each file of the tree is read once."""
+    named = ((each, re.compile(rf"(?<![\w-]){re.escape(each.name)}(?![\w-])")) for each in suspects)
+    left = [(each, name) for each, name in named if len(name.findall(each.source.uncommented)) <= len(each.calls)]
+    for path in robot.tree.paths:
+        if not left:
+            break
+        text = robot.tree.start(path, READ)
+        left = [
+            (each, name)
+            for each, name in left
+            if each.name not in text or path == each.source.absolute or not name.search(text)
+        ]
+    return [each for each, _ in left]
