@@ -1,10 +1,10 @@
 """A build step, a command or a health check uses what only bash understands, and sh reads it.
 
 ## What it finds
-A `RUN` in shell form with `source`, `pushd`, `[[ ]]`, `set -o pipefail` or braces such as `{a,b}` in the words of
-`mkdir`, `rm`, `cp`, `mv`, `touch`, `chmod` or `chown`, in an image of Ubuntu, Debian, ROS or CUDA, where `/bin/sh` is
-dash. The same in a here-document without `#!`, in CMD, ENTRYPOINT and HEALTHCHECK in shell form, and in the
-`healthcheck:` of a compose service that is one text or begins with `CMD-SHELL`.
+A `RUN` in shell form with `source`, `pushd`, `[[ ]]`, `set -o pipefail`, `echo -e` to a file or pipe, or braces such as
+`{a,b}` in the words of `mkdir`, `rm`, `cp`, `mv`, `touch`, `chmod` or `chown`, in an image of Ubuntu, Debian, ROS or
+CUDA, where `/bin/sh` is dash. The same in a here-document without `#!`, in CMD, ENTRYPOINT and HEALTHCHECK in shell
+form, and in the `healthcheck:` of a compose service that is one text or begins with `CMD-SHELL`.
 
 Silent after `SHELL`, after a step that makes `/bin/sh` bash, in branches, and in texts that another shell gets.
 Braces of `rm` are information: nothing is removed, and the image is only larger.
@@ -122,6 +122,12 @@ def _wrong(reads: Reads, command: Command, *, is_strict: bool) -> tuple[Located,
         return words[0], "sh has no '[[': the condition is never true", None
     if name == "set" and "pipefail" in words[1:]:
         return words[0], f"dash has no pipefail: {ENDS[reads]}", None
+    if (
+        name == "echo"
+        and words[1:2] == ("-e",)
+        and (command.ends == "|" or any(each.writes for each in command.redirects))
+    ):
+        return words[1], "dash has no -e for echo: it is written too", "warning"
     braced = next((word for word in words[1:] if BRACES.fullmatch(word.span.text)), None) if name in FILES else None
     if braced is None:
         return None

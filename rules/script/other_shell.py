@@ -3,15 +3,18 @@
 ## What it finds
 - `source` in a script that begins with `#!/bin/sh`, and `.` with a `setup.bash` there;
 - `source` or `.` with a `setup.zsh` in a script for bash or sh;
-- `source`, and `set -o pipefail`, in a task of Ansible's `shell` module without `executable: /bin/bash`;
+- `source`, `set -o pipefail`, and `echo -e` to a file or pipe, in a task of Ansible's `shell` module without
+  `executable: /bin/bash`;
 - `[[ ]]`, an array, `NAME=(a b)`, and `&>` in a script that begins with `#!/bin/sh`;
 - there too: `trap` and `kill` with a signal that is written with `SIG`, `trap ... ERR`, `set -o pipefail`, `echo -e`
   to a file or pipe, `[ a == b ]`, `read` with `-a`, `-n`, `-s` or `-t`, the commands `pushd`, `popd`, `let`,
   `declare`, `typeset`, `shopt`, `mapfile`, `readarray` and `disown`, and expansions such as `${NAME[0]}`,
-  `${NAME:0:3}` and `${NAME//a/b}`.
+  `${NAME:0:3}` and `${NAME//a/b}`;
+- `sh -c "echo -e ..."` to a file or pipe, in any script.
 
-Lines under a condition are not reported, nor scripts that something of the tree reads with `source`, or starts with
-the name of another shell, that start themselves again in bash, or that are for BusyBox (OpenWrt, Alpine).
+Lines under a condition are not reported, but for the last, nor scripts that something of the tree reads with
+`source`, or starts with the name of another shell, that start themselves again in bash, or that are for BusyBox
+(OpenWrt, Alpine).
 
 ## Why it matters on a robot
 `/bin/sh` is dash on Ubuntu and Debian: it answers "source: not found" and goes on without the environment of ROS.
@@ -50,6 +53,7 @@ from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.shell import SH_IS_BASH
+from bringup_lint.api.shell import Command
 from bringup_lint.api.shell import Redirect
 from bringup_lint.api.shell import Run
 from bringup_lint.api.shell import Word
@@ -65,6 +69,8 @@ OF_TASK = {
     "what follows has no such environment",
     "set": "Ansible's shell module runs /bin/sh, which is dash on Ubuntu and Debian and has no pipefail: the task "
     "fails",
+    "echo": "Ansible's shell module runs /bin/sh, which is dash on Ubuntu and Debian and has no -e for echo: it is "
+    "written too",
 }
 OF_ARRAYS = (
     "/bin/sh is dash on Ubuntu and Debian and has no arrays: the script stops here with a syntax error",
@@ -110,10 +116,12 @@ BOTH = regex(r"\b(?:ZSH_VERSION|ZSH_NAME|BASH_VERSION|BASH_SOURCE)\b")
 def other_shell(robot: Robot) -> Iterator[Finding]:
     found: dict[Source, list[tuple[Located, str, str]]] = {}
     by_services = _run_by_services(robot)
+    named: dict[Source, list[tuple[Located, str, str]]] = {}
     for source, run in robot.scripts.run(*COMMANDS):
-        wrong = _wrong(source, run) if run.certain and source not in by_services else None
+        is_named = run.shell in ("sh", "dash") and run.name == "echo"
+        wrong = _wrong(source, run) if (run.certain or is_named) and source not in by_services else None
         if wrong is not None:
-            found.setdefault(source, []).append(wrong)
+            (named if is_named else found).setdefault(source, []).append(wrong)
     for source in (each for each in robot.of_kind("shell-script") if each not in by_services):
         if source not in found:
             found[source] = [(word, *OF_REDIRECTS) for word in _redirected(source)]
@@ -123,6 +131,15 @@ def other_shell(robot: Robot) -> Iterator[Finding]:
         array = _array(source)
         if array is not None:
             found[source].insert(0, (array, *OF_ARRAYS))
+    for source, ((first, message, advice), *others) in named.items():
+        if not robot.mentions(SH_IS_BASH) and not OF_BUSYBOX.search(source.said):
+            yield finding(
+                first,
+                message,
+                advice=advice,
+                related=[note(word, "here too") for word, _, _ in others],
+                severity="warning",
+            )
     for source, wrongs in found.items():
         if not wrongs:
             continue
@@ -148,7 +165,9 @@ def _of_tasks(robot: Robot) -> Iterator[Finding]:
     found: dict[tuple[Source, str], list[Located]] = {}
     for command in sh_commands(robot.files):
         word = command.words[0] if command.words else None
-        if word == "source" or (word == "set" and "pipefail" in command.words[1:]):
+        if word is None:
+            continue
+        if word == "source" or (word == "set" and "pipefail" in command.words[1:]) or _writes_option(command):
             found.setdefault((word.span.source, str(word)), []).append(word)
     for (_, name), (first, *others) in found.items():
         yield finding(
@@ -156,6 +175,7 @@ def _of_tasks(robot: Robot) -> Iterator[Finding]:
             OF_TASK[name],
             advice="write executable: /bin/bash below the args of the task",
             related=[note(word, "here too") for word in others[:MOST]],
+            severity="warning" if name == "echo" else None,
         )
 
 
@@ -240,10 +260,16 @@ def _refused(run: Run) -> tuple[Located, str, str] | None:
         option = next((word for word in words if word == "pipefail"), None)
         return (option, "has no pipefail: the script stops here", begin) if option is not None else None
     if name == "echo":
-        is_kept = words[0] == "-e" and (run.command.ends == "|" or any(each.writes for each in run.command.redirects))
+        is_kept = _writes_option(run.command)
         return (words[0], f"has no -e for echo: it is written too, {GOES_ON}", "write printf") if is_kept else None
     option = next((word for word in words if READS.fullmatch(word)), None) if name == "read" else None
     return (option, f"has no {option} for read: {FAILS}", begin) if option is not None else None
+
+
+def _writes_option(command: Command) -> bool:
+    """Whether the ``-e`` of an echo comes into a file or another program."""
+    goes_on = command.ends == "|" or any(each.writes for each in command.redirects)
+    return command.words[:2] == ("echo", "-e") and goes_on
 
 
 def _expanded(robot: Robot, source: Source) -> Iterator[tuple[Located, str, str]]:

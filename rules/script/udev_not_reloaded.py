@@ -1,8 +1,9 @@
 """Rules are copied, and udev is not told.
 
 ## What it finds
-A script that copies files to a `rules.d` folder of udev and neither runs `udevadm control --reload` or
-`udevadm trigger`, nor restarts udev or the machine, nor says that somebody has to.
+A script that copies files to a `rules.d` folder of udev, or writes one, and neither runs `udevadm trigger`, nor
+restarts the machine, nor says that somebody has to do that, or to plug the devices in again. `udevadm control
+--reload` and `service udev restart` only make udev read the rules: no device gets them before its next event.
 
 ## Why it matters on a robot
 Devices that are plugged in keep the names and modes that they have. The links that drivers open are not there until
@@ -40,11 +41,18 @@ from bringup_lint.api import rule
 from bringup_lint.api.shell import runs_in_image
 
 TOLD = regex(
-    r"udevadm|udev\s+(?:restart|reload)|(?:restart|reload)\s+\S*udev|\breboot\b|\bchroot\b|shutdown\s+-r",
+    r"udevadm\s[^\n]{0,200}trigger|\breboot\b|\bchroot\b|\bqemu\b|shutdown\s+-r|re-?plug|unplug|(?:re|dis)connect"
+    r"|plug[^\n]{0,40}(?:again|back)|\brestart\b[^\n;&|]{0,40}\b(?:pc|computer|machine|system|robot|pi)\b",
     re.I,
-    hints="udev reboot chroot shutdown",
+    hints="udevadm reboot chroot qemu shutdown plug connect restart",
+)
+RELOADS = regex(
+    r"^[^#\n]*(?:udevadm\s|udev\s+(?:restart|reload)|(?:restart|reload)\s+\S*udev)", re.I | re.M, hints="udev"
 )
 FOLDER = "/udev/rules.d"
+SYSTEM = ("/etc/", "/lib/", "/usr/lib/")
+PAGE = regex(r"\.(?:md|rst|txt)$", re.I)
+MOST = 100_000
 
 
 @rule("warning", symptoms=["No such file or directory: '/dev/", "could not open port /dev/*No such file or directory"])
@@ -52,16 +60,23 @@ def udev_not_reloaded(robot: Robot) -> Iterator[Finding]:
     copied: dict[Source, list[Located]] = {}
     for source, run in robot.scripts.run("cp", "install", "ln", "mv"):
         target = run.text(run.words[-1]) if len(run.words) > 2 else ""
-        if target.startswith(("/etc", "/lib", "/usr/lib")) and FOLDER in target:
+        if target.startswith(SYSTEM) and FOLDER in target:
             copied.setdefault(source, []).append(run.words[-1])
+    for source, written in robot.scripts.written(FOLDER):
+        if written.path.startswith(SYSTEM) and FOLDER in written.path:
+            copied.setdefault(source, []).append(written.where)
     telling = [each for each in robot.sources if each.kind == "dockerfile" or TOLD.search(each.said)] if copied else []
     for source, (first, *others) in copied.items():
-        if TOLD.search(source.said) or _is_called(telling, source) or runs_in_image(source):
+        if TOLD.search(source.text) or _is_called(telling, source) or runs_in_image(source):
             continue
+        if any(source.basename in page and TOLD.search(page) for page in robot.tree.pages(PAGE, MOST)):
+            continue
+        reloads = RELOADS.search(source.text)
+        cause = "udev only reads the new rules" if reloads else "udev is not told of the new rules"
         yield finding(
             first,
-            "udev is not told of the new rules: devices that are plugged in keep their names and modes",
-            advice="run udevadm control --reload and udevadm trigger afterwards",
+            f"{cause}: devices that are plugged in keep their names and modes",
+            advice=f"run {'' if reloads else 'udevadm control --reload and '}udevadm trigger afterwards",
             related=[note(other, "rules are copied here too") for other in others],
         )
 
