@@ -49,6 +49,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.systemd.questions.needless_root import changes_user
     from bringup_lint.graph.systemd.questions.needless_root import needless_root
     from bringup_lint.graph.systemd.questions.needless_root import reads_display_of_root
+    from bringup_lint.graph.systemd.questions.never_enabled import installed_at
     from bringup_lint.graph.systemd.questions.never_enabled import never_enabled_units
     from bringup_lint.graph.systemd.questions.restart_loop import CrashLoop
     from bringup_lint.graph.systemd.questions.restart_loop import Outcome
@@ -133,6 +134,7 @@ __all__ = [
     "file_capabilities",
     "has_trigger",
     "hidden_home",
+    "installed_at",
     "is_own_program",
     "is_unit_name",
     "left_out_units",

@@ -6,7 +6,8 @@ a stage that a build of the tree names as its target, and a RUN that copies a fi
 of `--mount=type=secret`, or a key from that of `--mount=type=bind`, to another place and does not remove it in the same
 step. A copy that only a condition of the step makes is a warning, and an info where nothing of the tree pushes images
 to a registry. A key that `ssh-keygen` makes in a RUN is a warning, too: the host keys of `ssh-keygen -A` and a key that
-signs in elsewhere are then the same on every robot.
+signs in elsewhere are then the same on every robot. So is a keystore of SROS2 (`ros2 security create_keystore`,
+`generate_artifacts`), whose authority signs the participants of all robots.
 
 ## Why it matters on a robot
 Everybody who can pull the image, or has a robot with it, can read the key: `docker save` shows every layer, also when a
@@ -57,6 +58,8 @@ CACHE = regex(r"/var/(?:lib/apt|cache)/|/tmp/")
 PUSH = regex(r"\bdocker(?:[ \t]+(?:image|compose|buildx))?[ \t]+push\b|--push\b|\bpush:[ \t]*(?:true|\$)", hints="push")
 CALLING = regex(r"(?:\.github/workflows/[^/]+|\.gitlab-ci\.yml|Jenkinsfile|Makefile|[jJ]ustfile|\.(?:sh|bash|hcl))$")
 MOST = 100_000
+KEYSTORE = ("create_keystore", "generate_artifacts")
+"""Verbs of `ros2 security` that make an authority."""
 OTHER_WORK = regex(r"-[a-zA-Z]{0,8}[FRHlyeispcBDkQrYLMUO]")
 """Options with which ssh-keygen makes no key."""
 
@@ -157,8 +160,10 @@ def _written(command: Command, mounts: dict[str, bool]) -> Iterator[Located]:
 
 
 def _makes(command: Command) -> bool:
-    """Whether ssh-keygen makes a key at a place that stays."""
+    """Whether ssh-keygen makes a key at a place that stays, or ros2 an authority."""
     words = unwrapped(command.words)
+    if _makes_authority(words):
+        return True
     if not words or program_name(words[0]) != "ssh-keygen":
         return False
     if "-A" in words:
@@ -168,8 +173,21 @@ def _makes(command: Command) -> bool:
     return at < len(words) and not GONE.match(words[at]) and not any(map(OTHER_WORK.fullmatch, options))
 
 
+def _makes_authority(words: tuple[Located, ...]) -> bool:
+    """Whether ros2 makes a keystore, with the key of its authority, at a place that stays."""
+    is_keystore = words[:2] == ("ros2", "security") and len(words) > 3 and words[2] in KEYSTORE
+    return is_keystore and not any(map(GONE.match, words[3:]))
+
+
 def _made(command: Command) -> Finding:
     host = "-A" in command.words
+    if _makes_authority(unwrapped(command.words)):
+        return finding(
+            command.words[0],
+            "The authority of the keystore is made in the image: who can pull it can sign participants of every robot",
+            advice="make the keystore outside of the image, and mount the enclaves of each robot",
+            severity="warning",
+        )
     return finding(
         command.words[0],
         "The host keys of SSH are made in the image: every robot has the same, and who can pull it can pose as any"

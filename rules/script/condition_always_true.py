@@ -2,6 +2,8 @@
 
 ## What it finds
 `!=` (or `-ne`) twice on the same variable or `$(COMMAND)` with two different literal values, joined with `||` or `-o`.
+And, as a warning, `[ "$NAME" ]`, `[ -n "$NAME" ]` and `[ ! "$NAME" ]` of a variable that the script sets to `true` and
+to `false`, or to other such pairs of words, and to nothing else: the word `false` is not empty either.
 
 ## Why it matters on a robot
 No value is equal to both, so that one of the two halves is always true. The branch for a missing or switched-off part
@@ -30,7 +32,9 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
+from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 
@@ -46,6 +50,20 @@ NEITHER = regex(
 NARROWED = regex(r"&&|[ \t]-a[ \t]|\[[ \t]+![ \t]")
 """What comes before the two halves may make the first one false, or turn its answer around."""
 
+FLAG = regex(
+    r"^(?P<before>[^#\n]*?(?<![\w$]))(?P<asked>\[\[?[ \t]+(?P<not>![ \t]+)?(?:-n[ \t]+)?\"?\$(?:(?P<name>[A-Za-z_]\w*)"
+    r"|\{(?P<braced>[A-Za-z_]\w*)\})\"?[ \t]+\]\]?)",
+    re.M,
+    hints="[ ",
+)
+"""Asks whether a variable is empty."""
+ASSIGNED = regex(r"(?<![\w${-])([A-Za-z_]\w*)(\+?=)((?:\"[^\"\n]*\"|'[^'\n]*'|[^\s;&|)(\"'])*)", hints="=")
+OTHERWISE = regex(r"\b(?:unset|read|for|getopts|mapfile|printf[ \t]+-v|source|\.|eval)[ \t]([^\n;]*)")
+"""What may give a variable another value."""
+WORD = regex(r"\w+")
+TRUE = ("false", "False", "no", "off", "0", "true", "True", "yes", "on", "1")
+PAIRS = ({"true", "false"}, {"True", "False"}, {"yes", "no"}, {"on", "off"}, {"1", "0"})
+
 
 @rule("error", silent="the condition is valid for the shell")
 def condition_always_true(robot: Robot) -> Iterator[Finding]:
@@ -60,3 +78,37 @@ def condition_always_true(robot: Robot) -> Iterator[Finding]:
                     f"This is always true: ${found['name'].strip('{}')} cannot be {one!r} and {other!r} at once",
                     advice="join the two halves with &&",
                 )
+        yield from _flags(source)
+
+
+def _flags(source: Source) -> Iterator[Finding]:
+    """The conditions that ask whether a variable is empty that only ever has one of two words."""
+    asked = list(FLAG.finditer(source.text))
+    if not asked:
+        return
+    values: dict[str, dict[str, tuple[int, int]]] = {}
+    for match in ASSIGNED.finditer(source.text):
+        value = match[3].strip("\"'") if match[2] == "=" else ""
+        values.setdefault(match[1], {}).setdefault(value, match.span(1))
+    otherwise = {word for match in OTHERWISE.finditer(source.text) for word in WORD.findall(match[1])}
+    for match in asked:
+        name = match["name"] or match["braced"]
+        given = values.get(name, {})
+        if set(given) not in PAIRS or name in otherwise or not _is_set_first(source, given, match.start()):
+            continue
+        one, other = given
+        answer = "false" if match["not"] else "true"
+        yield finding(
+            source.located(*match.span("asked")),
+            f"This is always {answer}: ${name} is {one!r} or {other!r}, and neither is empty",
+            advice=f'write [ "${name}" {"!=" if match["not"] else "="} {max(given, key=TRUE.index)} ]',
+            related=[note(source.located(*given[value]), f"set to {value!r}") for value in (one, other)],
+            severity="warning",
+        )
+
+
+def _is_set_first(source: Source, given: dict[str, tuple[int, int]], asked: int) -> bool:
+    """Whether the script sets the variable before it asks, outside of blocks, so that nobody else gives it."""
+    first = min(start for start, _ in given.values())
+    line = source.line_before(first)
+    return first < asked and line in ("", "export ", "readonly ", "declare ")

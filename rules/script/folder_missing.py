@@ -1,9 +1,12 @@
-"""A script writes into a folder that nothing makes, where the scripts make one of nearly that name.
+"""A script writes into a folder that nothing makes.
 
 ## What it finds
 A redirection (`> FILE`, `&>> FILE`) into a folder that no `mkdir` or `install -d` of the tree's scripts makes and that
 nothing else of the tree names, where a script makes a folder beside it whose name differs in a letter, such as
-`/var/log/rover` and `/var/log/rovers`. Folders that differ in a number are two folders, and those that packages of the
+`/var/log/rover` and `/var/log/rovers`. Also `>` and `tee` into a folder that Debian and Ubuntu do not have before
+somebody makes it (`/etc/systemd/journald.conf.d`, `/etc/systemd/system/NAME.service.d`), or that a package brings of
+which nothing in the tree speaks (`/etc/iptables`), where no other line of the tree names it. Folders that differ in a
+number are two folders, and those that packages of the
 system bring, such as `/etc/ssh/sshd_config.d` and `/usr/local/bin`, are there.
 
 ## Why it matters on a robot
@@ -30,6 +33,7 @@ When a program that is not in the tree makes the folder.
 """
 
 import posixpath
+import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -41,6 +45,7 @@ from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.shell import Written
+from bringup_lint.api.shell import runs_in_image
 from bringup_lint.api.spelling import nearest
 from bringup_lint.api.spelling import numbered
 
@@ -54,13 +59,29 @@ BROUGHT = regex(
     r"|/etc/systemd/(?:system|user|network)|/usr/(?:local/)?(?:s?bin|lib|share|src|include)"
 )
 """Folders that packages of Debian and Ubuntu bring."""
+ABSENT = regex(
+    r"/etc/systemd/(?:(?:journald|resolved|logind|timesyncd|networkd|coredump|sleep|system|user)\.conf"
+    r"|(?:system|user)/[\w@.-]+\.(?:service|target|timer|socket))\.d"
+)
+"""Drop-in folders that no package of Debian and Ubuntu makes."""
+PACKAGED = {
+    "/etc/iptables": ("iptables-persistent", "netfilter-persistent"),
+    "/etc/hostapd": ("hostapd",),
+    "/etc/mosquitto/conf.d": ("mosquitto",),
+    "/etc/supervisor/conf.d": ("supervisor",),
+    "/etc/nginx/sites-available": ("nginx",),
+    "/etc/nginx/conf.d": ("nginx",),
+    "/etc/wireguard": ("wireguard",),
+}
+"""Folder -> the packages that bring it, of which none is there by itself."""
 PLAIN = regex(r"~?(?:/[\w.-]+){2,}")
-TWO = regex(r"(?<![\w.-])(?=([\w.-]+/[\w.-]+))")
+TWO = regex(r"(?<![\w.@-])(?=([\w.@-]+/[\w.@-]+))")
 
 
 @rule("error", confidence="medium", symptoms=["*.sh: line *: *: No such file or directory"])
 def folder_missing(robot: Robot) -> Iterator[Finding]:
     made = _made(robot)
+    yield from _absent(robot, made)
     if not made:
         return
     known = set(_known(made))
@@ -91,6 +112,31 @@ def folder_missing(robot: Robot) -> Iterator[Finding]:
                 advice=f"did you mean {seen[folder]}?",
                 related=[note(made[seen[folder]], "this folder is made")],
             )
+
+
+def _absent(robot: Robot, made: dict[str, Located]) -> Iterator[Finding]:
+    """What scripts write into folders that the system does not have by itself."""
+    places: dict[str, list[Located]] = {}
+    for source, written in robot.scripts.written("/etc/systemd/", *PACKAGED):
+        folder = posixpath.dirname(written.path)
+        is_absent = ABSENT.fullmatch(folder) or (folder in PACKAGED and not _is_brought(robot, folder))
+        if is_absent and folder not in made and not runs_in_image(source):
+            places.setdefault(folder, []).append(written.where)
+    lines = _lines(robot, set(map(_end, places)))
+    for folder, (first, *others) in places.items():
+        if lines[_end(folder)] <= {(each.span.source, each.span.line) for each in (first, *others)}:
+            yield finding(
+                first,
+                f"Nothing makes {folder}: the file cannot be opened, and what it is to hold is lost",
+                advice=f"install {PACKAGED[folder][0]}" if folder in PACKAGED else f"run mkdir -p {folder} before it",
+                related=[note(each, "nor this") for each in others],
+            )
+
+
+def _is_brought(robot: Robot, folder: str) -> bool:
+    """Whether something of the tree speaks of the package that brings a folder."""
+    own = "|".join(map(re.escape, PACKAGED[folder]))
+    return robot.mentions(re.compile(rf"(?<![\w/.-])(?:{own})(?![\w/.])"))
 
 
 def _path(text: str) -> str:

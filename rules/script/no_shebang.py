@@ -2,8 +2,8 @@
 
 ## What it finds
 A text file of the tree that a unit starts directly and whose first line does not begin with `#!`: no such line at all,
-or a misspelt one such as `#/bin/sh`. A misspelt one is a warning in every other script but the completions of shells,
-which are never started.
+or a misspelt one such as `#/bin/sh`. A misspelt one, and one behind blanks or empty lines, is a warning in every other
+script but the completions of shells, which are never started.
 
 ## Why it matters on a robot
 The kernel executes a text file only by its first line. systemd has no shell to fall back to: the unit fails with
@@ -47,6 +47,7 @@ MISSPELT = regex(
     re.M,
 )
 """A first line with such a mistake."""
+INDENTED = regex(r"[ \t\r\n]+(#![ \t]*/[^\n]*)")
 
 
 @rule(
@@ -77,8 +78,18 @@ def no_shebang(robot: Robot) -> Iterator[Finding]:
                 related=[note(program, f"{unit.name} starts it")],
             )
     for source in robot.of_kind("shell-script"):
-        misspelt = MISSPELT.match(source.said) if source.judged and source not in seen else None
-        if misspelt is not None and "complet" not in source.basename:
+        if not source.judged or source in seen or source.text.startswith("#!"):
+            continue
+        indented = INDENTED.match(source.said) if not source.template else None
+        misspelt = MISSPELT.match(source.said)
+        if indented is not None:
+            yield finding(
+                source.located(*indented.span(1)),
+                "The file begins with blanks and so names no interpreter: only a shell can start the script",
+                advice="remove the blanks",
+                severity="warning",
+            )
+        elif misspelt is not None and "complet" not in source.basename:
             yield finding(
                 source.located(*misspelt.span(1)),
                 "The first line is a comment and names no interpreter: only a shell can start the script",

@@ -37,6 +37,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import installed_at
 from bringup_lint.api.systemd import never_enabled_units
 
 INSTALLING = ("shell-script", "ansible", "cloud-init")
@@ -51,5 +52,8 @@ def never_enabled(robot: Robot) -> Iterator[Finding]:
             wanted,
             f"{unit.name} is installed, but nothing enables it: WantedBy= has no effect, and it does not start at boot",
             advice=f"run systemctl enable {unit.name} after the installation",
-            related=[note(unit.where, "the unit")],
+            related=[
+                note(unit.where, "the unit"),
+                *(note(each, "it is put into place here") for each in installed_at(robot.files, unit)),
+            ],
         )

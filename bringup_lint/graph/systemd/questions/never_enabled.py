@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
     from bringup_lint.graph.systemd.unit import Unit
     from bringup_lint.graph.systemd.units import Units
+    from bringup_lint.source import Located
     from bringup_lint.source import Source
 
 _BOOT = ("multi-user.target", "graphical.target", "default.target")
@@ -51,6 +52,16 @@ def never_enabled_units(files: Files, units: Units) -> Iterator[Unit]:
         own = {file.source for file in unit.files}
         if not any(source not in own and stem.search(line) for source, line in named):
             yield unit
+
+
+def installed_at(files: Files, unit: Unit) -> Iterator[Located]:
+    """Where a script of the tree puts the unit into place."""
+    for source in files.of_kind("shell-script"):
+        if unit.name in source.text and "/systemd/system" in source.text:
+            for match in _COPIES.finditer(source.text):
+                if unit.name in _copied(match[0]):
+                    at = source.text.index(unit.name, match.start())
+                    yield source.located(at, at + len(unit.name))
 
 
 def _stem(unit: Unit) -> str:
