@@ -3,8 +3,8 @@
 ## What it finds
 `MODE` with write permission for others, such as `0666` or `0777`. Device nodes that are open by design (null,
 fuse, kvm, graphics) are not reported, nor is a mode that a packaged file sets anew afterwards. All lines of one
-file are one finding, which is info where they name debug probes, programmers and logic analyzers only: these drive
-nothing on the robot.
+file are one finding, which is info where they name debug probes, programmers, logic analyzers, cameras and game pads
+only, each by its product: these drive nothing on the robot.
 
 ## Why it matters on a robot
 Any process of any user, including a compromised web service, can drive the motor controller. `GROUP=` on the
@@ -50,8 +50,8 @@ def mode_world_writable(robot: Robot) -> Iterator[Finding]:
     for line, token in robot.udev.open_to_all:
         files.setdefault(token.span.path, []).append((line, token))
     for found in files.values():
-        ordered = sorted(found, key=lambda each: each[0].is_for_tools)
-        yield _finding(ordered, "info" if ordered[0][0].is_for_tools else None)
+        ordered = sorted(found, key=lambda each: each[0].drives_nothing)
+        yield _finding(ordered, "info" if ordered[0][0].drives_nothing else None)
 
 
 def _finding(found: list[tuple[UdevRule, Token]], severity: str | None) -> Finding:

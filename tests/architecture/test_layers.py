@@ -51,6 +51,7 @@ LAYERS = (
         "graph.udev",
         "graph.commands",
         "graph.switched_off",
+        "graph.uncalled",
         "graph.unmade",
         "graph.unreached",
     },

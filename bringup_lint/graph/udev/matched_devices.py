@@ -99,16 +99,16 @@ def is_open_by_design(name: str) -> bool:
     return any(matches(row["name"], name) for row in facts.table("udev/open_nodes"))
 
 
-def is_tool(usb_id: str) -> bool:
-    """Whether a USB device by ``vendor:product`` is a debug probe, a programmer or the like, which drives no robot."""
+def drives_nothing(usb_id: str) -> bool:
+    """Whether a USB device by ``vendor:product`` is a debug probe, a programmer or the like, a camera or a game pad."""
     vendor, product = usb_id.split(":")
-    return any(matches(pattern, product) for pattern in _tools().get(vendor, ()))
+    return any(matches(pattern, product) for pattern in _harmless().get(vendor, ()))
 
 
 @cache
-def _tools() -> dict[str, tuple[str, ...]]:
+def _harmless() -> dict[str, tuple[str, ...]]:
     found: dict[str, tuple[str, ...]] = {}
-    for row in facts.table("udev/tools"):
+    for row in (*facts.table("udev/tools"), *facts.table("udev/cameras")):
         found[row["vendor"]] = (*found.get(row["vendor"], ()), row["product"])
     return found
 

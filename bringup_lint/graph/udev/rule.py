@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from collections.abc import Iterator
 from functools import cached_property
 
 from bringup_lint.dataclass import dataclass
@@ -10,9 +11,9 @@ from bringup_lint.graph.udev.conditions import Condition
 from bringup_lint.graph.udev.conditions import Conditions
 from bringup_lint.graph.udev.conditions import contradict
 from bringup_lint.graph.udev.matched_devices import can_be_one
+from bringup_lint.graph.udev.matched_devices import drives_nothing
 from bringup_lint.graph.udev.matched_devices import is_open_by_design
 from bringup_lint.graph.udev.matched_devices import is_tagged_by_systemd
-from bringup_lint.graph.udev.matched_devices import is_tool
 from bringup_lint.graph.udev.matched_devices import levels
 from bringup_lint.graph.udev.matched_devices import subsystem_of_name
 from bringup_lint.graph.udev.matched_devices import usb_ids
@@ -33,6 +34,12 @@ _SUBSTITUTION = regex(r"%%|\$\$|[%$](?:[a-z]+|[A-Z])?(?:\{[^}]{0,400}\})?")
 _PLACEHOLDER = regex(r"\{\{(?:(?!\{\{|\}\}).)*\}\}|@\w+@")
 STARTING = ("RUN", "PROGRAM", "IMPORT")
 """The keys that start a program."""
+_HID = regex(r"[0-9a-f]{4}:(?P<vendor>[0-9a-f]{4}):(?P<product>[0-9a-f]{4})\.")
+"""The name of a HID device: its bus, vendor and product."""
+_LOOKING = frozenset({"input", "video4linux", "iio", "media"})
+"""Subsystems of devices that drive nothing."""
+_OF_ONE = frozenset({"ATTR", "ATTRS", "KERNELS"})
+"""Keys by which a rule names one of them."""
 _ID = regex(r"[0-9a-f]{4}\Z")
 
 
@@ -236,9 +243,24 @@ class UdevRule:
         return bool(names) and all(is_open_by_design(name) for name in names)
 
     @property
-    def is_for_tools(self) -> bool:
-        """Whether the rule names nothing but debug probes, programmers and the like, and not their serial ports."""
-        return bool(self.usb_ids) and all(map(is_tool, self.usb_ids)) and not self.is_serial
+    def drives_nothing(self) -> bool:
+        """Whether the rule names nothing but debug probes, programmers and the like, cameras and game pads, each by its
+        numbers or as one device of its subsystem, and not their serial ports."""
+        if self.is_serial or self.usb_ids:
+            return not self.is_serial and all(map(drives_nothing, self.usb_ids))
+        hid = [found for pattern in self._parents if (found := _HID.match(pattern.lower()))]
+        if hid:
+            return all(drives_nothing(f"{each['vendor']}:{each['product']}") for each in hid)
+        named = self.subsystems | {name for each in self._parents_of("SUBSYSTEMS") for name in each.patterns}
+        return bool(named) and named <= _LOOKING and any(each.key in _OF_ONE for each in self.conditions.positive)
+
+    @property
+    def _parents(self) -> Iterator[str]:
+        yield from (pattern for each in self._parents_of("KERNELS") for pattern in each.patterns)
+
+    def _parents_of(self, key: str) -> list[Condition]:
+        """What the rule asks of the devices above by one key."""
+        return [each for each in self.conditions.positive if each.key == key and each.equal]
 
     def is_tagged_by_systemd(self, systemd: int) -> bool | None:
         """Whether 99-systemd.rules makes device units of them; None when the subsystem is unknown."""

@@ -1,0 +1,152 @@
+"""Branches whose condition is the same constant everywhere: an argument that no call gives, an attribute or a variable
+of a module that is set to one value alone."""
+
+from __future__ import annotations
+
+import ast
+
+from bringup_lint.graph.uncalled.code import Code
+from bringup_lint.graph.uncalled.code import Function
+from bringup_lint.graph.uncalled.code import Module
+from bringup_lint.graph.uncalled.code import is_own
+from bringup_lint.graph.uncalled.code import last_name
+
+_DEPTH = 4
+"""Calls in a row that hand an argument on."""
+
+
+class Branches:
+    def __init__(self, code: Code) -> None:
+        self._code = code
+
+    def skip(self, module: Module, branch: ast.If, line: int) -> bool:
+        """Whether a line of an ``if`` statement is in the part that is never taken."""
+        body, other = branch.body, branch.orelse
+        if line < body[0].lineno or (line == branch.lineno):
+            return False
+        is_body = line <= (body[-1].end_lineno or 0)
+        if not is_body and not other:
+            return False
+        return self._truth(module, branch.test, _DEPTH) is (not is_body)
+
+    def _truth(self, module: Module, test: ast.expr, depth: int) -> bool | None:
+        """Whether an expression is true or false; None when that is not known."""
+        if isinstance(test, ast.Constant):
+            return bool(test.value)
+        if isinstance(test, ast.UnaryOp) and isinstance(test.op, ast.Not):
+            found = self._truth(module, test.operand, depth)
+            return None if found is None else not found
+        if isinstance(test, ast.BoolOp):
+            ends = isinstance(test.op, ast.Or)
+            parts = [self._truth(module, each, depth) for each in test.values]
+            return ends if ends in parts else None if None in parts else not ends
+        if not depth:
+            return None
+        if isinstance(test, ast.Name):
+            return self._of_name(module, test, depth - 1)
+        return self._of_attribute(module, test, depth - 1) if is_own(test) else None
+
+    def _of_name(self, module: Module, test: ast.Name, depth: int) -> bool | None:
+        stores = [each for each in module.stores.get(test.id, ()) if not isinstance(each, ast.Attribute)]
+        for function in reversed(module.around(test.lineno)):
+            if not isinstance(function, (ast.FunctionDef, ast.AsyncFunctionDef)):
+                continue
+            if test.id in (each.arg for each in _arguments(function)):
+                is_set = any(function.lineno <= _line(each) <= (function.end_lineno or 0) for each in stores)
+                return None if is_set else self._of_argument(module, function, test.id, depth)
+        is_single = len(stores) == 1 and any(
+            stores[0] in each.targets for each in module.tree.body if isinstance(each, ast.Assign)
+        )
+        elsewhere = self._code.modules_with(test.id) if is_single else None
+        if elsewhere is None or any(
+            isinstance(each, ast.Attribute) for other in elsewhere for each in other.stores.get(test.id, ())
+        ):
+            return None
+        return self._truth(module, module.values[id(stores[0])], depth)
+
+    def _of_argument(self, module: Module, function: Function, name: str, depth: int) -> bool | None:
+        """What an argument is in all calls of the tree: its default where none gives it."""
+        default = _default(function, name)
+        cls = module.class_of(function)
+        if (
+            default is None
+            or function.args.kwarg is not None
+            or (cls is not None and not self._code.has_known_bases(cls))
+        ):
+            return None
+        called = cls.name if cls is not None and function.name == "__init__" else function.name
+        modules = self._code.modules_with(called)
+        if modules is None or any(called in each.renamed for each in modules):
+            return None
+        truths = {self._truth(module, default, depth)}
+        shift = 1 if cls is not None and "staticmethod" not in map(ast.unparse, function.decorator_list) else 0
+        for other in modules:
+            for use in other.uses.get(called, ()):
+                call = other.calls.get(id(use))
+                given = _given(call, function, name, shift) if call is not None else None
+                if given is None:
+                    return None
+                truths.update(self._truth(other, each, depth) for each in given)
+        return next(iter(truths)) if len(truths) == 1 else None
+
+    def _of_attribute(self, module: Module, test: ast.expr, depth: int) -> bool | None:
+        assert isinstance(test, ast.Attribute)
+        classes = [each for each in module.around(test.lineno) if isinstance(each, ast.ClassDef)]
+        modules = self._code.modules_with(test.attr) if classes and not module.is_reflected else None
+        cls = classes[-1] if classes else None
+        if cls is None or modules is None or not self._is_alone(cls):
+            return None
+        stores = [each for other in modules for each in other.stores.get(test.attr, ())]
+        if any(isinstance(each, ast.Attribute) and not is_own(each) for each in stores):
+            return None
+        own = [each for each in module.stores.get(test.attr, ()) if cls.lineno <= _line(each) <= (cls.end_lineno or 0)]
+        attributes = [each for each in own if is_own(each)]
+        values = [module.values.get(id(each)) for each in attributes]
+        if not values or len(attributes) != len(own):
+            return None
+        truths = {None if each is None else self._truth(module, each, depth) for each in values}
+        return next(iter(truths)) if len(truths) == 1 else None
+
+    def _is_alone(self, cls: ast.ClassDef) -> bool:
+        """Whether a class builds on none of the tree, and none builds on it."""
+        if not self._code.has_plain_bases(cls):
+            return False
+        modules = self._code.modules_with(cls.name)
+        return modules is not None and not any(
+            last_name(base) == cls.name
+            for module in modules
+            for each in module.nodes
+            if isinstance(each, ast.ClassDef)
+            for base in each.bases
+        )
+
+
+def _arguments(function: Function) -> list[ast.arg]:
+    return [*function.args.posonlyargs, *function.args.args, *function.args.kwonlyargs]
+
+
+def _default(function: Function, name: str) -> ast.expr | None:
+    """The constant that an argument has where a call does not give it."""
+    arguments = function.args
+    positional = [*arguments.posonlyargs, *arguments.args]
+    pairs = [
+        *zip(reversed(positional), reversed(arguments.defaults), strict=False),
+        *zip(arguments.kwonlyargs, arguments.kw_defaults, strict=True),
+    ]
+    found = next((value for each, value in pairs if each.arg == name), None)
+    return found if isinstance(found, ast.Constant) else None
+
+
+def _given(call: ast.Call, function: Function, name: str, shift: int) -> list[ast.expr] | None:
+    """What a call gives for an argument, at most one value; None when that cannot be told."""
+    if any(isinstance(each, ast.Starred) for each in call.args) or any(each.arg is None for each in call.keywords):
+        return None
+    positional = [each.arg for each in (*function.args.posonlyargs, *function.args.args)]
+    at = positional.index(name) - shift if name in positional else len(call.args)
+    by_name = [each.value for each in call.keywords if each.arg == name]
+    return by_name or call.args[at : at + 1]
+
+
+def _line(place: ast.AST) -> int:
+    line: int = getattr(place, "lineno", 0)
+    return line

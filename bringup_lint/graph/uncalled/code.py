@@ -1,0 +1,292 @@
+"""The Python code of a tree: what its files mention, and where."""
+
+from __future__ import annotations
+
+import ast
+import json
+import os
+import re
+from collections.abc import Iterator
+from functools import cached_property
+from typing import TypeAlias
+
+from bringup_lint.dataclass import dataclass
+from bringup_lint.graph.files import Files
+from bringup_lint.graph.memo import memo
+from bringup_lint.model.python import is_self
+from bringup_lint.pattern import regex
+from bringup_lint.source import Source
+
+Function: TypeAlias = ast.FunctionDef | ast.AsyncFunctionDef
+Block: TypeAlias = ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef | ast.If
+_MOST = 5_000
+"""Python files of a tree that is looked through."""
+_FILES = 40
+"""Files that have a word: what more of them have is no name of its own."""
+_SIZE = 1_000_000
+"""How much is read of a file."""
+_PYTHON = ("python-node", "launch-python", "setup-py")
+_FILE = regex(r"\.(?:py|ipynb|pyi)$")
+_FOREIGN = ("cpp-node", "cpp-driver", "cmake", "ros-package", "urdf", "dockerfile")
+"""Kinds that name no function of Python."""
+_PROGRAM = regex(r"(?m)^(?:def main\b|if __name__\b)", hints="def if")
+_MAGIC = regex(r"(?m)^([ \t]*)[%!?]")
+_WORD = regex(r"\w+")
+_REFLECTS = regex(
+    r"\b(?:globals|locals|vars|dir|getmembers|methodcaller|attrgetter)\(|__dict__|\b[gs]etattr\([^,()]{1,80},\s*[^\s\"']"
+    r"|\b[gs]etattr\([^,()]{1,80},\s*f?[\"'][^\"'\n]*[\"']\s*[+%.]|\b[gs]etattr\([^,()]{1,80},\s*f[\"']",
+    hints="globals locals vars dir getmembers methodcaller attrgetter __dict__ getattr setattr",
+)
+_PLAIN_BASES = frozenset({"object", "Node", "LifecycleNode", "ABC", "Generic", "Exception", "RuntimeError"})
+"""Bases that call no method of a class but those with names of their own."""
+
+
+@dataclass(eq=False)
+class Module:
+    """The code of one file."""
+
+    path: str
+    text: str
+    tree: ast.Module
+
+    def around(self, line: int) -> list[Block]:
+        """The functions, classes and branches around a line, from outside to inside."""
+        found: list[Block] = []
+        todo: list[ast.stmt] = list(self.tree.body)
+        while todo:
+            each = next((one for one in todo if one.lineno <= line <= (one.end_lineno or one.lineno)), None)
+            if each is None:
+                break
+            if isinstance(each, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.If)):
+                found.append(each)
+            todo = list(_statements(each))
+        return found
+
+    def class_of(self, function: Function) -> ast.ClassDef | None:
+        """The class of which a function is a method."""
+        around = [each for each in self.around(function.lineno) if not isinstance(each, ast.If)]
+        at = around.index(function) if function in around else 0
+        owner = around[at - 1] if at else None
+        return owner if isinstance(owner, ast.ClassDef) else None
+
+    def has_its_own(self, use: ast.expr) -> bool:
+        """Whether an attribute of ``self`` is a method of the class around."""
+        classes = [each for each in self.around(use.lineno) if isinstance(each, ast.ClassDef)] if is_own(use) else []
+        return any(
+            isinstance(each, (ast.FunctionDef, ast.AsyncFunctionDef)) and each.name == getattr(use, "attr", "")
+            for cls in classes[-1:]
+            for each in cls.body
+        )
+
+    @cached_property
+    def is_reflected(self) -> bool:
+        """Whether the file gets functions or attributes by names that it computes."""
+        return _REFLECTS.search(self.text) is not None
+
+    @cached_property
+    def nodes(self) -> list[ast.AST]:
+        return list(ast.walk(self.tree))
+
+    @cached_property
+    def calls(self) -> dict[int, ast.Call]:
+        """The calls, each under the identity of what it calls."""
+        return {id(each.func): each for each in self.nodes if isinstance(each, ast.Call)}
+
+    @cached_property
+    def uses(self) -> dict[str, list[ast.expr]]:
+        """Name -> the expressions that have it: names, attributes, and texts that hold it."""
+        documentation = {
+            id(each.value) for each in self.nodes if isinstance(each, ast.Expr) and isinstance(each.value, ast.Constant)
+        }
+        found: dict[str, list[ast.expr]] = {}
+        for each in self.nodes:
+            if isinstance(each, ast.Name) and isinstance(each.ctx, ast.Load):
+                found.setdefault(each.id, []).append(each)
+            elif isinstance(each, ast.Attribute) and isinstance(each.ctx, ast.Load):
+                found.setdefault(each.attr, []).append(each)
+            elif isinstance(each, ast.Constant) and isinstance(each.value, str) and id(each) not in documentation:
+                for word in set(_WORD.findall(each.value)):
+                    found.setdefault(word, []).append(each)
+        return found
+
+    @cached_property
+    def renamed(self) -> frozenset[str]:
+        """What is imported under another name."""
+        imports = (each for each in self.nodes if isinstance(each, (ast.Import, ast.ImportFrom)))
+        return frozenset(alias.name.rpartition(".")[2] for each in imports for alias in each.names if alias.asname)
+
+    @cached_property
+    def stores(self) -> dict[str, list[ast.AST]]:
+        """Name -> the places that set a variable or an attribute of this name."""
+        found: dict[str, list[ast.AST]] = {}
+        for each in self.nodes:
+            if isinstance(each, ast.Name) and not isinstance(each.ctx, ast.Load):
+                found.setdefault(each.id, []).append(each)
+            elif isinstance(each, ast.Attribute) and not isinstance(each.ctx, ast.Load):
+                found.setdefault(each.attr, []).append(each)
+            elif isinstance(each, (ast.Global, ast.Nonlocal)):
+                for name in each.names:
+                    found.setdefault(name, []).append(each)
+        return found
+
+    @cached_property
+    def values(self) -> dict[int, ast.expr]:
+        """What plain assignments give, under the identity of the place that is set."""
+        found: dict[int, ast.expr] = {}
+        for each in self.nodes:
+            if isinstance(each, ast.Assign):
+                found.update({id(target): each.value for target in each.targets})
+            elif isinstance(each, ast.AnnAssign) and each.value is not None:
+                found[id(each.target)] = each.value
+        return found
+
+
+class Code:
+    """The Python files of a tree, parsed where they are asked for."""
+
+    def __init__(self, files: Files) -> None:
+        self._files = files
+
+    @staticmethod
+    def is_python(source: Source) -> bool:
+        return source.kind in _PYTHON or source.name.endswith(".py")
+
+    def module_of(self, source: Source) -> Module | None:
+        return self._module((source.absolute, source.text))
+
+    @memo
+    def _module(self, asked: tuple[str, str]) -> Module | None:
+        """The code of a file; that of one which Python refuses is empty, for it never runs."""
+        path, text = asked
+        try:
+            return Module(path, text, ast.parse(_cells(text) if path.endswith(".ipynb") else text))
+        except (SyntaxError, ValueError):
+            return Module(path, text, ast.Module([], []))
+        except (RecursionError, MemoryError):
+            return None
+
+    @cached_property
+    def _texts(self) -> dict[str, str] | None:
+        """Python files, and what they say; None where they are too many."""
+        tree = self._files.tree
+        paths = {os.path.abspath(path): path for path in tree.like(_FILE)}
+        if len(paths) > _MOST:
+            return None
+        known = {
+            each.absolute: each.text for each in self._files.sources if each.origin is None and self.is_python(each)
+        }
+        return known | {at: tree.head(path, _SIZE) for at, path in paths.items() if at not in known}
+
+    @cached_property
+    def has_programs(self) -> bool:
+        """Whether a file of Python is a program: who runs the code may be looked for there."""
+        return any(_PROGRAM.search(text) for text in (self._texts or {}).values())
+
+    @cached_property
+    def _others(self) -> list[str]:
+        """Files that may name a function of Python."""
+        sources = (each for each in self._files.sources if each.kind not in _FOREIGN)
+        return [each.text for each in sources if not self.is_python(each)]
+
+    @memo
+    def _having(self, word: str) -> list[tuple[str, str]] | None:
+        """The Python files that have a word, with what they say; None when they are too many."""
+        found = [each for each in (self._texts or {}).items() if word in each[1] and _has(each[1], word)]
+        return found if self._texts is not None and len(found) <= _FILES else None
+
+    @memo
+    def modules_with(self, word: str) -> list[Module] | None:
+        """The modules that have a word; None when they are too many, or one cannot be read."""
+        found = [self._module(each) for each in self._having(word) or ()]
+        modules = [each for each in found if each is not None]
+        return modules if self._having(word) is not None and len(modules) == len(found) else None
+
+    def mentions(self, name: str, first: Module) -> Iterator[tuple[Module, ast.expr]] | None:
+        """The places that may use a function or class, but for its definition and plain imports, those of one module
+        first; None when unknown, as where a comment puts away a call that somebody may bring back."""
+        having = self._having(name)
+        if having is None or any(_has(text, name) for text in self._others if name in text):
+            return None
+        put_away = re.compile(rf"#[^\n]*\b{name}[ \t]*\(")
+        if any(put_away.search(text) for _, text in having):
+            return None
+        return self._used(name, sorted(having, key=lambda each: each[0] != first.path))
+
+    def _used(self, name: str, having: list[tuple[str, str]]) -> Iterator[tuple[Module, ast.expr]]:
+        for each in having:
+            module = self._module(each)
+            if module is None or name in module.renamed:
+                yield Module(*each, ast.Module([], [])), ast.Name(name, lineno=0)
+            else:
+                yield from ((module, use) for use in module.uses.get(name, ()))
+
+    def has_known_bases(self, cls: ast.ClassDef) -> bool:
+        """Whether nothing that a class builds on may call its methods unseen."""
+        return not cls.keywords and all(self._is_known(base, 4) for base in cls.bases)
+
+    @staticmethod
+    def has_plain_bases(cls: ast.ClassDef) -> bool:
+        """Whether a class builds on no other of the tree."""
+        return all(last_name(base) in _PLAIN_BASES for base in cls.bases)
+
+    def _is_known(self, base: ast.expr, depth: int) -> bool:
+        name = last_name(base)
+        if name in _PLAIN_BASES:
+            return True
+        modules = self.modules_with(name) if name and depth else None
+        found = [
+            each
+            for module in modules or ()
+            for each in module.tree.body
+            if isinstance(each, ast.ClassDef) and each.name == name
+        ]
+        return bool(found) and all(
+            not each.keywords and all(self._is_known(inner, depth - 1) for inner in each.bases) for each in found
+        )
+
+
+def _cells(text: str) -> str:
+    """The code of a notebook, but for cells that are no Python."""
+    try:
+        cells = json.loads(text)["cells"]
+        code = ["".join(each["source"]) for each in cells if each["cell_type"] == "code"]
+    except (ValueError, KeyError, TypeError):
+        return ""
+    return "\n".join(each for each in (_MAGIC.sub(r"\1pass #", one) for one in code) if _is_python(each))
+
+
+def _is_python(text: str) -> bool:
+    try:
+        ast.parse(text)
+    except (SyntaxError, ValueError):
+        return False
+    return True
+
+
+def _statements(each: ast.stmt) -> Iterator[ast.stmt]:
+    """The statements directly in one."""
+    for child in ast.iter_child_nodes(each):
+        if isinstance(child, ast.stmt):
+            yield child
+        elif isinstance(child, (ast.ExceptHandler, ast.match_case)):
+            yield from child.body
+
+
+def last_name(base: ast.expr) -> str:
+    return base.attr if isinstance(base, ast.Attribute) else base.id if isinstance(base, ast.Name) else ""
+
+
+def _has(text: str, word: str) -> bool:
+    """Whether a text has a word as a whole."""
+    at = text.find(word)
+    while at >= 0:
+        before, after = text[at - 1 : at], text[at + len(word) : at + len(word) + 1]
+        if not (before.isidentifier() or before.isdigit() or after == "_" or after.isalnum()):
+            return True
+        at = text.find(word, at + 1)
+    return False
+
+
+def is_own(place: ast.AST) -> bool:
+    """Whether a place is an attribute of ``self``."""
+    return isinstance(place, ast.Attribute) and is_self(place.value)
