@@ -53,7 +53,7 @@ def docker_sock(robot: Robot) -> Iterator[Finding]:
                 yield finding(
                     volume.where,
                     f"Service '{service.name}' controls the Docker daemon, and with it the host",
-                    advice="remove the volume; update containers from outside",
+                    advice="remove the volume, or let only the requests that the service needs pass a socket proxy",
                     severity="info" if service.image is not None and MANAGES.search(service.image) else None,
                 )
 

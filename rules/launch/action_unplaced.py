@@ -4,17 +4,18 @@
 Nodes, includes and other actions of launch that a function of a Python launch file gives to a variable which nothing
 reads, or makes in a statement of their own. Left alone is what a comment mentions, because it was taken out on purpose,
 and the declaration of an argument that the file reads for something, which `launch/undeclared-arg` judges. It is an
-info where the file starts the same executable by another action.
+info where nothing shows that it is missed: the file starts the same executable by another action, it is a window such
+as RViz, a static transform, or a variable with an argument that nothing reads.
 
 ## Why it matters on a robot
-launch starts only what the description holds: the node does not run, and no message says so. A transform, a filter or
-a driver is missing although the launch file seems to start it.
+launch starts only what the description holds: the node does not run, and no message says so. A filter or a driver
+is missing although the launch file seems to start it.
 
 ## Bad
 ```python
 def generate_launch_description():
     drive = Node(package='rover_drive', executable='drive')
-    laser_frame = Node(package='tf2_ros', executable='static_transform_publisher', arguments=[...])
+    laser_filter = Node(package='laser_filters', executable='scan_to_scan_filter_chain')
     return LaunchDescription([drive])
 ```
 
@@ -22,8 +23,8 @@ def generate_launch_description():
 ```python
 def generate_launch_description():
     drive = Node(package='rover_drive', executable='drive')
-    laser_frame = Node(package='tf2_ros', executable='static_transform_publisher', arguments=[...])
-    return LaunchDescription([drive, laser_frame])
+    laser_filter = Node(package='laser_filters', executable='scan_to_scan_filter_chain')
+    return LaunchDescription([drive, laser_filter])
 ```
 
 ## When to ignore it
@@ -40,6 +41,7 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import launch
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
 _EFFECTS = {
@@ -51,7 +53,10 @@ _STARTING = frozenset(
     ("Node", "LifecycleNode", "ComposableNodeContainer", "ExecuteProcess", "ExecuteLocal", "LoadComposableNodes")
 )
 
-OF_MANY_NODES = ("static_transform_publisher", "spawner", "parameter_bridge", "create", "spawn_entity.py", "relay")
+_WINDOW = regex(r"(?i)rviz|rqt|gui|visuali[sz]|foxglove|plotjuggler")
+"""Of the name of a program that only shows something."""
+_STATIC = "static_transform_publisher"
+OF_MANY_NODES = (_STATIC, "spawner", "parameter_bridge", "create", "spawn_entity.py", "relay")
 """Executables that a launch file starts several times, each for something else."""
 
 
@@ -63,7 +68,9 @@ def action_unplaced(robot: Robot) -> Iterator[Finding]:
             if each.owner == "DeclareLaunchArgument" and read[each.name] > launch.dead_reads(file, each.name):
                 continue
             effect = "it never starts" if each.owner in _STARTING else _EFFECTS.get(each.owner, "it has no effect")
-            is_idle = robot.launch.workspace.is_vendored(file.source) or is_replaced(robot, file, each)
+            is_idle = (
+                robot.launch.workspace.is_vendored(file.source) or is_replaced(robot, file, each) or is_spare(each)
+            )
             name = f"'{each.variable}' is" if each.is_kept else "is"
             yield finding(
                 each.variable,
@@ -71,6 +78,15 @@ def action_unplaced(robot: Robot) -> Iterator[Finding]:
                 advice="add it to the launch description, or remove it",
                 severity="info" if is_idle else None,
             )
+
+
+def is_spare(made: launch.UnplacedAction) -> bool:
+    """Whether the robot does its work without the action, as far as anybody can tell: many a transform that is left
+    out is in the description of the robot, too."""
+    if made.owner == "DeclareLaunchArgument":
+        return made.is_kept
+    is_window = any(map(_WINDOW.search, (made.executable, made.name, made.variable if made.is_kept else "")))
+    return made.owner in _STARTING and (made.executable == _STATIC or is_window)
 
 
 def is_replaced(robot: Robot, file: launch.LaunchFile, made: launch.UnplacedAction) -> bool:

@@ -74,6 +74,12 @@ _GOES_ON = regex(r"\s-[a-qs-z]*r[a-z]*(?:\s|$)|\s-s\s|--simulate|--dependency-ty
 """rosdep installs the rest, only says what it would do, or its failure is ignored."""
 _FOREIGN = regex(r"(?:^|_)(?:vendor|stubs?|template)(?:_|$)|[{}$<]")
 """Names of packages that wrap the build of others, and of templates."""
+_INSTALLS = regex(
+    r"\b(?:apt|apt-get|aptitude|pip3?)\b[^\n]{0,200}?\binstall\b|^[ \t-]{0,40}(?:ansible\.builtin\.)?(?:apt|pip):",
+    re.M,
+    hints="apt pip",
+)
+"""A step that installs packages."""
 _SELECTS = "--packages-select "
 _BUILDS = regex(
     r"^(?![^\n]{0,500}\b(?:alias|echo|printf)\b)[^\n]{0,500}?\bcolcon\s+build\b(?:\\\r?\n|[^\n;&|]){0,2000}",
@@ -425,11 +431,18 @@ class Dependencies:
 
     def stops_rosdep(self, name: str) -> bool:
         """Whether rosdep installs nothing when a name cannot be resolved, in each command of the tree: one that goes on
-        may be the one for this workspace. Where the tree has no command, it is the one that people type."""
+        may be the one for this workspace. Where the tree has no command, it is the one that people type, unless scripts
+        or images install with something else."""
         if not self._rosdep_commands:
-            return not self._installers.mentions_rosdep
+            return not self._installers.mentions_rosdep and not self._installs_without_rosdep
         commands = [command for command in self._rosdep_commands if "--from-path" in command]
         return bool(commands) and not any(_GOES_ON.search(command) or name in command for command in commands)
+
+    @cached_property
+    def _installs_without_rosdep(self) -> bool:
+        """Whether scripts or images of the tree install packages."""
+        sources = self._files.of_kind("dockerfile", "shell-script", "ansible")
+        return any(each.says(_INSTALLS) for each in sources)
 
     def skips(self, name: str) -> bool:
         """Whether a command of the tree tells rosdep to leave out a name."""
