@@ -7,7 +7,8 @@ names of pip such as `pyserial`, keys of Python 2 such as `python-serial` and, u
 are one letter away from a common package (`geometry_msg`).
 It is info when a script, an image or the documentation of the tree runs `rosdep install` so that it goes on (`-r`), and
 nothing is meant, or something else installs it; when the tree names it in `--skip-keys`; when the tree names rosdep in
-other words only; and when it never names rosdep, and scripts or images install with apt or pip. A Debian package of ROS is a warning wherever nothing skips it.
+other words only; and when it never names rosdep, and scripts or images install with apt or pip. A Debian package of ROS
+is a warning wherever nothing skips it.
 
 ## Why it matters on a robot
 `rosdep install` ends with "Cannot locate rosdep definition for [ament_python]" and installs nothing at all: the robot

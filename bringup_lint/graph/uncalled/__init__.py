@@ -1,8 +1,8 @@
 """Python code of a tree that never runs: functions that nothing calls, hands over or names, and branches whose
 condition is the same constant everywhere. What is found there is information.
 
-Only what is plain counts: fragments of which the tree holds no program, a method that an unknown base may call, a name that a text holds or that is put together, a
-decorator, and code that cannot be read all may run it."""
+Only what is plain counts: fragments of which the tree holds no program, a method that an unknown base may call, a name
+that a text holds or that is put together, a decorator, and code that cannot be read all may run it."""
 
 from __future__ import annotations
 

@@ -207,7 +207,7 @@ class Code:
         having = self._having(name)
         if having is None or any(_has(text, name) for text in self._others if name in text):
             return None
-        put_away = re.compile(rf"#[^\n]*\b{name}[ \t]*\(")
+        put_away = re.compile(rf"#[^\n]*\b{re.escape(name)}[ \t]*\(")
         if any(put_away.search(text) for _, text in having):
             return None
         return self._used(name, sorted(having, key=lambda each: each[0] != first.path))
