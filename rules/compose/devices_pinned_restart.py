@@ -1,7 +1,8 @@
 """A device that can be replugged is pinned in devices:.
 
 ## What it finds
-A USB serial device in `devices:` of a service with a restart policy, or a link that the container knows as one.
+A USB serial device or a gamepad (`/dev/input/js0`, `/dev/input/event5`) in `devices:` of a service with a restart
+policy, or a link that the container knows as one.
 On-board UARTs (`ttyAMA`, `ttyS`, `ttyTHS`), i2c, gpio and spi cannot be unplugged and are not reported.
 
 ## Why it matters on a robot
@@ -38,7 +39,8 @@ from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.compose import Device
 
-REPLUGGED = regex(r"/dev/(?:tty(?:USB|ACM)\d+|serial/by-(?:id|path)/.+)")
+REPLUGGED = regex(r"/dev/(?:tty(?:USB|ACM)\d+|serial/by-(?:id|path)/.+|input/(?:js|event)\d+)")
+INPUT = "/dev/input/"
 SERIAL = regex(r"/dev/tty(?:USB|ACM)\d+")
 
 
@@ -49,10 +51,12 @@ def devices_pinned_restart(robot: Robot) -> Iterator[Finding]:
             continue
         for device in service.devices:
             if _is_replugged(device) and device.where.span.start >= service.body.span.start:
+                is_input = device.host.startswith(INPUT)
+                numbers = '["c 13:* rmw"]' if is_input else '["c 188:* rmw", "c 166:* rmw"]'
                 yield finding(
                     device.where,
                     f"{device.host} is resolved once: after a replug '{service.name}' has lost it",
-                    advice='mount /dev and add device_cgroup_rules: ["c 188:* rmw", "c 166:* rmw"]',
+                    advice=f"mount {INPUT if is_input else '/dev'} and add device_cgroup_rules: {numbers}",
                     related=[note(service.restart, "restarted here")] if service.restart else [],
                 )
 

@@ -2,7 +2,8 @@
 
 ## What it finds
 `pkill -9`, `killall -9` or `kill -9 $(...)` whose pattern means ROS: `ros2`, `/opt/ros`, `launch.py`, or a package or
-program of the tree. It is an info where the script launches ROS afterwards: it clears away what an earlier run left
+program of the tree. Also `ps ... | grep ros | ...` that ends in `xargs kill -9`, or in a variable that `kill -9` gets.
+It is an info where the script launches ROS afterwards: it clears away what an earlier run left
 behind. Silent if the script sends another signal to anything first, for simulators, RViz and the daemon of
 the command line, and for scripts of simulations and tests.
 
@@ -52,6 +53,19 @@ ROS = regex(r"\bros2?\b(?![-_]daemon)|/opt/ros|\blaunch\.py\b|\blaunch\b|\bros/[
 STARTS = regex(r"\bros2[ \t]+launch\b", hints="launch")
 NOT_ROBOT = regex(r"gz|gazebo|ign|rviz|rqt|sim|daemon|webots|foxglove|plotjuggler|test", re.I)
 
+LISTED = regex(
+    r"^[ \t]*(?:sudo[ \t]+)?(?:(?P<name>\w+)=[\"']?(?:\$\(|`)[ \t]*)?ps[ \t][^\n|#]{0,60}\|"
+    r"(?P<found>[^\n]{0,300}?\bgrep[ \t](?:-[A-Za-z]+[ \t]+)*(?P<pattern>\"[^\"\n]*\"|'[^'\n]*'|[\w./\[\]-]+))"
+    r"(?P<rest>[^\n]*)",
+    re.M,
+    hints="ps ",
+)
+"""A list of processes, from which a pattern picks some."""
+PIPED = regex(r"\bxargs\b[^\n|;&]{0,60}\bkill[ \t]+(?:-9|-KILL|-SIGKILL|-s[ \t]*(?:9|KILL|SIGKILL))\b")
+GENTLE = regex(
+    r"\bkill(?:all)?[ \t]+(?!-9|-KILL|-SIGKILL|-s[ \t]*(?:9|KILL|SIGKILL))|\bpkill[ \t]+(?!-9|-KILL|-SIGKILL)"
+)
+
 
 @rule("warning", symptoms=["Killed", "exit code -9"])
 def kill_without_stop(robot: Robot) -> Iterator[Finding]:
@@ -64,7 +78,10 @@ def kill_without_stop(robot: Robot) -> Iterator[Finding]:
             pattern = _pattern(robot, run)
             if pattern is not None:
                 hard.setdefault(source, []).append(pattern)
-    for first, *others in hard.values():
+    for source in robot.of_kind("shell-script"):
+        if source.judged and source not in asked and source.matches(LISTED):
+            hard.setdefault(source, []).extend(_listed(source))
+    for first, *others in filter(None, hard.values()):
         yield finding(
             first,
             "SIGKILL ends the nodes before they can stop anything: what moves at that moment keeps its last command",
@@ -73,6 +90,18 @@ def kill_without_stop(robot: Robot) -> Iterator[Finding]:
             severity="info" if STARTS.search(first.span.source.text, first.span.end) else None,
             confidence="medium",
         )
+
+
+def _listed(source: Source) -> Iterator[Located]:
+    """The patterns by which a script picks processes of ROS from a list, and kills them."""
+    for match in LISTED.finditer(source.text):
+        name, rest = match["name"], match["rest"]
+        pattern = match["pattern"].strip("\"'").replace("[", "").replace("]", "")
+        if not ROS.search(pattern) or NOT_ROBOT.search(match["found"]) or GENTLE.search(source.text[: match.start()]):
+            continue
+        killed = re.compile(rf"\bkill[ \t]+(?:-9|-KILL|-SIGKILL)[ \t]+[\"']?\$\{{?{name}\b")
+        if PIPED.search(rest) or (name is not None and killed.search(source.text, match.end())):
+            yield source.located(*match.span("pattern"))
 
 
 def _is_hard(run: Run) -> bool:
