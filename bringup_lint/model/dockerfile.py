@@ -130,10 +130,10 @@ class Dockerfile:
                 found.add(stage)
                 flags = (flag for each in stage.instructions for flag in each.flags)
                 names = (match[1] for flag in flags for match in _FROM.finditer(flag))
-                todo += [each for name in names if (each := self._taken(name)) is not None]
+                todo += [each for name in names if (each := self.taken(name)) is not None]
         return found
 
-    def _taken(self, name: str) -> Stage | None:
+    def taken(self, name: str) -> Stage | None:
         """The stage that ``--from=`` names, by its name or its number."""
         if name.isdecimal() and len(name) < 5:
             return self.stages[int(name)] if int(name) < len(self.stages) else None

@@ -6,8 +6,9 @@ official one (`ros:`, `osrf/ros:`) or one of Ubuntu, CUDA or Jetson on which the
 the package: no step names it, and with `rosdep install` no package.xml of the tree does.
 
 Silent where something unseen may bring it: a list of packages, a script that is not in the tree, a program that is
-piped into a shell, packages of ROS from another image, rosdep over repositories that are cloned, volumes for a
-workspace that is not in the tree, and robots whose packages need a middleware of their own, such as TurtleBot 4.
+piped into a shell, packages of ROS from another image (a workspace that another stage builds from the tree is known),
+rosdep over repositories that are cloned, volumes for a workspace that is not in the tree, and robots whose packages
+need a middleware of their own, such as TurtleBot 4.
 
 ## Why it matters on a robot
 Every ROS process of the container exits at start: the library librmw_..._cpp.so cannot be loaded.

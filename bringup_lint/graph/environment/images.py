@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from bringup_lint.graph.commands.environment import Variable
 from bringup_lint.graph.containers.base_images import variant_of
 from bringup_lint.graph.containers.ros_in_image import distro_of
+from bringup_lint.graph.environment.image_steps import may_bring
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
@@ -21,7 +22,6 @@ if TYPE_CHECKING:
     from bringup_lint.graph.environment.ros import RosProcess
     from bringup_lint.model.compose import Service
     from bringup_lint.model.compose import Volume
-    from bringup_lint.model.dockerfile import Instruction
     from bringup_lint.model.dockerfile import Stage
 
 RMW = "RMW_IMPLEMENTATION"
@@ -32,26 +32,6 @@ PACKAGES = {
     "rmw_gurumdds_cpp": "rmw-gurumdds-cpp",
 }
 """Middlewares that no official image brings, with the end of their package's name."""
-
-_OPAQUE = regex(
-    r"xargs|ansible|\b(?:vcs|wstool|conda|mamba|micromamba|nix|pixi)\b|\|[ \t]*(?:sudo[ \t]+)?(?:ba|z)?sh\b"
-    r"|rmw-[\w-]{0,20}\*|\*\.deb\b"
-    r"|(?<![/\w.-])install[ \t][^\n;&]{0,900}\$(?!\{?ROS_DISTRO)|\bclone\b[^\n;&]{0,200}(?:rmw|dds|zenoh)"
-    r"|(?:ros-[^\s-]{1,40}-|_)(?:turtlebot4|clearpath|irobot|rmf|autoware)"
-)
-"""What may bring a middleware unseen: lists of packages, programs that are fetched, and robots that need one."""
-_OWN = regex(
-    r"(?:\bsource|(?<!\S)\.)[ \t]+[\"']?[^\s;&|\"']+/(?:local_)?setup\.(?:ba|z)?sh"
-    r"|\bros-\$\{?\w+\}?-|\$\{?ROS_DISTRO\}?"
-)
-"""What brings nothing else: the environment of ROS or of a workspace, and the part of a package's name that names the
-distribution."""
-_FETCHES = regex(r"\bgit\b[^\n;&]*\bclone\b|\b(?:curl|wget)\b[^\n;&]*\.(?:tar|zip|tgz)")
-_ROSDEP = regex(r"\brosdep\b[^\n;&]*\binstall\b")
-_SCRIPT = regex(r"(?<![\w.-])(?P<name>[\w.-]{1,80}\.(?:sh|bash|py))(?![\w.-])")
-_OF_SHELL = regex(r"\.?(?:(?:local_)?setup|bashrc|profile|entrypoint)\.?(?:ba|z)?(?:sh|rc)?")
-_OF_ROS = regex(r"(?:^|/)opt(?:/|$)|(?:^|[/_-])(?:ws|install|overlay|underlay)(?:/|$)|\bros2?\b|^/$|^/\s")
-
 
 _COMMENT = regex(r"<!--(?:[^-]|-(?!-))*-->|(?m:^[ \t]*#.*$)")
 """Comments of XML, in which two dashes only end one, and lines of a comment elsewhere."""
@@ -130,46 +110,8 @@ def _may_bring_ros(tree: Tree, service: Service, volume: Volume) -> bool:
 
 def _of_stage(compose: Compose, stage: Stage, variable: Variable) -> Iterator[MissingMiddleware]:
     package = PACKAGES.get(variable.text or "", "")
-    chain = list(stage.chain)
-    steps = [(one, each) for one in chain for each in one.instructions]
-    if not package or any(_is_opaque_copy(one, each) for one, each in steps):
-        return
-    text = "\n".join(_said(each) for _, each in steps)
-    if package in text.replace("_", "-") or _is_opaque(compose.tree, text):
-        return
-    yield from _lacks(chain[-1].image, distro_of(stage), variable)
-
-
-def _said(instruction: Instruction) -> str:
-    """The commands of a RUN without what brings nothing."""
-    if instruction.name != "RUN":
-        return ""
-    return "\n".join([str(instruction.value), *map(str, instruction.heredocs)])
-
-
-def _is_opaque_copy(stage: Stage, instruction: Instruction) -> bool:
-    """Whether an instruction may bring packages of ROS from an image or an archive."""
-    if instruction.name == "ADD":
-        return True
-    copies = instruction.name == "COPY" and any(flag.startswith("--from") for flag in instruction.flags)
-    return copies and any(_OF_ROS.search(word) for word in instruction.value.split())
-
-
-def _is_opaque(tree: Tree, text: str) -> bool:
-    """Whether the steps of an image may bring a middleware that their text does not name."""
-    said = _OWN.sub("ros-x-", text)
-    known = any(tree.named("package.xml")) and not _FETCHES.search(said)
-    if _OPAQUE.search(said) or (_ROSDEP.search(said) and not known):
-        return True
-    scripts = {match["name"] for match in _SCRIPT.finditer(said)}
-    return any(_is_opaque_script(tree, name) for name in scripts if not _OF_SHELL.fullmatch(name))
-
-
-def _is_opaque_script(tree: Tree, name: str) -> bool:
-    """Whether a script that a step runs may bring one: it is not in the tree, or it names one or what is opaque."""
-    found = list(tree.named(name))
-    texts = [tree.head(path, _MOST) for path in found]
-    return not texts or any("rmw" in text or _OPAQUE.search(text) or _ROSDEP.search(text) for text in texts)
+    if package and not may_bring(package, stage, compose.images, compose.tree):
+        yield from _lacks(list(stage.chain)[-1].image, distro_of(stage), variable)
 
 
 def _lacks(place: Located, distro: str, variable: Variable) -> Iterator[MissingMiddleware]:
