@@ -6,6 +6,8 @@ has.
 
 - It is a warning for names that look like the robot's own, unless a script of the repository creates the
   unit, and for targets that nobody has, such as `docker.target`, where the distribution has a service of that name.
+- It is a warning, too, for names that the system manager does not have in any distribution: `udisks.service`, which is
+  called udisks2, and the sound servers, which only the managers of users have.
 - It is an info for names of which four or more that begin with the same word are missing: another package
   brings them.
 - It is an info for other names, which may be optional, and only in a complete root file system.
@@ -48,6 +50,15 @@ from bringup_lint.api.systemd import Units
 KEYS = ("Wants", "Upholds", "After", "Before", "PartOf")
 OF_A_PACKAGE = 4
 """So many missing units with the same first word are no misspellings: another package brings them."""
+GONE = {
+    "udisks.service": "udisks2.service",
+    "network-online.service": "network-online.target",
+    "time-sync.service": "time-sync.target",
+    "pulseaudio.service": "",
+    "pipewire.service": "",
+    "wireplumber.service": "",
+}
+"""Names that the system manager does not have, each with the one that is meant; empty: units of the user manager."""
 
 
 def renamed(unit: Unit, name: str, meant: str) -> Iterator[tuple[Located, str]]:
@@ -71,7 +82,7 @@ def missing_wanted_unit(robot: Robot) -> Iterator[Finding]:
     known = {(word.partition("-")[0], str(word)) for _, _, word in found if "-" in word}
     shared = Counter(package for package, _ in known)
     for unit, key, word in found:
-        meant = robot.units.meant(word, unit) or robot.units.service_of_target(word, unit)
+        meant = GONE.get(word) or robot.units.meant(word, unit) or robot.units.service_of_target(word, unit)
         elsewhere = not meant and shared[word.partition("-")[0]] >= OF_A_PACKAGE
         yield finding(
             word,
@@ -84,7 +95,14 @@ def missing_wanted_unit(robot: Robot) -> Iterator[Finding]:
 
 
 def _is_sure(units: Units, name: str, unit: Unit) -> bool:
-    return units.is_own(name, unit) or units.service_of_target(name, unit) is not None
+    return name in GONE or units.is_own(name, unit) or units.service_of_target(name, unit) is not None
+
+
+def _is_gone(units: Units, name: str, unit: Unit) -> bool:
+    """Whether a name is one that no distribution has, and the tree neither."""
+    if name not in GONE or unit.manager != "system" or units.is_made_by_script(name):
+        return False
+    return not list(units.candidates(name, "system"))
 
 
 def missing(robot: Robot) -> Iterator[tuple[Unit, str, Located]]:
@@ -97,6 +115,7 @@ def missing(robot: Robot) -> Iterator[tuple[Unit, str, Located]]:
             for word in words:
                 if word in required or word in seen:
                     continue
-                if robot.units.is_missing(word, unit) or robot.units.service_of_target(word, unit) is not None:
+                is_gone = robot.units.is_missing(word, unit) or _is_gone(robot.units, word, unit)
+                if is_gone or robot.units.service_of_target(word, unit) is not None:
                     seen.add(word)
                     yield unit, key, word
