@@ -1,7 +1,8 @@
 """KillMode= lets nodes survive the stop.
 
 ## What it finds
-KillMode=process or KillMode=none on a service that starts ROS 2. One-shot services and containers are exempt.
+KillMode=process or KillMode=none on a service that starts ROS 2, and on one whose script of the tree leaves programs in
+the background without a trap that ends them. One-shot services and containers are exempt.
 
 ## Why it matters on a robot
 systemd stops at most the main process. After a crash of ros2 launch, or when the main process is a shell, the
@@ -30,13 +31,21 @@ starts.
 - systemd.kill(5), KillMode=: process is not recommended, none is deprecated
 """
 
+import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import fix
+from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
+from bringup_lint.api.systemd import Unit
+
+TRAP = regex(r"\btrap\b[^\n]*\b(?:kill|pkill|killall|EXIT|TERM)\b|^[ \t]*(?:tmux|screen|setsid|nohup)[ \t]", re.M)
+"""The script ends them itself, or means them to outlive it."""
 
 
 @rule(
@@ -45,19 +54,38 @@ from bringup_lint.api import rule
     symptoms=["left-over process", "remains running after unit stopped", "Unit configured to use KillMode=none"],
 )
 def kill_mode(robot: Robot) -> Iterator[Finding]:
-    for unit in robot.units.ros:
+    ros = set(map(id, robot.units.ros))
+    for unit in robot.units.services:
         service = robot.units.supervision(unit)
         mode = service.kill_mode
         if mode.value not in ("process", "none") or unit.get("Type") == "oneshot" or service.in_container:
+            continue
+        is_ros = id(unit) in ros
+        left = None if is_ros else next(_left(robot, unit), None)
+        if not is_ros and left is None:
             continue
         stops = (
             f"systemd stops only the main process of {unit.name}"
             if mode.value == "process"
             else f"systemd stops no process of {unit.name}"
         )
+        what = "nodes that survive keep running, and a restart starts them twice"
+        if left is not None:
+            what = "what its script leaves in the background keeps running, and a restart starts it twice"
         yield finding(
             mode.where,
-            f"KillMode={mode.value}: {stops}; nodes that survive keep running, and a restart starts them twice",
+            f"KillMode={mode.value}: {stops}; {what}",
             advice="set KillMode=mixed",
+            related=[note(left, "this survives the stop")] if left is not None else [],
             fix=fix("set KillMode=mixed", (mode.where, "mixed"), safe=False) if unit.editable else None,
         )
+
+
+def _left(robot: Robot, unit: Unit) -> Iterator[Located]:
+    """What the scripts of a unit leave in the background."""
+    for process in robot.units.processes(unit):
+        for step in process.steps:
+            command = step.command
+            source = command.words[0].span.source if command.background and command.words else None
+            if source is not None and not TRAP.search(source.text):
+                yield command.words[0]
