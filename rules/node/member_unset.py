@@ -1,9 +1,11 @@
 """A callback of a C++ node reads a member that has no value yet.
 
 ## What it finds
-A number or truth value that a class of nodes declares without a value, and that only its callbacks name, when a
-callback reads it in each case before anything surely has set it: because only another callback does, or only the same
-one, later. Members that a constructor, `on_configure()` or any other function names are left out.
+A number or truth value, or an array of them, that a class of nodes declares without a value, and that only its
+callbacks name, when a callback reads it before anything can have set it: because only another callback does, or only
+the same one, later. The same for hardware and controllers of ros2_control, in `read()`, `write()` and `update()`.
+Members that a constructor, `on_init()`, `on_configure()` or any other function names are left out, and reads behind
+conditions that may know whether there is a value.
 
 ## Why it matters on a robot
 Such a member holds whatever was in that memory before: seldom the same on the robot as on the desk. The first
@@ -25,6 +27,7 @@ double last_ticks_ = 0.0;
 When the object is made in memory that is zero.
 
 ## References
+- class_loader makes hardware and controllers by `new T`, without parentheses: that sets no member
 - C++ standard, [dcl.init]: a member without an initialiser has an indeterminate value
 - C++ Core Guidelines, C.48: prefer default member initializers
 """

@@ -12,6 +12,7 @@ from bringup_lint.model.cpp_source import BareMember
 from bringup_lint.model.cpp_source import UnsetMember
 from bringup_lint.model.node_source import Callback
 from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.parsers.cpp_node.plain_guards import PlainGuards
 from bringup_lint.parsers.cpp_node.syntax import Call
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.parsers.cpp_node.waits import Bodies
@@ -25,17 +26,18 @@ MEMBERS = 100
 _NUMBER = regex(
     r"(?:std::)?(?:bool|double|float|int|long|short|unsigned(?:\s+(?:int|long|char|short))?|u?int(?:8|16|32|64)_t|size_t)\Z"
 )
-_TARGET = regex(r"(?:this->)?([A-Za-z_]\w*)\Z")
+_TARGET = regex(r"(?:this->)?([A-Za-z_]\w*)(?:\[[^\[\]]{1,80}\])?\Z")
 _DECLARES = frozenset(
     "init_declarator declaration parameter_declaration optional_parameter_declaration lambda_capture_specifier "
     "structured_binding_declarator for_range_loop reference_declarator pointer_declarator".split()
 )
 _LEAVES = ("return_statement", "throw_statement", "co_return_statement", "goto_statement")
-_CONDITIONAL = frozenset(
-    "if_statement for_statement for_range_loop while_statement do_statement switch_statement catch_clause "
-    "conditional_expression lambda_expression try_statement".split()
-)
-_SHORT = frozenset({"&&", "||", "and", "or"})
+_TAKERS = frozenset("argument_list pointer_expression subscript_argument_list for_range_loop sizeof_expression".split())
+_LOOP = frozenset({"read", "write", "update"})
+"""What the controller manager calls of hardware and controllers in each cycle."""
+_LOOP_TYPE = regex(r"(?:^|::)return_type\Z")
+_PLUGINS = regex(r"(?:^|::)(?:(?:System|Actuator|Sensor)Interface|(?:Chainable)?ControllerInterface)\Z")
+"""Classes of ros2_control, whose objects pluginlib makes with a plain ``new``."""
 
 
 class _Member(NamedTuple):
@@ -45,32 +47,53 @@ class _Member(NamedTuple):
 
 
 class _Run(NamedTuple):
-    """What an executor runs when it calls a callback."""
+    """What an executor or the controller manager runs."""
 
-    callback: Callback
+    what: str
+    """In a sentence: ``on_timer()``, ``a lambda``."""
     body: Node
     functions: frozenset[int]
     """The body and the functions of the file that it calls, also through others."""
+    owner: str | None
+    """The class of hardware or of a controller whose method it is; None for a callback."""
 
 
 def unset_members(code: Code, classes: list[str], callbacks: list[Callback]) -> Iterator[UnsetMember]:
-    """Members that no function but callbacks names, where one of these reads them in each case before it sets them:
-    numbers that the file declares without a value, and members that another file declares."""
-    bodies = Bodies(code) if callbacks else None
-    runs = list(_runs(code, bodies, callbacks)) if bodies is not None else []
-    if runs:
-        constructors = _constructors(code)
-        found = _members(code, {name: constructors[name] for name in classes if constructors.get(name)})
-        foreign = _foreign(code, runs, constructors.keys() - set(classes))
-        for member in islice(chain(found, foreign), MEMBERS):
-            read = _read(code, member, runs)
-            if read is not None:
-                yield read
+    """Members that no function but callbacks names, where one of these reads them before anything can have set them:
+    numbers that the file declares without a value, and members that another file declares. The same for what the
+    controller manager calls of hardware and controllers."""
+    loops = list(_loops(code))
+    bodies = Bodies(code) if callbacks or loops else None
+    if bodies is None:
+        return
+    runs = [*_runs(code, bodies, callbacks), *(_loop_run(code, bodies, each) for each in loops)]
+    if not runs:
+        return
+    constructors = _constructors(code)
+    plugins = plugin_classes(code)
+    owners = constructors.keys() | {run.owner for run in runs if run.owner is not None}
+    found = _members(code, {*(name for name in classes if constructors.get(name)), *plugins})
+    foreign = _foreign(code, runs, owners - {*classes, *plugins})
+    for member in islice(chain(found, foreign), MEMBERS):
+        read = _read(code, member, runs)
+        if read is not None:
+            yield read
+
+
+def plugin_classes(code: Code) -> list[str]:
+    """The classes of a file that build on hardware or a controller of ros2_control."""
+    return [
+        code.text(node.child_by_field_name("name"))
+        for node in code.written.get("class", ())
+        for clause in node.named_children
+        if clause.type == "base_class_clause"
+        and any(_PLUGINS.search("".join(code.text(base).split())) for base in clause.named_children)
+    ]
 
 
 def bare_members(code: Code, classes: list[str]) -> Iterator[BareMember]:
-    """The members of classes of nodes that may be unset, as far as their file says."""
-    for member in islice(_members(code, classes), MEMBERS):
+    """The members of classes of nodes, hardware and controllers that may be unset, as far as their file says."""
+    for member in islice(_members(code, {*classes, *plugin_classes(code)}), MEMBERS):
         if sum(1 for _ in code.uses(member.name)) == 1 and member.declared is not None:
             span = code.span(member.declared)
             yield BareMember(code.source.located(span.start, span.end), member.owner)
@@ -114,19 +137,58 @@ def _has_body(definition: Node) -> bool:
 
 def _without_value(code: Code, node: Node) -> Iterator[Node]:
     kind = " ".join(code.text(node.child_by_field_name("type")).split())
-    if node.type != "field_declaration" or not _NUMBER.match(kind) or node.child_by_field_name("default_value"):
+    if node.type != "field_declaration" or not _NUMBER.match(kind):
         return
-    if not any(each.type in ("storage_class_specifier", "type_qualifier", "bitfield_clause") for each in node.children):
-        yield from (each for each in node.children_by_field_name("declarator") if each.type == "field_identifier")
+    if any(each.type in ("storage_class_specifier", "type_qualifier", "bitfield_clause") for each in node.children):
+        return
+    values = {each.prev_named_sibling for each in node.children_by_field_name("default_value")}
+    for each in node.children_by_field_name("declarator"):
+        plain = each.child_by_field_name("declarator") if each.type == "array_declarator" else each
+        if each not in values and plain is not None and plain.type == "field_identifier":
+            yield plain
 
 
 def _runs(code: Code, bodies: Bodies, callbacks: list[Callback]) -> Iterator[_Run]:
     for callback in callbacks:
         body = bodies.of(callback)
         if body is not None:
-            names = {each.name for each in bodies.reached(body) if isinstance(each, Call)}
-            inner = (each.id for name in names for each in bodies.functions.get(name, ()))
-            yield _Run(callback, body, frozenset((body.id, *inner)))
+            runs = _handed_on(bodies, body)
+            name = (code.defined_name(runs) or "").rpartition("::")[2] if runs.type == "function_definition" else ""
+            yield _Run(f"{name}()" if name else "a lambda", runs, _reached(bodies, body), None)
+
+
+def _handed_on(bodies: Bodies, body: Node) -> Node:
+    """The method to which a lambda only hands its arguments on; else the body itself."""
+    block = body.child_by_field_name("body")
+    if body.type == "lambda_expression" and block is not None and block.named_child_count == 1:
+        only = block.named_children[0]
+        call = next((each for each in bodies.own(body) if only.type == "expression_statement"), None)
+        if call is not None and call.node.parent == only and call.qualified in (call.name, f"this->{call.name}"):
+            named = bodies.functions.get(call.name, [])
+            return named[0] if len(named) == 1 else body
+    return body
+
+
+def _reached(bodies: Bodies, body: Node) -> frozenset[int]:
+    names = {each.name for each in bodies.reached(body) if isinstance(each, Call)}
+    return frozenset((body.id, *(each.id for name in names for each in bodies.functions.get(name, ()))))
+
+
+def _loops(code: Code) -> Iterator[tuple[Node, str]]:
+    """The methods of hardware and controllers that the controller manager calls in each cycle, with their class."""
+    for each in code.written.get("function", ()):
+        if _LOOP_TYPE.search("".join(code.text(each.child_by_field_name("type")).split())):
+            *scope, name = (code.defined_name(each) or "").split("::")
+            outer = next((one for one in code.above(each) if one.type == "class_specifier"), None)
+            owner = scope[-1] if scope else code.text(outer.child_by_field_name("name")) if outer is not None else ""
+            if name in _LOOP and owner:
+                yield each, owner
+
+
+def _loop_run(code: Code, bodies: Bodies, loop: tuple[Node, str]) -> _Run:
+    body, owner = loop
+    name = (code.defined_name(body) or "").rpartition("::")[2]
+    return _Run(f"{name}()", body, _reached(bodies, body), owner)
 
 
 def _read(code: Code, member: _Member, runs: list[_Run]) -> UnsetMember | None:
@@ -147,8 +209,16 @@ def _read(code: Code, member: _Member, runs: list[_Run]) -> UnsetMember | None:
     for run in runs:
         own = [node for node in uses if run.body.start_byte < node.start_byte < run.body.end_byte]
         if own and _is_early(code, run, own[0], uses, holders):
+            if _runs_elsewhere(code, uses, holders, allowed):
+                return None
             return _found(code, member, run, own[0], uses)
     return None
+
+
+def _runs_elsewhere(code: Code, uses: list[Node], holders: dict[int, int | None], allowed: frozenset[int]) -> bool:
+    """Whether something else than callbacks calls a function that names the member, as a constructor may."""
+    names = _function_names(code, {holders[node.id] for node in uses})
+    return any(call.name in names and _holder(code, call.node) not in allowed for call in code.calls)
 
 
 def _found(code: Code, member: _Member, run: _Run, read: Node, uses: list[Node]) -> UnsetMember | None:
@@ -156,10 +226,9 @@ def _found(code: Code, member: _Member, run: _Run, read: Node, uses: list[Node])
     others = [node for node in written if not run.body.start_byte < node.start_byte < run.body.end_byte]
     if not written:
         return None
-    callback = f"{run.callback.name}()" if run.callback.name else "a lambda"
     declared = code.span(member.declared) if member.declared is not None else None
     later = code.span(others[0]) if others else None
-    return UnsetMember(declared, code.span(read), member.name, member.owner, callback, later)
+    return UnsetMember(declared, code.span(read), member.name, member.owner, run.what, later)
 
 
 def _is_declared(outer: Node, node: Node) -> bool:
@@ -175,33 +244,23 @@ def _holder(code: Code, node: Node) -> int | None:
 
 
 def _is_early(code: Code, run: _Run, first: Node, uses: list[Node], holders: dict[int, int | None]) -> bool:
-    """Whether a callback reads a member in each case, and before it may have set it."""
-    if _is_written(code, first) or _is_given_away(first) or not _is_reached(code, run.body, first):
+    """Whether a callback reads a member before it may have set it, whatever came before: no condition that may know of
+    that keeps it from there."""
+    if _is_written(code, first) or _is_given_away(code, first):
         return False
+    guards = PlainGuards(code, run.body)
     before = [node for node in _below(run.body) if node.start_byte < first.start_byte]
-    if any(node.type in _LEAVES for node in before):
+    if not guards.reaches(first) or not all(guards.reaches(node) for node in before if node.type in _LEAVES):
         return False
-    naming = {holders[node.id] for node in uses}
-    functions = (each for each in code.written.get("function", ()) if each.id in naming)
-    names = {(code.defined_name(each) or "").rpartition("::")[2] for each in functions}
+    names = _function_names(code, {holders[node.id] for node in uses})
     calls = (code.call(node) for node in before if node.type == "call_expression")
     return not any(call is not None and call.name in names for call in calls)
 
 
-def _is_reached(code: Code, body: Node, node: Node) -> bool:
-    """Whether no condition decides about a place: one in a condition itself is read in each case."""
-    inner = node
-    for outer in code.above(node):
-        if outer.id == body.id:
-            return True
-        condition = outer.child_by_field_name("condition") or outer.child_by_field_name("initializer")
-        if outer.type in _CONDITIONAL and (condition is None or condition.id != inner.id):
-            return False
-        if outer.type == "binary_expression" and code.text(outer.child_by_field_name("operator")) in _SHORT:
-            if outer.child_by_field_name("right") == inner:
-                return False
-        inner = outer
-    return False
+def _function_names(code: Code, ids: set[int | None]) -> set[str]:
+    """The last names of some functions."""
+    functions = (each for each in code.written.get("function", ()) if each.id in ids)
+    return {(code.defined_name(each) or "").rpartition("::")[2] for each in functions}
 
 
 def _is_written(code: Code, node: Node) -> bool:
@@ -216,17 +275,27 @@ def _is_written(code: Code, node: Node) -> bool:
     return outer.child_by_field_name("left") == inner
 
 
-def _is_given_away(node: Node) -> bool:
-    """Whether something may take the member by reference or address."""
-    _, outer = _whole(node)
-    return outer is None or outer.type in ("argument_list", "pointer_expression", "subscript_argument_list")
+def _is_given_away(code: Code, node: Node) -> bool:
+    """Whether something may set the member: what takes it by reference or address, or a stream that is read."""
+    inner, outer = _whole(node)
+    if outer is None or outer.type in _TAKERS:
+        return True
+    if outer.type == "init_declarator":
+        declarator = outer.child_by_field_name("declarator")
+        return declarator is not None and declarator.type == "reference_declarator"
+    is_stream = outer.type == "binary_expression" and code.text(outer.child_by_field_name("operator")) == ">>"
+    return is_stream and outer.child_by_field_name("right") == inner
 
 
 def _whole(node: Node) -> tuple[Node, Node | None]:
-    """``this->name`` or ``name``, and what it is in."""
+    """``this->name``, ``name`` or an element of it, and what it is in."""
     outer = node.parent
     if outer is not None and outer.type == "field_expression":
-        return outer, outer.parent
+        node, outer = outer, outer.parent
+    if outer is not None and outer.type == "subscript_expression" and outer.child_by_field_name("argument") == node:
+        node, outer = outer, outer.parent
+    if outer is not None and outer.type == "parenthesized_expression":
+        node, outer = outer, outer.parent
     return node, outer
 
 
