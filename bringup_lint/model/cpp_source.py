@@ -81,7 +81,9 @@ class Canceled(NamedTuple):
 
     span: Span
     asked: Span
-    """The condition after which it is not one that is to be canceled."""
+    """The condition after which it is not one that is to be canceled; or the function that ends it."""
+    runs: str | None
+    """What calls that function while the goal is executed: ``a subscription``; None for a condition."""
 
 
 class ComponentEnd(NamedTuple):

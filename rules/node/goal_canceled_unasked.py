@@ -3,7 +3,8 @@
 ## What it finds
 `goal_handle.canceled()` in a function that has another branch for goals that are to be canceled
 (`is_cancel_requested`, `is_canceling()`), under conditions that have nothing to do with that: a goal of an unknown
-kind, one that a newer goal replaces.
+kind, one that a newer goal replaces. In C++ also in the callback of a subscription or service, and in the function that
+answers whether a goal may be canceled, which is called before it is.
 
 ## Why it matters on a robot
 A goal can only be canceled after the server accepted a request to cancel it. In all other cases the call throws: in
@@ -55,15 +56,25 @@ def goal_canceled_unasked(robot: Robot) -> Iterator[Finding]:
         yield _finding(robot, found.file.source, found.file.span_of(found.call), found.file.span_of(found.asked))
     for source in robot.nodes.cpp:
         for each in source.canceled:
-            yield _finding(robot, source.source, each.span, each.asked)
+            yield _finding(robot, source.source, each.span, each.asked, each.runs)
 
 
-def _finding(robot: Robot, source: Source, place: Span, asked: Span) -> Finding:
-    related: list[Related] = [note(asked, "goals that are to be canceled end here")]
+def _finding(robot: Robot, source: Source, place: Span, asked: Span, runs: str | None = None) -> Finding:
+    what = f"{runs} calls this while the goal is executed" if runs else "goals that are to be canceled end here"
+    related: list[Related] = [note(asked, what)]
+    if runs is not None and runs.startswith("the question"):
+        message = "The goal becomes one that is to be canceled only after this function has returned: the call throws"
+        advice = "end it where it is executed, when is_canceling() says so"
+    else:
+        message = (
+            "Nobody asked to cancel the goal here: the call throws, because a goal that is executed can't become "
+            "canceled"
+        )
+        advice = "end it with abort()"
     return finding(
         place,
-        "Nobody asked to cancel the goal here: the call throws, because a goal that is executed can't become canceled",
-        advice="end it with abort()",
+        message,
+        advice=advice,
         related=related,
         severity=robot.nodes.lowered(source, "warning"),
     )

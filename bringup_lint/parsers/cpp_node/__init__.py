@@ -125,7 +125,7 @@ def parse(source: Source) -> CppNode:
     node.unset = list(unset(code))
     node.bare_members = list(bare_members(code, node.classes))
     node.unset_members = list(unset_members(code, node.classes, node.callbacks[:CALLBACKS]))
-    node.canceled = list(canceled(code))
+    node.canceled = list(canceled(code, node.callbacks[:CALLBACKS]))
     node.divisors = list(divisors(code))
     node.unstamped = list(unstamped(code, names, node.endpoints))
     if RESTAMPS.search(source.text):

@@ -6,8 +6,11 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.model.cpp_source import Canceled
+from bringup_lint.model.node_source import Callback
 from bringup_lint.parsers.cpp_node.syntax import FUNCTIONS
+from bringup_lint.parsers.cpp_node.syntax import Call
 from bringup_lint.parsers.cpp_node.syntax import Code
+from bringup_lint.parsers.cpp_node.waits import Bodies
 from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
@@ -16,22 +19,64 @@ if TYPE_CHECKING:
 _ASKS = "is_canceling"
 _MAY_KNOW = regex(r"(?i)cancel|stat(?:e|us)|result|code|\bok\b|success|reason|\breturned\b")
 """Words of conditions that may say that the cancellation was asked for."""
+_ROLES = frozenset({"subscription", "service"})
+_RESPONDS = regex(r"\bCancelResponse\b")
+DECIDES = "the question whether to cancel"
 _CONDITIONS = ("if_statement", "while_statement", "for_statement", "do_statement")
 _OTHERS = frozenset({"switch_statement", "case_statement", "catch_clause", "conditional_expression"})
 
 
-def canceled(code: Code) -> Iterator[Canceled]:
-    if f"{_ASKS}()" not in code.source.text:
+def canceled(code: Code, callbacks: list[Callback]) -> Iterator[Canceled]:
+    calls = [call for call in code.calls if call.name == "canceled" and len(call.arguments) == 1]
+    if not calls:
         return
-    for call in code.calls:
-        if call.name == "canceled" and len(call.arguments) == 1:
-            asked = _asked(code, call.node, call.qualified[: -len("canceled")])
-            if asked is not None:
-                yield Canceled(code.span(call.node), code.span(asked))
+    runs = dict(_runs(code, callbacks))
+    for call in calls:
+        asked = _asked(code, call.node, call.qualified[: -len("canceled")])
+        if asked is not None:
+            yield Canceled(code.span(call.node), code.span(asked), None)
+            continue
+        body = code.body_of(call.node)
+        why = runs.get(body.id) if body is not None else None
+        if body is not None and why is not None and not _may_know(code, call, body):
+            yield Canceled(code.span(call.node), code.source.span(*_begin(code, body)), why)
+
+
+def _runs(code: Code, callbacks: list[Callback]) -> Iterator[tuple[int, str]]:
+    """The functions that run while a goal is executed, and what calls them."""
+    bodies = Bodies(code)
+    for callback in callbacks:
+        body = bodies.of(callback) if callback.role in _ROLES else None
+        if body is not None:
+            yield body.id, f"a {callback.role}"
+    for each in (*code.written.get("function", ()), *code.written.get("lambda", ())):
+        if _RESPONDS.search(code.source.text[slice(*_begin(code, each))]):
+            yield each.id, DECIDES
+
+
+def _begin(code: Code, function: Node) -> tuple[int, int]:
+    """Where the head of a function is, up to its body."""
+    body = function.child_by_field_name("body")
+    return code.span(function).start, code.span(body if body is not None else function).start
+
+
+def _may_know(code: Code, call: Call, body: Node) -> bool:
+    """Whether a condition around a call, or anything in its function, may say that the goal is to be canceled."""
+    text = code.text(body)
+    if _ASKS in text or "CANCELING" in text:
+        return True
+    inside = (each for each in code.above(call.node) if body.start_byte < each.start_byte)
+    return any(
+        each.type in _OTHERS
+        or (each.type in _CONDITIONS and _MAY_KNOW.search(code.text(each.child_by_field_name("condition"))) is not None)
+        for each in inside
+    )
 
 
 def _asked(code: Code, call: Node, owner: str) -> Node | None:
     """The condition before the call after which the goal is surely not one that is to be canceled."""
+    if f"{_ASKS}()" not in code.source.text:
+        return None
     found, conditions, inner = None, 0, call
     for outer in code.above(call):
         if outer.type in FUNCTIONS:

@@ -48,6 +48,8 @@ _WRITTEN = """
 (throw_statement) @throw
 (return_statement) @return
 (else_clause) @else
+(try_statement) @try
+(lambda_expression) @lambda
 """
 _EXPORTED = regex(
     rb"[csA-Z](?<!\w[csA-Z])(?:(?:(?<=c)lass|(?<=s)truct)[ \t\r\n]+(?P<macro>[A-Z][A-Z0-9_]+)"
