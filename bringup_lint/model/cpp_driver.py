@@ -116,6 +116,45 @@ class WaitingHandler(NamedTuple):
     is_log: bool
 
 
+class LostTransform(NamedTuple):
+    """A transform that a function uses although it may not have got it."""
+
+    looked_up: Span
+    handled: Span
+    """The handler, which only logs."""
+    used: Span
+    name: str
+
+
+class ThreadThrow(NamedTuple):
+    """An exception that leaves the function of a thread."""
+
+    thrown: Span
+    started: Span
+    function: str
+    """What throws."""
+
+
+class ShutContext(NamedTuple):
+    """A function that goes on after it has shut the context down."""
+
+    shutdown: Span
+    behind: Span
+    name: str
+    """What makes something there: ``create_publisher``; or what is used although it is of no use."""
+    owner: str | None
+    """The class whose constructor makes something; None where something is used."""
+
+
+class BlindWrite(NamedTuple):
+    """A file that is written unseen, and the answer that it was."""
+
+    opened: Span
+    answered: Span
+    name: str
+    """The stream."""
+
+
 @dataclass(eq=False, slots=True)
 class CppDriver:
     source: Source
@@ -130,4 +169,8 @@ class CppDriver:
     thrown: list[Thrown] = field(default_factory=list)
     cut_answers: list[CutAnswer] = field(default_factory=list)
     waiting_handlers: list[WaitingHandler] = field(default_factory=list)
+    lost_transforms: list[LostTransform] = field(default_factory=list)
+    thread_throws: list[ThreadThrow] = field(default_factory=list)
+    shut_contexts: list[ShutContext] = field(default_factory=list)
+    blind_writes: list[BlindWrite] = field(default_factory=list)
     problems: list[Problem] = field(default_factory=list)

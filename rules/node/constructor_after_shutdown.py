@@ -3,7 +3,7 @@
 ## What it finds
 `rclpy.shutdown()` in the constructor of a Python node that neither returns nor raises after it, and then makes a
 publisher, a subscription, a service, a client or a timer; or that returns, where the program spins the node without
-asking `rclpy.ok()`.
+asking `rclpy.ok()`. In C++ `rclcpp::shutdown()` in a constructor that then makes one of these.
 
 ## Why it matters on a robot
 `shutdown()` ends nothing: it returns. The constructor goes on without the device that it did not find, and the next
@@ -30,10 +30,12 @@ Never: raise an exception, which launch or systemd can answer with a restart.
 
 ## References
 - tried with rclpy of Jazzy
+- rclcpp, subscription_base.cpp, service.hpp, timer.cpp: each throws when rcl refuses the context
 - rclpy, `shutdown`; rcl, guard_condition.c and node.c: both refuse a context that is not valid
 """
 
 from collections.abc import Iterator
+from itertools import islice
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
@@ -45,6 +47,21 @@ from bringup_lint.api import rule
 
 @rule("warning", symptoms=["either rcl_init() was not called or rcl_shutdown() was called"])
 def constructor_after_shutdown(robot: Robot) -> Iterator[Finding]:
+    yield from _in_python(robot)
+    for driver in robot.nodes.drivers:
+        shut = (each for each in driver.shut_contexts if each.owner is not None)
+        for first in islice(shut, 1):
+            yield finding(
+                first.shutdown,
+                f"The constructor of {first.owner} goes on after this: {first.name}() throws, because the context is "
+                "shut down, and the process aborts",
+                advice="throw an exception instead, and let launch or systemd start the node again",
+                related=[note(first.behind, "throws")],
+                severity=robot.nodes.lowered_if_vendored(driver.source, "warning"),
+            )
+
+
+def _in_python(robot: Robot) -> Iterator[Finding]:
     for file, node in robot.nodes.node_classes:
         for found in nodes.shut_constructors(robot.nodes.syntax(file), node):
             yield finding(

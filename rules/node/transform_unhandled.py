@@ -5,12 +5,14 @@
 subscription, timer, service or client, when no `try` surrounds the call and `can_transform()` is not asked before. In
 C++ only where the callback itself makes the call. Action servers of Python are left out: rclpy catches what their
 callbacks raise. Also lookups in the constructor of a Python node whose `TransformListener` has no thread of its own.
+In C++ also a handler that only logs, when the function then uses the message that has not been filled.
 
 ## Why it matters on a robot
 Each start begins without transforms, and each transform arrives after the sensor data that it belongs to. tf2 raises
 LookupException, ConnectivityException or ExtrapolationException then. The exception leaves `spin()`, and the node
 ends: usually with the first message, later whenever localization is late once. While the constructor runs, nothing
-spins the node yet. The listener gets no transform, and the lookup fails at every start, whatever its timeout is.
+spins the node yet. The listener gets no transform, and the lookup fails at every start, whatever its timeout is. A
+message that was not filled is all zero: a goal at the origin of the frame, which may be on the other side of a wall.
 
 ## Bad
 ```python
@@ -80,6 +82,15 @@ def transform_unhandled(robot: Robot) -> Iterator[Finding]:
             callback = source.lookups[0].callback
             name = f"{callback.name}()" if callback.name is not None else "The callback"
             yield _finding(robot, CPP, [each.span for each in source.lookups], callback, name)
+    for driver in robot.nodes.drivers:
+        for lost in driver.lost_transforms:
+            yield finding(
+                lost.handled,
+                f"When there is no transform, this only logs: what follows uses '{lost.name}' as it was made, all zero",
+                advice="return here, and go without this message",
+                related=[note(lost.looked_up, "fills it"), note(lost.used, "used whether it was filled or not")],
+                severity=robot.nodes.lowered_if_vendored(driver.source, "warning"),
+            )
 
 
 def _finding(robot: Robot, language: Language, spans: list[Span], callback: nodes.Callback, function: str) -> Finding:

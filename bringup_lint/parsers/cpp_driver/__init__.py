@@ -2,9 +2,15 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Callable
+from collections.abc import Iterable
+
 from bringup_lint.model.cpp_driver import CppDriver
 from bringup_lint.parsers.cpp_driver.blind_waits import WAITS
 from bringup_lint.parsers.cpp_driver.blind_waits import blind_waits
+from bringup_lint.parsers.cpp_driver.blind_writes import WRITES
+from bringup_lint.parsers.cpp_driver.blind_writes import blind_writes
 from bringup_lint.parsers.cpp_driver.cut_answers import TAKES_APART
 from bringup_lint.parsers.cpp_driver.cut_answers import cut_answers
 from bringup_lint.parsers.cpp_driver.endless_walks import WALKS
@@ -15,10 +21,16 @@ from bringup_lint.parsers.cpp_driver.idle_reads import SERIAL
 from bringup_lint.parsers.cpp_driver.idle_reads import idle_reads
 from bringup_lint.parsers.cpp_driver.left_locked import BY_HAND
 from bringup_lint.parsers.cpp_driver.left_locked import left_locked
+from bringup_lint.parsers.cpp_driver.lost_transforms import LOOKS_UP
+from bringup_lint.parsers.cpp_driver.lost_transforms import lost_transforms
 from bringup_lint.parsers.cpp_driver.relocks import LOCKS
 from bringup_lint.parsers.cpp_driver.relocks import relocks
+from bringup_lint.parsers.cpp_driver.shut_contexts import SHUTS
+from bringup_lint.parsers.cpp_driver.shut_contexts import shut_contexts
 from bringup_lint.parsers.cpp_driver.taken_targets import RECEIVES
 from bringup_lint.parsers.cpp_driver.taken_targets import taken_targets
+from bringup_lint.parsers.cpp_driver.thread_throws import STARTS
+from bringup_lint.parsers.cpp_driver.thread_throws import thread_throws
 from bringup_lint.parsers.cpp_driver.thrown import THROWS
 from bringup_lint.parsers.cpp_driver.thrown import thrown
 from bringup_lint.parsers.cpp_driver.unchecked_devices import OPENS
@@ -29,32 +41,38 @@ from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.parsers.cpp_node.text_limits import too_much
 from bringup_lint.source import Source
 
+_QUESTIONS: tuple[tuple[str, re.Pattern[str], Callable[[Code], Iterable[object]]], ...] = (
+    ("unchecked_indexes", ASKS, unchecked_indexes),
+    ("idle_reads", SERIAL, idle_reads),
+    ("relocks", LOCKS, relocks),
+    ("left_locked", BY_HAND, left_locked),
+    ("endless_walks", WALKS, endless_walks),
+    ("taken_targets", RECEIVES, taken_targets),
+    ("unchecked_devices", OPENS, unchecked_devices),
+    ("waiting_handlers", HANDLES, waiting_handlers),
+    ("blind_waits", WAITS, blind_waits),
+    ("thrown", THROWS, thrown),
+    ("cut_answers", TAKES_APART, cut_answers),
+    ("lost_transforms", LOOKS_UP, lost_transforms),
+    ("thread_throws", STARTS, thread_throws),
+    ("shut_contexts", SHUTS, shut_contexts),
+    ("blind_writes", WRITES, blind_writes),
+)
+"""What is asked of a file, with the words without which it has none."""
+
 
 def parse(source: Source) -> CppDriver:
     """What a file does with devices, locks and signals, and what it throws. Never raises; ``problems``: ``too-large``,
     ``too-deep``."""
     driver = CppDriver(source)
-    asks = ASKS in source.text
-    is_serial, locks, by_hand, walks, receives, opens, throws, handles, waits, cuts = (
-        each.search(source.text) is not None
-        for each in (SERIAL, LOCKS, BY_HAND, WALKS, RECEIVES, OPENS, THROWS, HANDLES, WAITS, TAKES_APART)
-    )
-    if not (asks or is_serial or locks or by_hand or walks or receives or opens or throws or handles or waits or cuts):
+    asked = [(name, look) for name, words, look in _QUESTIONS if words.search(source.text)]
+    if not asked:
         return driver
     problem = too_much(source)
     if problem is not None:
         driver.problems.append(problem)
         return driver
     code = Code(source)
-    driver.unchecked_indexes = list(unchecked_indexes(code)) if asks else []
-    driver.idle_reads = list(idle_reads(code)) if is_serial else []
-    driver.relocks = list(relocks(code)) if locks else []
-    driver.left_locked = list(left_locked(code)) if by_hand else []
-    driver.endless_walks = list(endless_walks(code)) if walks else []
-    driver.taken_targets = list(taken_targets(code)) if receives else []
-    driver.unchecked_devices = list(unchecked_devices(code)) if opens else []
-    driver.waiting_handlers = list(waiting_handlers(code)) if handles else []
-    driver.blind_waits = list(blind_waits(code)) if waits else []
-    driver.thrown = list(thrown(code)) if throws else []
-    driver.cut_answers = list(cut_answers(code)) if cuts else []
+    for name, look in asked:
+        setattr(driver, name, list(look(code)))
     return driver

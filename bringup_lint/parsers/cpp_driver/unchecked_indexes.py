@@ -15,7 +15,8 @@ from bringup_lint.pattern import regex
 if TYPE_CHECKING:
     from tree_sitter import Node
 
-ASKS = "SIOCGIFINDEX"
+_ASKS = "SIOCGIFINDEX"
+ASKS = regex(_ASKS, hints=_ASKS)
 _ARGUMENTS = 3
 _ELSEWHERE = regex(r"(?i)netlink|\brtnl_|SIOCGIFFLAGS|/sys/class/net|operstate")
 """What looks at interfaces in another way."""
@@ -30,7 +31,7 @@ def unchecked_indexes(code: Code) -> Iterator[UncheckedIndex]:
     if not _CAN.search(code.source.text) or _ELSEWHERE.search(code.source.text):
         return
     for call in code.calls:
-        if call.name == "ioctl" and len(call.arguments) == _ARGUMENTS and code.text(call.arguments[1]) == ASKS:
+        if call.name == "ioctl" and len(call.arguments) == _ARGUMENTS and code.text(call.arguments[1]) == _ASKS:
             function = next((each for each in code.above(call.node) if each.type == "function_definition"), None)
             found = _unchecked(code, call, function) if function is not None and _is_dropped(call.node) else None
             if found is not None:

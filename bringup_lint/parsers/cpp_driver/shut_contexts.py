@@ -1,0 +1,105 @@
+"""Functions of a C++ file that shut the context down and go on as if they had left."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from bringup_lint.model.cpp_driver import ShutContext
+from bringup_lint.model.cpp_text import blanked
+from bringup_lint.parsers.cpp_node.early_pointers import class_made
+from bringup_lint.parsers.cpp_node.syntax import LOOPS
+from bringup_lint.parsers.cpp_node.syntax import Code
+from bringup_lint.pattern import regex
+from bringup_lint.source import Span
+
+if TYPE_CHECKING:
+    from tree_sitter import Node
+
+SHUTS = regex(r"\brclcpp::shutdown\s{0,4}\(", hints="rclcpp::shutdown")
+_LEAVES = regex(r"\b(?:return|throw|break|continue|goto|\w{0,20}exit|abort|terminate|raise|kill)\b|\brclcpp::ok\b")
+_MAKES = regex(r"create_(?:(?:wall_)?timer|(?:generic_)?(?:publisher|subscription|client|service)|server)\Z")
+_UNFIT = regex(
+    r"\(!(?P<not>\w+)(?:(?:->|\.)(?i:is_?(?:open|opened|connected|valid|initialized)|connected|connect|open|init\w*|good)"
+    r"\([^()]*\))?\)\Z|\((?P<null>\w+)(?:==(?:nullptr|NULL|-1)|<0)\)\Z"
+)
+"""The condition of a branch that is there because something cannot be used."""
+_USE = r"(?<![\w.>])(?:this->)?{0}\s{{0,4}}(?:->|\.|<<|>>)|[(,*]\s{{0,4}}{0}\s{{0,4}}[,)]"
+
+
+def shut_contexts(code: Code) -> Iterator[ShutContext]:
+    """One for each call of ``rclcpp::shutdown()`` behind which the function makes what needs the context, or uses what
+    it has found to be of no use."""
+    for call in code.calls:
+        statement = call.node.parent
+        if call.qualified != "rclcpp::shutdown" or statement is None or statement.type != "expression_statement":
+            continue
+        function = code.body_of(call.node)
+        found = _behind(code, statement, function) if function is not None else None
+        if found is not None:
+            yield ShutContext(code.span(call.node), *found)
+
+
+def _behind(code: Code, statement: Node, function: Node) -> tuple[Span, str, str | None] | None:
+    owner = class_made(code, function) if function.type == "function_definition" else None
+    unfit = _unfit(code, statement)
+    current: Node = statement
+    for outer in code.above(statement):
+        if outer.type in LOOPS or outer.type in ("switch_statement", "lambda_expression", "case_statement"):
+            return None
+        if outer.type == "compound_statement":
+            found, leaves = _among(code, current, owner, unfit)
+            if found is not None or leaves:
+                return found
+        if outer.id == function.id:
+            return None
+        current = outer
+    return None
+
+
+def _among(
+    code: Code, current: Node, owner: str | None, unfit: str | None
+) -> tuple[tuple[Span, str, str | None] | None, bool]:
+    """What the statements behind one make or use; and whether one of them may leave before."""
+    following = current.next_named_sibling
+    while following is not None:
+        text = blanked(code.text(following))
+        if following.type in ("expression_statement", "declaration"):
+            made = _made(code, following) if owner is not None else None
+            if made is not None:
+                return (code.span(made), code.text(made.child_by_field_name("function")).partition("<")[0], owner), True
+            used = re.search(_USE.format(re.escape(unfit)), text) if unfit is not None else None
+            if used is not None and unfit is not None:
+                start = code.span(following).start
+                return (code.source.span(start + used.start(), start + used.end()), unfit, None), True
+        if _LEAVES.search(text):
+            return None, True
+        following = following.next_named_sibling
+    return None, False
+
+
+def _made(code: Code, statement: Node) -> Node | None:
+    """The call of a statement that makes a topic, service or timer."""
+    stack = [statement]
+    while stack:
+        node = stack.pop()
+        if node.type in ("lambda_expression", "conditional_expression"):
+            continue
+        call = code.call(node) if node.type == "call_expression" else None
+        if call is not None and _MAKES.match(call.name):
+            return node
+        stack += node.named_children
+    return None
+
+
+def _unfit(code: Code, statement: Node) -> str | None:
+    """What the condition of the branch that shuts down finds to be of no use."""
+    block = statement.parent
+    branch = block.parent if block is not None and block.type == "compound_statement" else block
+    if branch is None or branch.type != "if_statement":
+        return None
+    if branch.child_by_field_name("consequence") not in (block, statement):
+        return None
+    found = _UNFIT.match("".join(code.text(branch.child_by_field_name("condition")).split()))
+    return (found["not"] or found["null"]) if found is not None else None
