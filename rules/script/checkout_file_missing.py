@@ -1,7 +1,7 @@
 """A script or unit names a file of its own repository that the repository does not have.
 
 ## What it finds
-Paths below a home folder that lead into the checkout of this very repository, and to a file or folder that it does not
+Paths below a home folder, `/opt` or `/srv` that lead into the checkout of this very repository, and to what it does not
 have, in units, scripts and login files: `WorkingDirectory=`, programs, files that `source`, `cd`, `python3`, `rviz2 -d`
 and `ros2 launch` read. Where the checkout is, other paths of the tree say: those that lead to files that exist.
 
@@ -49,7 +49,10 @@ from bringup_lint.api import rule
 
 KINDS = ("shell-script", "systemd-unit", "systemd-dropin")
 HOME = r"(?:~|\$HOME|\$\{HOME\}|%h|/home/[\w.-]{1,40}|/root)"
-PATH = regex(rf"(?<![\w.$/~}}]){HOME}(?P<below>(?:/[\w.+@-]{{1,80}}){{2,12}})/?(?![\w$*{{?<%+@/-])")
+PATH = regex(
+    rf"(?<![\w.$/~}}])(?:{HOME}(?P<below>(?:/[\w.+@-]{{1,80}}){{2,12}})"
+    r"|(?P<whole>/(?:opt|srv|usr/local/src)(?!/ros/)(?:/[\w.+@-]{1,80}){2,12}))/?(?![\w$*{?<%+@/-])"
+)
 REMARK = regex(r"[ \t]*[#;]")
 READS = regex(
     r"(?:(?:^|[\s;&|'\"(=])(?:source|\.|cd|bash|sh|python3?|exec|-d|--params-file)[ \t]{1,4}|:=|launch[ \t]{1,4}"
@@ -95,7 +98,7 @@ def checkout_file_missing(robot: Robot) -> Iterator[Finding]:
         if not _is_made(robot, lacking):
             yield finding(
                 word,
-                f"There is no {lacking} in ~{checkout}, which comes from this repository: {_effect(word)}",
+                f"There is no {lacking} in {_place(word, checkout)}, which comes from this repository: {_effect(word)}",
                 advice="name what the repository has, or add it",
                 related=[note(other, "here too") for other in others],
             )
@@ -103,13 +106,19 @@ def checkout_file_missing(robot: Robot) -> Iterator[Finding]:
 
 def _paths(source: Source) -> Iterator[tuple[Located, str, bool]]:
     """The paths below a home folder, with what follows that, and whether something reads them."""
-    if not any(text in source.text for text in ("/home/", "~", "HOME", "%h", "/root/")):
+    if not any(
+        text in source.text for text in ("/home/", "~", "HOME", "%h", "/root/", "/opt/", "/srv/", "/local/src/")
+    ):
         return
     for found in PATH.finditer(source.text):
         start = source.text.rfind("\n", 0, found.start()) + 1
         before = source.text[max(start, found.start() - BEFORE) : found.start()]
         if not REMARK.match(source.text[start : found.start() + 1]):
-            yield source.located(*found.span()), os.path.normpath(found["below"]), READS.search(before) is not None
+            yield (
+                source.located(*found.span()),
+                os.path.normpath(found["below"] or found["whole"]),
+                READS.search(before) is not None,
+            )
 
 
 def _checkouts(robot: Robot, belows: Iterable[str]) -> dict[str, tuple[str, ...]]:
@@ -180,6 +189,11 @@ def _is_made(robot: Robot, lacking: str) -> bool:
     name = re.escape(os.path.basename(lacking))
     made = re.compile(rf"{MADE}[^\n]{{0,200}}(?<![\w.-]){name}(?![\w.-])")
     return any(map(made.search, robot.tree.pages(MAKERS, MOST)))
+
+
+def _place(word: Located, checkout: str) -> str:
+    """The folder of the checkout as people write it."""
+    return checkout if word.startswith(f"{checkout}/") else f"~{checkout}"
 
 
 def _effect(word: Located) -> str:
