@@ -57,6 +57,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.topics.questions.parameter_blocks import unused
     from bringup_lint.graph.topics.questions.undeclared import Undeclared
     from bringup_lint.graph.topics.questions.undeclared import undeclared
+    from bringup_lint.graph.topics.questions.unhanded_blocks import unhanded
     from bringup_lint.model.params import Block
     from bringup_lint.model.params import Parameter
     from bringup_lint.model.params import ParameterFile
@@ -109,6 +110,7 @@ __all__ = [
     "tab_width",
     "taken_back",
     "undeclared",
+    "unhanded",
     "unknown_frames",
     "unknown_to_public",
     "unmatched_rewrites",

@@ -13,10 +13,16 @@ _HOLE = regex(r"%[-+ #0-9.]*[a-zA-Z]|\{[^{}]*\}")
 """Where a formatted text takes something in."""
 _JOINTS = "._/"
 LOOSE = regex(
-    r"automatically_declare_parameters_from_overrides|allow_undeclared_parameters|generate_parameter",
-    hints="automatically_declare_parameters_from_overrides allow_undeclared_parameters generate_parameter",
+    r"automatically_declare_parameters_from_overrides|allow_undeclared_parameters|generate_parameter|registerFromPlugin",
+    hints="automatically_declare_parameters_from_overrides allow_undeclared_parameters generate_parameter "
+    "registerFromPlugin",
 )
-"""What declares parameters that the source does not name."""
+"""What declares parameters that the source does not name: plugins of behaviour trees, too, find the node."""
+PLAIN = regex(
+    r"(?:[gs]et|has|list|describe|undeclare|on_set|add|remove)_\w{0,64}?parameter\w{0,64}"
+    r"|[pP]arameter(?:Value|Descriptor|Event)?"
+)
+"""Functions with parameters in their names that declare none."""
 
 
 class Asked(NamedTuple):
@@ -44,6 +50,8 @@ class ParameterWords:
     """Functions that declare a parameter under a name that they are given."""
     handed: frozenset[str] = frozenset()
     """Functions that are given a name which is not written in the source."""
+    declared: frozenset[str] | None = None
+    """The names of all declarations, where each is written in its call; None where some are not."""
 
     def __or__(self, other: ParameterWords) -> ParameterWords:
         return ParameterWords(
@@ -54,6 +62,7 @@ class ParameterWords:
             self.open or other.open,
             self.helpers | other.helpers,
             self.handed | other.handed,
+            None if self.declared is None or other.declared is None else self.declared | other.declared,
         )
 
     @property
@@ -62,7 +71,9 @@ class ParameterWords:
         return self.open or not self.helpers.isdisjoint(self.handed)
 
     def name(self, parameter: str) -> bool:
-        """Whether the texts may name a parameter, as a whole, by its last part, or put together."""
+        """Whether a parameter is declared, or the texts may name it: as a whole, by its last part, or put together."""
+        if self.declared is not None:
+            return parameter in self.declared
         leaf = parameter.rpartition(".")[2]
         if parameter in self.texts or leaf in self._leaves:
             return True

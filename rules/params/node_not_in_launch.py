@@ -1,9 +1,10 @@
-"""A block of parameters matches none of the nodes that load the file.
+"""A block of parameters never reaches the node that it is for.
 
 ## What it finds
 Node keys that are close to the name of a node that loads the file: a misspelling, or the right name in another
 namespace. Another block of the file reaches that node. (If no block does, `params/file-key-mismatch` reports the
-file.) Silent for components, when a node's name or namespace is not known, and when something else mentions the
+file.) Also a block for a node that a launch file starts beside the one that gets the file, without the file. Silent for
+components, when a node's name or namespace is not known, and when something else mentions the
 file.
 
 ## Why it matters on a robot
@@ -41,6 +42,7 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import rule
+from bringup_lint.api.params import unhanded
 from bringup_lint.api.params import unused
 
 
@@ -62,4 +64,13 @@ def node_not_in_launch(robot: Robot) -> Iterator[Finding]:
                 note(found.load.where, "loads the file here"),
             ],
             fix=fix(f"write {name}", (found.block.key, name), safe=False) if single else None,
+        )
+    for each in unhanded(robot.topics):
+        others = [note(each.node.started.span, f"{each.node.label()} is started here")]
+        yield finding(
+            each.block.key,
+            f"{each.node.label()} is started without this file: the parameters of its block are never used and the "
+            "defaults stay",
+            advice="give the file to this node, too (parameters=)",
+            related=[*others, note(each.load.where, "only another node gets the file here")],
         )

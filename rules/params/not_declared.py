@@ -2,7 +2,8 @@
 
 ## What it finds
 Parameters in a parameter file or launch file for a node whose source is in the workspace and which declares none of
-that name: no text of the source, or of the files that it includes or imports, is the name or a part of it. Nodes that
+that name: where each declaration of its sources has its name written in the call, none has this one; else no text of
+the source, or of the files that it includes or imports, is the name or a part of it. Nodes that
 take undeclared parameters, or that build on classes which are not in the workspace, are left alone, and so are
 programs of which a source is missing, and parameters that a launch file gives to several programs under one node name.
 All parameters are known of `joy_node`, `joy_linux_node`, `robot_state_publisher`, `joint_state_publisher`,

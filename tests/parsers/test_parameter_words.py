@@ -96,3 +96,34 @@ def test_names_of_cpp_that_come_from_elsewhere(text: str) -> None:
 def test_no_text_fails(text: str) -> None:
     cpp(f'get_parameter("{text}')
     python(f"node.declare_parameter({text})")
+
+
+@pytest.mark.parametrize(
+    ("words", "names"),
+    [
+        (python("node.declare_parameter('gain', 1.0)\nprint('rope')"), {"gain"}),
+        (python("node.declare_parameter(name='gain', value=1.0)"), {"gain"}),
+        (python("node.declare_parameters('', (('gain', 1), ('rate', 2)))"), {"gain", "rate"}),
+        (python("node.declare_parameters('', [('gain', 1), make()])"), None),
+        (python("node.declare_parameters('arm', [('gain', 1)])"), None),
+        (python("node.declare_parameters('', GAINS)\nGAINS = [('gain', 1)]"), None),
+        (python("node.declare_parameter(f'{side}_gain', 1)"), None),
+        (python("read_param('gain')"), None),
+        (python("node.get_parameter('gain')"), set()),
+        (cpp('declare_parameter("gain", 1.0); log("rope");'), {"gain"}),
+        (cpp('void f() { declare_parameter<int>("gain"); read_param("rope"); }'), None),
+        (cpp('void f() { declare_parameters("", {{"gain", 1}}); }'), None),
+        (cpp('void f() { declare_parameter(prefix + "gain", 1); }'), None),
+        (cpp('log("rope");'), set()),
+    ],
+)
+def test_declarations_are_all_names_where_each_is_written_in_its_call(
+    words: ParameterWords, names: set[str] | None
+) -> None:
+    assert words.declared == names
+
+
+def test_texts_count_where_one_source_of_a_program_makes_names() -> None:
+    one, other = cpp('void f() { declare_parameter("gain"); log("rope"); }'), cpp('void f() { read_param("reel"); }')
+    assert not one.name("rope")
+    assert (one | other).name("rope")

@@ -7,10 +7,12 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.model.parameter_words import LOOSE
+from bringup_lint.model.parameter_words import PLAIN
 from bringup_lint.model.parameter_words import Asked
 from bringup_lint.model.parameter_words import ParameterWords
 from bringup_lint.parsers.cpp_node.parameters import DECLARING
 from bringup_lint.parsers.cpp_node.parameters import reads
+from bringup_lint.parsers.cpp_node.values import declared
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
@@ -49,7 +51,7 @@ def parse(source: Source) -> ParameterWords:
     texts = frozenset(each for each, _ in found)
     pieces = frozenset(each for each, joined in found if joined)
     if "_parameter" not in text and not _CALLED.search(text):
-        return ParameterWords(texts, pieces)
+        return ParameterWords(texts, pieces, declared=frozenset())
     if LOOSE.search(text) or _MACRO.search(text):
         return ParameterWords(texts, pieces, open=True)
     from bringup_lint.parsers.cpp_node.syntax import Code
@@ -58,7 +60,23 @@ def parse(source: Source) -> ParameterWords:
     asked = tuple(_asked(code))
     unset = tuple(_unset(code, {str(each.name) for each in asked if each.required}))
     opened = any(_is_open(code, call) for call in code.calls)
-    return ParameterWords(texts, pieces, asked, unset, opened, frozenset(_helpers(code)), frozenset(_handed(code)))
+    helpers, handed = frozenset(_helpers(code)), frozenset(_handed(code))
+    return ParameterWords(texts, pieces, asked, unset, opened, helpers, handed, _declared(code))
+
+
+def _declared(code: Code) -> frozenset[str] | None:
+    """The names of the declarations; None where a call makes one of something else than a text."""
+    found = set()
+    for call in code.calls:
+        if call.name in DECLARING:
+            name = declared(code, call)[0] if call.name != "declare_parameters" else None
+            if name is None:
+                return None
+            found.add(str(name))
+        elif _HELPER.fullmatch(call.name) and not PLAIN.fullmatch(call.name):
+            if any(_WORD.search(code.text(each)) for each in call.arguments):
+                return None
+    return frozenset(found)
 
 
 def _texts(text: str) -> Iterator[tuple[str, bool]]:

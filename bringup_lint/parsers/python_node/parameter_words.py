@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from functools import cached_property
 
 from bringup_lint.model.parameter_words import LOOSE
+from bringup_lint.model.parameter_words import PLAIN
 from bringup_lint.model.parameter_words import Asked
 from bringup_lint.model.parameter_words import ParameterWords
 from bringup_lint.model.python import called_name
@@ -26,6 +27,9 @@ _READING = ("get_parameter", "get_parameter_or", "has_parameter", "get_parameter
 _OWN = regex(r"(?:self|(?:self\.)?\w*node\w*)\.(?:get_parameter\w*|has_parameter)\Z", re.I)
 _TYPE = regex(r"(?:^|\.)Parameter\.Type\.(?!NOT_SET)[A-Z_]+\Z")
 _CONTAINERS = (ast.List, ast.Tuple, ast.Dict, ast.Set)
+_DECLARING = ("declare_parameter", "declare_parameters")
+_HELPER = regex(r"(?=\w+\Z)\w*(?:param|declare)\w*", re.I)
+"""The name of a function that may declare parameters for others."""
 HELPERS = 3
 """Functions through which the name of a parameter is followed."""
 
@@ -59,7 +63,35 @@ class _Reader:
             tuple(self._asked()),
             tuple(self._unset()),
             any(self._is_open(call) for call in self.calls),
+            declared=self._declared(),
         )
+
+    def _declared(self) -> frozenset[str] | None:
+        """The names of the declarations; None where a call makes one of something else than a text."""
+        found = set()
+        for call in self.calls:
+            called = called_name(call) or ""
+            if called in _DECLARING:
+                names = self._names_of(call, called)
+                if names is None:
+                    return None
+                found |= names
+            elif _HELPER.fullmatch(called) and not PLAIN.fullmatch(called) and any(map(_has_text, call.args)):
+                return None
+        return frozenset(found)
+
+    @staticmethod
+    def _names_of(call: ast.Call, called: str) -> set[str] | None:
+        """What a call declares."""
+        names: list[ast.expr | None] = [call.args[0] if call.args else _keyword(call, "name")]
+        if called == "declare_parameters":
+            space = call.args[0] if call.args else _keyword(call, "namespace")
+            given = call.args[1] if len(call.args) > 1 else _keyword(call, "parameters")
+            if not isinstance(space, ast.Constant) or space.value or not isinstance(given, (ast.List, ast.Tuple)):
+                return None
+            names = [each.elts[0] if isinstance(each, ast.Tuple) and each.elts else None for each in given.elts]
+        found = {each.value for each in names if isinstance(each, ast.Constant) and isinstance(each.value, str)}
+        return found if len(found) == len(set(names)) else None
 
     def _is_docstring(self, node: ast.Constant) -> bool:
         return isinstance(self.parents.get(id(node)), ast.Expr)

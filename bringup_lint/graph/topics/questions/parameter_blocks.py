@@ -81,7 +81,7 @@ class _Matching:
         return self.topics.params()
 
     def unreached(self) -> Iterator[Mismatch]:
-        for file, loads in _certain(self.params):
+        for file, loads in certain(self.params):
             known = set(map(id, loads))
             missed = [each for each in loads if not any(self._reaches(block, each) for block in file.blocks)]
             if not missed:
@@ -136,10 +136,10 @@ class _Matching:
         return own is not None and names <= own.texts and not others
 
     def unmatched(self) -> Iterator[Mismatch]:
-        for file, loads in _certain(self.params):
+        for file, loads in certain(self.params):
             named = [load for load in loads if self._name(load) is not None]
             unnamed = [load for load in loads if self._name(load) is None]
-            if any(map(self._is_any, unnamed)) or _read_elsewhere(self.params, file, loads):
+            if any(map(self._is_any, unnamed)) or read_elsewhere(self.params, file, loads):
                 continue
             names = {str(self._name(load)): load for load in named}
             for block in file.blocks:
@@ -170,7 +170,7 @@ def _program(load: Load) -> tuple[str, str]:
     return str(literal_text(load.node.package)), str(literal_text(load.node.plugin or load.node.executable))
 
 
-def _certain(params: Params) -> Iterator[tuple[ParameterFile, list[Load]]]:
+def certain(params: Params) -> Iterator[tuple[ParameterFile, list[Load]]]:
     """Files with the nodes that get them; without those that never start, as nothing builds their program."""
     for file in params.judged:
         loads = [load for load in params.loads(file) if not params.launch().never_runs(load.node)]
@@ -230,7 +230,7 @@ def _words(name: str) -> frozenset[str]:
     return frozenset(name.split("_")) - {"node"}
 
 
-def _read_elsewhere(params: Params, file: ParameterFile, loads: list[Load]) -> bool:
+def read_elsewhere(params: Params, file: ParameterFile, loads: list[Load]) -> bool:
     """Whether another file of the tree mentions the file by name, so that somebody else may load it."""
     known = {load.node.file.source for load in loads} | {load.where.source for load in loads}
     known |= {span.source for load in loads for span in load.node.chain}

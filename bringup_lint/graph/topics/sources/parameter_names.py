@@ -282,7 +282,7 @@ def _owner(path: str, folders: set[str]) -> str | None:
 
 
 def _joined(words: Iterable[ParameterWords]) -> ParameterWords | None:
-    found = reduce(or_, words, ParameterWords())
+    found = reduce(or_, words, ParameterWords(declared=frozenset()))
     return None if found.is_open else found
 
 
@@ -325,7 +325,8 @@ def _is_plain_node(sources: list[Source]) -> bool:
     """Whether the nodes of the sources build on those of rclcpp alone."""
     classes = [bases for source in sources for bases in source.once(_bases, partial(_bases, source))]
     bases = [_ACCESS.sub("", each) for text in classes for each in text.split(",")]
-    odd = [base for base in bases if base.partition("<")[0].endswith("Node") and base not in _BASES]
+    named = (base for base in bases if base not in _BASES and not base.startswith("BT::"))
+    odd = [base for base in named if base.partition("<")[0].endswith("Node")]
     return not odd and any(source.matches(_NODE) for source in sources)
 
 
