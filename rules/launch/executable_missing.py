@@ -6,7 +6,8 @@ registration) provides, console scripts that setup.cfg does not put into `lib/<p
 `install(FILES)` installs without their executable bit. Of common public packages (Navigation2, robot_localization,
 slam_toolbox, controller_manager, joy, teleop_twist_joy, tf2_ros, ...): executables that no distribution has, and those
 that have another name in the robot's distribution, as `spawner.py` from Humble on. A node that does not start by
-default is a warning; a program that is commented out in CMake is an info where nothing includes the launch file.
+default is a warning; a program that is commented out in CMake is an info where nothing includes the launch file, and so
+is a console script that `colcon build --symlink-install` puts in its place, where nothing builds without.
 
 `ros2 run` in units, scripts, containers and other files that start processes is checked in the same way, also where a
 script hands it to tmux, a terminal window or an alias; in a script that only people start, it is a warning. Not
@@ -63,6 +64,10 @@ SYMLINKS = regex(r"--symlink-install\b")
 UNKNOWN = regex(r"[$`%*{\\^]")
 """What a shell, systemd or a template fills in."""
 PUT_AWAY = regex(r"(?m)^[ \t]*#[^\n]{0,80}\b(?:add_executable|ament_add_gtest)[ \t]*\([ \t]*([\w.-]+)")
+_DEVELOP = regex(r"(?m)^script[_-]dir[ \t]*=[ \t]*\$base/(?P<place>[^\s]+)$")
+"""The line of setup.cfg that ``colcon build --symlink-install`` reads."""
+_ADDED = regex(r"(?i)(?:[_-]?(?:node|exe|main|app))+$|\.py$")
+"""What is added to the name of a program."""
 MANY = 300
 """Executables of a package among which none is looked for that a misspelt one means."""
 
@@ -118,7 +123,7 @@ def executable_missing(robot: Robot) -> Iterator[Finding]:
                 made.setdefault(name, []).append(start)
         elif name not in workspace.ambiguous and start.judged:
             yield from of_public(robot, start)
-    yield from (misplaced(robot.launch.workspace.packages[name], started) for name, started in elsewhere.items())
+    yield from (misplaced(robot, robot.launch.workspace.packages[name], started) for name, started in elsewhere.items())
     yield from (only_made(robot.launch.workspace.packages[name], started) for name, started in made.items())
 
 
@@ -197,8 +202,9 @@ def of_public(robot: Robot, start: Start) -> Iterator[Finding]:
         )
 
 
-def misplaced(package: launch.Package, started: list[Start]) -> Finding:
-    """Console scripts where launch does not look: in ``bin``, or in the folder of another package."""
+def misplaced(robot: Robot, package: launch.Package, started: list[Start]) -> Finding:
+    """Console scripts where launch does not look: in ``bin``, or in the folder of another package. A build with links
+    asks another section."""
     start, *others = started
     executable = start.executable
     folder = package.scripts_folder
@@ -210,8 +216,14 @@ def misplaced(package: launch.Package, started: list[Start]) -> Finding:
         advice=f"write 'install_scripts=$base/lib/{package.name}' in the section [install] of setup.cfg",
         chain=start.chain(),
         related=[*start.used, note(place, f"the console scripts go to {where}"), *_others(others)],
-        severity=_severity_of(started),
+        severity="info" if is_linked(robot, package) else _severity_of(started),
     )
+
+
+def is_linked(robot: Robot, package: launch.Package) -> bool:
+    """Whether the tree builds a package with links only, and setup.cfg has the right folder for these."""
+    places = (each["place"] for build in package.builds for each in _DEVELOP.finditer(build.source.text))
+    return any(place == f"lib/{package.name}" for place in places) and robot.dependencies.leads_to_source(package)
 
 
 def only_made(package: launch.Package, started: list[Start]) -> Finding:
@@ -273,7 +285,9 @@ def missing(start: Start, package: launch.Package) -> Finding:
     executable = start.executable
     few = package.executables if len(package.executables) <= MANY else ()
     longer = [each for each in few if f"_{executable}_" in f"_{each}_"]
-    near = longer if len(longer) == 1 else nearest_of_few(executable, package.executables, 3)
+    alike = [each for each in few if bare_name(each) == bare_name(executable)]
+    sure = longer if len(longer) == 1 else alike
+    near = sure if len(sure) == 1 else nearest_of_few(executable, package.executables, 3)
     builds = [build.source for build in package.builds[:1]]
     related = [note(package.executables[near[0]], "the executable of the package")] if near else []
     return finding(
@@ -285,6 +299,11 @@ def missing(start: Start, package: launch.Package) -> Finding:
         fix=_fix(executable, near[0]) if len(near) == 1 else None,
         severity="info" if start.is_left and _is_commented_out(package, executable) else start.severity,
     )
+
+
+def bare_name(executable: str) -> str:
+    """The name of a program without what people add to it, and take away again."""
+    return _ADDED.sub("", executable).lower().replace("-", "_")
 
 
 def _is_commented_out(package: launch.Package, executable: str) -> bool:

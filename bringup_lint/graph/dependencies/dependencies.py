@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import sys
 from collections.abc import Callable
@@ -267,15 +268,26 @@ class Dependencies:
         """Whether the tree builds a package with links to the source, where nothing is missing that is not installed:
         it says so, and no script or image builds it without."""
         return self._installers.mentions_symlinks and not any(
-            _SELECTS not in command or package.name in command.split() for command in self._unlinked_builds
+            f"{package.folder}/".startswith(folder) and (_SELECTS not in command or package.name in command.split())
+            for folder, command in self._unlinked_builds
         )
 
     @cached_property
-    def _unlinked_builds(self) -> list[str]:
-        """The commands of scripts and images that build without links to the source."""
-        sources = (each for each in self._files.of_kind("dockerfile", "shell-script") if each.judged)
-        builds = (command for each in sources for command in _BUILDS.findall(each.uncommented))
-        return [command for command in builds if "--symlink" not in command]
+    def _unlinked_builds(self) -> list[tuple[str, str]]:
+        """The commands of scripts and images that build without links to the source, each with the folder of which it
+        builds the packages: its own where that holds packages, as in a repository that the tree has a copy of."""
+        sources = (
+            each
+            for each in self._files.of_kind("dockerfile", "shell-script")
+            if each.judged and self._files.purpose(each) is not Purpose.CI
+        )
+        builds = ((each, command) for each in sources for command in _BUILDS.findall(each.uncommented))
+        folders = [f"{each.folder}/" for each in self._launch.workspace.packages.values()]
+        return [
+            (own if any(each.startswith(own) for each in folders) else "", command)
+            for source, command in builds
+            if "--symlink" not in command and (own := f"{os.path.dirname(source.absolute)}/")
+        ]
 
     def unexported(self, package: Package) -> Iterator[Unexported]:
         """The descriptions of plugins that a package builds and does not export."""
