@@ -61,7 +61,7 @@ def bashrc_only(robot: Robot) -> Iterator[Finding]:
                 if word.startswith("-") and "i" in word.lstrip("-") and word != "--login"
             ]
             files = [(step, word) for step, word in process.profiles if not word.startswith("-")]
-            if not process.ros and not files:
+            if not process.ros and (not files or _needs_nothing(process)):
                 continue
             step, word = files[0] if files else process.profiles[0]
             yield finding(
@@ -75,6 +75,12 @@ def bashrc_only(robot: Robot) -> Iterator[Finding]:
                     *(note(ros.where, "needs the ROS environment") for _, ros in process.ros[:1]),
                 ],
             )
+
+
+def _needs_nothing(process: Process) -> bool:
+    """Whether all scripts that are started are known, and have nothing to do with ROS."""
+    is_known = process.script_outside_tree is None and any(step.script is not None for step in process.steps)
+    return is_known and not process.mentions_ros
 
 
 def _sources_unknown(process: Process) -> bool:

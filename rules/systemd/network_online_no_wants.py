@@ -56,7 +56,7 @@ def network_online_no_wants(robot: Robot) -> Iterator[Finding]:
                 word,
                 f"Nothing pulls in {ONLINE}, so this After= has no effect: {unit.name} starts without waiting for the "
                 "network",
-                advice=f"add Wants={ONLINE}",
+                advice=f"add Wants={ONLINE}, or remove this After= where nothing needs the network",
                 fix=fix(f"add Wants={ONLINE}", (line.end, f"\nWants={ONLINE}")),
             )
             break

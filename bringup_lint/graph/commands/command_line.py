@@ -120,22 +120,28 @@ class CommandLine:
         return [str(self.line), *(script.text for script in scripts_of(self.steps))]
 
     @property
+    def _said(self) -> list[str]:
+        """The same without comments: what is planned there does not run."""
+        return [str(self.line), *(script.uncommented for script in scripts_of(self.steps))]
+
+    @property
     def mentions_ros(self) -> bool:
         """Whether the line, or a script it starts, has anything to do with nodes of ROS: ``ros2 security`` and its
         likes only work on files."""
         if self.ros and all(ros.kind == "cli" and ros.target in _ON_FILES for _, ros in self.ros):
             return False
-        return bool(self.ros) or any(_ROS_TEXT.search(text) for text in self.texts)
+        return bool(self.ros) or any(_ROS_TEXT.search(text) for text in self._said)
 
     @property
     def is_ros1(self) -> bool:
         """Whether it is ROS 1 that is started."""
-        return not self.ros and any(_ROS1_TEXT.search(text) for text in self.texts)
+        return not self.ros and any(_ROS1_TEXT.search(text) for text in self._said)
 
     @property
     def script_outside_tree(self) -> Located | None:
-        """The first shell script that is started and that the tree does not hold."""
-        return self.scripts_outside[0] if self.scripts_outside else None
+        """The first shell script that is started and that the tree does not hold; a profile is none."""
+        personal = {word for _, word in self.profiles}
+        return next((each for each in self.scripts_outside if each not in personal), None)
 
     @property
     def replaces_shell(self) -> bool:
