@@ -226,8 +226,16 @@ def _actions(source: Source, params: Params) -> Iterator[MoveItProblem]:
         action = own.scalar("action_ns") if own is not None else None
         given, *others = beside.get(_tail(name), {"": None}).values()
         served = _SERVED.get(str(given))
-        if given is not None and not others and action is not None and served not in (None, action.value.strip("/")):
+        if given is None or others or action is None or served in (None, action.value.strip("/")):
+            continue
+        if not _is_asked_for(f"{_tail(name)}/{action.value.strip('/')}", params):
             yield MoveItProblem("action", action.value, (given,), served)
+
+
+def _is_asked_for(action: str, params: Params) -> bool:
+    """Whether nodes ask for an action by the name that MoveIt has: the robot serves it, and the type beside it is that
+    of a demonstration."""
+    return any(action in each.text for each in params.files.of_kind("python-node", "cpp-node"))
 
 
 def _tail(name: str) -> str:
