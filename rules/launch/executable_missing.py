@@ -66,7 +66,7 @@ UNKNOWN = regex(r"[$`%*{\\^]")
 PUT_AWAY = regex(r"(?m)^[ \t]*#[^\n]{0,80}\b(?:add_executable|ament_add_gtest)[ \t]*\([ \t]*([\w.-]+)")
 _DEVELOP = regex(r"(?m)^script[_-]dir[ \t]*=[ \t]*\$base/(?P<place>[^\s]+)$")
 """The line of setup.cfg that ``colcon build --symlink-install`` reads."""
-_ADDED = regex(r"(?i)(?:[_-]?(?:node|exe|main|app))+$|\.py$")
+_ADDED = regex(r"(?i)(?:[_-]?(?:node|exe|main|app)){1,3}$|\.py$")
 """What is added to the name of a program."""
 MANY = 300
 """Executables of a package among which none is looked for that a misspelt one means."""
