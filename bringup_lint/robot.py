@@ -207,8 +207,9 @@ class Robot:
 
     @property
     def kinds(self) -> frozenset[str]:
-        """The kinds of file in the tree."""
-        return self.files.kinds
+        """The kinds of file in the tree, and ``python-program`` where a unit, or a script beside units, names a Python
+        file of the tree."""
+        return self.files.kinds | {"python-program"} if self.files.names_python else self.files.kinds
 
     @property
     def has_launch_files(self) -> bool:

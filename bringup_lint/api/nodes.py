@@ -129,7 +129,9 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.python.missing_attributes import missing_attributes
     from bringup_lint.graph.nodes.questions.python.missing_attributes import taken_attributes
     from bringup_lint.graph.nodes.questions.python.missing_modules import missing_modules
+    from bringup_lint.graph.nodes.questions.python.missing_names import missing_names
     from bringup_lint.graph.nodes.questions.python.missing_qos import without_qos
+    from bringup_lint.graph.nodes.questions.python.object_attributes import object_attributes
     from bringup_lint.graph.nodes.questions.python.pipes import unread_pipes
     from bringup_lint.graph.nodes.questions.python.plain_attributes import plain_attributes
     from bringup_lint.graph.nodes.questions.python.python_releases import NotThere
@@ -249,12 +251,14 @@ __all__ = [
     "missing_attributes",
     "missing_fields",
     "missing_modules",
+    "missing_names",
     "missing_returns",
     "mistaken_handlers",
     "moves",
     "nested_spins",
     "never_run",
     "not_there",
+    "object_attributes",
     "plain_attributes",
     "publish_after_deactivate",
     "python_of",

@@ -39,6 +39,7 @@ if TYPE_CHECKING:
 
 Model = TypeVar("Model")
 
+_PYTHON_FILE = regex(r"[\w.-]{1,200}\.py\b", hints=".py")
 _CONFIGURES_MIDDLEWARE = regex(
     r"""CYCLONEDDS_URI["']?\s*[:=](?:[^\n]*|["']\s*)<|RMW_IMPLEMENTATION["']?\s*[:=]\s*["']?rmw_fastrtps_""",
     hints="CYCLONEDDS_URI rmw_fastrtps_",
@@ -126,6 +127,14 @@ class Files:
     def kinds(self) -> frozenset[str]:
         """The kinds of file in the tree."""
         return frozenset(self._by_kind)
+
+    @cached_property
+    def names_python(self) -> bool:
+        """Whether a unit, or a script beside units, names a Python file of the tree."""
+        if not self.of_kind("systemd-unit"):
+            return False
+        texts = (each.text for each in self.of_kind("systemd-unit", "shell-script") if ".py" in each.text)
+        return any(True for text in texts for name in _PYTHON_FILE.findall(text) for _ in self.tree.named(name))
 
     def mentions(self, pattern: re.Pattern[str]) -> bool:
         """Whether the text of a judged file matches."""

@@ -1,8 +1,10 @@
 """A call whose arguments do not fit the function that it calls.
 
 ## What it finds
-In Python nodes, and the Python modules beside them, calls of functions and classes of the same file and of methods of
-the class itself that hand over too many arguments, too few, or one under a name that the function does not have.
+In Python nodes, and the Python programs and modules beside them, calls of functions and classes of the same file, or
+of another file of the tree from which they are imported, of methods of the class itself, and of methods of an object
+that is only ever of one class of the tree, that hand over too many arguments, too few, or one under a name that the
+function does not have.
 Functions that have decorators, several definitions or a subclass that defines them anew are left out, and so are
 calls with `*` or `**`. It is an info in packages that others wrote and the tree only carries.
 
@@ -62,6 +64,6 @@ def call_misfit(robot: Robot) -> Iterator[Finding]:
             found.file.span_of(found.call),
             f"TypeError {where}: {found.called}() {found.wrong}, and {end}",
             advice="hand over what the function takes",
-            related=[note(found.file.span_of(each), f"'{each.arg}'") for each in taken if each.arg != "self"],
+            related=[note(found.defined.span_of(each), f"'{each.arg}'") for each in taken if each.arg != "self"],
             severity="info" if idle else robot.nodes.lowered_if_vendored(found.file.source, "error"),
         )

@@ -2,7 +2,9 @@
 
 ## What it finds
 A Python node that publishes a map (`OccupancyGrid` on `map`), `robot_description` or `tf_static` with durability
-volatile, and only at start: in its constructor, or in a function that only the constructor calls.
+volatile, and only at start: in its constructor, or in a function that only the constructor calls. And a subscription
+with durability volatile, which is what a depth alone makes, to a topic whose only publisher is a Python node of the
+tree that keeps its message for those who come later (transient local) and publishes it at start.
 
 ## Why it matters on a robot
 Nodes start in no fixed order. A node that subscribes a moment later never gets the map and waits for it forever. It
@@ -34,6 +36,7 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
+from bringup_lint.api import Span
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
@@ -48,6 +51,11 @@ LATCHED = {
 
 @rule("warning", symptoms=["Waiting for map", "Waiting for robot_description"])
 def qos_latched_volatile(robot: Robot) -> Iterator[Finding]:
+    yield from _published(robot)
+    yield from _subscribed(robot)
+
+
+def _published(robot: Robot) -> Iterator[Finding]:
     for node in robot.nodes.classes:
         if not robot.nodes.is_for_robot(node.source):
             continue
@@ -68,3 +76,38 @@ def qos_latched_volatile(robot: Robot) -> Iterator[Finding]:
                         *topics.used_at(endpoint.qos.span, endpoint.span),
                     ],
                 )
+
+
+def _subscribed(robot: Robot) -> Iterator[Finding]:
+    publishers: dict[object, list[topics.Use]] = {}
+    for publisher, subscription in robot.topics.pairs:
+        publishers.setdefault(subscription.where, []).append(publisher)
+    seen = set()
+    for publisher, subscription in robot.topics.pairs:
+        qos, offered = subscription.qos, publisher.qos
+        if qos is None or offered is None or qos.durability != "VOLATILE" or offered.durability != "TRANSIENT_LOCAL":
+            continue
+        if subscription.where in seen or len({each.where for each in publishers[subscription.where]}) > 1:
+            continue
+        published = [] if subscription.shown else _at_start(robot, publisher)
+        if published:
+            seen.add(subscription.where)
+            yield finding(
+                subscription.qos_place,
+                f"{publisher.node.label()} publishes {publisher.topic} while it starts and keeps it for those who come "
+                f"later, but {subscription.node.label()} asks for durability volatile: when it starts later, it never "
+                "gets this message",
+                advice="subscribe with durability transient local and depth 1",
+                related=[
+                    note(publisher.qos_place, "kept for those who come later"),
+                    *(note(span, "published here, while the node starts") for span in published),
+                    *topics.used_at(subscription.qos_place, subscription.where),
+                ],
+                severity=robot.nodes.lowered(subscription.where.source, "warning"),
+            )
+
+
+def _at_start(robot: Robot, publisher: topics.Use) -> list[Span]:
+    node = publisher.node.node_class
+    made = [each for each in node.endpoints if each.span == publisher.where] if node is not None else []
+    return topics.published_at_start(robot.nodes.file_of(node), node, made[0]) if node is not None and made else []

@@ -10,9 +10,10 @@ message came; and attributes whose every assignment comes behind a use of them; 
 constructor sets, whose `except` goes on, and that the constructor or a callback uses afterwards; and what the module
 rclpy does not have, such as `rclpy.Time` and the functions of rospy; and `Encoder.port`, where only the objects of
 the class Encoder have a port. The same holds for classes beside the nodes, in Python modules of the tree too, that
-build on nothing and that the code makes. Classes with bases that are not in the tree are left out. It is an info in a
-method that nothing calls, and after the `join()` of a thread, where the node has done its work. It is an info in
-packages that others wrote and the tree only carries.
+build on nothing and that the code makes; and for `motor.brake()` and `self.motor.brake()` where the object is only
+ever of one such class, be it of another file of the tree. Classes with bases that are not in the tree are left out. It
+is an info in a method that nothing calls, and after the `join()` of a thread, where the node has done its work. It is
+an info in packages that others wrote and the tree only carries.
 
 ## Why it matters on a robot
 Python looks an attribute up when the line runs: in the callback for a fault or an emergency stop, perhaps weeks later,
@@ -70,6 +71,7 @@ def undefined_attribute(robot: Robot) -> Iterator[Finding]:
     yield from _untyped(robot)
     yield from _of_rclpy(robot)
     yield from _of_objects(robot)
+    yield from _of_other_objects(robot)
 
 
 def _missing(robot: Robot) -> Iterator[Finding]:
@@ -198,3 +200,18 @@ def _of_objects(robot: Robot) -> Iterator[Finding]:
                 related=[note(file.span_of(found.set_at), "set on an object")],
                 severity=robot.nodes.lowered_if_vendored(file.source, "error"),
             )
+
+
+def _of_other_objects(robot: Robot) -> Iterator[Finding]:
+    for found in nodes.object_attributes(robot.nodes):
+        name, owner = found.place.attr, found.defined.node.name
+        when = f"when {found.function}() runs" if found.function is not None else "when the file is loaded"
+        end = nodes.end_of(robot.nodes.syntax(found.file), found.place, caught=found.caught)
+        idle = found.idle and robot.nodes.is_idle(found.file, found.function)
+        yield finding(
+            found.file.span_of(found.place),
+            f"AttributeError {when}: {owner} has no '{name}', and {end}",
+            advice=f"define {name} in {owner}, or take what it has",
+            related=[note(found.defined.file.span_of(found.defined.node), f"nothing in {owner} is called {name}")],
+            severity="info" if idle else robot.nodes.lowered_if_vendored(found.file.source, "error"),
+        )

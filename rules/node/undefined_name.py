@@ -5,8 +5,8 @@ Names that the source of a node, or a Python module beside it, looks up and that
 Python defines: a message type or `sys` that is never imported, a variable of another function, a method that is called
 without `self.`, a misspelt name, or `xrange` and the like, which only Python 2 has.
 
-It is an info after `spin()` and the `join()` of a thread, where the node has done its work, in tests, in examples and
-in a function that nothing calls or that is only a stub. It is a warning in an `except`, which runs only after a
+It is an info in tests, in examples and in a function that nothing calls or that is only a stub. It is a warning after
+`spin()` and the `join()` of a thread, where the node has done its work, in an `except`, which runs only after a
 failure, and in a branch of a function. It is an info in packages that others wrote and the tree only carries.
 
 ## Why it matters on a robot
@@ -53,7 +53,8 @@ def undefined_name(robot: Robot) -> Iterator[Finding]:
             end = "what follows at the end of the node never runs" if found.late else end
             line = f"from {module} import {name}" if module else f"import {name}"
             started = found.function != "main" or robot.nodes.runs_main(file.source)
-            severity = "info" if found.late or not started else "warning" if found.handling or found.branch else "error"
+            rare = found.late or found.handling or found.branch
+            severity = "info" if not started else "warning" if rare else "error"
             where = found.function or "the file"
             idle = found.idle and robot.nodes.is_idle(file, found.function)
             edits = nodes.import_edits(file, module, name) if module is not None else []

@@ -15,7 +15,7 @@ from bringup_lint.registry import families
 from tests.conftest import PROJECT
 
 NAMES = {kind.name for kind in kinds()}
-WITHOUT_FILES = {"fleet", "observed-graph"}
+WITHOUT_FILES = {"fleet", "observed-graph", "python-program"}
 """What families read that is no file of a robot."""
 PROFILES = {"participant"}
 """What configurations of Fast DDS are asked for by a method of the same name."""

@@ -263,11 +263,23 @@ class Nodes:
 
     @cached_property
     def robot_code(self) -> list[NodeSource]:
-        """Those, and the Python modules of the tree that are no nodes themselves, but tests."""
-        paths = [source.absolute for source in modules(self.files) if "/." not in f"/{source.name}"]
-        found = [*self.robot_sources, *self.with_modules, *(self._modules.at(path) for path in paths)]
-        code = (each for each in found if each is not None and each.tree is not None and each.source.judged)
+        """Those, and the Python modules of the tree that are no nodes themselves, but tests. In a tree without nodes
+        these are the programs that units and the like start, and what they import."""
+        found = [*self.robot_sources, *self.with_modules, *(self._plain if self.sources else self._started_plain)]
+        code = (each for each in found if each.tree is not None and each.source.judged)
         return [each for each in dict.fromkeys(code) if self.purpose(each.source) not in _UNJUDGED]
+
+    @property
+    def _plain(self) -> Iterator[NodeSource]:
+        paths = (source.absolute for source in modules(self.files) if "/." not in f"/{source.name}")
+        return (each for each in map(self._modules.at, paths) if each is not None)
+
+    @property
+    def _started_plain(self) -> list[NodeSource]:
+        from bringup_lint.graph.nodes.sources.started_programs import started_programs
+
+        paths = [source.absolute for source in started_programs(self.files, self.runners())]
+        return self._reached([each for each in map(self._modules.at, paths) if each is not None])
 
     def is_plain(self, file: NodeSource) -> bool:
         """Whether a file is none of the sources of nodes, but a module or program beside them."""

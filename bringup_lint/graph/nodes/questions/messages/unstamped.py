@@ -72,12 +72,16 @@ def _made(syntax: Syntax, value: ast.expr, known: _Uses) -> ast.Call | None:
     if scope not in known:
         known[scope] = _uses(scope)
     uses = known[scope].get(name, [])
-    makings = [each for each in uses if isinstance(each.ctx, ast.Store)]
-    if len(makings) != 1 or not all(each in makings or _is_plain_use(syntax, each) for each in uses):
+    values = {each: _assigned(syntax, each) for each in uses if isinstance(each.ctx, ast.Store)}
+    makings = [made for made in values.values() if not isinstance(made, ast.Constant) or made.value is not None]
+    if len(makings) != 1 or not all(each in values or _is_plain_use(syntax, each) for each in uses):
         return None
-    outer = next(syntax.above(makings[0]))[0]
-    made = outer.value if isinstance(outer, (ast.Assign, ast.AnnAssign)) else None
-    return made if isinstance(made, ast.Call) else None
+    return makings[0] if isinstance(makings[0], ast.Call) else None
+
+
+def _assigned(syntax: Syntax, target: ast.expr) -> ast.expr | None:
+    outer = next(syntax.above(target))[0]
+    return outer.value if isinstance(outer, (ast.Assign, ast.AnnAssign)) else None
 
 
 def _name(value: ast.AST) -> str | None:
@@ -97,9 +101,11 @@ def _uses(scope: ast.AST) -> dict[str, list[ast.Name | ast.Attribute]]:
 
 
 def _is_plain_use(syntax: Syntax, use: ast.AST) -> bool:
-    """Whether a place sets a field but the stamp, or publishes the message."""
+    """Whether a place sets a field but the stamp, publishes the message, or asks whether there is one."""
     above = syntax.above(use)
     outer, name = next(above)
+    if name == "test" or isinstance(outer, (ast.Compare, ast.BoolOp, ast.UnaryOp)):
+        return True
     if isinstance(outer, ast.Attribute):
         further = next(above)[0]
         return outer.attr != "header" or (isinstance(further, ast.Attribute) and further.attr == "frame_id")

@@ -7,7 +7,7 @@ import os
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from bringup_lint.graph.nodes.sources.syntax import Syntax
+from bringup_lint.graph.nodes.sources.tree_imports import may_fail
 from bringup_lint.model.node_source import NodeSource
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
@@ -44,7 +44,7 @@ def missing_modules(nodes: Nodes) -> Iterator[MissingModule]:
             continue
         for statement in (each for each in file.nodes if isinstance(each, ast.ImportFrom)):
             missing = _missing(nodes.files.tree, owner, file, statement)
-            if missing is not None and not _is_optional(nodes.syntax(file), statement):
+            if missing is not None and not may_fail(nodes.syntax(file), statement):
                 function = nodes.syntax(file).function(statement)
                 module = "." * statement.level + (statement.module or "")
                 yield MissingModule(file, statement, module, missing, function.name if function is not None else None)
@@ -93,11 +93,3 @@ def _not_there(tree: Tree, folder: str, parts: list[str]) -> str | None:
 def _quoted(path: str) -> str:
     """A path in a shell pattern."""
     return _SPECIAL.sub(r"[\g<0>]", path)
-
-
-def _is_optional(syntax: Syntax, statement: ast.ImportFrom) -> bool:
-    """Whether the import may fail, or never runs."""
-    for outer, name in syntax.above(statement):
-        if isinstance(outer, (ast.If, ast.With)) or (isinstance(outer, ast.Try) and name in ("body", "handlers")):
-            return True
-    return syntax.is_dead(statement)

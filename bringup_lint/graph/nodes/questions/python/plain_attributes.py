@@ -12,19 +12,17 @@ from bringup_lint.graph.nodes.questions.python.missing_attributes import asked_f
 from bringup_lint.graph.nodes.questions.python.missing_attributes import set_in_body
 from bringup_lint.graph.nodes.sources.idle import is_idle
 from bringup_lint.graph.nodes.sources.idle import is_late
+from bringup_lint.graph.nodes.sources.plain_classes import plain_classes
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.node_source import NodeSource
 from bringup_lint.model.python import FunctionNode
-from bringup_lint.model.python import called_name
 from bringup_lint.model.python import is_own
-from bringup_lint.model.python import is_self
 from bringup_lint.model.python import walk
 from bringup_lint.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from bringup_lint.graph.nodes.nodes import Nodes
 
-_PLAIN_BASES = frozenset({"object", "ABC"})
 _EXPECTED = frozenset({"AttributeError"})
 _FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
 
@@ -41,7 +39,7 @@ class PlainAttribute(NamedTuple):
 def plain_attributes(nodes: Nodes) -> Iterator[list[PlainAttribute]]:
     """The uses of each attribute together, in classes that build on nothing, that nothing builds on, and that the code
     makes."""
-    tree = _Tree(nodes)
+    tree = plain_classes(nodes)
     for file in nodes.robot_code:
         if file.stars or file.source.matches(DYNAMIC):
             continue
@@ -49,38 +47,6 @@ def plain_attributes(nodes: Nodes) -> Iterator[list[PlainAttribute]]:
         asked = asked_for(file) if owners else set()
         for owner in owners:
             yield from _of_class(nodes, file, owner, (tree.foreign, asked))
-
-
-class _Tree:
-    """What all files of the tree say of classes and of the attributes of objects."""
-
-    def __init__(self, nodes: Nodes) -> None:
-        self.foreign: set[str] = set()
-        """Attributes that code sets on something else than ``self``."""
-        self._bases: set[str] = set()
-        self._made: set[str] = set()
-        for file in nodes.robot_code:
-            for node in file.nodes:
-                if isinstance(node, ast.Attribute) and not isinstance(node.ctx, ast.Load):
-                    if not is_self(node.value):
-                        self.foreign.add(node.attr)
-                elif isinstance(node, ast.ClassDef):
-                    self._bases.update(map(_last_name, node.bases))
-                elif isinstance(node, ast.Call):
-                    self._made.add(called_name(node))
-
-    def knows(self, node: ast.ClassDef) -> bool:
-        is_open = node.decorator_list or node.keywords or not all(map(_is_plain, node.bases))
-        return not is_open and node.name in self._made and node.name not in self._bases
-
-
-def _last_name(base: ast.expr) -> str:
-    return base.attr if isinstance(base, ast.Attribute) else base.id if isinstance(base, ast.Name) else ""
-
-
-def _is_plain(base: ast.expr) -> bool:
-    is_of_abc = isinstance(base, ast.Attribute) and isinstance(base.value, ast.Name) and base.value.id == "abc"
-    return (is_of_abc or isinstance(base, ast.Name)) and _last_name(base) in _PLAIN_BASES
 
 
 def _of_class(

@@ -29,6 +29,7 @@ _DYNAMIC = regex(
     r"\b(?:exec|eval|globals|locals|__import__|importlib|builtins)\b|\bvars\(",
     hints="exec eval globals locals __import__ importlib builtins vars(",
 )
+_GIVES_NAMES = frozenset("exec eval globals locals __import__ importlib builtins vars".split())
 _OF_MODULES = frozenset(
     ("__file__", "__path__", "__class__", "__module__", "__qualname__", "__annotations__", "_", "WindowsError")
 )
@@ -76,7 +77,7 @@ def undefined_in(nodes: Nodes, file: NodeSource) -> list[Undefined]:
 def undefined(syntax: Syntax) -> Iterator[Undefined]:
     """The first use of each name that nothing binds where it is looked up."""
     file = syntax.file
-    if file.stars or file.source.matches(_DYNAMIC):
+    if file.stars or (file.source.matches(_DYNAMIC) and any(map(_gives_names, file.nodes))):
         return
     modules = {row["name"]: row["module"] for row in table("ros/names")}
     lazy = any(dotted == "__future__.annotations" for dotted in file.imports.values())
@@ -98,6 +99,13 @@ def undefined(syntax: Syntax) -> Iterator[Undefined]:
             handling=any(isinstance(outer, ast.ExceptHandler) for outer, _ in syntax.within(name)),
             branch=_is_in_branch(syntax, name),
         )
+
+
+def _gives_names(node: ast.AST) -> bool:
+    """Whether a piece of syntax, and no comment or text, mentions what may give the file names."""
+    names = [getattr(node, field, None) for field in ("id", "module")]
+    names += [node.name] if isinstance(node, ast.alias) else []
+    return any(part in _GIVES_NAMES for name in names if isinstance(name, str) for part in name.split("."))
 
 
 def _is_in_branch(syntax: Syntax, name: ast.Name) -> bool:
