@@ -1,9 +1,11 @@
 """A loop that never waits takes a whole core.
 
 ## What it finds
-In Python nodes, a loop that asks a serial port (`in_waiting`), MAVLink (`recv_match()` without `blocking=True`) or a
-queue (`get_nowait()`) and, when nothing has come, asks again at once: no sleep, no wait, no blocking call. In C++, a
-loop that only calls `spin_some()`, which returns at once when there is nothing to do, whatever duration it gets.
+In Python nodes, and the Python programs and modules beside them, a loop that asks a serial port (`in_waiting`), MAVLink
+(`recv_match()` without `blocking=True`) or a queue (`get_nowait()`) and, when nothing has come, asks again at once: no
+sleep, no wait, no blocking call. The same for a loop that reads a pin (`GPIO.input()`) and waits for one of its values
+alone, or for none. In C++, a loop that only calls `spin_some()`, which returns at once when there is nothing to do,
+whatever duration it gets.
 Loops that end after some time are left out.
 
 ## Why it matters on a robot
@@ -48,10 +50,13 @@ from bringup_lint.api import rule
 def busy_loop(robot: Robot) -> Iterator[Finding]:
     for file in robot.nodes.robot_code:
         for found in nodes.busy_loops(robot.nodes.syntax(file)):
+            when = "" if found.reads_pin else " when nothing has come"
             yield finding(
                 file.span_of(found.asked),
-                "This returns at once when nothing has come, and the loop asks again: it takes a whole core",
-                advice="let the call block with a timeout, or sleep for a moment when nothing has come",
+                f"This returns at once{when}, and the loop asks again: it takes a whole core",
+                advice="let the call block with a timeout, or sleep for a moment when nothing has come"
+                if when
+                else "sleep for a moment in each turn, or wait for the edge: GPIO.wait_for_edge()",
                 related=[note(file.span_of(found.loop.test), "this loop never waits")],
                 severity=robot.nodes.lowered_if_vendored(file.source, "warning"),
             )

@@ -20,6 +20,8 @@ _FLAGS = regex(r"(?:.*\.)?(?:is_set|ok|is_alive|is_open|isOpen)")
 _CLOCKS = ("time.time", "time.monotonic", "time.perf_counter")
 _NONE_OF = {"pymavlink": ("recv_match", "recv_msg"), "serial": ("inWaiting",)}
 """Module -> its calls that return nothing, or 0, when nothing has come."""
+_PINS = frozenset(("RPi.GPIO.input", "Jetson.GPIO.input", "lgpio.gpio_read", "wiringpi.digitalRead"))
+"""Functions that read a pin: which of two values it has nobody knows, and both may last."""
 _BLOCKS = ("blocking", "timeout")
 
 
@@ -27,6 +29,7 @@ class BusyLoop(NamedTuple):
     loop: ast.While
     asked: ast.expr
     """What it asks."""
+    reads_pin: bool
 
 
 def busy_loops(syntax: Syntax) -> Iterator[BusyLoop]:
@@ -34,7 +37,8 @@ def busy_loops(syntax: Syntax) -> Iterator[BusyLoop]:
         if isinstance(node, ast.While) and not node.orelse and not syntax.is_dead(node):
             turn = _Turn(syntax)
             if turn.goes_on(node.test) and turn.block(node.body) is not None and turn.asked:
-                yield BusyLoop(node, turn.asked[0])
+                asked = turn.asked[0]
+                yield BusyLoop(node, asked, isinstance(asked, ast.Call) and syntax.qualified(asked) in _PINS)
 
 
 class _Turn:
@@ -47,6 +51,8 @@ class _Turn:
         self._has_serial = "serial" in modules
         self._has_queues = not modules.isdisjoint(("queue", "multiprocessing"))
         self._empty: set[str] = set()
+        self._levels: dict[str, ast.expr] = {}
+        """Name -> the reading of a pin that it has."""
         self.asked: list[ast.expr] = []
 
     def goes_on(self, test: ast.expr) -> bool:
@@ -79,6 +85,8 @@ class _Turn:
         if isinstance(statement, ast.Assign) and self._is_nothing(statement.value):
             self._empty |= {each.id for each in statement.targets if isinstance(each, ast.Name)}
             return _FALLS
+        if isinstance(statement, ast.Assign) and (read := self._pin(statement.value)) is not None:
+            self._levels.update((each.id, read) for each in statement.targets if isinstance(each, ast.Name))
         if isinstance(statement, (ast.Assign, ast.AugAssign, ast.Expr)):
             return _FALLS if self._is_quick(statement.value) else None
         return None
@@ -91,8 +99,21 @@ class _Turn:
             return None
         if isinstance(choice.body[-1], (ast.Break, ast.Return)):
             return self.block(choice.orelse)
-        ways = {self.block(choice.body), self.block(choice.orelse)}
-        return ways.pop() if len(ways) == 1 else None
+        ways = [self.block(choice.body), self.block(choice.orelse)]
+        read = self._pin(choice.test)
+        if read is not None and ways != [None, None]:
+            self.asked.append(read)
+            return _ROUND if _ROUND in ways else _FALLS
+        return ways[0] if ways[0] == ways[1] else None
+
+    def _pin(self, value: ast.expr) -> ast.expr | None:
+        """The reading of a pin that an expression holds."""
+        for each in walk(value):
+            if isinstance(each, ast.Call) and self._syntax.qualified(each) in _PINS:
+                return each
+            if isinstance(each, ast.Name) and each.id in self._levels:
+                return self._levels[each.id]
+        return None
 
     def _tried(self, tried: ast.Try) -> str | None:
         """Also where the first statement raises that nothing has come."""
@@ -162,7 +183,8 @@ class _Turn:
         if name.rpartition(".")[2] == "spin_once":
             given = [each.value for each in call.keywords if each.arg == "timeout_sec"]
             return len(given) == 1 and isinstance(given[0], ast.Constant) and given[0].value == 0
-        if _LOGS.fullmatch(name) or self._syntax.qualified(call) in _CLOCKS or name.endswith("get_logger"):
+        qualified = self._syntax.qualified(call)
+        if _LOGS.fullmatch(name) or qualified in _CLOCKS or qualified in _PINS or name.endswith("get_logger"):
             return True
         return not call.args and _FLAGS.fullmatch(name) is not None
 
