@@ -99,6 +99,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.messages.message_fields import is_checked
     from bringup_lint.graph.nodes.questions.messages.message_fields import missing_fields
     from bringup_lint.graph.nodes.questions.messages.message_fields import wrong_fields
+    from bringup_lint.graph.nodes.questions.messages.message_sequences import used_as_lists
     from bringup_lint.graph.nodes.questions.messages.message_units import wrong_units
     from bringup_lint.graph.nodes.questions.messages.mistaken_handlers import mistaken_handlers
     from bringup_lint.graph.nodes.questions.messages.published_values import wrong_publishes
@@ -321,6 +322,7 @@ __all__ = [
     "untyped_reads",
     "unused_in_cpp",
     "unused_in_python",
+    "used_as_lists",
     "valid_node_name",
     "waiting_handlers",
     "waits",

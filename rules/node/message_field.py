@@ -4,7 +4,8 @@
 Python nodes that read or set a field which the message does not have, and values of another type than the field:
 `twist.linear.x = 1` (the field is a `float64`), `header.stamp = self.get_clock().now()`, a text for a number; and a
 `publish()` that gets a number, a text or a message of another type, as `publish(True)`, which rospy allowed. Also
-fields that a message gets without their names, `Point(0.0, 0.0, 0.0)`, as in ROS 1. The fields are those of the
+fields that a message gets without their names, `Point(0.0, 0.0, 0.0)`, as in ROS 1; and a message that is used as if
+it were the list in one of its fields: `path[0]`, `len(scan)`, `for each in array`. The fields are those of the
 `.msg`, `.srv` and `.action` files of the tree, and of the common interface packages. It is an info in packages that
 others wrote and the tree only carries.
 
@@ -58,6 +59,9 @@ from bringup_lint.api import rule
         "AttributeError: 'PoseStamped' object has no attribute",
         "AttributeError: 'Odometry' object has no attribute",
         "AttributeError: 'Imu' object has no attribute",
+        "TypeError: '*' object is not subscriptable",
+        "TypeError: '*' object is not iterable",
+        "TypeError: object of type '*' has no len()",
         "TypeError: Expected <class '*'>, got <class '*'>",
         "TypeError: *.__init__() takes 1 positional argument but * were given",
     ],
@@ -104,6 +108,14 @@ def message_field(robot: Robot) -> Iterator[Finding]:
                 advice=f"make a {wrong.wanted.rpartition('/')[2]} of it, and publish that",
                 related=[note(types.file.span_of(wrong.made), "the publisher is made with this type")],
                 severity=severity,
+            )
+        for used in nodes.used_as_lists(types):
+            name = used.type.rpartition("/")[2]
+            yield finding(
+                types.file.span_of(used.value),
+                f"TypeError: a {name} has no {used.needed.removeprefix('a ')}, and {used.end}",
+                advice=f"take its field {' or '.join(used.lists)}" if used.lists else "take one of its fields",
+                severity="info" if used.idle else severity,
             )
 
 
