@@ -29,7 +29,8 @@ something that is declared brings (launch files bring `launch_ros`), what packag
 what launch files start by an argument alone, what C++ includes of packages outside of the workspace, or what installed
 launch files of a simulator or examples start, unless it is a package of the same workspace that is none for
 simulations: nothing but colcon brings it. So is what packages of simulations and tests leave out, unless the build
-stops or a launch file ends. What something that is declared may bring by its name is named with others only.
+stops or a launch file ends, and what packages for tests, experiments and lessons do, by their path. What something that
+is declared may bring by its name is named with others only.
 
 ## Why it matters on a robot
 A dependency that is missing in package.xml works on the developer's machine and fails on a fresh robot: rosdep does not
@@ -86,6 +87,8 @@ REST = regex(r"[ \t]*(?:<!--[^\n<>]*-->[ \t]*)?(?=\r?\n)")
 DEPENDENCY = regex(r"[ \t]*<\w+_?depend\b")
 SHOWN = 30
 """Places, or names, that a finding shows."""
+ON_TRIAL = regex(r"(?i)(?:^|[/_-])(?:tests?|testing|experiments?|trials?|playground|sandbox|education|lessons?)[/_-]")
+"""Of the path of a package.xml: nobody installs such a package on a fresh robot."""
 NAMED = 3
 """Packages that a message names."""
 STARTED = ("node", "include", "share", "plugin")
@@ -164,7 +167,11 @@ def _finding(robot: Robot, package: launch.Package, found: Undeclared) -> Findin
 
 def _is_certain(robot: Robot, package: launch.Package, found: Undeclared) -> bool:
     """Whether the robot lacks something, the build of the workspace stops, or a launch file ends."""
-    return found.lack is Lack.BUILD or _ends(found) or robot.dependencies.is_for_robot(package)
+    if found.lack is Lack.BUILD:
+        return True
+    is_needed = _ends(found) or robot.dependencies.is_for_robot(package)
+    path = package.manifest.source.name
+    return is_needed and not ON_TRIAL.search(path if not path.startswith("/") else f"{package.name}/")
 
 
 def _ends(found: Undeclared) -> bool:
