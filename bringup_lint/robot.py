@@ -83,6 +83,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.topics.topics import Topics
     from bringup_lint.graph.udev.udev import Udev
     from bringup_lint.graph.uncalled import Uncalled
+    from bringup_lint.graph.unincluded import Unincluded
     from bringup_lint.graph.unmade import Unmade
     from bringup_lint.graph.unreached import Unreached
     from bringup_lint.model.dockerfile import Dockerfile
@@ -249,9 +250,12 @@ class Robot:
 
     def leads_to(self, place: Source | Located | Span) -> bool:
         """Whether a place is in more than a part of a copy that nothing of the robot's own uses, of what the tree
-        switches off, of what it keeps and does not use, of a class that nothing makes, or of code that never runs."""
+        switches off, of what it keeps and does not use, of a header that nothing includes, of a class that nothing
+        makes, or of code that never runs."""
         source = span_of(place).source
-        if self._set_aside.has(source) or self._unmade.has(span_of(place)) or self._uncalled.has(span_of(place)):
+        if self._set_aside.has(source) or self._unincluded.has(source):
+            return False
+        if self._unmade.has(span_of(place)) or self._uncalled.has(span_of(place)):
             return False
         return not self.files.of_kind("ros-package") or not (
             self._unreached.has(source) or self._switched_off.has(source)
@@ -268,6 +272,12 @@ class Robot:
         from bringup_lint.graph.unmade import Unmade
 
         return Unmade(self.files)
+
+    @cached_property
+    def _unincluded(self) -> Unincluded:
+        from bringup_lint.graph.unincluded import Unincluded
+
+        return Unincluded(self.files)
 
     @cached_property
     def _uncalled(self) -> Uncalled:

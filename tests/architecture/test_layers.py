@@ -52,6 +52,7 @@ LAYERS = (
         "graph.commands",
         "graph.switched_off",
         "graph.uncalled",
+        "graph.unincluded",
         "graph.unmade",
         "graph.unreached",
     },

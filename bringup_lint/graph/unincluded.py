@@ -1,0 +1,48 @@
+"""C++ headers that no file of a tree includes, while it includes others of their folder. What is found there is
+information."""
+
+from __future__ import annotations
+
+import os
+from functools import cached_property
+
+from bringup_lint.endings import CPP
+from bringup_lint.endings import CPP_HEADERS
+from bringup_lint.graph.files import Files
+from bringup_lint.pattern import regex
+from bringup_lint.source import Source
+
+_INCLUDE = regex(r"#[ \t]{0,8}include[ \t]{0,8}([\"<][^\">\n]{1,200}[\">]|[A-Z_]\w{0,80})", hints="include")
+"""A name that a macro gives is unknown."""
+_CODE = regex(rf"(?:{'|'.join(each.replace('.', '[.]').replace('+', '[+]') for each in CPP)})$")
+_SIZE = 500_000
+"""How much is read of a file."""
+_MOST = 5_000
+"""C++ files of a tree that is looked through."""
+
+
+class Unincluded:
+    """Asked for a source: whether it is a header that nothing includes."""
+
+    def __init__(self, files: Files) -> None:
+        self._files = files
+
+    def has(self, source: Source) -> bool:
+        if not source.name.endswith(CPP_HEADERS) or source.origin is not None or self._files.is_configured(source):
+            return False
+        folder, name = os.path.split(source.absolute)
+        beside = {file for path, file in self._named if path and f"{folder}/".endswith(f"/{path}/")}
+        return bool(beside) and name not in beside and ("", name) not in self._named
+
+    @cached_property
+    def _named(self) -> frozenset[tuple[str, str]]:
+        """The folders and names in includes; of a path that leads upwards, what follows. Empty where they are not all
+        known."""
+        tree = self._files.tree
+        paths = tree.like(_CODE)
+        if len(paths) > _MOST:
+            return frozenset()
+        found = {name for path in paths for name in _INCLUDE.findall(tree.head(path, _SIZE))}
+        if not all(name.endswith(('"', ">")) for name in found):
+            return frozenset()
+        return frozenset(os.path.split(os.path.normpath(name[1:-1]).replace("../", "")) for name in found)
