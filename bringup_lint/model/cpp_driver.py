@@ -155,6 +155,27 @@ class BlindWrite(NamedTuple):
     """The stream."""
 
 
+class ShutPort(NamedTuple):
+    """A serial port that is used whether it could be opened or not."""
+
+    opened: Span
+    handled: Span
+    """The handler, which only logs."""
+    used: Span
+    name: str
+
+
+class ShortAnswer(NamedTuple):
+    """A part of an answer that is taken however short it is."""
+
+    places: tuple[Span, ...]
+    name: str
+    """What is taken apart at the first place."""
+    function: str
+    is_field: bool
+    """It is a field of a line that is split; else what is cut off from a fixed place on."""
+
+
 @dataclass(eq=False, slots=True)
 class CppDriver:
     source: Source
@@ -173,4 +194,6 @@ class CppDriver:
     thread_throws: list[ThreadThrow] = field(default_factory=list)
     shut_contexts: list[ShutContext] = field(default_factory=list)
     blind_writes: list[BlindWrite] = field(default_factory=list)
+    shut_ports: list[ShutPort] = field(default_factory=list)
+    short_answers: list[ShortAnswer] = field(default_factory=list)
     problems: list[Problem] = field(default_factory=list)

@@ -4,7 +4,8 @@
 In C++ sources of nodes and drivers, the result of functions that open a device or a file (`gpiod_chip_open_by_name`,
 `gpiod_chip_get_line`, `hid_open`, `fopen`, `opendir`; `open`, `wiringPiI2CSetup`, `serialOpen`, `lgGpiochipOpen`,
 `pigpio_start`), kept under a name that the file uses, and neither compares nor returns anywhere. Where the failure is a
-negative number, calls whose own result is asked for count as a check.
+negative number, calls whose own result is asked for count as a check. Also a serial port of LibSerial or `serial` that
+is opened in a `try`, whose handler only logs, and that is set up or used below in each case.
 
 ## Why it matters on a robot
 The device is not there, belongs to another group, or is busy: the usual first start on a new robot. With NULL the next
@@ -29,6 +30,7 @@ When something before has made sure that the device can be opened.
 ## References
 - libgpiod, gpiod.h: "or NULL if an error occurred"
 - open(2), fopen(3)
+- LibSerial, SerialPort.h: `NotOpen`; serial, serial.h: `PortNotOpenedException`
 """
 
 from collections.abc import Iterator
@@ -55,3 +57,12 @@ def device_unchecked(robot: Robot) -> Iterator[Finding]:
             related=[note(found.used, "used here")],
             severity=robot.nodes.lowered_if_vendored(found.opened.source, "warning"),
         )
+    for driver in robot.nodes.drivers:
+        for port in driver.shut_ports:
+            yield finding(
+                port.handled,
+                f"When {port.name} cannot be opened, this only logs, and the next call with it throws outside the try",
+                advice="return an error here, or throw the exception on",
+                related=[note(port.opened, "opened here"), note(port.used, "throws when it is not open")],
+                severity=robot.nodes.lowered_if_vendored(driver.source, "warning"),
+            )

@@ -25,8 +25,12 @@ from bringup_lint.parsers.cpp_driver.lost_transforms import LOOKS_UP
 from bringup_lint.parsers.cpp_driver.lost_transforms import lost_transforms
 from bringup_lint.parsers.cpp_driver.relocks import LOCKS
 from bringup_lint.parsers.cpp_driver.relocks import relocks
+from bringup_lint.parsers.cpp_driver.short_answers import TAKES_PARTS
+from bringup_lint.parsers.cpp_driver.short_answers import short_answers
 from bringup_lint.parsers.cpp_driver.shut_contexts import SHUTS
 from bringup_lint.parsers.cpp_driver.shut_contexts import shut_contexts
+from bringup_lint.parsers.cpp_driver.shut_ports import OPENS_PORT
+from bringup_lint.parsers.cpp_driver.shut_ports import shut_ports
 from bringup_lint.parsers.cpp_driver.taken_targets import RECEIVES
 from bringup_lint.parsers.cpp_driver.taken_targets import taken_targets
 from bringup_lint.parsers.cpp_driver.thread_throws import STARTS
@@ -57,6 +61,8 @@ _QUESTIONS: tuple[tuple[str, re.Pattern[str], Callable[[Code], Iterable[object]]
     ("thread_throws", STARTS, thread_throws),
     ("shut_contexts", SHUTS, shut_contexts),
     ("blind_writes", WRITES, blind_writes),
+    ("shut_ports", OPENS_PORT, shut_ports),
+    ("short_answers", TAKES_PARTS, short_answers),
 )
 """What is asked of a file, with the words without which it has none."""
 

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from tree_sitter import Node
 
 TAKES_APART = regex(r"\.substr\s{0,4}\(", hints="substr")
-_ANSWER = regex(
+ANSWER = regex(
     r"\b(?:string|auto)\s{1,4}(?P<name>\w{1,60})\s{0,4}(?:=\s{0,4}|[({]\s{0,4})"
     r"(?:this->)?(?P<call>(?i:\w{0,40}(?:send|msg|message|query|request|exchange|command|receive|write_?read)\w{0,40}))"
     r"\s{0,4}\("
@@ -40,17 +40,17 @@ _SILENT = regex(
 def cut_answers(code: Code) -> Iterator[CutAnswer]:
     """One for each function that takes an answer apart and looks at nothing."""
     bodies = [(each, body) for each in code.written.get("function", ()) if (body := each.child_by_field_name("body"))]
-    givers: dict[str, Span] | None = None
+    known: dict[str, Span] | None = None
     for function, body in bodies:
         text = blanked(code.text(body)) if TAKES_APART.search(code.text(body)) else ""
-        found = _ANSWER.search(text)
+        found = ANSWER.search(text)
         number = _NUMBER.search(text)
         if found is None or number is None:
             continue
         place = _part(text, found["name"])
-        if place is not None and givers is None:
-            givers = _givers(code, bodies)
-        given = givers.get(found["call"]) if givers is not None else None
+        if place is not None and known is None:
+            known = givers(code, bodies)
+        given = known.get(found["call"]) if known is not None else None
         if place is not None and given is not None:
             start = code.span(body).start
             span = code.source.span(start + place[0], start + place[1])
@@ -68,7 +68,7 @@ def _part(text: str, name: str) -> tuple[int, int] | None:
     return part.span() if part is not None else None
 
 
-def _givers(code: Code, bodies: list[tuple[Node, Node]]) -> dict[str, Span]:
+def givers(code: Code, bodies: list[tuple[Node, Node]]) -> dict[str, Span]:
     """The functions of the file that give an answer, each with where it goes on without one."""
     givers: dict[str, Span] = {}
     for function, body in bodies:

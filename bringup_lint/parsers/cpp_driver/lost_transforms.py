@@ -8,10 +8,12 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.model.cpp_driver import LostTransform
 from bringup_lint.model.cpp_text import blanked
+from bringup_lint.parsers.cpp_driver.only_logged import LEAVES
+from bringup_lint.parsers.cpp_driver.only_logged import behind
+from bringup_lint.parsers.cpp_driver.only_logged import only_log
 from bringup_lint.parsers.cpp_node.syntax import Call
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.pattern import regex
-from bringup_lint.source import Span
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -19,12 +21,8 @@ if TYPE_CHECKING:
 LOOKS_UP = regex(r"\b(?:lookupTransform|transform)\s{0,4}\(", hints="lookupTransform transform")
 _TAKES = regex(r"\bcatch\s{0,4}\([^(){}]{0,80}\b(?:\w{0,40}Exception|exception|runtime_error)\b")
 _MESSAGE = regex(r"geometry_msgs::(?:msg::)?\w+\Z")
-_LOGS = regex(
-    r"(?:RCLCPP|ROS)_(?:DEBUG|INFO|WARN|ERROR|FATAL)\w*\Z|(?:std::)?(?:printf|fprintf|perror)\Z|sleep(?:_for)?\Z"
-)
-_LEAVES = regex(r"\b(?:return|throw|break|continue|goto|\w{0,20}exit|abort|shutdown)\b")
-_SET = regex(r"(?:\s{0,4}\.\s{0,4}\w+){0,8}\s{0,4}=(?!=)")
-_PLAIN = ("expression_statement", "declaration")
+_STOPS = LEAVES + r"|\b{0}(?:\s{{0,4}}\.\s{{0,4}}\w+){{0,8}}\s{{0,4}}=(?!=)"
+"""What leaves the function, or sets the variable or a part of it."""
 
 
 def lost_transforms(code: Code) -> Iterator[LostTransform]:
@@ -41,9 +39,9 @@ def lost_transforms(code: Code) -> Iterator[LostTransform]:
     for tried in code.written.get("try", ()):
         body = tried.child_by_field_name("body")
         calls = by_body.get(body.id, []) if body is not None else []
-        handlers = [each for each in tried.named_children if each.type == "catch_clause"]
-        if calls and all(_only_logs(code, each) for each in handlers):
-            found = next((one for call in calls if (one := _lost(code, tried, call, handlers[0])) is not None), None)
+        handler = only_log(code, tried) if calls else None
+        if handler is not None:
+            found = next((one for call in calls if (one := _lost(code, tried, call, handler)) is not None), None)
             if found is not None:
                 yield found
 
@@ -56,21 +54,6 @@ def _statement(node: Node) -> Node | None:
     return outer if outer is not None and outer.type == "expression_statement" else None
 
 
-def _only_logs(code: Code, handler: Node) -> bool:
-    body = handler.child_by_field_name("body")
-    statements = [each for each in body.named_children if each.type != "comment"] if body is not None else []
-    calls = [code.call(each.named_children[0]) for each in statements if _is_call(each)]
-    return len(calls) == len(statements) and all(each is not None and _LOGS.match(each.name) for each in calls)
-
-
-def _is_call(statement: Node) -> bool:
-    return (
-        statement.type == "expression_statement"
-        and statement.named_child_count > 0
-        and statement.named_children[0].type == "call_expression"
-    )
-
-
 def _lost(code: Code, tried: Node, call: Call, handler: Node) -> LostTransform | None:
     name = _filled(code, call)
     declared = _declared(code, tried, name) if name is not None else None
@@ -79,7 +62,7 @@ def _lost(code: Code, tried: Node, call: Call, handler: Node) -> LostTransform |
     word = re.compile(rf"\b{re.escape(name)}\b")
     if word.search(blanked(code.source.text[code.span(declared).end : code.span(tried).start])):
         return None  # it may have a value already
-    used = _used(code, tried, word)
+    used = behind(code, tried, word, re.compile(_STOPS.format(re.escape(name))))
     return LostTransform(code.span(call.node), code.span(handler), used, name) if used is not None else None
 
 
@@ -108,24 +91,3 @@ def _declared(code: Code, tried: Node, name: str) -> Node | None:
         return None
     kind = "".join(code.text(found[0].child_by_field_name("type")).split())
     return found[0] if _MESSAGE.match(kind) else None
-
-
-def _used(code: Code, tried: Node, word: re.Pattern[str]) -> Span | None:
-    """Where a statement behind the ``try`` uses the variable, when nothing before it may leave or set it."""
-    following = tried.next_named_sibling
-    while following is not None:
-        text = blanked(code.text(following))
-        found = word.search(text)
-        body = following.child_by_field_name("body") if following.type == "try_statement" else None
-        if found is not None and body is not None and body.named_child_count:
-            following = body.named_children[0]
-            continue
-        if found is not None:
-            if following.type not in _PLAIN or _SET.match(text, found.end()):
-                return None
-            start = code.span(following).start
-            return code.source.span(start + found.start(), start + found.end())
-        if _LEAVES.search(text):
-            return None
-        following = following.next_named_sibling
-    return None
