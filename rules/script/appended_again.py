@@ -67,7 +67,8 @@ def appended_again(robot: Robot) -> Iterator[Finding]:
         if is_own and written.appends and written.certain and not source.matches(LEAVES):
             found.setdefault(source, []).append((written.where, written.path.rpartition("/")[2]))
     for source, places in found.items():
-        left = [(where, name) for where, name in places if not _has_to_do(source, name)]
+        other = {name for name in dict.fromkeys(name for _, name in places) if _has_to_do(source, name)}
+        left = [(where, name) for where, name in places if name not in other]
         if not left or robot.scripts.is_for_image(source) or robot.scripts.sets_up_image(source):
             continue
         again = _again(robot, source)

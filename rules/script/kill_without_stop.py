@@ -34,6 +34,7 @@ When every actuator stops by itself without commands, and nothing is recorded.
 
 import re
 from collections.abc import Iterator
+from itertools import islice
 from itertools import pairwise
 
 from bringup_lint.api import Finding
@@ -61,6 +62,8 @@ LISTED = regex(
     hints="ps ",
 )
 """A list of processes, from which a pattern picks some."""
+MOST = 20
+"""Such lists that are looked at in one script."""
 PIPED = regex(r"\bxargs\b[^\n|;&]{0,60}\bkill[ \t]+(?:-9|-KILL|-SIGKILL|-s[ \t]*(?:9|KILL|SIGKILL))\b")
 GENTLE = regex(
     r"\bkill(?:all)?[ \t]+(?!-9|-KILL|-SIGKILL|-s[ \t]*(?:9|KILL|SIGKILL))|\bpkill[ \t]+(?!-9|-KILL|-SIGKILL)"
@@ -94,12 +97,15 @@ def kill_without_stop(robot: Robot) -> Iterator[Finding]:
 
 def _listed(source: Source) -> Iterator[Located]:
     """The patterns by which a script picks processes of ROS from a list, and kills them."""
-    for match in LISTED.finditer(source.text):
+    gentle = GENTLE.search(source.text)
+    for match in islice(LISTED.finditer(source.text), MOST):
         name, rest = match["name"], match["rest"]
         pattern = match["pattern"].strip("\"'").replace("[", "").replace("]", "")
-        if not ROS.search(pattern) or NOT_ROBOT.search(match["found"]) or GENTLE.search(source.text[: match.start()]):
+        if not ROS.search(pattern) or NOT_ROBOT.search(match["found"]):
             continue
-        killed = re.compile(rf"\bkill[ \t]+(?:-9|-KILL|-SIGKILL)[ \t]+[\"']?\$\{{?{name}\b")
+        if gentle is not None and gentle.start() < match.start():
+            continue
+        killed = re.compile(rf"\bkill[ \t]+(?:-9|-KILL|-SIGKILL)[ \t]+[\"']?\$\{{?{re.escape(name or '')}\b")
         if PIPED.search(rest) or (name is not None and killed.search(source.text, match.end())):
             yield source.located(*match.span("pattern"))
 

@@ -35,6 +35,7 @@ When the command is for files of earlier releases only.
 - sshd_config of openssh-server in Debian 11 to 13 and Ubuntu 20.04 to 24.04
 """
 
+from collections import Counter
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -64,6 +65,7 @@ OF_SSHD = {
     "StrictModes": "yes",
 }
 """Keyword -> the value in the line of the package, which is a comment."""
+WORD = regex(r"[A-Za-z]+")
 SSHD = "/etc/ssh/sshd_config"
 COMMENTED = regex(
     r"s(?P<mark>[/|#,@])(?P<old>\^?\\?#[ \t]?(?P<key>[A-Za-z]+)[ \t]+(?P<value>[\w-]+))\$?(?P=mark)[^\n]*"
@@ -105,4 +107,5 @@ def _of_sshd(robot: Robot) -> Iterator[Finding]:
 
 def _is_elsewhere(source: Source, key: str, word: str) -> bool:
     """Whether the script has to do with the keyword in another command, too."""
-    return source.text.count(key) > word.count(key)
+    words = source.once(_is_elsewhere, lambda: Counter(WORD.findall(source.text)))
+    return words[key] > WORD.findall(word).count(key)

@@ -41,6 +41,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.shell import runs_in_image
 
 UNKNOWN = regex(r"\{\{ (?P<name>[A-Za-z_]\w*) \}\}")
+USE = regex(r"(?<!\\)\$\{?([A-Za-z_]\w*)(?![\w:])")
 SOURCED = regex(r"^[ \t]*(?:source|\.)[ \t]+(?![^\n]*(?:setup\.(?:ba|z)?sh|\.bashrc)[\"']?[ \t]*$)", re.M)
 """Reads a file that may set anything."""
 STRICT = regex(r"^[ \t]*set[ \t]+(?:-\w*u|-o[ \t]+nounset)|\A#![^\n]*[ \t]-\w*u\w*", re.M)
@@ -57,6 +58,8 @@ PAGE = regex(
     r"\.(?:md|rst|txt|ya?ml|mk|env|json|toml|cfg|ini|py)$|(?:^|/)(?:Makefile|Dockerfile|Jenkinsfile|\.env)[^/]*$"
 )
 MOST = 100_000
+MOST_NAMES = 200
+"""Variables that are looked for in the whole tree."""
 PASSING = ("/dev/", "/proc/", "/sys/")
 
 
@@ -67,14 +70,15 @@ def written_variable_unset(robot: Robot) -> Iterator[Finding]:
         names = dict.fromkeys(UNKNOWN.findall(str(written.text or ""))) if written.certain else {}
         if not names or written.path.startswith(PASSING) or _is_given(source):
             continue
+        uses = _uses(source)
         for name in names:
-            place = re.search(rf"\$\{{?{name}(?![\w:])", source.text)
-            if place is None or (source, name) in seen or GIVEN.fullmatch(name):
+            places = uses.get(name, ())
+            if not places or (source, name) in seen or GIVEN.fullmatch(name):
                 continue
             seen.add((source, name))
-            if not _is_said(robot, source, name):
+            if len(seen) <= MOST_NAMES and not _is_said(robot, source, name, len(places)):
                 yield finding(
-                    source.located(*place.span()),
+                    source.located(*places[0]),
                     f"Nothing sets {name}: {written.where} gets nothing in its place",
                     advice="set it before, or take it from an argument",
                 )
@@ -86,11 +90,22 @@ def _is_given(source: Source) -> bool:
     return SOURCED.search(text) is not None or STRICT.search(text) is not None or runs_in_image(source)
 
 
-def _is_said(robot: Robot, source: Source, name: str) -> bool:
+def _uses(source: Source) -> dict[str, list[tuple[int, int]]]:
+    """Variable -> where the script uses it."""
+
+    def made() -> dict[str, list[tuple[int, int]]]:
+        found: dict[str, list[tuple[int, int]]] = {}
+        for match in USE.finditer(source.text):
+            found.setdefault(match[1], []).append(match.span())
+        return found
+
+    return source.once(_uses, made)
+
+
+def _is_said(robot: Robot, source: Source, name: str, uses: int) -> bool:
     """Whether anything but the uses in the script has the name."""
-    word = re.compile(rf"(?<!\w){name}(?!\w)")
-    uses = re.compile(rf"(?<!\\)\$\{{?{name}(?![\w:])")
-    if len(word.findall(source.text)) > len(uses.findall(source.text)):
+    word = re.compile(rf"(?<!\w){re.escape(name)}(?!\w)")
+    if len(word.findall(source.text)) > uses:
         return True
     others = (each.text for each in robot.sources if each is not source and name in each.text)
     if any(map(word.search, others)):
