@@ -55,7 +55,7 @@ FILE = regex(
 )
 AGAIN = regex(r"(?i)(?:^|[_.-])(?:update|upgrade|deploy|sync)(?:[_.-]|$)")
 """Names of scripts that are for more than one run."""
-LEAVES = regex(r"[ \t]-[efdhL][ \t][^\n]*(?:\n[^\n]*){0,4}?\bexit\b")
+LEAVES = regex(r"[ \t]-[efdhL][ \t][^\n]{0,200}(?:\n[^\n]{0,200}){0,4}?\bexit\b")
 """The script may end early where something is there."""
 
 
@@ -85,8 +85,8 @@ def appended_again(robot: Robot) -> Iterator[Finding]:
 
 def _has_to_do(source: Source, name: str) -> bool:
     """Whether the script reads, changes or replaces the file as well."""
-    reads = r"\b(?:grep|sed|awk|rg|cp|mv|rm|tee(?![ \t]+(?:-a|--append)))\b[^\n]*"
-    other = re.compile(rf"(?:{reads}|(?<!>)>[ \t]*[^\s>&]*){re.escape(name)}")
+    reads = r"\b(?:grep|sed|awk|rg|cp|mv|rm|tee(?![ \t]+(?:-a|--append)))\b[^\n]{0,300}"
+    other = re.compile(rf"(?:{reads}|(?<!>)>[ \t]*[^\s>&]{0, 200}){re.escape(name)}")
     return other.search(source.text) is not None
 
 

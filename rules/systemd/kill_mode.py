@@ -44,7 +44,7 @@ from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.systemd import Unit
 
-TRAP = regex(r"\btrap\b[^\n]*\b(?:kill|pkill|killall|EXIT|TERM)\b|^[ \t]*(?:tmux|screen|setsid|nohup)[ \t]", re.M)
+TRAP = regex(r"\btrap\b[^\n]{0,200}\b(?:kill|pkill|killall|EXIT|TERM)\b|^[ \t]*(?:tmux|screen|setsid|nohup)[ \t]", re.M)
 """The script ends them itself, or means them to outlive it."""
 
 
