@@ -86,7 +86,7 @@ def appended_again(robot: Robot) -> Iterator[Finding]:
 def _has_to_do(source: Source, name: str) -> bool:
     """Whether the script reads, changes or replaces the file as well."""
     reads = r"\b(?:grep|sed|awk|rg|cp|mv|rm|tee(?![ \t]+(?:-a|--append)))\b[^\n]{0,300}"
-    other = re.compile(rf"(?:{reads}|(?<!>)>[ \t]*[^\s>&]{0, 200}){re.escape(name)}")
+    other = re.compile(rf"(?:{reads}|(?<!>)>[ \t]*[^\s>&]{{0,200}}){re.escape(name)}")
     return other.search(source.text) is not None
 
 
