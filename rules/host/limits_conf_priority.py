@@ -2,7 +2,7 @@
 
 ## What it finds
 A `priority` line with a positive value. It sets the nice value. `rtprio` limits the real-time priority.
-One finding for each file.
+One finding for each file, which is info where a compose file mounts it into a container.
 
 ## Why it matters on a robot
 `@realtime - priority 99` gives every process of the group the lowest priority: the control loop runs after
@@ -31,6 +31,7 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import regex
@@ -51,4 +52,14 @@ def limits_conf_priority(robot: Robot) -> Iterator[Finding]:
             f"'priority {first[2]}' is a nice value: it makes all processes of the group slower",
             advice=f"write rtprio {first[2]}",
             related=[note(source.located(*other.span(1)), "a nice value, too") for other in others],
+            severity="info" if is_mounted(robot, source) else None,
         )
+
+
+def is_mounted(robot: Robot, source: Source) -> bool:
+    """Whether a container gets the file, in which hardly anybody logs in."""
+    places = (volume for service in robot.compose.services for volume in service.volumes)
+    return any(
+        str(each.source).rpartition("/")[2] == source.basename and str(each.target).startswith("/etc/security/")
+        for each in places
+    )
