@@ -63,8 +63,9 @@ def notebook(*cells: str) -> str:
         {"otter.py": "import weir\n"},
         {"otter.py": "class Otter:\n    def lower_gate(self):\n        self.lower_gate()\n"},
         {"otter.py": 'def dive():\n    """Like lower_gate."""\n'},
-        {"otter.py": "def dive(:\n    lower_gate()\n"},
         {"otter.py": "def dive(weir):\n    weir.lower_gate()\n"},
+        {"otter.py": "def main(logging, msg, name):\n    getattr(logging, name)\n    getattr(msg, 'data', None)\n"},
+        {"otter": "no program: lower_gate\n"},
         {"otter.ipynb": "no notebook: lower_gate"},
         {"otter.ipynb": notebook("def (", "lower_gates()\n%time lower_gate\n")},
         {"otter.cpp": "void Otter::lower_gate() { rclcpp::spin(node); }\n"},
@@ -81,6 +82,18 @@ def test_a_method_that_nothing_calls(tmp_path: Path, files: dict[str, str]) -> N
         {"otter.py": "def main(weir):\n    weir.lower_gate()\n"},
         {"otter.py": "def main(weir):\n    getattr(weir, 'lower_gate')()\n"},
         {"otter.py": "from weir import lower_gate as low\n"},
+        {"otter.py": "def dive(:\n    lower_gate()\n"},
+        {"otter.py": 'print(f"{otter["name"]}")\nlower_gate()\n', "beaver.py": "def dive(:\n    lower_gate()\n"},
+        {"otter.py": "def main(weir, name):\n    getattr(weir, name)()\n"},
+        {"otter.py": "def main(weir, name):\n    getattr(find(weir), 'lower_' + name)()\n"},
+        {"otter.py": "class Otter(Weir):\n    def do(self, name):\n        getattr(self, name)()\n"},
+        {"otter.py": "import fire, weir\nfire.Fire(weir.Weir)\n"},
+        {"otter.py": "def main(weir, name):\n    eval(f'weir.{name}()')\n"},
+        {"otter": "#!/usr/bin/env python3\nimport weir\nweir.Weir().lower_gate()\n"},
+        {"otter.in": "#!@PYTHON@\nimport weir\nweir.Weir().lower_gate()\n".replace("@PYTHON@", "/usr/bin/python3")},
+        {"otter.urdf": "<robot name='otter'><plugin type='weir.Weir'/></robot>\n"},
+        {"pyproject.toml": "[project.scripts]\nweir = 'weir:lower_gate'\n"},
+        {"Dockerfile": "FROM ros:jazzy\nCMD python3 -c 'import weir; weir.Weir().lower_gate()'\n"},
         {"otter.py": "def main(weir):\n    pass\n    # weir.lower_gate()\n"},
         {"otter.py": "def main(weir):\n    match weir:\n        case 1:\n            weir.lower_gate()\n"},
         {"otter.ipynb": notebook("import weir", "weir.Weir().lower_gate()")},
@@ -102,8 +115,15 @@ def test_a_method_that_something_may_call(tmp_path: Path, files: dict[str, str])
         ("Weir(Node)", "Weir(Node, metaclass=Gate)", True),
         ("Weir(Node)", "Weir(make())", True),
         ("class Weir(Node)", "class Base:\n    pass\n\nclass Weir(Base)", False),
+        ("class Weir(Node)", "@dataclass(eq=False)\nclass Weir(Node)", False),
+        ("class Weir(Node)", "@expose\nclass Weir(Node)", True),
         ("class Weir(Node)", "class Base(Other):\n    pass\n\nclass Weir(Base)", True),
         ("        pass\n", "        getattr(self, f'lower_{self.what}')()\n", True),
+        (
+            "class Weir(Node)",
+            "class Base(Node):\n    def do(self):\n        getattr(self, self.x)()\n\nclass Weir(Base)",
+            True,
+        ),
         ("        pass\n", "        def lower_gate():\n            lower_gate()\n", False),
         ("def main", "def start", True),
         ("slowly=False):\n", "slowly=False): return here\n", True),
@@ -173,6 +193,16 @@ def test_a_method_of_another_that_has_the_name_is_another(tmp_path: Path) -> Non
         (branch("FAST", head="from otter import FAST\n"), True),
         (branch("FAST", head="FAST = False\n") + "\ndef start():\n    global FAST\n    FAST = True\n", True),
         (branch("FAST", head="FAST = False\n") + "\ndef start(weir):\n    weir.FAST = True\n", True),
+        (branch("FAST", head="FAST = False\nfrom otter.msg import *\n"), False),
+        (branch("FAST", head="FAST = False\nfrom otter import *\n"), True),
+        (branch("FAST", head="FAST = False\nfrom otter import quick as FAST\n"), True),
+        (branch("FAST", head="FAST = False\nfrom otter import FAST\n"), True),
+        (branch("FAST", head="FAST = False\nglobals().update(FAST=True)\n"), True),
+        (branch("FAST", head="FAST = False\n") + "\ndef start(weir):\n    setattr(weir, 'FAST', True)\n", True),
+        (branch("self.fast", made="self.fast = False") + "\ndef go(weir):\n    setattr(weir, 'fast', 1)\n", True),
+        (branch("self.fast", made="self.fast = False") + "\ndef go(weir, key):\n    setattr(weir, key, 1)\n", True),
+        (branch("slowly").replace("    def lower_gate", "    @app.get('/')\n    def lower_gate"), True),
+        (branch("slowly", call="self.get()").replace("lower_gate", "execute"), True),
         (branch("self.get():\n            pass\n        elif slowly"), False),
         (branch("not slowly:\n            pass\n        else"), False),
         (branch("slowly:\n            pass\n        else"), True),
@@ -187,7 +217,13 @@ def test_an_argument_of_a_class_is_given_where_it_is_made(tmp_path: Path) -> Non
     text = branch("self.fast", made="self.fast = fast").replace("__init__(self)", "__init__(self, fast=False)")
     assert not leads_to(tmp_path, text, {})
     assert leads_to(tmp_path, text.replace("Weir())", "Weir(True))"), {})
+    assert leads_to(tmp_path, f"{text}\ndef quick(cls):\n    return cls(True)\n", {})
     assert leads_to(tmp_path, text, {"otter.py": "from weir import Weir as Dam\n"})
+
+
+def test_an_attribute_of_a_class_may_be_set_by_one_that_builds_on_it(tmp_path: Path) -> None:
+    text = branch("self.fast", made="self.fast = False")
+    assert leads_to(tmp_path, text, {"otter.py": "from weir import Weir as Dam\n\nclass Otter(Dam):\n    pass\n"})
 
 
 def test_an_argument_handed_on_for_ever_is_unknown(tmp_path: Path) -> None:

@@ -7,7 +7,6 @@ that a text holds or that is put together, a decorator, and code that cannot be 
 from __future__ import annotations
 
 import ast
-import re
 
 from bringup_lint.graph.files import Files
 from bringup_lint.graph.memo import memo
@@ -15,6 +14,7 @@ from bringup_lint.graph.uncalled.branches import Branches
 from bringup_lint.graph.uncalled.code import Code
 from bringup_lint.graph.uncalled.code import Function
 from bringup_lint.graph.uncalled.code import Module
+from bringup_lint.graph.uncalled.code import has_plain_decorators
 from bringup_lint.pattern import regex
 from bringup_lint.source import Span
 
@@ -25,8 +25,6 @@ _RUN_BY_OTHERS = regex(
     r"|terminate$|execute$|generate_launch_description$|[a-z]+[A-Z]\w*$"
 )
 """Functions that a framework calls by their names; those of Qt are in mixed case."""
-_PLAIN = frozenset({"staticmethod", "classmethod", "property", "override"})
-"""Decorators that hand a function to nobody."""
 
 
 class Uncalled:
@@ -58,12 +56,12 @@ class Uncalled:
     @memo
     def _is_unused(self, asked: tuple[Module, Function, int]) -> bool:
         module, each, depth = asked
-        if any(_last_name(decorator) not in _PLAIN for decorator in each.decorator_list):
+        if not has_plain_decorators(each):
             return False
-        if _RUN_BY_OTHERS.match(each.name) or module.is_reflected:
+        if _RUN_BY_OTHERS.match(each.name) or module.is_reflected or self._code.reaches_by_name:
             return False
         cls = module.class_of(each)
-        if cls is not None and not self._code.has_known_bases(cls):
+        if cls is not None and (not self._code.has_known_bases(cls) or self._code.is_loaded(cls)):
             return False
         mentions = self._code.mentions(each.name, module)
         is_alone = cls is not None and self._code.has_plain_bases(cls)
@@ -73,7 +71,3 @@ class Uncalled:
             or (depth > 0 and self._is_dead(other, use.lineno, depth - 1))
             for other, use in mentions
         )
-
-
-def _last_name(decorator: ast.expr) -> str:
-    return re.split(r"\W", ast.unparse(decorator))[-1]

@@ -8,6 +8,7 @@ import ast
 from bringup_lint.graph.uncalled.code import Code
 from bringup_lint.graph.uncalled.code import Function
 from bringup_lint.graph.uncalled.code import Module
+from bringup_lint.graph.uncalled.code import has_plain_decorators
 from bringup_lint.graph.uncalled.code import is_own
 from bringup_lint.graph.uncalled.code import last_name
 
@@ -57,9 +58,12 @@ class Branches:
         is_single = len(stores) == 1 and any(
             stores[0] in each.targets for each in module.tree.body if isinstance(each, ast.Assign)
         )
-        elsewhere = self._code.modules_with(test.id) if is_single else None
+        is_plain = is_single and not module.may_import(test.id) and not module.is_reflected
+        elsewhere = self._code.modules_with(test.id) if is_plain else None
         if elsewhere is None or any(
-            isinstance(each, ast.Attribute) for other in elsewhere for each in other.stores.get(test.id, ())
+            other.is_set_by_name(test.id)
+            or any(isinstance(each, ast.Attribute) for each in other.stores.get(test.id, ()))
+            for other in elsewhere
         ):
             return None
         return self._truth(module, module.values[id(stores[0])], depth)
@@ -71,12 +75,17 @@ class Branches:
         if (
             default is None
             or function.args.kwarg is not None
+            or not has_plain_decorators(function)
             or (cls is not None and not self._code.has_known_bases(cls))
         ):
             return None
         called = cls.name if cls is not None and function.name == "__init__" else function.name
         modules = self._code.modules_with(called)
         if modules is None or any(called in each.renamed for each in modules):
+            return None
+        if called != function.name and any(each.makes_own for each in modules):
+            return None
+        if not any(other.uses.get(called) for other in modules):
             return None
         truths = {self._truth(module, default, depth)}
         shift = 1 if cls is not None and "staticmethod" not in map(ast.unparse, function.decorator_list) else 0
@@ -94,10 +103,12 @@ class Branches:
         classes = [each for each in module.around(test.lineno) if isinstance(each, ast.ClassDef)]
         modules = self._code.modules_with(test.attr) if classes and not module.is_reflected else None
         cls = classes[-1] if classes else None
-        if cls is None or modules is None or not self._is_alone(cls):
+        if cls is None or modules is None or self._code.reaches_by_name or not self._is_alone(cls):
             return None
         stores = [each for other in modules for each in other.stores.get(test.attr, ())]
         if any(isinstance(each, ast.Attribute) and not is_own(each) for each in stores):
+            return None
+        if any(each.is_set_by_name(test.attr) for each in modules):
             return None
         own = [each for each in module.stores.get(test.attr, ()) if cls.lineno <= _line(each) <= (cls.end_lineno or 0)]
         attributes = [each for each in own if is_own(each)]
@@ -113,11 +124,14 @@ class Branches:
             return False
         modules = self._code.modules_with(cls.name)
         return modules is not None and not any(
-            last_name(base) == cls.name
+            cls.name in module.renamed
+            or any(
+                last_name(base) == cls.name
+                for each in module.nodes
+                if isinstance(each, ast.ClassDef)
+                for base in each.bases
+            )
             for module in modules
-            for each in module.nodes
-            if isinstance(each, ast.ClassDef)
-            for base in each.bases
         )
 
 

@@ -25,20 +25,45 @@ _FILES = 40
 """Files that have a word: what more of them have is no name of its own."""
 _SIZE = 1_000_000
 """How much is read of a file."""
+_FIRST = 100
+"""How much is read of a file to see what it is."""
 _PYTHON = ("python-node", "launch-python", "setup-py")
 _FILE = regex(r"\.(?:py|ipynb|pyi)$")
-_FOREIGN = ("cpp-node", "cpp-driver", "cmake", "ros-package", "urdf", "dockerfile")
+_SCRIPT = regex(r"(?:^|/)[^./]+$|\.in$")
+"""Files whose first line may say that they are of Python."""
+_STARTED = regex(r"#![^\n]*python", hints="#!")
+_RUNNING = regex(r"(?:^|/)(?:pyproject\.toml|(?:GNU)?[Mm]akefile|[Jj]ustfile|Procfile)$")
+"""Files of no kind that may name a function of Python."""
+_FOREIGN = ("cpp-node", "cpp-driver", "cmake", "ros-package", "urdf")
 """Kinds that name no function of Python."""
+_LOADING = ("launch-xml", "launch-yaml", "params", "urdf")
+"""Kinds that may name a class to load it."""
 _PROGRAM = regex(r"(?m)^(?:def main\b|if __name__\b)", hints="def if")
 _MAGIC = regex(r"(?m)^([ \t]*)[%!?]")
 _WORD = regex(r"\w+")
+_BY_NAME = r"""\b[gs]etattr\({}[^,]{{1,80}},\s*(?!r?(?:'\w+'|"\w+")\s*[,)])"""
+_OF_OTHERS = r"(?!(?:self|logging|socket|termios|np|numpy|torch|cv2|\w*[Mm]sg|args|parsed_args|options|Qt)\s*,)"
+"""What is before the name that is computed where it may be of a class of the tree, and none of the one around."""
 _REFLECTS = regex(
-    r"\b(?:globals|locals|vars|dir|getmembers|methodcaller|attrgetter)\(|__dict__|\b[gs]etattr\([^,()]{1,80},\s*[^\s\"']"
-    r"|\b[gs]etattr\([^,()]{1,80},\s*f?[\"'][^\"'\n]*[\"']\s*[+%.]|\b[gs]etattr\([^,()]{1,80},\s*f[\"']",
+    r"\b(?:globals|locals|vars|dir|getmembers|methodcaller|attrgetter)\(|__dict__|" + _BY_NAME.format(""),
     hints="globals locals vars dir getmembers methodcaller attrgetter __dict__ getattr setattr",
 )
+_REACHES = regex(
+    r"\b(?:eval|exec)\(\s*f?[\"']|\bFire\(|\bregister_instance\(|\bzerorpc\.|\bjs_api\b|" + _BY_NAME.format(_OF_OTHERS),
+    hints="eval exec Fire( register_instance zerorpc js_api getattr setattr",
+)
+"""What may call any method by a name that it computes."""
+_INSTALLED = regex(r"/(?:site|dist)-packages/")
+_SETS = regex(r"\bsetattr\([^,]{1,80},\s*[\"'](?P<name>\w+)[\"']", hints="setattr")
+_MAKES_OWN = regex(r"\bcls\(|\b__class__\(|\btype\(self\)\(", hints="cls( __class__ type(self)")
+_MESSAGES = regex(r"(?:^|\.)(?:msg|srv|action|tkinter|math)$")
+"""Modules that set nothing that is in capitals or the like."""
 _PLAIN_BASES = frozenset({"object", "Node", "LifecycleNode", "ABC", "Generic", "Exception", "RuntimeError"})
 """Bases that call no method of a class but those with names of their own."""
+_PLAIN = frozenset({"staticmethod", "classmethod", "property", "override"})
+"""Decorators that hand a function to nobody."""
+_OF_CLASSES = frozenset({"dataclass", "final", "total_ordering"})
+"""Decorators that hand a class to nobody."""
 
 
 @dataclass(eq=False)
@@ -82,6 +107,26 @@ class Module:
     def is_reflected(self) -> bool:
         """Whether the file gets functions or attributes by names that it computes."""
         return _REFLECTS.search(self.text) is not None
+
+    @cached_property
+    def makes_own(self) -> bool:
+        """Whether the file makes objects of a class without its name."""
+        return _MAKES_OWN.search(self.text) is not None
+
+    def is_set_by_name(self, name: str) -> bool:
+        """Whether the file sets an attribute by a text."""
+        return any(match["name"] == name for match in _SETS.finditer(self.text))
+
+    def may_import(self, name: str) -> bool:
+        """Whether an import may bring a name."""
+        imports = (each for each in self.nodes if isinstance(each, (ast.Import, ast.ImportFrom)))
+        return any(
+            alias.asname == name
+            or (alias.asname is None and alias.name == name)
+            or (alias.name == "*" and not _MESSAGES.search(getattr(each, "module", None) or ""))
+            for each in imports
+            for alias in each.names
+        )
 
     @cached_property
     def nodes(self) -> list[ast.AST]:
@@ -156,13 +201,11 @@ class Code:
 
     @memo
     def _module(self, asked: tuple[str, str]) -> Module | None:
-        """The code of a file; that of one which Python refuses is empty, for it never runs."""
+        """The code of a file; None where it is refused, as a newer Python may accept it."""
         path, text = asked
         try:
             return Module(path, text, ast.parse(_cells(text) if path.endswith(".ipynb") else text))
-        except (SyntaxError, ValueError):
-            return Module(path, text, ast.Module([], []))
-        except (RecursionError, MemoryError):
+        except (SyntaxError, ValueError, RecursionError, MemoryError):
             return None
 
     @cached_property
@@ -175,7 +218,9 @@ class Code:
         known = {
             each.absolute: each.text for each in self._files.sources if each.origin is None and self.is_python(each)
         }
-        return known | {at: tree.head(path, _SIZE) for at, path in paths.items() if at not in known}
+        plain = {os.path.abspath(path): path for path in tree.like(_SCRIPT)[:_MOST]}
+        scripts = {at: path for at, path in plain.items() if _STARTED.match(tree.head(path, _FIRST))}
+        return known | {at: tree.head(path, _SIZE) for at, path in (paths | scripts).items() if at not in known}
 
     @cached_property
     def has_programs(self) -> bool:
@@ -186,7 +231,24 @@ class Code:
     def _others(self) -> list[str]:
         """Files that may name a function of Python."""
         sources = (each for each in self._files.sources if each.kind not in _FOREIGN)
-        return [each.text for each in sources if not self.is_python(each)]
+        pages = self._files.tree.pages(_RUNNING, _SIZE)
+        return [*(each.text for each in sources if not self.is_python(each)), *pages]
+
+    @cached_property
+    def reaches_by_name(self) -> bool:
+        """Whether a file of the tree may call or set whatever it likes of what it is given."""
+        texts = (self._texts or {}).items()
+        return any(_REACHES.search(text) for at, text in texts if not _INSTALLED.search(at))
+
+    def is_loaded(self, cls: ast.ClassDef) -> bool:
+        """Whether something may use a class by its name or through a decorator, and call what it likes of it."""
+        named = re.compile(rf"[.:/]{re.escape(cls.name)}\b")
+        if any(cls.name in each.text and named.search(each.text) for each in self._files.of_kind(*_LOADING)):
+            return True
+        if any(last_name(getattr(each, "func", each)) not in _OF_CLASSES for each in cls.decorator_list):
+            return True
+        modules = self.modules_with(cls.name)
+        return modules is None or any(each.is_reflected for each in modules)
 
     @memo
     def _having(self, word: str) -> list[tuple[str, str]] | None:
@@ -235,13 +297,14 @@ class Code:
             return True
         modules = self.modules_with(name) if name and depth else None
         found = [
-            each
+            (module, each)
             for module in modules or ()
             for each in module.tree.body
             if isinstance(each, ast.ClassDef) and each.name == name
         ]
-        return bool(found) and all(
-            not each.keywords and all(self._is_known(inner, depth - 1) for inner in each.bases) for each in found
+        return bool(found) and not any(
+            module.is_reflected or each.keywords or not all(self._is_known(inner, depth - 1) for inner in each.bases)
+            for module, each in found
         )
 
 
@@ -290,3 +353,8 @@ def _has(text: str, word: str) -> bool:
 def is_own(place: ast.AST) -> bool:
     """Whether a place is an attribute of ``self``."""
     return isinstance(place, ast.Attribute) and is_self(place.value)
+
+
+def has_plain_decorators(function: Function) -> bool:
+    """Whether the decorators of a function hand it to nobody."""
+    return all(re.split(r"\W", ast.unparse(each))[-1] in _PLAIN for each in function.decorator_list)
