@@ -44,9 +44,16 @@ class ObjectClasses:
 
     def of(self, value: ast.expr) -> Defined | None:
         """The class of what an expression gives; None when that is not known."""
+        if not self.any:
+            return None
         if isinstance(value, ast.Name):
             return self._made.get(value.id)
         return self._kept.get(value.attr) if is_own(value) else None
+
+    @property
+    def any(self) -> bool:
+        """Whether the file makes objects of such classes."""
+        return bool(self._assigned)
 
     def lacks(self, found: Defined, name: str) -> bool:
         """Whether the objects of a class have no attribute of a name."""

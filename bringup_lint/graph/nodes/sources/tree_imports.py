@@ -62,8 +62,7 @@ def definitions(nodes: Nodes, file: NodeSource) -> dict[str, Defined]:
     the name."""
     if not any(isinstance(each, ast.ImportFrom) for each in file.nodes):
         return {}
-    bound = Counter(name for each in file.nodes for name in bound_names(each))
-    found = {}
+    bound, found = bindings(nodes, file), {}
     for each in taken(nodes, file):
         name = each.alias.asname or each.alias.name
         definition = own_definitions(nodes, each.file).get(each.alias.name) if bound[name] == 1 else None
@@ -75,15 +74,15 @@ def definitions(nodes: Nodes, file: NodeSource) -> dict[str, Defined]:
 @memo
 def own_definitions(nodes: Nodes, file: NodeSource) -> dict[str, Definition]:
     """The functions and classes at the top of a file whose names nothing else of it binds."""
-    bound = Counter(name for each in file.nodes for name in bound_names(each))
+    bound = bindings(nodes, file)
     body = file.tree.body if file.tree is not None else []
     return {each.name: each for each in body if isinstance(each, _DEFINITIONS) and bound[each.name] == 1}
 
 
 @memo
-def names_of(nodes: Nodes, file: NodeSource) -> frozenset[str]:
-    """Every name that a file binds, be it in a function."""
-    return frozenset(name for each in file.nodes for name in bound_names(each))
+def bindings(nodes: Nodes, file: NodeSource) -> Counter[str]:
+    """How often a file binds each name, be it in a function."""
+    return Counter(name for each in file.nodes for name in bound_names(each))
 
 
 def may_fail(syntax: Syntax, statement: ast.stmt) -> bool:

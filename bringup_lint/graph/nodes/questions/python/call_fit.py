@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ast
-from collections import Counter
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -11,10 +10,10 @@ from bringup_lint.graph.nodes.sources.idle import is_idle
 from bringup_lint.graph.nodes.sources.idle import is_late
 from bringup_lint.graph.nodes.sources.object_classes import object_classes
 from bringup_lint.graph.nodes.sources.syntax import Syntax
+from bringup_lint.graph.nodes.sources.tree_imports import bindings
 from bringup_lint.graph.nodes.sources.tree_imports import definitions
 from bringup_lint.model.node_source import NodeSource
 from bringup_lint.model.python import FunctionNode
-from bringup_lint.model.python import bound_names
 from bringup_lint.model.python import is_own
 from bringup_lint.model.python_calls import misfit
 from bringup_lint.named_tuple import NamedTuple
@@ -97,7 +96,7 @@ class _Known:
         self._overridden = overridden
         self._imported = definitions(nodes, file)
         self._objects = object_classes(nodes, file)
-        self._bound = Counter(name for each in file.nodes for name in bound_names(each))
+        self._bound = bindings(nodes, file)
         self._stored = {
             each.attr for each in file.nodes if isinstance(each, ast.Attribute) and not isinstance(each.ctx, ast.Load)
         }

@@ -8,8 +8,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.nodes.sources.tree_imports import Taken
+from bringup_lint.graph.nodes.sources.tree_imports import bindings
 from bringup_lint.graph.nodes.sources.tree_imports import may_fail
-from bringup_lint.graph.nodes.sources.tree_imports import names_of
 from bringup_lint.graph.nodes.sources.tree_imports import taken
 from bringup_lint.model.node_source import NodeSource
 from bringup_lint.named_tuple import NamedTuple
@@ -35,7 +35,7 @@ class MissingName(NamedTuple):
 def missing_names(nodes: Nodes) -> Iterator[MissingName]:
     for file in nodes.robot_code:
         for each in taken(nodes, file):
-            names = names_of(nodes, each.file)
+            names = bindings(nodes, each.file)
             if each.alias.name in names or each.alias.name in _OF_MODULES or _is_module(nodes, each):
                 continue
             if not may_fail(nodes.syntax(file), each.statement):

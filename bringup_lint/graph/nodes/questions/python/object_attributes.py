@@ -37,7 +37,7 @@ def object_attributes(nodes: Nodes) -> Iterator[ObjectAttribute]:
     for file in nodes.robot_code:
         objects, syntax = object_classes(nodes, file), nodes.syntax(file)
         seen: set[tuple[ast.AST, str]] = set()
-        for place in file.nodes:
+        for place in file.nodes if objects.any else ():
             if not isinstance(place, ast.Attribute) or not isinstance(place.ctx, ast.Load):
                 continue
             defined = objects.of(place.value)
