@@ -36,8 +36,10 @@ def object_attributes(nodes: Nodes) -> Iterator[ObjectAttribute]:
     """The first use of each attribute of the objects of one class in a file."""
     for file in nodes.robot_code:
         objects, syntax = object_classes(nodes, file), nodes.syntax(file)
+        if not objects.any:
+            continue
         seen: set[tuple[ast.AST, str]] = set()
-        for place in file.nodes if objects.any else ():
+        for place in file.nodes:
             if not isinstance(place, ast.Attribute) or not isinstance(place.ctx, ast.Load):
                 continue
             defined = objects.of(place.value)
