@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.params.questions.qos_overrides import qos_overrides
     from bringup_lint.graph.params.questions.time import simulated
     from bringup_lint.graph.params.questions.time import waits_for_time
+    from bringup_lint.graph.params.questions.unlisted import unlisted
     from bringup_lint.graph.params.questions.unmatched_rewrites import unmatched_rewrites
     from bringup_lint.graph.params.questions.unread import Unread
     from bringup_lint.graph.params.questions.unread import unread
@@ -113,6 +114,7 @@ __all__ = [
     "unhanded",
     "unknown_frames",
     "unknown_to_public",
+    "unlisted",
     "unmatched_rewrites",
     "unreached",
     "unread",

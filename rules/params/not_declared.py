@@ -19,7 +19,8 @@ ends so. Packages whose repository the tree patches, or fetches from others than
 are left alone.
 
 Where it is not known which program gets a block, or the program declares whatever it is given: parameters that no
-source of the tree names, when one source reads at least five others of the block, and most of them.
+source of the tree names, when one source reads at least five others of the block, and most of them. Also those that the
+file of a generate_parameter_library has not, in a block of the same name as its node.
 
 ## Why it matters on a robot
 A node takes what it is given only for parameters that it declares; the rest is dropped without a word. A watchdog, a
@@ -61,6 +62,7 @@ from bringup_lint.api.params import Unknown
 from bringup_lint.api.params import Unread
 from bringup_lint.api.params import undeclared
 from bringup_lint.api.params import unknown_to_public
+from bringup_lint.api.params import unlisted
 from bringup_lint.api.params import unread
 from bringup_lint.api.spelling import nearest
 from bringup_lint.api.topics import LaunchedNode
@@ -94,7 +96,7 @@ def not_declared(robot: Robot) -> Iterator[Finding]:
         if not is_said and not robot.dependencies.is_forked(each.node.package):
             said |= {parameter.key.span for parameter in each.parameters}
             yield _of_public(each)
-    for lost in unread(robot.params, robot.launch):
+    for lost in (*unread(robot.params, robot.launch), *unlisted(robot.params, robot.launch)):
         if not said & {parameter.key.span for parameter in lost.parameters}:
             yield _of_reader(lost)
 

@@ -58,9 +58,9 @@ _GIVEN = (
 _HOLE = regex(r"\{[^{}]{0,80}\}|%s")
 _SHORT = 3
 """Letters of words that are in many names."""
-_SURE = 5
+SURE = 5
 """Parameters that a source must read, to be taken for that of the node."""
-_MOST = 0.6
+MOST = 0.6
 """The part of the block that these must be."""
 
 
@@ -81,11 +81,11 @@ def unread(params: Params, launch: Launch) -> Iterator[Unread]:
     """Only where the source is that of the node, by far the most of whose parameters it reads, and no launch file gives
     the name to a program of another origin."""
     blocks = [block for file in params.judged if file.accepted and not file.uncertain for block in file.blocks]
-    asked = [(block, own) for block in blocks if len(own := _own(block)) > _SURE]
+    asked = [(block, own) for block in blocks if len(own := own_parameters(block)) > SURE]
     named = [(block, own, lacking) for block, own in asked if (lacking := _unnamed(params, own))]
     if not named:
         return
-    reading = {source: names for source in params.code if len(names := _names(source)) >= _SURE}
+    reading = {source: names for source in params.code if len(names := _names(source)) >= SURE}
     by_name: dict[str, list[Source]] = {}
     for source, names in reading.items():
         for name in names:
@@ -98,7 +98,7 @@ def unread(params: Params, launch: Launch) -> Iterator[Unread]:
         left = [each for each in lacking if not _is_made(str(each.name), names, pieces)]
         is_alone = not any(_is_helped(each, launch) for each in readers)
         is_own = any(_is_named(block.node_name, each) for each in readers)
-        if left and is_alone and is_own and block.node_name not in foreign and count >= max(_SURE, _MOST * len(own)):
+        if left and is_alone and is_own and block.node_name not in foreign and count >= max(SURE, MOST * len(own)):
             first = next(_READ.finditer(readers[0].text))
             yield Unread(block, tuple(left), readers[0].span(*first.span("name")), count, names)
 
@@ -139,7 +139,7 @@ def _is_helped(source: Source, launch: Launch) -> bool:
     return any(re.search(rf"\b{re.escape(each)}{_GIVEN}", source.text) for each in libraries)
 
 
-def _own(block: Block) -> list[Parameter]:
+def own_parameters(block: Block) -> list[Parameter]:
     """The parameters of a block for one node of the tree, besides those of the client library."""
     label = block.node_name
     if "*" in label or node_called(label) is not None:
