@@ -51,7 +51,11 @@ def bashrc_only(robot: Robot) -> Iterator[Finding]:
     units = robot.units
     for unit in units.services:
         for process in units.started(unit):
-            if not process.profiles or process.setup_files or not (process.mentions_ros or robot.is_ros):
+            if (
+                not process.profiles
+                or process.setup_files
+                or not (process.mentions_ros or process.plans_ros or robot.is_ros)
+            ):
                 continue
             if _sources_unknown(process):
                 continue
@@ -61,7 +65,7 @@ def bashrc_only(robot: Robot) -> Iterator[Finding]:
                 if word.startswith("-") and "i" in word.lstrip("-") and word != "--login"
             ]
             files = [(step, word) for step, word in process.profiles if not word.startswith("-")]
-            if not process.ros and (not files or _needs_nothing(process)):
+            if not process.ros and not files:
                 continue
             step, word = files[0] if files else process.profiles[0]
             yield finding(
@@ -69,7 +73,7 @@ def bashrc_only(robot: Robot) -> Iterator[Finding]:
                 _message(unit, word, interactive),
                 advice="source /opt/ros/<distro>/setup.bash and the workspace in ExecStart=, and keep variables in an "
                 "EnvironmentFile=",
-                severity="info" if interactive else None,
+                severity="info" if interactive or (not process.ros and _needs_nothing(process)) else None,
                 related=[
                     *(note(process.program, f"{unit.name} starts it here") for _ in [0] if step.script),
                     *(note(ros.where, "needs the ROS environment") for _, ros in process.ros[:1]),

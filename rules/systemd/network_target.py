@@ -63,7 +63,7 @@ def network_target(robot: Robot) -> Iterator[Finding]:
         yield finding(
             early.word,
             f"{early.word} does not mean that any interface has an address: {early.unit.name} can start "
-            "before the network is up, and DDS checks the interfaces only once",
+            f"before the network is up{'' if early.planned else ', and DDS checks the interfaces only once'}",
             advice=f"order after {ONLINE} and pull it in: Wants={ONLINE} and After={ONLINE}",
             related=list(_related(robot, early)),
             fix=fix(f"wait for {ONLINE}", *edits_to_wait(early, robot.units)),

@@ -133,6 +133,11 @@ class CommandLine:
         return bool(self.ros) or any(_ROS_TEXT.search(text) for text in self._said)
 
     @property
+    def plans_ros(self) -> bool:
+        """Whether only a comment of a script that it starts has to do with ROS 2."""
+        return not self.mentions_ros and any(_ROS_TEXT.search(text) for text in self.texts)
+
+    @property
     def is_ros1(self) -> bool:
         """Whether it is ROS 1 that is started."""
         return not self.ros and any(_ROS1_TEXT.search(text) for text in self._said)

@@ -37,6 +37,8 @@ class TooEarly(NamedTuple):
     word: Located
     presumed: bool
     """That it runs ROS is not certain."""
+    planned: bool = False
+    """It does not run ROS yet."""
 
 
 def waiting_for_network(units: Units) -> list[tuple[str, Located]]:
@@ -51,12 +53,12 @@ def waiting_for_network(units: Units) -> list[tuple[str, Located]]:
 
 def too_early(units: Units) -> Iterator[TooEarly]:
     """The units that take part in DDS and that can start before any interface has an address."""
-    for unit in (*units.dds, *units.presumed_ros):
+    for unit in (*units.dds, *units.presumed_ros, *units.planned_ros):
         named = next((found for key in ("After", "Wants", "Requires") for found in unit.naming(key, *_EARLY)), None)
         if named is None or unit.manager == "user" or unit.unsure_of("After", "Wants", "Requires"):
             continue
         if not units.waits_for(unit, ONLINE) and not units.stays_local(unit) and not waits_itself(unit, units):
-            yield TooEarly(unit, *named, presumed=unit not in units.dds)
+            yield TooEarly(unit, *named, presumed=unit not in units.dds, planned=unit in units.planned_ros)
 
 
 def waits_itself(unit: Unit, units: Units) -> bool:

@@ -272,6 +272,13 @@ class Units(NamedUnits):
         ]
 
     @cached_property
+    def planned_ros(self) -> list[Unit]:
+        """Services that do not start ROS yet: a comment of their script says that they will."""
+        known = {*self.dds, *self.presumed_ros}
+        started = ((unit, self.processes(unit)) for unit in self.services if unit not in known)
+        return [unit for unit, found in started if any(process.plans_ros for process in found)]
+
+    @cached_property
     def enabled_ros_groups(self) -> list[list[Unit]]:
         """The ROS services of one place that are enabled somewhere, so that they may run together."""
         places: dict[str, list[Unit]] = {}
