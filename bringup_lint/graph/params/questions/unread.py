@@ -58,7 +58,7 @@ _GIVEN = (
 _HOLE = regex(r"\{[^{}]{0,80}\}|%s")
 _SHORT = 3
 """Letters of words that are in many names."""
-SURE = 5
+SURE = 3
 """Parameters that a source must read, to be taken for that of the node."""
 MOST = 0.6
 """The part of the block that these must be."""
