@@ -56,6 +56,9 @@ class _Run(NamedTuple):
     """The body and the functions of the file that it calls, also through others."""
     owner: str | None
     """The class of hardware or of a controller whose method it is; None for a callback."""
+    handed: int | None = None
+    """Where a callback is handed over."""
+    is_timer: bool = False
 
 
 def unset_members(code: Code, classes: list[str], callbacks: list[Callback]) -> Iterator[UnsetMember]:
@@ -67,7 +70,8 @@ def unset_members(code: Code, classes: list[str], callbacks: list[Callback]) -> 
     if bodies is None:
         return
     runs = [*_runs(code, bodies, callbacks), *(_loop_run(code, bodies, each) for each in loops)]
-    if not runs:
+    first = [run for run in runs if not _is_late(code, run, runs)]
+    if not first:
         return
     constructors = _constructors(code)
     plugins = plugin_classes(code)
@@ -75,7 +79,7 @@ def unset_members(code: Code, classes: list[str], callbacks: list[Callback]) -> 
     found = _members(code, {*(name for name in classes if constructors.get(name)), *plugins})
     foreign = _foreign(code, runs, owners - {*classes, *plugins})
     for member in islice(chain(found, foreign), MEMBERS):
-        read = _read(code, member, runs)
+        read = _read(code, member, runs, first)
         if read is not None:
             yield read
 
@@ -154,7 +158,8 @@ def _runs(code: Code, bodies: Bodies, callbacks: list[Callback]) -> Iterator[_Ru
         if body is not None:
             runs = _handed_on(bodies, body)
             name = (code.defined_name(runs) or "").rpartition("::")[2] if runs.type == "function_definition" else ""
-            yield _Run(f"{name}()" if name else "a lambda", runs, _reached(bodies, body), None)
+            what = f"{name}()" if name else "a lambda"
+            yield _Run(what, runs, _reached(bodies, body), None, callback.span.start, callback.role == "timer")
 
 
 def _handed_on(bodies: Bodies, body: Node) -> Node:
@@ -191,7 +196,19 @@ def _loop_run(code: Code, bodies: Bodies, loop: tuple[Node, str]) -> _Run:
     return _Run(f"{name}()", body, _reached(bodies, body), owner)
 
 
-def _read(code: Code, member: _Member, runs: list[_Run]) -> UnsetMember | None:
+def _is_late(code: Code, run: _Run, runs: list[_Run]) -> bool:
+    """Whether a callback is only handed over by another, or when a timer is started by hand: others have run before."""
+    if run.handed is None:
+        return False
+    stopped = {each.qualified[: -len("cancel")] for each in code.calls if each.qualified.endswith("->cancel")}
+    if run.is_timer and any(each.qualified[: -len("reset")] in stopped for each in code.calls if each.name == "reset"):
+        return True
+    ids = frozenset().union(*(each.functions for each in runs))
+    bodies = [run.body for run in runs] + [each for each in code.written.get("function", ()) if each.id in ids]
+    return any(span.start < run.handed < span.end for span in map(code.span, bodies))
+
+
+def _read(code: Code, member: _Member, runs: list[_Run], first: list[_Run]) -> UnsetMember | None:
     """The first read of a member by a callback, when all that names it runs in callbacks, and one of them sets it."""
     uses = []
     for node in code.uses(member.name):
@@ -202,11 +219,13 @@ def _read(code: Code, member: _Member, runs: list[_Run]) -> UnsetMember | None:
             return None
         if outer.type != "field_expression" or code.text(outer.child_by_field_name("argument")) == "this":
             uses.append(node)
+        elif any(each.type == "->" for each in outer.children) and _may_be_set(code, outer):
+            return None
     holders = {node.id: _holder(code, node) for node in uses}
     allowed = frozenset().union(*(run.functions for run in runs)) if runs else frozenset()
     if not uses or not all(holders[node.id] in allowed for node in uses):
         return None
-    for run in runs:
+    for run in first:
         own = [node for node in uses if run.body.start_byte < node.start_byte < run.body.end_byte]
         if own and _is_early(code, run, own[0], uses, holders):
             if _runs_elsewhere(code, uses, holders, allowed):
@@ -273,6 +292,11 @@ def _is_written(code: Code, node: Node) -> bool:
     ):
         return False
     return outer.child_by_field_name("left") == inner
+
+
+def _may_be_set(code: Code, node: Node) -> bool:
+    """Whether ``other->name`` may get a value."""
+    return node.parent is not None and (node.parent.type == "assignment_expression" or _is_given_away(code, node))
 
 
 def _is_given_away(code: Code, node: Node) -> bool:

@@ -38,14 +38,18 @@ def _in_header(nodes: Nodes, node: CppNode, member: UnsetMember) -> Span | None:
 
 
 def _is_named_elsewhere(nodes: Nodes, node: CppNode, member: UnsetMember, declaring: Source) -> bool:
-    """Whether another source of the package, as that of a derived class, may set the member: it names the class and the
-    member, and has no class of that name itself."""
+    """Whether another source of the package, as that of a derived class, may set the member: it names the member and
+    the class, or one that builds on it, and has no class of that name itself."""
     owner, name = re.escape(member.owner), re.escape(member.name)
+    builds = re.compile(rf"\b(?:class|struct)[ \t]+(\w+)[ \t]*(?:final[ \t]*)?:[^;{{:][^;{{]{{0,300}}?\b{owner}\b")
+    sources = [node.source, declaring, *(each for each in package_sources(nodes, node.source) if each is not None)]
+    derived = {found for source in sources if member.owner in source.text for found in builds.findall(source.text)}
+    names = re.compile(rf"\b(?:{'|'.join(map(re.escape, (member.owner, *sorted(derived))))})\b")
     known = {node.source.absolute, declaring.absolute}
     for each in package_sources(nodes, node.source):
         if each is None or each.absolute in known:
             continue
-        if re.search(rf"\b{name}\b", each.text) and re.search(rf"\b{owner}\b", each.text):
+        if re.search(rf"\b{name}\b", each.text) and names.search(each.text):
             if not re.search(rf"\b(?:class|struct)\s+{owner}\b\s*(?:final\s*)?[:{{]", each.text):
                 return True
     return False
