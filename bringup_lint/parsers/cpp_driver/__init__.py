@@ -9,6 +9,7 @@ from collections.abc import Iterable
 from bringup_lint.model.cpp_driver import CppDriver
 from bringup_lint.parsers.cpp_driver.blind_waits import WAITS
 from bringup_lint.parsers.cpp_driver.blind_waits import blind_waits
+from bringup_lint.parsers.cpp_driver.blind_writes import ANSWERED
 from bringup_lint.parsers.cpp_driver.blind_writes import WRITES
 from bringup_lint.parsers.cpp_driver.blind_writes import blind_writes
 from bringup_lint.parsers.cpp_driver.cut_answers import TAKES_APART
@@ -22,6 +23,7 @@ from bringup_lint.parsers.cpp_driver.idle_reads import idle_reads
 from bringup_lint.parsers.cpp_driver.left_locked import BY_HAND
 from bringup_lint.parsers.cpp_driver.left_locked import left_locked
 from bringup_lint.parsers.cpp_driver.lost_transforms import LOOKS_UP
+from bringup_lint.parsers.cpp_driver.lost_transforms import TAKES
 from bringup_lint.parsers.cpp_driver.lost_transforms import lost_transforms
 from bringup_lint.parsers.cpp_driver.relocks import LOCKS
 from bringup_lint.parsers.cpp_driver.relocks import relocks
@@ -30,9 +32,11 @@ from bringup_lint.parsers.cpp_driver.short_answers import short_answers
 from bringup_lint.parsers.cpp_driver.shut_contexts import SHUTS
 from bringup_lint.parsers.cpp_driver.shut_contexts import shut_contexts
 from bringup_lint.parsers.cpp_driver.shut_ports import OPENS_PORT
+from bringup_lint.parsers.cpp_driver.shut_ports import SERIAL_PORT
 from bringup_lint.parsers.cpp_driver.shut_ports import shut_ports
 from bringup_lint.parsers.cpp_driver.taken_targets import RECEIVES
 from bringup_lint.parsers.cpp_driver.taken_targets import taken_targets
+from bringup_lint.parsers.cpp_driver.thread_throws import ENDS
 from bringup_lint.parsers.cpp_driver.thread_throws import STARTS
 from bringup_lint.parsers.cpp_driver.thread_throws import thread_throws
 from bringup_lint.parsers.cpp_driver.thrown import THROWS
@@ -45,33 +49,33 @@ from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.parsers.cpp_node.text_limits import too_much
 from bringup_lint.source import Source
 
-_QUESTIONS: tuple[tuple[str, re.Pattern[str], Callable[[Code], Iterable[object]]], ...] = (
-    ("unchecked_indexes", ASKS, unchecked_indexes),
-    ("idle_reads", SERIAL, idle_reads),
-    ("relocks", LOCKS, relocks),
-    ("left_locked", BY_HAND, left_locked),
-    ("endless_walks", WALKS, endless_walks),
-    ("taken_targets", RECEIVES, taken_targets),
-    ("unchecked_devices", OPENS, unchecked_devices),
-    ("waiting_handlers", HANDLES, waiting_handlers),
-    ("blind_waits", WAITS, blind_waits),
-    ("thrown", THROWS, thrown),
-    ("cut_answers", TAKES_APART, cut_answers),
-    ("lost_transforms", LOOKS_UP, lost_transforms),
-    ("thread_throws", STARTS, thread_throws),
-    ("shut_contexts", SHUTS, shut_contexts),
-    ("blind_writes", WRITES, blind_writes),
-    ("shut_ports", OPENS_PORT, shut_ports),
-    ("short_answers", TAKES_PARTS, short_answers),
+_QUESTIONS: tuple[tuple[str, tuple[re.Pattern[str], ...], Callable[[Code], Iterable[object]]], ...] = (
+    ("unchecked_indexes", (ASKS,), unchecked_indexes),
+    ("idle_reads", (SERIAL,), idle_reads),
+    ("relocks", (LOCKS,), relocks),
+    ("left_locked", (BY_HAND,), left_locked),
+    ("endless_walks", (WALKS,), endless_walks),
+    ("taken_targets", (RECEIVES,), taken_targets),
+    ("unchecked_devices", (OPENS,), unchecked_devices),
+    ("waiting_handlers", (HANDLES,), waiting_handlers),
+    ("blind_waits", (WAITS,), blind_waits),
+    ("thrown", (THROWS,), thrown),
+    ("cut_answers", (TAKES_APART,), cut_answers),
+    ("lost_transforms", (LOOKS_UP, TAKES), lost_transforms),
+    ("thread_throws", (STARTS, ENDS), thread_throws),
+    ("shut_contexts", (SHUTS,), shut_contexts),
+    ("blind_writes", (WRITES, ANSWERED), blind_writes),
+    ("shut_ports", (OPENS_PORT, SERIAL_PORT), shut_ports),
+    ("short_answers", (TAKES_PARTS,), short_answers),
 )
-"""What is asked of a file, with the words without which it has none."""
+"""What is asked of a file, with the words without all of which it has none."""
 
 
 def parse(source: Source) -> CppDriver:
     """What a file does with devices, locks and signals, and what it throws. Never raises; ``problems``: ``too-large``,
     ``too-deep``."""
     driver = CppDriver(source)
-    asked = [(name, look) for name, words, look in _QUESTIONS if words.search(source.text)]
+    asked = [(name, look) for name, words, look in _QUESTIONS if all(each.search(source.text) for each in words)]
     if not asked:
         return driver
     problem = too_much(source)

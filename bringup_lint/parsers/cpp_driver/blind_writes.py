@@ -12,7 +12,7 @@ from bringup_lint.pattern import regex
 
 WRITES = regex(r"\bofstream\b", hints="ofstream")
 _OPENED = regex(r"\bofstream\s{1,4}(?P<name>\w+)\s{0,4}(?=[({;])")
-_ANSWERED = regex(r"\b(?P<answer>\w+)(?:->|\.)success\s{0,4}=\s{0,4}true\b", hints="success")
+ANSWERED = regex(r"\b(?P<answer>\w+)(?:->|\.)success\s{0,4}=\s{0,4}true\b", hints="success")
 _LOOKS = (
     r"\b{0}\s{{0,4}}\.\s{{0,4}}(?:is_open|good|fail|bad|exceptions|rdstate|operator)\b|[!&|]\s{{0,4}}{0}\b"
     r"|\b(?:if|while)\s{{0,4}}\(\s{{0,4}}{0}\b|\bbool\s{{0,4}}\(\s{{0,4}}{0}\b|<bool>\s{{0,4}}\(\s{{0,4}}{0}\b"
@@ -23,13 +23,11 @@ _LOOKS = (
 
 def blind_writes(code: Code) -> Iterator[BlindWrite]:
     """The first for each function; of one in another the inner one."""
-    if not _ANSWERED.search(code.source.text):
-        return
     found: dict[int, BlindWrite] = {}
     for function in (*code.written.get("function", ()), *code.written.get("lambda", ())):
         text = blanked(code.text(function))
         opened = _OPENED.search(text)
-        answered = _ANSWERED.search(text, opened.end()) if opened is not None else None
+        answered = ANSWERED.search(text, opened.end()) if opened is not None else None
         if opened is not None and answered is not None:
             if not re.search(_LOOKS.format(re.escape(opened["name"])), text):
                 start = code.span(function).start

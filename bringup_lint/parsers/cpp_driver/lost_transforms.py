@@ -18,8 +18,8 @@ from bringup_lint.pattern import regex
 if TYPE_CHECKING:
     from tree_sitter import Node
 
-LOOKS_UP = regex(r"\b(?:lookupTransform|transform)\s{0,4}\(", hints="lookupTransform transform")
-_TAKES = regex(r"\bcatch\s{0,4}\([^(){}]{0,80}\b(?:\w{0,40}Exception|exception|runtime_error)\b")
+LOOKS_UP = regex(r"(?:\.|->)\s{0,4}(?:lookupTransform|transform)\s{0,4}\(", hints="lookupTransform transform")
+TAKES = regex(r"\bcatch\s{0,4}\([^(){}]{0,80}\b(?:\w{0,40}Exception|exception|runtime_error)\b")
 _MESSAGE = regex(r"geometry_msgs::(?:msg::)?\w+\Z")
 _STOPS = LEAVES + r"|\b{0}(?:\s{{0,4}}\.\s{{0,4}}\w+){{0,8}}\s{{0,4}}=(?!=)"
 """What leaves the function, or sets the variable or a part of it."""
@@ -27,8 +27,6 @@ _STOPS = LEAVES + r"|\b{0}(?:\s{{0,4}}\.\s{{0,4}}\w+){{0,8}}\s{{0,4}}=(?!=)"
 
 def lost_transforms(code: Code) -> Iterator[LostTransform]:
     """One for each ``try`` that fills a message of the function, which is used behind it whatever happened."""
-    if not _TAKES.search(code.source.text):
-        return
     by_body: dict[int, list[Call]] = {}
     for call in code.calls:
         statement = _statement(call.node)

@@ -17,7 +17,11 @@ from bringup_lint.source import Span
 if TYPE_CHECKING:
     from tree_sitter import Node
 
-SHUTS = regex(r"\brclcpp::shutdown\s{0,4}\(", hints="rclcpp::shutdown")
+SHUTS = regex(
+    r"\brclcpp::shutdown\s{0,4}\([^()]{0,80}\)\s{0,4};[^{}]{0,300}\}\s{0,200}[^\s}]|\)\s{0,40}rclcpp::shutdown\s{0,4}\(",
+    hints="rclcpp::shutdown",
+)
+"""In a branch, behind which there is something: not as most programs end."""
 _LEAVES = regex(r"\b(?:return|throw|break|continue|goto|\w{0,20}exit|abort|terminate|raise|kill)\b|\brclcpp::ok\b")
 _MAKES = regex(r"create_(?:(?:wall_)?timer|(?:generic_)?(?:publisher|subscription|client|service)|server)\Z")
 _UNFIT = regex(

@@ -25,12 +25,10 @@ _OF_LIBSERIAL = (
 _OF_SERIAL = r"(?:write|read|readline|readlines|flush|flushInput|flushOutput|available|setDTR|setRTS)"
 """What throws when the port is not open."""
 _STOPS = LEAVES + r"|(?i:is_?open)|\b{0}\s{{0,4}}(?:\.|->)\s{{0,4}}[oO]pen\b"
-_SERIAL = regex(r"\bserial::|\bLibSerial\b", hints="serial:: LibSerial")
+SERIAL_PORT = regex(r"\bserial::|\bLibSerial\b", hints="serial:: LibSerial")
 
 
 def shut_ports(code: Code) -> Iterator[ShutPort]:
-    if not _SERIAL.search(code.source.text):
-        return
     opens = [(call, found) for call in code.calls if (found := _OPENED.search(call.qualified)) is not None]
     for tried in code.written.get("try", ()):
         inside = [each for each in opens if tried.start_byte < each[0].node.start_byte < tried.end_byte]

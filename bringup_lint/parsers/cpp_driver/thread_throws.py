@@ -19,6 +19,7 @@ STARTS = regex(
     r"\bstd::thread\s{0,4}(?:\w{1,60}\s{0,4})?[({]|\bmake_(?:unique|shared)<\s{0,4}std::thread\s{0,4}>\s{0,4}\(",
     hints="std::thread",
 )
+ENDS = regex(r"\bthrow\s{1,4}[\w:]", hints="throw")
 DEPTH = 3
 """Calls of functions of the file that are followed."""
 _METHOD = regex(r"\s{0,40}(?:std::bind\s{0,4}\(\s{0,40})?&\s{0,4}(?:\w+::){0,6}(?P<name>\w+)\s{0,4}[,)}]")
