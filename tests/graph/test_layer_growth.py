@@ -214,11 +214,62 @@ def spun(size: int) -> str:
     return BOAT.format("") + f"int main() {{ try {{ {spins} }} catch (const std::exception & e) {{}}\n{returns} }}\n"
 
 
+LOST = "try { seen = buffer_->lookupTransform(a, b, c); } catch (const tf2::TransformException & e) { printf(e); }\n"
+
+
+def looked_up(size: int) -> str:
+    return BOAT.format(f"void row() {{ geometry_msgs::msg::TransformStamped seen;\n{LOST * size} }}\n")
+
+
+def shut(size: int) -> str:
+    return BOAT.format(f"Boat() {{ {'if (!port_) { rclcpp::shutdown(); }' * size} }}\n")
+
+
+def started(size: int) -> str:
+    threads = "std::thread one(&Boat::row, this);\nstd::thread two([this] { row(); });\n" * size
+    return BOAT.format(f"void start() {{ {threads} }}\nvoid row() {{ {'pull(); throw 1;' * size} }}\n")
+
+
+def saved(size: int) -> str:
+    row = "std::ofstream file(path_); given->success = true;\n" * size
+    return BOAT.format(f"void save() {{ {row} auto inner = [&] {{ {row} }}; }}\n")
+
+
+def asked_parts(size: int) -> str:
+    row = 'std::string given = send_command("a"); speed = given.substr(2, 3);\n' * size
+    return BOAT.format(f"void row() {{ {row} }}\nstd::string send_command(A a) {{ return read(a); }}\n")
+
+
+def opened_ports(size: int) -> str:
+    row = 'try { port_.Open("/dev/ttyUSB0"); } catch (const std::exception & e) { printf("shut"); }\n' * size
+    return BOAT.format(f"LibSerial::SerialPort port_;\nvoid row() {{ {row} }}\n")
+
+
+def guarded(size: int) -> str:
+    values = "int first = wind; int second = first;\n" + "first = second; second = first;\n" * size
+    start = "tick_ = create_wall_timer(1s, std::bind(&Boat::tick, this));"
+    tick = f"void tick() {{ {values} if (second > 2) {{ speed = knots_; }} {'if (dry) return;' * size} knots_ = 1; }}\n"
+    return BOAT.format(f"double knots_;\nBoat() {{ {start} }}\n{tick}")
+
+
+def ends(size: int) -> str:
+    row = "if (handle->is_canceling()) { pull(); }\nif (dry) { handle->canceled(given); }\n" * size
+    return BOAT.format(f"void row() {{ {row} }}\n")
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("rule", "made"),
     [
         ("node/component-ends-container", ended),
+        ("node/transform-unhandled", looked_up),
+        ("node/shutdown-goes-on", shut),
+        ("node/thread-throws", started),
+        ("node/write-unchecked", saved),
+        ("node/member-unset", guarded),
+        ("node/goal-canceled-unasked", ends),
+        ("node/answer-short", asked_parts),
+        ("node/device-unchecked", opened_ports),
         ("node/log-format-foreign", logged),
         ("node/duration-cut", waited),
         ("node/thread-not-joined", joined),
@@ -437,6 +488,14 @@ def test_time_grows_as_what_a_python_file_repeats(rule: str, made: Callable[[int
         lint("--no-cache", "--quiet", "--select", rule, ".", cwd=tmp_path)
 
     assert is_linear(check, 160)
+
+
+def test_a_condition_of_very_many_calls_is_no_error(tmp_path: Path) -> None:
+    tick = f"void tick() {{ if (wind{'.gust()' * 3_000}) {{ speed = knots_; }} knots_ = 1; }}\n"
+    start = "Boat() { tick_ = create_wall_timer(1s, std::bind(&Boat::tick, this)); }\n"
+    (tmp_path / "boat.cpp").write_text(BOAT.format(f"double knots_;\n{start}{tick}"))
+    found = lint("--no-cache", "--quiet", "--select", "node/member-unset", ".", cwd=tmp_path)
+    assert "internal-error" not in found.stdout + found.stderr
 
 
 def test_a_name_of_very_many_parts_is_no_error(tmp_path: Path) -> None:

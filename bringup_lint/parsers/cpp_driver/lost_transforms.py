@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from itertools import islice
 from typing import TYPE_CHECKING
 
 from bringup_lint.model.cpp_driver import LostTransform
-from bringup_lint.model.cpp_text import blanked
+from bringup_lint.model.cpp_text import plain_of
 from bringup_lint.parsers.cpp_driver.only_logged import LEAVES
 from bringup_lint.parsers.cpp_driver.only_logged import behind
 from bringup_lint.parsers.cpp_driver.only_logged import only_log
@@ -20,6 +21,8 @@ if TYPE_CHECKING:
 
 LOOKS_UP = regex(r"(?:\.|->)\s{0,4}(?:lookupTransform|transform)\s{0,4}\(", hints="lookupTransform transform")
 TAKES = regex(r"\bcatch\s{0,4}\([^(){}]{0,80}\b(?:\w{0,40}Exception|exception|runtime_error)\b")
+MOST = 50
+"""Calls of one file that are looked at."""
 _MESSAGE = regex(r"geometry_msgs::(?:msg::)?\w+\Z")
 _STOPS = LEAVES + r"|\b{0}(?:\s{{0,4}}\.\s{{0,4}}\w+){{0,8}}\s{{0,4}}=(?!=)"
 """What leaves the function, or sets the variable or a part of it."""
@@ -28,9 +31,9 @@ _STOPS = LEAVES + r"|\b{0}(?:\s{{0,4}}\.\s{{0,4}}\w+){{0,8}}\s{{0,4}}=(?!=)"
 def lost_transforms(code: Code) -> Iterator[LostTransform]:
     """One for each ``try`` that fills a message of the function, which is used behind it whatever happened."""
     by_body: dict[int, list[Call]] = {}
-    for call in code.calls:
+    for call in islice((each for each in code.calls if each.name in ("lookupTransform", "transform")), MOST):
         statement = _statement(call.node)
-        if call.name in ("lookupTransform", "transform") and statement is not None and statement.parent is not None:
+        if statement is not None and statement.parent is not None:
             by_body.setdefault(statement.parent.id, []).append(call)
     if not by_body:
         return
@@ -58,7 +61,7 @@ def _lost(code: Code, tried: Node, call: Call, handler: Node) -> LostTransform |
     if name is None or declared is None:
         return None
     word = re.compile(rf"\b{re.escape(name)}\b")
-    if word.search(blanked(code.source.text[code.span(declared).end : code.span(tried).start])):
+    if word.search(plain_of(code.source), code.span(declared).end, code.span(tried).start):
         return None  # it may have a value already
     used = behind(code, tried, word, re.compile(_STOPS.format(re.escape(name))))
     return LostTransform(code.span(call.node), code.span(handler), used, name) if used is not None else None

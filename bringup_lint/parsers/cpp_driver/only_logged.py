@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
-from bringup_lint.model.cpp_text import blanked
+from bringup_lint.model.cpp_text import plain_of
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.pattern import regex
 from bringup_lint.source import Span
@@ -42,18 +42,24 @@ def _is_log(code: Code, statement: Node) -> bool:
 
 def behind(code: Code, tried: Node, used: re.Pattern[str], stops: re.Pattern[str]) -> Span | None:
     """What a statement behind a ``try`` uses in each case, unless one up to there may leave, or look."""
-    following = tried.next_named_sibling
-    while following is not None:
-        text = blanked(code.text(following))
-        found = used.search(text)
-        body = following.child_by_field_name("body") if following.type == "try_statement" else None
+    plain = plain_of(code.source)
+    following = _following(tried)
+    while following:
+        each = following.pop()
+        span = code.span(each)
+        found = used.search(plain, span.start, span.end)
+        body = each.child_by_field_name("body") if each.type == "try_statement" else None
         if found is not None and body is not None and body.named_child_count:
-            following = body.named_children[0]
-            continue
-        if stops.search(text):
+            following = body.named_children[::-1]
+        elif stops.search(plain, span.start, span.end):
             return None
-        if found is not None:
-            start = code.span(following).start
-            return code.source.span(start + found.start(), start + found.end()) if following.type in _PLAIN else None
-        following = following.next_named_sibling
+        elif found is not None:
+            return code.source.span(*found.span()) if each.type in _PLAIN else None
     return None
+
+
+def _following(statement: Node) -> list[Node]:
+    """The statements behind one in its block, the next one last."""
+    block = statement.parent
+    children = block.named_children if block is not None else []
+    return [each for each in reversed(children) if each.start_byte >= statement.end_byte]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from itertools import islice
 
 from bringup_lint.model.cpp_driver import ShortAnswer
 from bringup_lint.model.cpp_text import blanked
@@ -12,11 +12,11 @@ from bringup_lint.parsers.cpp_driver.cut_answers import ANSWER
 from bringup_lint.parsers.cpp_driver.cut_answers import givers
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.pattern import regex
-
-if TYPE_CHECKING:
-    from tree_sitter import Node
+from bringup_lint.source import Span
 
 TAKES_PARTS = regex(r"\bsplit\w{0,20}\s{0,4}\(|\.substr\s{0,4}\(\s{0,4}[1-9]", hints="split substr")
+MOST = 20
+"""Answers of one function that are looked at."""
 _SPLIT = regex(
     r"\bsplit\s{0,4}\(\s{0,4}(?P<into>\w{1,60})\s{0,4},|\b(?:vector<\s{0,4}(?:std::)?string\s{0,4}>|auto)\s{1,4}"
     r"(?P<made>\w{1,60})\s{0,4}=\s{0,4}(?:\w{1,40}::){0,3}\w{0,40}[sS]plit\w{0,20}\s{0,4}\("
@@ -34,12 +34,16 @@ _LOOKS = (
 def short_answers(code: Code) -> Iterator[ShortAnswer]:
     """One for each function that looks at nothing, with all its places."""
     bodies = [(each, body) for each in code.written.get("function", ()) if (body := each.child_by_field_name("body"))]
+    known: dict[str, Span] | None = None
     for function, body in bodies:
         if not TAKES_PARTS.search(code.text(body)):
             continue
         text = blanked(code.text(body))
         fields = list(_fields(text))
-        found = fields or list(_parts(code, text, bodies))
+        found = fields
+        if not fields and ANSWER.search(text):
+            known = givers(code, bodies) if known is None else known
+            found = list(_parts(text, known))
         if found:
             start = code.span(body).start
             called = (code.defined_name(function) or "").rpartition("::")[2]
@@ -51,8 +55,8 @@ def _fields(text: str) -> Iterator[tuple[re.Match[str], str]]:
     """The fields behind the first of lines that are read here, when nothing asks how many there are."""
     if not _READS.search(text):
         return
-    splits = list(_SPLIT.finditer(text))
-    for split, end in zip(splits, [*(each.start() for each in splits[1:]), len(text)]):
+    splits = list(islice(_SPLIT.finditer(text), MOST + 1))
+    for split, end in zip(splits, [*(each.start() for each in splits[1:]), len(text)][:MOST]):
         name = split["into"] or split["made"]
         if not re.search(rf"\b{name}\s{{0,4}}\.\s{{0,4}}(?:empty|size|length|at|resize)\b", text):
             field = re.compile(rf"\b{name}\s{{0,4}}\[\s{{0,4}}[1-9]\d{{0,2}}\s{{0,4}}\]")
@@ -61,13 +65,13 @@ def _fields(text: str) -> Iterator[tuple[re.Match[str], str]]:
                 yield used, name
 
 
-def _parts(code: Code, text: str, bodies: list[tuple[Node, Node]]) -> Iterator[tuple[re.Match[str], str]]:
+def _parts(text: str, known: dict[str, Span]) -> Iterator[tuple[re.Match[str], str]]:
     """What is cut off answers from a fixed place on, when nothing asks how long they are."""
     if _TAKES.search(text):
         return
-    for answer in ANSWER.finditer(text):
+    for answer in islice((each for each in ANSWER.finditer(text) if each["call"] in known), MOST):
         name = answer["name"]
         part = re.compile(rf"\b{name}\s{{0,4}}\.\s{{0,4}}substr\s{{0,4}}\(\s{{0,4}}[1-9]\d{{0,2}}\s{{0,4}}[,)]")
         used = part.search(text, answer.end())
-        if used is not None and not re.search(_LOOKS.format(name), text) and answer["call"] in givers(code, bodies):
+        if used is not None and not re.search(_LOOKS.format(name), text):
             yield used, name

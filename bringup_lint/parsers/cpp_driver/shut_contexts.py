@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from itertools import islice
 from typing import TYPE_CHECKING
 
 from bringup_lint.model.cpp_driver import ShutContext
-from bringup_lint.model.cpp_text import blanked
+from bringup_lint.model.cpp_text import plain_of
 from bringup_lint.parsers.cpp_node.early_pointers import class_made
 from bringup_lint.parsers.cpp_node.syntax import LOOPS
 from bringup_lint.parsers.cpp_node.syntax import Code
@@ -22,6 +23,8 @@ SHUTS = regex(
     hints="rclcpp::shutdown",
 )
 """In a branch, behind which there is something: not as most programs end."""
+MOST = 50
+"""Calls of one file that are looked at."""
 _LEAVES = regex(r"\b(?:return|throw|break|continue|goto|\w{0,20}exit|abort|terminate|raise|kill)\b|\brclcpp::ok\b")
 _MAKES = regex(r"create_(?:(?:wall_)?timer|(?:generic_)?(?:publisher|subscription|client|service)|server)\Z")
 _UNFIT = regex(
@@ -35,9 +38,9 @@ _USE = r"(?<![\w.>])(?:this->)?{0}\s{{0,4}}(?:->|\.|<<|>>)|[(,*]\s{{0,4}}{0}\s{{
 def shut_contexts(code: Code) -> Iterator[ShutContext]:
     """One for each call of ``rclcpp::shutdown()`` behind which the function makes what needs the context, or uses what
     it has found to be of no use."""
-    for call in code.calls:
+    for call in islice((each for each in code.calls if each.qualified == "rclcpp::shutdown"), MOST):
         statement = call.node.parent
-        if call.qualified != "rclcpp::shutdown" or statement is None or statement.type != "expression_statement":
+        if statement is None or statement.type != "expression_statement":
             continue
         function = code.body_of(call.node)
         found = _behind(code, statement, function) if function is not None else None
@@ -53,7 +56,8 @@ def _behind(code: Code, statement: Node, function: Node) -> tuple[Span, str, str
         if outer.type in LOOPS or outer.type in ("switch_statement", "lambda_expression", "case_statement"):
             return None
         if outer.type == "compound_statement":
-            found, leaves = _among(code, current, owner, unfit)
+            behind = [each for each in outer.named_children if each.start_byte >= current.end_byte]
+            found, leaves = _among(code, behind, owner, unfit)
             if found is not None or leaves:
                 return found
         if outer.id == function.id:
@@ -63,23 +67,22 @@ def _behind(code: Code, statement: Node, function: Node) -> tuple[Span, str, str
 
 
 def _among(
-    code: Code, current: Node, owner: str | None, unfit: str | None
+    code: Code, behind: list[Node], owner: str | None, unfit: str | None
 ) -> tuple[tuple[Span, str, str | None] | None, bool]:
-    """What the statements behind one make or use; and whether one of them may leave before."""
-    following = current.next_named_sibling
-    while following is not None:
-        text = blanked(code.text(following))
+    """What statements make or use; and whether one of them may leave before."""
+    plain = plain_of(code.source)
+    use = re.compile(_USE.format(re.escape(unfit))) if unfit is not None else None
+    for following in behind:
+        span = code.span(following)
         if following.type in ("expression_statement", "declaration"):
             made = _made(code, following) if owner is not None else None
             if made is not None:
                 return (code.span(made), code.text(made.child_by_field_name("function")).partition("<")[0], owner), True
-            used = re.search(_USE.format(re.escape(unfit)), text) if unfit is not None else None
+            used = use.search(plain, span.start, span.end) if use is not None else None
             if used is not None and unfit is not None:
-                start = code.span(following).start
-                return (code.source.span(start + used.start(), start + used.end()), unfit, None), True
-        if _LEAVES.search(text):
+                return (code.source.span(*used.span()), unfit, None), True
+        if _LEAVES.search(plain, span.start, span.end):
             return None, True
-        following = following.next_named_sibling
     return None, False
 
 

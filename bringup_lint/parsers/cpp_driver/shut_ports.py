@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from itertools import islice
 from typing import TYPE_CHECKING
 
 from bringup_lint.model.cpp_driver import ShutPort
@@ -18,6 +19,8 @@ if TYPE_CHECKING:
     from tree_sitter import Node
 
 OPENS_PORT = regex(r"(?:\.|->)\s{0,4}[oO]pen\s{0,4}\(", hints="open Open")
+MOST = 50
+"""Calls of one file that are looked at."""
 _OPENED = regex(r"\b(?P<port>\w+)\s{0,4}(?:\.|->)\s{0,4}(?P<open>[oO]pen)\Z")
 _OF_LIBSERIAL = (
     r"(?:Set(?:BaudRate|CharacterSize|Parity|StopBits|FlowControl|DTR|RTS)|FlushIOBuffers|Write|Read|ReadLine)"
@@ -29,7 +32,8 @@ SERIAL_PORT = regex(r"\bserial::|\bLibSerial\b", hints="serial:: LibSerial")
 
 
 def shut_ports(code: Code) -> Iterator[ShutPort]:
-    opens = [(call, found) for call in code.calls if (found := _OPENED.search(call.qualified)) is not None]
+    found_in = ((call, _OPENED.search(call.qualified)) for call in code.calls)
+    opens = list(islice(((call, found) for call, found in found_in if found is not None), MOST))
     for tried in code.written.get("try", ()):
         inside = [each for each in opens if tried.start_byte < each[0].node.start_byte < tried.end_byte]
         handler = only_log(code, tried) if inside else None

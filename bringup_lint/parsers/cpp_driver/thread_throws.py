@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Iterator
+from itertools import islice
 from typing import TYPE_CHECKING
 
 from bringup_lint.model.cpp_driver import ThreadThrow
-from bringup_lint.model.cpp_text import blanked
+from bringup_lint.model.cpp_text import plain_of
 from bringup_lint.parsers.cpp_node.syntax import FUNCTIONS
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.parsers.cpp_node.waits import Bodies
@@ -37,11 +39,13 @@ def thread_throws(code: Code) -> Iterator[ThreadThrow]:
     if not throws:
         return
     bodies = Bodies(code)
-    for found in STARTS.finditer(blanked(code.source.text)):
-        body = _run(code, bodies, found.end())
-        thrown = _thrown(code, bodies, body, throws) if body is not None else None
-        if thrown is not None:
-            yield ThreadThrow(code.span(thrown[0]), code.source.span(found.start(), found.end() - 1), thrown[1])
+    lambdas = [(code.span(each).start, each) for each in code.written.get("lambda", ())]
+    thrown = _Thrown(code, bodies, _serious(code, throws))
+    for found in STARTS.finditer(plain_of(code.source)):
+        body = _run(code, bodies, lambdas, found.end())
+        place = thrown.by(body, DEPTH) if body is not None else None
+        if place is not None:
+            yield ThreadThrow(code.span(place[0]), code.source.span(found.start(), found.end() - 1), place[1])
 
 
 def _throws(code: Code) -> dict[int, list[Node]]:
@@ -75,31 +79,62 @@ def _is_handled(code: Code, thrown: Node) -> bool:
     return False
 
 
-def _run(code: Code, bodies: Bodies, start: int) -> Node | None:
+def _serious(code: Code, throws: dict[int, list[Node]]) -> dict[int, Node]:
+    """Function -> the first place where it throws because of an answer."""
+    asked = [each.span() for each in _ASKS_SYSTEM.finditer(plain_of(code.source))]
+    found: dict[int, Node] = {}
+    for function, places in throws.items():
+        body = code.body_of(places[0])
+        at = bisect_left(asked, (code.span(body).start if body is not None else 0, 0))
+        first = asked[at][1] if at < len(asked) else len(code.source.text)
+        serious = (each for each in places if first <= code.span(each).start or _is_handled(code, each))
+        found.update((function, each) for each in islice(serious, 1))
+    return found
+
+
+def _run(code: Code, bodies: Bodies, lambdas: list[tuple[int, Node]], start: int) -> Node | None:
     """The method or lambda that a thread is made with, from its first argument on."""
     text = code.source.text
     method = _METHOD.match(text, start)
     if method is not None:
         named = bodies.functions.get(method["name"], [])
         return named[0] if len(named) == 1 else None
-    lambdas = code.written.get("lambda", ()) if _LAMBDA.match(text, start) else ()
-    return next((each for each in lambdas if code.span(each).start >= start), None)
+    at = bisect_left(lambdas, start, key=lambda each: each[0]) if _LAMBDA.match(text, start) else len(lambdas)
+    return lambdas[at][1] if at < len(lambdas) else None
 
 
-def _thrown(code: Code, bodies: Bodies, body: Node, throws: dict[int, list[Node]]) -> tuple[Node, str] | None:
-    todo, seen = [(body, 0)], {body.id}
-    while todo:
-        function, depth = todo.pop()
-        for each in throws.get(function.id, ()):
-            before = code.source.text[code.span(function).start : code.span(each).start]
-            if _ASKS_SYSTEM.search(blanked(before)) or _is_handled(code, each):
-                return each, (code.defined_name(function) or "").rpartition("::")[2] or "the lambda"
-        if depth == DEPTH:
-            continue
-        for call in bodies.own(function):
-            inner = bodies.functions.get(call.name, [])
-            own = call.qualified in (call.name, f"this->{call.name}") and not _is_taken(code, call.node, function)
-            if own and len(inner) == 1 and inner[0].id not in seen:
-                seen.add(inner[0].id)
-                todo.append((inner[0], depth + 1))
-    return None
+class _Thrown:
+    """What leaves the functions of a file."""
+
+    def __init__(self, code: Code, bodies: Bodies, throws: dict[int, Node]) -> None:
+        self._code = code
+        self._bodies = bodies
+        self._throws = throws
+        self._inner: dict[int, list[Node]] = {}
+        self._known: dict[tuple[int, int], tuple[Node, str] | None] = {}
+
+    def by(self, function: Node, depth: int) -> tuple[Node, str] | None:
+        """Where a function throws, or one that it calls; and the name of that one."""
+        asked = (function.id, depth)
+        if asked not in self._known:
+            self._known[asked] = self._found(function, depth)
+        return self._known[asked]
+
+    def _found(self, function: Node, depth: int) -> tuple[Node, str] | None:
+        thrown = self._throws.get(function.id)
+        if thrown is not None:
+            return thrown, (self._code.defined_name(function) or "").rpartition("::")[2] or "the lambda"
+        inner = (self.by(each, depth - 1) for each in self._called(function)) if depth else iter(())
+        return next((each for each in inner if each is not None), None)
+
+    def _called(self, function: Node) -> list[Node]:
+        """The functions of the file that a function calls, and whose exceptions it does not take."""
+        if function.id not in self._inner:
+            found: dict[int, Node] = {}
+            for call in self._bodies.own(function):
+                named = self._bodies.functions.get(call.name, [])
+                own = len(named) == 1 and call.qualified in (call.name, f"this->{call.name}")
+                if own and named[0].id not in found and not _is_taken(self._code, call.node, function):
+                    found[named[0].id] = named[0]
+            self._inner[function.id] = list(found.values())
+        return self._inner[function.id]

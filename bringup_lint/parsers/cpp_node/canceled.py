@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import islice
 from typing import TYPE_CHECKING
 
 from bringup_lint.model.cpp_source import Canceled
@@ -16,6 +17,8 @@ from bringup_lint.pattern import regex
 if TYPE_CHECKING:
     from tree_sitter import Node
 
+MOST = 50
+"""Calls of one file that are looked at."""
 _ASKS = "is_canceling"
 _MAY_KNOW = regex(r"(?i)cancel|stat(?:e|us)|result|code|\bok\b|success|reason|\breturned\b")
 """Words of conditions that may say that the cancellation was asked for."""
@@ -27,7 +30,7 @@ _OTHERS = frozenset({"switch_statement", "case_statement", "catch_clause", "cond
 
 
 def canceled(code: Code, callbacks: list[Callback]) -> Iterator[Canceled]:
-    calls = [call for call in code.calls if call.name == "canceled" and len(call.arguments) == 1]
+    calls = list(islice(_calls(code), MOST))
     if not calls:
         return
     runs = dict(_runs(code, callbacks))
@@ -40,6 +43,10 @@ def canceled(code: Code, callbacks: list[Callback]) -> Iterator[Canceled]:
         why = runs.get(body.id) if body is not None else None
         if body is not None and why is not None and not _may_know(code, call, body):
             yield Canceled(code.span(call.node), code.source.span(*_begin(code, body)), why)
+
+
+def _calls(code: Code) -> Iterator[Call]:
+    return (call for call in code.calls if call.name == "canceled" and len(call.arguments) == 1)
 
 
 def _runs(code: Code, callbacks: list[Callback]) -> Iterator[tuple[int, str]]:

@@ -3,6 +3,7 @@ a device is open."""
 
 from __future__ import annotations
 
+import sys
 from typing import TYPE_CHECKING
 
 from bringup_lint.parsers.cpp_node.syntax import Code
@@ -21,6 +22,8 @@ _CHOOSES = frozenset(
     "if_statement while_statement do_statement switch_statement conditional_expression for_statement".split()
 )
 _SHORT = frozenset({"&&", "||", "and", "or"})
+_KNOWN = ("qualified_identifier", "field_expression")
+_ALWAYS, _NEVER = -1, sys.maxsize
 
 
 class PlainGuards:
@@ -33,6 +36,8 @@ class PlainGuards:
         """Local variable -> the values that it gets; None for one that is not known here."""
         self._own: dict[str, int] = {}
         """Member -> where the function itself has surely set it."""
+        self._plain: dict[tuple[int | str, int], int] = {}
+        """Condition or local variable, and how far it is followed -> behind which place it is plain."""
         self._read()
 
     def _read(self) -> None:
@@ -89,51 +94,65 @@ class PlainGuards:
         if outer.type == "binary_expression":
             is_short = self._code.text(outer.child_by_field_name("operator")) in _SHORT
             left = outer.child_by_field_name("left")
-            return not is_short or left is None or left.id == inner.id or self._is_plain(left, left.start_byte)
+            if not is_short or left is None or left.id == inner.id:
+                return True
+            return self._plain_behind(left, DEPTH) < left.start_byte
         condition = outer.child_by_field_name("condition") if outer.type in _CHOOSES else None
         if condition is None or condition.id == inner.id or outer.type == "for_statement":
             return True
-        return self._is_plain(condition, outer.start_byte)
+        return self._plain_behind(condition, DEPTH) < outer.start_byte
 
-    def _is_plain(self, condition: Node, at: int, depth: int = DEPTH) -> bool:
-        if not depth or _TELLS.search(self._code.text(condition)):
-            return False
+    def _plain_behind(self, condition: Node, depth: int) -> int:
+        """The place behind which a condition is plain, as the function has then set all that it asks for."""
+        if not depth:
+            return _NEVER
+        asked = (condition.id, depth)
+        if asked not in self._plain:
+            self._plain[asked] = self._read_condition(condition, depth)
+        return self._plain[asked]
+
+    def _read_condition(self, condition: Node, depth: int) -> int:
+        found = _ALWAYS if not _TELLS.search(self._code.text(condition)) else _NEVER
         stack = [condition]
-        while stack:
+        while stack and found < _NEVER:
             node = stack.pop()
             if node.type == "this" or node.type == "lambda_expression":
-                return False
+                return _NEVER
             if node.type == "identifier":
-                if not self._is_plain_name(node, at, depth):
-                    return False
+                found = max(found, self._of_name(self._code.text(node), depth))
             elif node.type == "call_expression":
-                if not self._is_plain_call(node, depth):
-                    return False
-                stack += (each for each in node.children_by_field_name("arguments"))
+                asked = self._asked_by(node, depth)
+                if asked is None:
+                    return _NEVER
+                stack += (*asked, *node.children_by_field_name("arguments"))
             elif node.type == "field_expression":
                 stack += (each for each in node.children_by_field_name("argument"))
             elif node.type != "qualified_identifier":
                 stack += node.named_children
-        return True
+        return found
 
-    def _is_plain_name(self, node: Node, at: int, depth: int) -> bool:
-        name = self._code.text(node)
-        if name in self._made:
-            return all(each is not None and self._is_plain(each, at, depth - 1) for each in self._made[name])
-        return _CONSTANT.match(name) is not None or self._own.get(name, at) < at
+    def _of_name(self, name: str, depth: int) -> int:
+        """The place behind which a variable or member is plain."""
+        asked = (name, depth)
+        if asked not in self._plain:
+            values = self._made.get(name)
+            if values is None:
+                self._plain[asked] = _ALWAYS if _CONSTANT.match(name) else self._own.get(name, _NEVER)
+            else:
+                places = (_NEVER if each is None else self._plain_behind(each, depth - 1) for each in values)
+                self._plain[asked] = max(places, default=_ALWAYS)
+        return self._plain[asked]
 
-    def _is_plain_call(self, node: Node, depth: int) -> bool:
-        """``std::abs(x)``, a method of a local variable, or the question whether a device is open."""
+    def _asked_by(self, node: Node, depth: int) -> list[Node] | None:
+        """What a call asks, beside its arguments: nothing for ``std::abs(x)`` and the question whether a device is
+        open, and the variable whose method it is; None for other calls."""
         function = node.child_by_field_name("function")
-        if function is None or function.type == "qualified_identifier":
-            return function is not None
-        if function.type != "field_expression":
-            return depth < DEPTH  # what a value is made of
-        asked = function.child_by_field_name("argument")
+        if function is None or (function.type not in _KNOWN and depth == DEPTH):
+            return None
+        if function.type != "field_expression" or depth < DEPTH:  # what a value is made of
+            return []
         name = self._code.text(function.child_by_field_name("field"))
-        if depth < DEPTH or _OPEN.match(name):
-            return True
-        return asked is not None and self._is_plain(asked, node.start_byte, depth)
+        return [] if _OPEN.match(name) else function.children_by_field_name("argument") or None
 
 
 def _innermost(declarator: Node) -> Node:

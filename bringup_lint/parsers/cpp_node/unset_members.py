@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Collection
+from collections.abc import Iterable
 from collections.abc import Iterator
+from functools import cached_property
 from itertools import chain
 from itertools import islice
 from typing import TYPE_CHECKING
@@ -23,6 +25,10 @@ if TYPE_CHECKING:
 
 MEMBERS = 100
 """Members of one file that are looked at."""
+USES = 200
+"""Uses of one member that are looked at."""
+LOOPS = 50
+"""Methods of one file that run in a cycle, and are looked at."""
 _NUMBER = regex(
     r"(?:std::)?(?:bool|double|float|int|long|short|unsigned(?:\s+(?:int|long|char|short))?|u?int(?:8|16|32|64)_t|size_t)\Z"
 )
@@ -38,6 +44,24 @@ _LOOP = frozenset({"read", "write", "update"})
 _LOOP_TYPE = regex(r"(?:^|::)return_type\Z")
 _PLUGINS = regex(r"(?:^|::)(?:(?:System|Actuator|Sensor)Interface|(?:Chainable)?ControllerInterface)\Z")
 """Classes of ros2_control, whose objects pluginlib makes with a plain ``new``."""
+
+
+class _Body:
+    """What a function or lambda has in the order of its text."""
+
+    def __init__(self, code: Code, body: Node) -> None:
+        guards = PlainGuards(code, body)
+        self.reaches = guards.reaches
+        self.calls: dict[str, int] = {}
+        """Name of a function -> where the body calls it first."""
+        self.left = body.end_byte
+        """Where the body may first end because of what the object has lived through."""
+        for node in sorted(_below(body), key=lambda each: -each.start_byte):
+            call = code.call(node) if node.type == "call_expression" else None
+            if call is not None:
+                self.calls[call.name] = node.start_byte
+            if node.type in _LEAVES and not guards.reaches(node):
+                self.left = node.start_byte
 
 
 class _Member(NamedTuple):
@@ -61,16 +85,70 @@ class _Run(NamedTuple):
     is_timer: bool = False
 
 
+class _Functions:
+    """What is known of the functions of a file, read once for all its members."""
+
+    def __init__(self, code: Code, runs: list[_Run]) -> None:
+        self.code = code
+        self.runs = runs
+        self.allowed: frozenset[int] = frozenset().union(*(run.functions for run in runs))
+        """What callbacks and cycles reach."""
+        self._bodies: dict[int, _Body] = {}
+
+    @cached_property
+    def _names(self) -> dict[int, str]:
+        functions = self.code.written.get("function", ())
+        return {each.id: (self.code.defined_name(each) or "").rpartition("::")[2] for each in functions}
+
+    def names(self, ids: Iterable[int | None]) -> set[str]:
+        """The last names of some functions."""
+        return {self._names[each] for each in ids if each in self._names}
+
+    def body(self, run: _Run) -> _Body:
+        if run.body.id not in self._bodies:
+            self._bodies[run.body.id] = _Body(self.code, run.body)
+        return self._bodies[run.body.id]
+
+    def is_late(self, run: _Run) -> bool:
+        """Whether a callback is only handed over by another, or when a timer is started by hand: others have run
+        before."""
+        if run.handed is None:
+            return False
+        if run.is_timer and self._restarts:
+            return True
+        at = run.handed
+        return any(start < at < end for start, end in self._inside)
+
+    @cached_property
+    def _restarts(self) -> bool:
+        calls = self.code.calls
+        stopped = {each.qualified[: -len("cancel")] for each in calls if each.qualified.endswith("->cancel")}
+        return any(each.qualified[: -len("reset")] in stopped for each in calls if each.name == "reset")
+
+    @cached_property
+    def _inside(self) -> list[tuple[int, int]]:
+        """Where what runs in callbacks and cycles begins and ends."""
+        reached = (each for each in self.code.written.get("function", ()) if each.id in self.allowed)
+        spans = map(self.code.span, (*(run.body for run in self.runs), *reached))
+        return [(each.start, each.end) for each in spans]
+
+    @cached_property
+    def called_elsewhere(self) -> set[str]:
+        """What something else than callbacks calls."""
+        return {call.name for call in self.code.calls if _holder(self.code, call.node) not in self.allowed}
+
+
 def unset_members(code: Code, classes: list[str], callbacks: list[Callback]) -> Iterator[UnsetMember]:
     """Members that no function but callbacks names, where one of these reads them before anything can have set them:
     numbers that the file declares without a value, and members that another file declares. The same for what the
     controller manager calls of hardware and controllers."""
-    loops = list(_loops(code))
+    loops = list(islice(_loops(code), LOOPS))
     bodies = Bodies(code) if callbacks or loops else None
     if bodies is None:
         return
     runs = [*_runs(code, bodies, callbacks), *(_loop_run(code, bodies, each) for each in loops)]
-    first = [run for run in runs if not _is_late(code, run, runs)]
+    functions = _Functions(code, runs)
+    first = [run for run in runs if not functions.is_late(run)]
     if not first:
         return
     constructors = _constructors(code)
@@ -79,7 +157,7 @@ def unset_members(code: Code, classes: list[str], callbacks: list[Callback]) -> 
     found = _members(code, {*(name for name in classes if constructors.get(name)), *plugins})
     foreign = _foreign(code, runs, owners - {*classes, *plugins})
     for member in islice(chain(found, foreign), MEMBERS):
-        read = _read(code, member, runs, first)
+        read = _read(functions, member, first)
         if read is not None:
             yield read
 
@@ -196,22 +274,13 @@ def _loop_run(code: Code, bodies: Bodies, loop: tuple[Node, str]) -> _Run:
     return _Run(f"{name}()", body, _reached(bodies, body), owner)
 
 
-def _is_late(code: Code, run: _Run, runs: list[_Run]) -> bool:
-    """Whether a callback is only handed over by another, or when a timer is started by hand: others have run before."""
-    if run.handed is None:
-        return False
-    stopped = {each.qualified[: -len("cancel")] for each in code.calls if each.qualified.endswith("->cancel")}
-    if run.is_timer and any(each.qualified[: -len("reset")] in stopped for each in code.calls if each.name == "reset"):
-        return True
-    ids = frozenset().union(*(each.functions for each in runs))
-    bodies = [run.body for run in runs] + [each for each in code.written.get("function", ()) if each.id in ids]
-    return any(span.start < run.handed < span.end for span in map(code.span, bodies))
-
-
-def _read(code: Code, member: _Member, runs: list[_Run], first: list[_Run]) -> UnsetMember | None:
+def _read(functions: _Functions, member: _Member, first: list[_Run]) -> UnsetMember | None:
     """The first read of a member by a callback, when all that names it runs in callbacks, and one of them sets it."""
-    uses = []
+    code = functions.code
+    uses: list[Node] = []
     for node in code.uses(member.name):
+        if len(uses) == USES:
+            return None
         if member.declared is not None and node.start_byte == member.declared.start_byte:
             continue
         outer = node.parent
@@ -221,23 +290,16 @@ def _read(code: Code, member: _Member, runs: list[_Run], first: list[_Run]) -> U
             uses.append(node)
         elif any(each.type == "->" for each in outer.children) and _may_be_set(code, outer):
             return None
-    holders = {node.id: _holder(code, node) for node in uses}
-    allowed = frozenset().union(*(run.functions for run in runs)) if runs else frozenset()
-    if not uses or not all(holders[node.id] in allowed for node in uses):
+    holders = {_holder(code, node) for node in uses}
+    if not uses or not holders <= functions.allowed:
         return None
+    names = functions.names(holders)
     for run in first:
         own = [node for node in uses if run.body.start_byte < node.start_byte < run.body.end_byte]
-        if own and _is_early(code, run, own[0], uses, holders):
-            if _runs_elsewhere(code, uses, holders, allowed):
-                return None
-            return _found(code, member, run, own[0], uses)
+        if own and _is_early(functions, run, own[0], names):
+            # what something else than callbacks calls, as a constructor may, has perhaps set it
+            return _found(code, member, run, own[0], uses) if names.isdisjoint(functions.called_elsewhere) else None
     return None
-
-
-def _runs_elsewhere(code: Code, uses: list[Node], holders: dict[int, int | None], allowed: frozenset[int]) -> bool:
-    """Whether something else than callbacks calls a function that names the member, as a constructor may."""
-    names = _function_names(code, {holders[node.id] for node in uses})
-    return any(call.name in names and _holder(code, call.node) not in allowed for call in code.calls)
 
 
 def _found(code: Code, member: _Member, run: _Run, read: Node, uses: list[Node]) -> UnsetMember | None:
@@ -262,24 +324,14 @@ def _holder(code: Code, node: Node) -> int | None:
     return body.id if body is not None else None
 
 
-def _is_early(code: Code, run: _Run, first: Node, uses: list[Node], holders: dict[int, int | None]) -> bool:
+def _is_early(functions: _Functions, run: _Run, first: Node, names: set[str]) -> bool:
     """Whether a callback reads a member before it may have set it, whatever came before: no condition that may know of
-    that keeps it from there."""
-    if _is_written(code, first) or _is_given_away(code, first):
+    that keeps it from there. ``names``: the functions that name the member."""
+    if _is_written(functions.code, first) or _is_given_away(functions.code, first):
         return False
-    guards = PlainGuards(code, run.body)
-    before = [node for node in _below(run.body) if node.start_byte < first.start_byte]
-    if not guards.reaches(first) or not all(guards.reaches(node) for node in before if node.type in _LEAVES):
-        return False
-    names = _function_names(code, {holders[node.id] for node in uses})
-    calls = (code.call(node) for node in before if node.type == "call_expression")
-    return not any(call is not None and call.name in names for call in calls)
-
-
-def _function_names(code: Code, ids: set[int | None]) -> set[str]:
-    """The last names of some functions."""
-    functions = (each for each in code.written.get("function", ()) if each.id in ids)
-    return {(code.defined_name(each) or "").rpartition("::")[2] for each in functions}
+    body = functions.body(run)
+    is_called = any(body.calls.get(name, first.start_byte) < first.start_byte for name in names)
+    return not is_called and body.left >= first.start_byte and body.reaches(first)
 
 
 def _is_written(code: Code, node: Node) -> bool:
