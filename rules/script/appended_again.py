@@ -55,6 +55,8 @@ FILE = regex(
 )
 AGAIN = regex(r"(?i)(?:^|[_.-])(?:update|upgrade|deploy|sync)(?:[_.-]|$)")
 """Names of scripts that are for more than one run."""
+OF_IMAGE = regex(r"\b(?:chroot|debootstrap|systemd-nspawn|losetup|qemu-\w+)\b")
+"""The script makes an image, anew each time."""
 LEAVES = regex(r"[ \t]-[efdhL][ \t][^\n]{0,200}(?:\n[^\n]{0,200}){0,4}?\bexit\b")
 """The script may end early where something is there."""
 
@@ -64,7 +66,13 @@ def appended_again(robot: Robot) -> Iterator[Finding]:
     found: dict[Source, list[tuple[Located, str]]] = {}
     for source, written in robot.scripts.written(">>", "tee"):
         is_own = written.text is not None and str(written.text).strip() and FILE.fullmatch(written.path)
-        if is_own and written.appends and written.certain and not source.matches(LEAVES):
+        if (
+            is_own
+            and written.appends
+            and written.certain
+            and not source.matches(LEAVES)
+            and not source.matches(OF_IMAGE)
+        ):
             found.setdefault(source, []).append((written.where, written.path.rpartition("/")[2]))
     for source, places in found.items():
         other = {name for name in dict.fromkeys(name for _, name in places) if _has_to_do(source, name)}
@@ -86,7 +94,8 @@ def appended_again(robot: Robot) -> Iterator[Finding]:
 def _has_to_do(source: Source, name: str) -> bool:
     """Whether the script reads, changes or replaces the file as well."""
     reads = r"\b(?:grep|sed|awk|rg|cp|mv|rm|tee(?![ \t]+(?:-a|--append)))\b[^\n]{0,300}"
-    other = re.compile(rf"(?:{reads}|(?<!>)>[ \t]*[^\s>&]{{0,200}}){re.escape(name)}")
+    changes = r"^[ \t]*(?:sudo[ \t]+)?(?:perl|python3?|ed|ex|truncate|crudini|augtool|git)\b[^\n]{0,300}"
+    other = re.compile(rf"(?:{reads}|{changes}|(?<!>)>[ \t]*[^\s>&]{{0,200}}){re.escape(name)}", re.M)
     return other.search(source.text) is not None
 
 

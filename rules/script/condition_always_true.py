@@ -60,6 +60,12 @@ FLAG = regex(
 ASSIGNED = regex(r"(?<![\w${-])([A-Za-z_]\w*)(\+?=)((?:\"[^\"\n]*\"|'[^'\n]*'|[^\s;&|)(\"'])*)", hints="=")
 OTHERWISE = regex(r"\b(?:unset|read|for|getopts|mapfile|printf[ \t]+-v|source|\.|eval)[ \t]([^\n;]*)")
 """What may give a variable another value."""
+UNKNOWN = regex(
+    r"(?:^|[;&|{]|\bthen|\bdo|\belse)[ \t]*(?:(?:source|\.)[ \t]+(?!\S*\b(?:local_)?setup\.)"
+    r"|(?:export|declare|eval)[ \t]+\"?\$)",
+    re.M,
+)
+"""What may set any variable: a file that is read, or a name that is put together."""
 WORD = regex(r"\w+")
 TRUE = ("false", "False", "no", "off", "0", "true", "True", "yes", "on", "1")
 PAIRS = ({"true", "false"}, {"True", "False"}, {"yes", "no"}, {"on", "off"}, {"1", "0"})
@@ -84,7 +90,7 @@ def condition_always_true(robot: Robot) -> Iterator[Finding]:
 def _flags(source: Source) -> Iterator[Finding]:
     """The conditions that ask whether a variable is empty that only ever has one of two words."""
     asked = list(FLAG.finditer(source.text))
-    if not asked:
+    if not asked or UNKNOWN.search(source.text):
         return
     values: dict[str, dict[str, tuple[int, int]]] = {}
     for match in ASSIGNED.finditer(source.text):

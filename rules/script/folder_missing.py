@@ -119,6 +119,8 @@ def _absent(robot: Robot, made: dict[str, Located]) -> Iterator[Finding]:
     places: dict[str, list[Located]] = {}
     for source, written in robot.scripts.written("/etc/systemd/", *PACKAGED):
         folder = posixpath.dirname(written.path)
+        if f"-d {folder} " in source.text:
+            continue
         is_absent = ABSENT.fullmatch(folder) or (folder in PACKAGED and not _is_brought(robot, folder))
         if is_absent and folder not in made and not runs_in_image(source):
             places.setdefault(folder, []).append(written.where)
@@ -149,10 +151,17 @@ def _made(robot: Robot) -> dict[str, Located]:
     for _, run in robot.scripts.run("mkdir", "install"):
         if run.name == "mkdir" or "-d" in run.words:
             for word in run.words[1:]:
-                folder = _path(run.text(word)).rstrip("/")
-                if PLAIN.fullmatch(folder):
-                    found.setdefault(folder, word)
+                for folder in _expanded(_path(run.text(word)).rstrip("/")):
+                    if PLAIN.fullmatch(folder):
+                        found.setdefault(folder, word)
     return found
+
+
+def _expanded(path: str) -> list[str]:
+    """What the braces of bash in a path stand for, where there is one pair of them."""
+    before, opened, rest = path.partition("{")
+    inner, closed, after = rest.partition("}")
+    return [before + each + after for each in inner.split(",")] if opened and closed else [path]
 
 
 def _known(made: dict[str, Located]) -> Iterator[str]:

@@ -4,7 +4,8 @@
 `pkill -9`, `killall -9` or `kill -9 $(...)` whose pattern means ROS: `ros2`, `/opt/ros`, `launch.py`, or a package or
 program of the tree. Also `ps ... | grep ros | ...` that ends in `xargs kill -9`, or in a variable that `kill -9` gets.
 It is an info where the script launches ROS afterwards: it clears away what an earlier run left
-behind. Silent if the script sends another signal to anything first, for simulators, RViz and the daemon of
+behind. Silent if the script sends another signal to anything first or stops it otherwise
+(`systemctl stop`, Ctrl+C in tmux), for simulators, RViz and the daemon of
 the command line, and for scripts of simulations and tests.
 
 ## Why it matters on a robot
@@ -52,11 +53,11 @@ KILL = regex(r"-(?:9|KILL|SIGKILL)|--signal=(?:9|KILL|SIGKILL)")
 VALUES = ("9", "KILL", "SIGKILL")
 ROS = regex(r"\bros2?\b(?![-_]daemon)|/opt/ros|\blaunch\.py\b|\blaunch\b|\bros/[a-z]+\b")
 STARTS = regex(r"\bros2[ \t]+launch\b", hints="launch")
-NOT_ROBOT = regex(r"gz|gazebo|ign|rviz|rqt|sim|daemon|webots|foxglove|plotjuggler|test", re.I)
+NOT_ROBOT = regex(r"micro[_-]ros|gz|gazebo|ign|rviz|rqt|sim|daemon|webots|foxglove|plotjuggler|test", re.I)
 
 LISTED = regex(
     r"^[ \t]*(?:sudo[ \t]+)?(?:(?P<name>\w+)=[\"']?(?:\$\(|`)[ \t]*)?ps[ \t][^\n|#]{0,60}\|"
-    r"(?P<found>[^\n]{0,300}?\bgrep[ \t](?:-[A-Za-z]+[ \t]+)*(?P<pattern>\"[^\"\n]*\"|'[^'\n]*'|[\w./\[\]-]+))"
+    r"(?P<found>[^\n]{0,300}?\bgrep[ \t](?:-[A-Za-uw-z]+[ \t]+)*(?P<pattern>(?!-)\"[^\"\n]*\"|'[^'\n]*'|[\w./\[\]-]+))"
     r"(?P<rest>[^\n]*)",
     re.M,
     hints="ps ",
@@ -65,6 +66,11 @@ LISTED = regex(
 MOST = 20
 """Such lists that are looked at in one script."""
 PIPED = regex(r"\bxargs\b[^\n|;&]{0,60}\bkill[ \t]+(?:-9|-KILL|-SIGKILL|-s[ \t]*(?:9|KILL|SIGKILL))\b")
+ASKED = regex(
+    r"\bsend-keys\b[^\n]*\bC-c\b|\bsystemctl\b[^\n]*[ \t]stop\b|\blifecycle[ \t]+set\b|\btopic[ \t]+pub\b"
+    r"|\bdocker\b[^\n]*\b(?:stop|down|pkill|kill)\b|\btimeout[ \t]+-"
+)
+"""What stops nodes or the robot before in another way."""
 GENTLE = regex(
     r"\bkill(?:all)?[ \t]+(?!-9|-KILL|-SIGKILL|-s[ \t]*(?:9|KILL|SIGKILL))|\bpkill[ \t]+(?!-9|-KILL|-SIGKILL)"
 )
@@ -85,6 +91,9 @@ def kill_without_stop(robot: Robot) -> Iterator[Finding]:
         if source.judged and source not in asked and source.matches(LISTED):
             hard.setdefault(source, []).extend(_listed(source))
     for first, *others in filter(None, hard.values()):
+        asked_before = ASKED.search(first.span.source.said)
+        if asked_before is not None and asked_before.start() < first.span.start:
+            continue
         yield finding(
             first,
             "SIGKILL ends the nodes before they can stop anything: what moves at that moment keeps its last command",
@@ -101,7 +110,7 @@ def _listed(source: Source) -> Iterator[Located]:
     for match in islice(LISTED.finditer(source.text), MOST):
         name, rest = match["name"], match["rest"]
         pattern = match["pattern"].strip("\"'").replace("[", "").replace("]", "")
-        if not ROS.search(pattern) or NOT_ROBOT.search(match["found"]):
+        if not ROS.search(pattern) or NOT_ROBOT.search(f"{match['found']} {pattern}"):
             continue
         if gentle is not None and gentle.start() < match.start():
             continue

@@ -41,17 +41,21 @@ from bringup_lint.api import rule
 from bringup_lint.api.shell import runs_in_image
 
 TOLD = regex(
-    r"udevadm\s[^\n]{0,200}trigger|\breboot\b|\bchroot\b|\bqemu\b|shutdown\s+-r|re-?plug|unplug|(?:re|dis)connect"
+    r"udevadm\s[^\n]{0,200}trigger|udev-trigger|\breboot\b|\bchroot\b|\bqemu\b|shutdown\s+-r|\binit\s+6\b|re-?plug|unplug"
+    r"|(?:re|dis)connect|power[ -]?cycl|\boff\s+and\b[^\n]{0,20}\bon\b"
     r"|plug[^\n]{0,40}(?:again|back)|\brestart\b[^\n;&|]{0,40}\b(?:pc|computer|machine|system|robot|pi)\b",
     re.I,
-    hints="udevadm reboot chroot qemu shutdown plug connect restart",
+    hints="udevadm udev-trigger reboot chroot qemu shutdown init plug connect power off restart",
 )
 RELOADS = regex(
     r"^[^#\n]*(?:udevadm\s|udev\s+(?:restart|reload)|(?:restart|reload)\s+\S*udev)", re.I | re.M, hints="udev"
 )
 FOLDER = "/udev/rules.d"
+PUT_AWAY = (".bak", ".old", ".orig", ".disabled", ".backup", "~")
+"""Names that udev does not read."""
 SYSTEM = ("/etc/", "/lib/", "/usr/lib/")
-PAGE = regex(r"\.(?:md|rst|txt)$", re.I)
+PAGE = regex(r"\.(?:md|rst|txt|py|mk)$|(?:^|/)(?:makefile|justfile)$", re.I)
+"""Files that may tell udev, or say how the script is used."""
 MOST = 100_000
 
 
@@ -60,7 +64,8 @@ def udev_not_reloaded(robot: Robot) -> Iterator[Finding]:
     copied: dict[Source, list[Located]] = {}
     for source, run in robot.scripts.run("cp", "install", "ln", "mv"):
         target = run.text(run.words[-1]) if len(run.words) > 2 else ""
-        if target.startswith(SYSTEM) and FOLDER in target:
+        is_rule = not target.endswith(PUT_AWAY) and "/dev/null" not in run.words
+        if target.startswith(SYSTEM) and FOLDER in target and is_rule:
             copied.setdefault(source, []).append(run.words[-1])
     for source, written in robot.scripts.written(FOLDER):
         if written.path.startswith(SYSTEM) and FOLDER in written.path:
@@ -82,5 +87,9 @@ def udev_not_reloaded(robot: Robot) -> Iterator[Finding]:
 
 
 def _is_called(telling: list[Source], source: Source) -> bool:
-    """Whether another file that tells udev, or builds an image, names the script."""
-    return any(each is not source and source.basename in each.text for each in telling)
+    """Whether another file that tells udev, or builds an image, names the script, or the script one that tells udev."""
+    return any(
+        each is not source
+        and (source.basename in each.text or (each.kind == "shell-script" and each.basename in source.text))
+        for each in telling
+    )
