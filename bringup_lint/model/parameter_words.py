@@ -13,9 +13,10 @@ _HOLE = regex(r"%[-+ #0-9.]*[a-zA-Z]|\{[^{}]*\}")
 """Where a formatted text takes something in."""
 _JOINTS = "._/"
 LOOSE = regex(
-    r"automatically_declare_parameters_from_overrides|allow_undeclared_parameters|generate_parameter|registerFromPlugin",
+    r"automatically_declare_parameters_from_overrides|allow_undeclared_parameters|generate_parameter|registerFromPlugin"
+    r"|\bimport_module\(",
     hints="automatically_declare_parameters_from_overrides allow_undeclared_parameters generate_parameter "
-    "registerFromPlugin",
+    "registerFromPlugin import_module",
 )
 """What declares parameters that the source does not name: plugins of behaviour trees, too, find the node."""
 PLAIN = regex(

@@ -67,16 +67,23 @@ class _Reader:
         )
 
     def _declared(self) -> frozenset[str] | None:
-        """The names of the declarations; None where a call makes one of something else than a text."""
+        """The names of the declarations; None where a call makes one of something else than a text, or something else
+        than a call gets the function."""
+        called = {id(call.func) for call in self.calls}
+        if any(
+            isinstance(each, ast.Attribute) and each.attr in _DECLARING and id(each) not in called
+            for each in self.nodes
+        ):
+            return None
         found = set()
         for call in self.calls:
-            called = called_name(call) or ""
-            if called in _DECLARING:
-                names = self._names_of(call, called)
+            name = called_name(call) or ""
+            if name in _DECLARING:
+                names = self._names_of(call, name)
                 if names is None:
                     return None
                 found |= names
-            elif _HELPER.fullmatch(called) and not PLAIN.fullmatch(called) and any(map(_has_text, call.args)):
+            elif _HELPER.fullmatch(name) and not PLAIN.fullmatch(name) and any(map(_has_text, call.args)):
                 return None
         return frozenset(found)
 

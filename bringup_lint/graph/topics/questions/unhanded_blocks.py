@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.facts.ros.parameters import OF_EVERY_NODE
+from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.graph.topics.questions.parameter_blocks import Mismatch
 from bringup_lint.graph.topics.questions.parameter_blocks import certain
 from bringup_lint.graph.topics.questions.parameter_blocks import read_elsewhere
@@ -51,6 +52,8 @@ def _lacking(topics: Topics, block: Block, load: Load) -> Iterator[LaunchedNode]
         node = topics.node(started) if started.is_node and started.by_default is True else None
         if node is None or node.fqn is None or not matches(block.name, node.fqn) or node.given is None:
             continue
+        if any(literal_text(each) is None for each in started.arguments):
+            continue  # it may get the file as an argument
         if not node.given.open and not given & set(node.given.values) and not topics.launch.never_runs(started):
             yield node
 

@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING
 from bringup_lint.dataclass import replace
 from bringup_lint.endings import CPP
 from bringup_lint.endings import CPP_HEADERS
+from bringup_lint.facts.ros.brought import is_released
 from bringup_lint.facts.ros.parameters import declared_by
 from bringup_lint.facts.ros.parameters import hands_parameters
 from bringup_lint.graph.launch.started import Started
@@ -214,7 +215,7 @@ class ParameterNames:
                 if other is not None:
                     depends |= {str(each) for _, each in other.manifest.depends}
                     todo += self._files_of(other, CPP)
-                elif name in depends and hands_parameters(name):
+                elif (name in depends or is_released(name)) and hands_parameters(name):
                     is_open = True
         sources = list(found.values())
         return None if is_open and (any(map(_hands_node, sources)) or _builds_on_others(sources)) else sources
