@@ -20,9 +20,12 @@ ANSWERED = regex(r"\b(?P<answer>\w+)(?:->|\.)success\s{0,4}=\s{0,4}true\b", hint
 _LOOKS = (
     r"\b{0}\s{{0,4}}\.\s{{0,4}}(?:is_open|good|fail|bad|exceptions|rdstate|operator)\b|[!&|]\s{{0,4}}{0}\b"
     r"|\b(?:if|while)\s{{0,4}}\(\s{{0,4}}{0}\b|\bbool\s{{0,4}}\(\s{{0,4}}{0}\b|<bool>\s{{0,4}}\(\s{{0,4}}{0}\b"
-    r"|[(,]\s{{0,4}}{0}\s{{0,4}}[,)]"
+    r"|[(,;]\s{{0,4}}{0}\s{{0,4}}[,)]|\b{0}\s{{0,4}}(?:\?|&&|\|\|)|\{{\s{{0,4}}{0}\s{{0,4}}\}}"
+    r"|\b(?:if|while)\s{{0,4}}\(\s{{0,4}}(?:std::)?ofstream\s{{1,4}}{0}\b|\bexists\s{{0,4}}\("
 )
-"""What asks a stream how it is, or hands it to something that may."""
+"""What asks a stream how it is, hands it to something that may, or looks whether the file is there."""
+_ASIDE = regex(r"(?i)log|debug|trace")
+"""Names of files that no answer is about."""
 
 
 def blind_writes(code: Code) -> Iterator[BlindWrite]:
@@ -30,6 +33,8 @@ def blind_writes(code: Code) -> Iterator[BlindWrite]:
     plain = plain_of(code.source)
     found: dict[int, BlindWrite] = {}
     for start, end, opened, answered in islice(_writing(code, plain), MOST):
+        if _ASIDE.search(opened["name"]):
+            continue
         if not re.compile(_LOOKS.format(re.escape(opened["name"]))).search(plain, start, end):
             place, answer = (code.source.span(*each.span()) for each in (opened, answered))
             found[place.start] = BlindWrite(place, answer, opened["name"])

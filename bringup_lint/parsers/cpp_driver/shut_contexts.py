@@ -32,7 +32,12 @@ _UNFIT = regex(
     r"\([^()]*\))?\)\Z|\((?P<null>\w+)(?:==(?:nullptr|NULL|-1)|<0)\)\Z"
 )
 """The condition of a branch that is there because something cannot be used."""
-_USE = r"(?<![\w.>])(?:this->)?{0}\s{{0,4}}(?:->|\.|<<|>>)|[(,*]\s{{0,4}}{0}\s{{0,4}}[,)]"
+_USE = (
+    r"(?<![\w.>])(?:this->)?{0}\s{{0,4}}(?:(?:->|\.)(?!(?:close|release|reset|disconnect|stop|shutdown)\b)|<<|>>)"
+    r"|[(,*]\s{{0,4}}{0}\s{{0,4}}[,)]"
+)
+_ANEW = r"(?<![\w.>])(?:this->)?{0}\s{{0,4}}(?:=(?!=)|\.\s{{0,4}}reset\s{{0,4}}\(\s{{0,4}}[^)\s])"
+"""What gives it something else."""
 
 
 def shut_contexts(code: Code) -> Iterator[ShutContext]:
@@ -71,14 +76,17 @@ def _among(
 ) -> tuple[tuple[Span, str, str | None] | None, bool]:
     """What statements make or use; and whether one of them may leave before."""
     plain = plain_of(code.source)
-    use = re.compile(_USE.format(re.escape(unfit))) if unfit is not None else None
+    use, anew = (re.compile(each.format(re.escape(unfit))) if unfit is not None else None for each in (_USE, _ANEW))
     for following in behind:
         span = code.span(following)
         if following.type in ("expression_statement", "declaration"):
             made = _made(code, following) if owner is not None else None
             if made is not None:
                 return (code.span(made), code.text(made.child_by_field_name("function")).partition("<")[0], owner), True
-            used = use.search(plain, span.start, span.end) if use is not None else None
+            if anew is not None and anew.search(plain, span.start, span.end):
+                return None, True
+            is_log = plain.startswith("RCLCPP_", span.start)
+            used = use.search(plain, span.start, span.end) if use is not None and not is_log else None
             if used is not None and unfit is not None:
                 return (code.source.span(*used.span()), unfit, None), True
         if _LEAVES.search(plain, span.start, span.end):

@@ -24,7 +24,7 @@ STARTS = regex(
 ENDS = regex(r"\bthrow\s{1,4}[\w:]", hints="throw")
 DEPTH = 3
 """Calls of functions of the file that are followed."""
-_METHOD = regex(r"\s{0,40}(?:std::bind\s{0,4}\(\s{0,40})?&\s{0,4}(?:\w+::){0,6}(?P<name>\w+)\s{0,4}[,)}]")
+_METHOD = regex(r"\s{0,40}(?:std::bind\s{0,4}\(\s{0,40})?&\s{0,4}(?P<scope>(?:\w+::){0,6})(?P<name>\w+)\s{0,4}[,)}]")
 _LAMBDA = regex(r"\s{0,40}\[")
 _ASKS_SYSTEM = regex(
     r"(?<![\w.>])(?:::)?(?:socket|bind|listen|accept|connect|setsockopt|ioctl|tcsetattr|tcgetattr|open|recv|recvfrom)\s{0,4}\("
@@ -98,9 +98,17 @@ def _run(code: Code, bodies: Bodies, lambdas: list[tuple[int, Node]], start: int
     method = _METHOD.match(text, start)
     if method is not None:
         named = bodies.functions.get(method["name"], [])
-        return named[0] if len(named) == 1 else None
+        return named[0] if len(named) == 1 and _is_in(code, named[0], method["scope"]) else None
     at = bisect_left(lambdas, start, key=lambda each: each[0]) if _LAMBDA.match(text, start) else len(lambdas)
     return lambdas[at][1] if at < len(lambdas) else None
+
+
+def _is_in(code: Code, function: Node, scope: str) -> bool:
+    """Whether a function is one of the class before its name."""
+    *around, _ = (code.defined_name(function) or "").split("::")
+    outer = next((each for each in code.above(function) if each.type in ("class_specifier", "struct_specifier")), None)
+    owner = around[-1] if around else code.text(outer.child_by_field_name("name")) if outer is not None else ""
+    return not owner or not scope or scope.split("::")[-2] == owner
 
 
 class _Thrown:
