@@ -29,6 +29,7 @@ When the tags are those of a collection that is installed on the computer.
 
 import re
 from collections.abc import Iterator
+from itertools import islice
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
@@ -43,23 +44,20 @@ OWN = ("all", "tagged", "untagged", "always", "never")
 TAGS = regex(r"\btags\b[\"']?[ \t]*[:=]", hints="tags")
 FOREIGN = ("requirements.yml", "requirements.yaml")
 """Name roles and collections that are not in the tree."""
+MOST = 50
+"""Commands that are looked at."""
 PLAIN = regex(r"[\w.-]+")
 PLAYBOOK = regex(r".*(?:\.ya?ml|\$.*)")
 
 
 @rule("warning", silent="Ansible reports the tasks that it skips as skipped, and ends with success")
 def ansible_tag_missing(robot: Robot) -> Iterator[Finding]:
-    plays = robot.of_kind("ansible")
-    if not plays or any(True for name in FOREIGN for _ in robot.tree.named(name)):
+    if not robot.of_kind("ansible") or any(True for name in FOREIGN for _ in robot.tree.named(name)):
         return
-    for _, run in robot.scripts.run("ansible-playbook"):
-        word = _tags(run)
-        if word is None or not _is_of_tree(robot, run, word):
-            continue
-        names = [name.strip() for name in run.text(word).rpartition("=")[2].split(",")]
-        if any(name in OWN for name in names):
-            continue
-        if not any(TAGS.search(each.text) for each in robot.sources):
+    asked = list(islice(_asked(robot), MOST))
+    has_tags = asked and any(TAGS.search(each.text) for each in robot.sources)
+    for word, names in asked:
+        if not has_tags:
             yield finding(
                 word,
                 "No play, role or task of the tree has tags: Ansible skips every task, and ends with success",
@@ -71,6 +69,16 @@ def ansible_tag_missing(robot: Robot) -> Iterator[Finding]:
                 f"No play, role or task has the tag {', '.join(names)}: Ansible skips every task and succeeds",
                 advice="write a tag that the tasks have",
             )
+
+
+def _asked(robot: Robot) -> Iterator[tuple[Located, list[str]]]:
+    """The tags that scripts ask for, of playbooks of the tree."""
+    for _, run in robot.scripts.run("ansible-playbook"):
+        word = _tags(run)
+        if word is not None and _is_of_tree(robot, run, word):
+            names = [name.strip() for name in run.text(word).rpartition("=")[2].split(",")]
+            if not any(name in OWN for name in names):
+                yield word, names
 
 
 def _tags(run: Run) -> Located | None:

@@ -100,7 +100,12 @@ def _flags(source: Source) -> Iterator[Finding]:
     for match in asked:
         name = match["name"] or match["braced"]
         given = values.get(name, {})
-        if set(given) not in PAIRS or name in otherwise or not _is_set_first(source, given, match.start()):
+        if (
+            len(given) != 2
+            or set(given) not in PAIRS
+            or name in otherwise
+            or not _is_set_first(source, given, match.start())
+        ):
             continue
         one, other = given
         answer = "false" if match["not"] else "true"

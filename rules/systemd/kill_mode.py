@@ -87,5 +87,5 @@ def _left(robot: Robot, unit: Unit) -> Iterator[Located]:
         for step in process.steps:
             command = step.command
             source = command.words[0].span.source if command.background and command.words else None
-            if source is not None and not TRAP.search(source.text):
+            if source is not None and not source.matches(TRAP):
                 yield command.words[0]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from functools import partial
 
 from bringup_lint.graph.systemd.provision import scripts_of
 from bringup_lint.pattern import regex
@@ -57,11 +58,18 @@ def never_enabled_units(files: Files, units: Units) -> Iterator[Unit]:
 def installed_at(files: Files, unit: Unit) -> Iterator[Located]:
     """Where a script of the tree puts the unit into place."""
     for source in files.of_kind("shell-script"):
-        if unit.name in source.text and "/systemd/system" in source.text:
-            for match in _COPIES.finditer(source.text):
-                if unit.name in _copied(match[0]):
-                    at = source.text.index(unit.name, match.start())
-                    yield source.located(at, at + len(unit.name))
+        for start in source.once(_copies, partial(_copies, source)).get(unit.name, ()):
+            at = source.text.index(unit.name, start)
+            yield source.located(at, at + len(unit.name))
+
+
+def _copies(source: Source) -> dict[str, list[int]]:
+    """The units that a script puts into place, each with where the commands begin."""
+    found: dict[str, list[int]] = {}
+    for match in _COPIES.finditer(source.text) if "/systemd/system" in source.text else ():
+        for name in dict.fromkeys(_copied(match[0])):
+            found.setdefault(name, []).append(match.start())
+    return found
 
 
 def _stem(unit: Unit) -> str:
