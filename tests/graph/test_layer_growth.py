@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
+from bringup_lint.discover.walk import discover
+from bringup_lint.robot import Robot
+from bringup_lint.source import Source
 from tests.growth import is_linear
 from tests.lint import lint
 
@@ -543,6 +547,65 @@ def test_a_count_may_be_any_number_or_none(count: str, tmp_path: Path) -> None:
     (tmp_path / "compose.yaml").write_text(f"services:\n  rover:\n{service}{devices}")
     found = lint("--no-cache", "--quiet", "--select", "compose", ".", cwd=tmp_path)
     assert "internal-error" not in found.stdout + found.stderr
+
+
+MAIN = "def main():\n    pass\n\n\n"
+HERE = "        row()  # here\n"
+
+
+def handed_on(size: int) -> str:
+    calls, asks = "    pull(hard)\n" * size, f"    if hard:\n{HERE}" * size
+    return f"{MAIN}def pull(hard=False):\n{calls}{asks}\n\npull()\n"
+
+
+def built_on_each_other(size: int) -> str:
+    names = [f"Boat{at}" for at in range(min(size, 40))]
+    classes = (f"class {name}({', '.join(names)}):\n    def pull{name}(self):\n{HERE}" for name in names)
+    return MAIN + "".join(classes) + "#" * size * 20
+
+
+def uncalled_functions(size: int) -> str:
+    return MAIN + "".join(f"def pull{at}():\n    pull{at + 1}()\n{HERE[4:]}" for at in range(size))
+
+
+def called_alike(size: int) -> str:
+    return MAIN + f"class Boat:\n    def pull(self):\n        self.pull()\n{HERE}" * size
+
+
+def set_by_each_other(size: int) -> str:
+    sets = "".join(f"        self.a{at} = self.a{at + 1}\n        self.a{at} = self.a{at + 2}\n" for at in range(size))
+    asks = "".join(f"        if self.a{at}:\n    {HERE}" for at in range(size))
+    return f"{MAIN}class Boat:\n    def __init__(self):\n{sets}{asks}"
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("made", [handed_on, built_on_each_other, uncalled_functions, called_alike, set_by_each_other])
+def test_time_grows_as_the_code_that_may_never_run(made: Callable[[int], str], tmp_path: Path) -> None:
+    def check(size: int) -> None:
+        (tmp_path / "boat.py").write_text(made(size))
+        robot = Robot(discover([str(tmp_path)]))
+        source = Source(str(tmp_path / "boat.py"), made(size))
+        for found in re.finditer("here", source.text):
+            robot.leads_to(source.span(*found.span()))
+
+    assert is_linear(check, 50)
+
+
+@pytest.mark.parametrize(
+    "head",
+    [
+        f"@boat{'.row' * 900}\ndef pull():\n    if True:\n",
+        f"def pull():\n    if {'not ' * 900}True:\n",
+        f"def pull():\n    if {'(a or not ' * 150}True{')' * 150}:\n",
+        f"class Boat(boat{'.row' * 900}):\n    def pull(self):\n",
+    ],
+)
+def test_code_of_very_many_parts_is_no_error(head: str, tmp_path: Path) -> None:
+    text = f"{head}{HERE}\n\n{MAIN}pull()\n"
+    (tmp_path / "boat.py").write_text(text)
+    source = Source(str(tmp_path / "boat.py"), text)
+    at = text.index("here")
+    assert Robot(discover([str(tmp_path)])).leads_to(source.span(at, at + 4))
 
 
 PACKAGE = """<package format="3">

@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import ast
 
+from bringup_lint.graph.memo import memo
+from bringup_lint.graph.uncalled.code import USES
 from bringup_lint.graph.uncalled.code import Code
 from bringup_lint.graph.uncalled.code import Function
 from bringup_lint.graph.uncalled.code import Module
@@ -14,6 +16,10 @@ from bringup_lint.graph.uncalled.code import last_name
 
 _DEPTH = 4
 """Calls in a row that hand an argument on."""
+_NESTED = 20
+"""Conditions in each other that are looked at."""
+_ARGUMENTS = 50
+"""Arguments of a function that is looked at."""
 
 
 class Branches:
@@ -28,18 +34,25 @@ class Branches:
         is_body = line <= (body[-1].end_lineno or 0)
         if not is_body and not other:
             return False
-        return self._truth(module, branch.test, _DEPTH) is (not is_body)
+        return self._of_branch((module, branch)) is (not is_body)
 
-    def _truth(self, module: Module, test: ast.expr, depth: int) -> bool | None:
+    @memo
+    def _of_branch(self, asked: tuple[Module, ast.If]) -> bool | None:
+        module, branch = asked
+        return self._truth(module, branch.test, _DEPTH)
+
+    def _truth(self, module: Module, test: ast.expr, depth: int, nested: int = _NESTED) -> bool | None:
         """Whether an expression is true or false; None when that is not known."""
         if isinstance(test, ast.Constant):
             return bool(test.value)
+        if not nested:
+            return None
         if isinstance(test, ast.UnaryOp) and isinstance(test.op, ast.Not):
-            found = self._truth(module, test.operand, depth)
+            found = self._truth(module, test.operand, depth, nested - 1)
             return None if found is None else not found
         if isinstance(test, ast.BoolOp):
             ends = isinstance(test.op, ast.Or)
-            parts = [self._truth(module, each, depth) for each in test.values]
+            parts = [self._truth(module, each, depth, nested - 1) for each in test.values]
             return ends if ends in parts else None if None in parts else not ends
         if not depth:
             return None
@@ -48,29 +61,37 @@ class Branches:
         return self._of_attribute(module, test, depth - 1) if is_own(test) else None
 
     def _of_name(self, module: Module, test: ast.Name, depth: int) -> bool | None:
-        stores = [each for each in module.stores.get(test.id, ()) if not isinstance(each, ast.Attribute)]
         for function in reversed(module.around(test.lineno)):
-            if not isinstance(function, (ast.FunctionDef, ast.AsyncFunctionDef)):
-                continue
-            if test.id in (each.arg for each in _arguments(function)):
-                is_set = any(function.lineno <= _line(each) <= (function.end_lineno or 0) for each in stores)
-                return None if is_set else self._of_argument(module, function, test.id, depth)
-        is_single = len(stores) == 1 and any(
-            stores[0] in each.targets for each in module.tree.body if isinstance(each, ast.Assign)
-        )
-        is_plain = is_single and not module.may_import(test.id) and not module.is_reflected
-        elsewhere = self._code.modules_with(test.id) if is_plain else None
+            if isinstance(function, (ast.FunctionDef, ast.AsyncFunctionDef)) and test.id in self._arguments(function):
+                return self._of_argument((module, function, test.id, depth))
+        return self._of_variable((module, test.id, depth))
+
+    @memo
+    def _arguments(self, function: Function) -> frozenset[str]:
+        arguments = (*function.args.posonlyargs, *function.args.args, *function.args.kwonlyargs)
+        return frozenset(each.arg for each in arguments)
+
+    @memo
+    def _of_variable(self, asked: tuple[Module, str, int]) -> bool | None:
+        """What a variable of a module is, when it is set once."""
+        module, name, depth = asked
+        stores = _plain(module, name)
+        is_single = len(stores) == 1 and id(stores[0]) in module.globals
+        is_plain = is_single and not module.may_import(name) and not module.is_reflected
+        elsewhere = self._code.modules_with(name) if is_plain else None
         if elsewhere is None or any(
-            other.is_set_by_name(test.id)
-            or any(isinstance(each, ast.Attribute) for each in other.stores.get(test.id, ()))
+            name in other.set_by_name or any(isinstance(each, ast.Attribute) for each in other.stores.get(name, ()))
             for other in elsewhere
         ):
             return None
         return self._truth(module, module.values[id(stores[0])], depth)
 
-    def _of_argument(self, module: Module, function: Function, name: str, depth: int) -> bool | None:
+    @memo
+    def _of_argument(self, asked: tuple[Module, Function, str, int]) -> bool | None:
         """What an argument is in all calls of the tree: its default where none gives it."""
-        default = _default(function, name)
+        module, function, name, depth = asked
+        is_set = any(function.lineno <= _line(each) <= (function.end_lineno or 0) for each in _plain(module, name))
+        default = _default(function, name) if len(self._arguments(function)) <= _ARGUMENTS and not is_set else None
         cls = module.class_of(function)
         if (
             default is None
@@ -85,32 +106,40 @@ class Branches:
             return None
         if called != function.name and any(each.makes_own for each in modules):
             return None
-        if not any(other.uses.get(called) for other in modules):
+        uses = [(other, use) for other in modules for use in other.uses.get(called, ())]
+        if not 0 < len(uses) <= USES:
             return None
         truths = {self._truth(module, default, depth)}
-        shift = 1 if cls is not None and "staticmethod" not in map(ast.unparse, function.decorator_list) else 0
-        for other in modules:
-            for use in other.uses.get(called, ()):
-                call = other.calls.get(id(use))
-                given = _given(call, function, name, shift) if call is not None else None
-                if given is None:
-                    return None
-                truths.update(self._truth(other, each, depth) for each in given)
+        shift = 1 if cls is not None and "staticmethod" not in map(last_name, function.decorator_list) else 0
+        for other, use in uses:
+            call = other.calls.get(id(use))
+            given = _given(call, function, name, shift) if call is not None else None
+            if given is None:
+                return None
+            truths.update(self._truth(other, each, depth) for each in given)
         return next(iter(truths)) if len(truths) == 1 else None
 
     def _of_attribute(self, module: Module, test: ast.expr, depth: int) -> bool | None:
         assert isinstance(test, ast.Attribute)
         classes = [each for each in module.around(test.lineno) if isinstance(each, ast.ClassDef)]
-        modules = self._code.modules_with(test.attr) if classes and not module.is_reflected else None
-        cls = classes[-1] if classes else None
-        if cls is None or modules is None or self._code.reaches_by_name or not self._is_alone(cls):
+        return self._of_member((module, classes[-1], test.attr, depth)) if classes else None
+
+    @memo
+    def _of_member(self, asked: tuple[Module, ast.ClassDef, str, int]) -> bool | None:
+        """What an attribute of ``self`` is, when only its class sets it."""
+        module, cls, name, depth = asked
+        modules = self._code.modules_with(name) if not module.is_reflected else None
+        if modules is None or self._code.reaches_by_name or not self._is_alone(cls):
             return None
-        stores = [each for other in modules for each in other.stores.get(test.attr, ())]
+        if (
+            any(name in each.set_by_name for each in modules)
+            or sum(len(each.stores.get(name, ())) for each in modules) > USES
+        ):
+            return None
+        stores = [each for other in modules for each in other.stores.get(name, ())]
         if any(isinstance(each, ast.Attribute) and not is_own(each) for each in stores):
             return None
-        if any(each.is_set_by_name(test.attr) for each in modules):
-            return None
-        own = [each for each in module.stores.get(test.attr, ()) if cls.lineno <= _line(each) <= (cls.end_lineno or 0)]
+        own = [each for each in module.stores.get(name, ()) if cls.lineno <= _line(each) <= (cls.end_lineno or 0)]
         attributes = [each for each in own if is_own(each)]
         values = [module.values.get(id(each)) for each in attributes]
         if not values or len(attributes) != len(own):
@@ -118,25 +147,18 @@ class Branches:
         truths = {None if each is None else self._truth(module, each, depth) for each in values}
         return next(iter(truths)) if len(truths) == 1 else None
 
+    @memo
     def _is_alone(self, cls: ast.ClassDef) -> bool:
         """Whether a class builds on none of the tree, and none builds on it."""
         if not self._code.has_plain_bases(cls):
             return False
         modules = self._code.modules_with(cls.name)
-        return modules is not None and not any(
-            cls.name in module.renamed
-            or any(
-                last_name(base) == cls.name
-                for each in module.nodes
-                if isinstance(each, ast.ClassDef)
-                for base in each.bases
-            )
-            for module in modules
-        )
+        return modules is not None and not any(cls.name in each.renamed or cls.name in each.bases for each in modules)
 
 
-def _arguments(function: Function) -> list[ast.arg]:
-    return [*function.args.posonlyargs, *function.args.args, *function.args.kwonlyargs]
+def _plain(module: Module, name: str) -> list[ast.AST]:
+    """The places that set a variable of this name."""
+    return [each for each in module.stores.get(name, ()) if not isinstance(each, ast.Attribute)]
 
 
 def _default(function: Function, name: str) -> ast.expr | None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import ast
 import json
 import os
-import re
+from bisect import bisect_left
 from collections.abc import Iterator
 from functools import cached_property
 from typing import TypeAlias
@@ -13,7 +13,9 @@ from typing import TypeAlias
 from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.files import Files
 from bringup_lint.graph.memo import memo
+from bringup_lint.graph.uncalled.words import Words
 from bringup_lint.model.python import is_self
+from bringup_lint.model.python import syntax_of
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 
@@ -21,6 +23,14 @@ Function: TypeAlias = ast.FunctionDef | ast.AsyncFunctionDef
 Block: TypeAlias = ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef | ast.If
 _MOST = 5_000
 """Python files of a tree that is looked through."""
+USES = 200
+"""Places of a file that have a name: what has more is used somewhere."""
+_ALL = 100_000_000
+"""Characters of a tree that is looked through."""
+_DEEP = 100
+"""Statements in each other that are looked at."""
+_PARSED = 8_000_000
+"""Characters of files that are parsed, and kept."""
 _FILES = 40
 """Files that have a word: what more of them have is no name of its own."""
 _SIZE = 1_000_000
@@ -41,7 +51,8 @@ _LOADING = ("launch-xml", "launch-yaml", "params", "urdf")
 _PROGRAM = regex(r"(?m)^(?:def main\b|if __name__\b)", hints="def if")
 _MAGIC = regex(r"(?m)^([ \t]*)[%!?]")
 _WORD = regex(r"\w+")
-_BY_NAME = r"""\b[gs]etattr\({}[^,]{{1,80}},\s*(?!r?(?:'\w+'|"\w+")\s*[,)])"""
+_PART = regex(r"(?<=[.:/])\w+")
+_BY_NAME = r"""\b[gs]etattr\({}[^,]{{1,80}},(?!\s*r?(?:'\w+'|"\w+")\s*[,)])"""
 _OF_OTHERS = r"(?!(?:self|logging|socket|termios|np|numpy|torch|cv2|\w*[Mm]sg|args|parsed_args|options|Qt)\s*,)"
 """What is before the name that is computed where it may be of a class of the tree, and none of the one around."""
 _REFLECTS = regex(
@@ -77,15 +88,22 @@ class Module:
     def around(self, line: int) -> list[Block]:
         """The functions, classes and branches around a line, from outside to inside."""
         found: list[Block] = []
-        todo: list[ast.stmt] = list(self.tree.body)
-        while todo:
-            each = next((one for one in todo if one.lineno <= line <= (one.end_lineno or one.lineno)), None)
+        each: ast.stmt | ast.Module | None = self.tree
+        for _ in range(_DEEP):
             if each is None:
                 break
+            ends, statements = self._below(each)
+            at = bisect_left(ends, line)
+            each = statements[at] if at < len(statements) and statements[at].lineno <= line else None
             if isinstance(each, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.If)):
                 found.append(each)
-            todo = list(_statements(each))
         return found
+
+    @memo
+    def _below(self, each: ast.stmt | ast.Module) -> tuple[list[int], list[ast.stmt]]:
+        """The statements directly in one, with the lines where they end."""
+        statements = list(_statements(each))
+        return [one.end_lineno or one.lineno for one in statements], statements
 
     def class_of(self, function: Function) -> ast.ClassDef | None:
         """The class of which a function is a method."""
@@ -97,11 +115,32 @@ class Module:
     def has_its_own(self, use: ast.expr) -> bool:
         """Whether an attribute of ``self`` is a method of the class around."""
         classes = [each for each in self.around(use.lineno) if isinstance(each, ast.ClassDef)] if is_own(use) else []
-        return any(
-            isinstance(each, (ast.FunctionDef, ast.AsyncFunctionDef)) and each.name == getattr(use, "attr", "")
-            for cls in classes[-1:]
-            for each in cls.body
-        )
+        return any(getattr(use, "attr", "") in self._methods(cls) for cls in classes[-1:])
+
+    @memo
+    def _methods(self, cls: ast.ClassDef) -> frozenset[str]:
+        return frozenset(each.name for each in cls.body if isinstance(each, (ast.FunctionDef, ast.AsyncFunctionDef)))
+
+    @cached_property
+    def classes(self) -> dict[str, list[ast.ClassDef]]:
+        """Name -> the classes of the file itself."""
+        found: dict[str, list[ast.ClassDef]] = {}
+        for each in self.tree.body:
+            if isinstance(each, ast.ClassDef):
+                found.setdefault(each.name, []).append(each)
+        return found
+
+    @cached_property
+    def bases(self) -> frozenset[str]:
+        """What classes of the file build on."""
+        classes = (each for each in self.nodes if isinstance(each, ast.ClassDef))
+        return frozenset(last_name(base) for each in classes for base in each.bases)
+
+    @cached_property
+    def globals(self) -> frozenset[int]:
+        """The places that assignments of the file itself set, by their identity."""
+        assigned = (each for each in self.tree.body if isinstance(each, ast.Assign))
+        return frozenset(id(target) for each in assigned for target in each.targets)
 
     @cached_property
     def is_reflected(self) -> bool:
@@ -113,19 +152,24 @@ class Module:
         """Whether the file makes objects of a class without its name."""
         return _MAKES_OWN.search(self.text) is not None
 
-    def is_set_by_name(self, name: str) -> bool:
-        """Whether the file sets an attribute by a text."""
-        return any(match["name"] == name for match in _SETS.finditer(self.text))
+    @cached_property
+    def set_by_name(self) -> frozenset[str]:
+        """The attributes that the file sets by a text."""
+        return frozenset(match["name"] for match in _SETS.finditer(self.text))
 
     def may_import(self, name: str) -> bool:
         """Whether an import may bring a name."""
+        return name in self._imported or "*" in self._imported
+
+    @cached_property
+    def _imported(self) -> frozenset[str]:
+        """The names that imports bring; ``*`` where one may bring any."""
         imports = (each for each in self.nodes if isinstance(each, (ast.Import, ast.ImportFrom)))
-        return any(
-            alias.asname == name
-            or (alias.asname is None and alias.name == name)
-            or (alias.name == "*" and not _MESSAGES.search(getattr(each, "module", None) or ""))
+        return frozenset(
+            alias.asname or alias.name
             for each in imports
             for alias in each.names
+            if alias.name != "*" or not _MESSAGES.search(getattr(each, "module", None) or "")
         )
 
     @cached_property
@@ -191,6 +235,7 @@ class Code:
 
     def __init__(self, files: Files) -> None:
         self._files = files
+        self._left = _PARSED
 
     @staticmethod
     def is_python(source: Source) -> bool:
@@ -201,12 +246,13 @@ class Code:
 
     @memo
     def _module(self, asked: tuple[str, str]) -> Module | None:
-        """The code of a file; None where it is refused, as a newer Python may accept it."""
+        """The code of a file; None where it is refused, as a newer Python may accept it, and behind very many."""
         path, text = asked
-        try:
-            return Module(path, text, ast.parse(_cells(text) if path.endswith(".ipynb") else text))
-        except (SyntaxError, ValueError, RecursionError, MemoryError):
+        self._left -= len(text)
+        if self._left < 0:
             return None
+        tree = syntax_of(_cells(text) if path.endswith(".ipynb") else text.removeprefix("\ufeff"))
+        return Module(path, text, tree) if tree is not None else None
 
     @cached_property
     def _texts(self) -> dict[str, str] | None:
@@ -220,7 +266,14 @@ class Code:
         }
         plain = {os.path.abspath(path): path for path in tree.like(_SCRIPT)[:_MOST]}
         scripts = {at: path for at, path in plain.items() if _STARTED.match(tree.head(path, _FIRST))}
-        return known | {at: tree.head(path, _SIZE) for at, path in (paths | scripts).items() if at not in known}
+        left = _ALL - sum(map(len, known.values()))
+        for at, path in (paths | scripts).items():
+            if at not in known:
+                known[at] = tree.head(path, _SIZE)
+                left -= len(known[at])
+            if left < 0:
+                return None
+        return known
 
     @cached_property
     def has_programs(self) -> bool:
@@ -228,11 +281,16 @@ class Code:
         return any(_PROGRAM.search(text) for text in (self._texts or {}).values())
 
     @cached_property
-    def _others(self) -> list[str]:
+    def _words(self) -> Words:
+        return Words(self._texts or {})
+
+    @cached_property
+    def _others(self) -> Words:
         """Files that may name a function of Python."""
         sources = (each for each in self._files.sources if each.kind not in _FOREIGN)
         pages = self._files.tree.pages(_RUNNING, _SIZE)
-        return [*(each.text for each in sources if not self.is_python(each)), *pages]
+        texts = [*(each.text for each in sources if not self.is_python(each)), *pages]
+        return Words({str(at): text for at, text in enumerate(texts)})
 
     @cached_property
     def reaches_by_name(self) -> bool:
@@ -240,70 +298,74 @@ class Code:
         texts = (self._texts or {}).items()
         return any(_REACHES.search(text) for at, text in texts if not _INSTALLED.search(at))
 
+    @memo
     def is_loaded(self, cls: ast.ClassDef) -> bool:
         """Whether something may use a class by its name or through a decorator, and call what it likes of it."""
-        named = re.compile(rf"[.:/]{re.escape(cls.name)}\b")
-        if any(cls.name in each.text and named.search(each.text) for each in self._files.of_kind(*_LOADING)):
+        if cls.name in self._loaded:
             return True
         if any(last_name(getattr(each, "func", each)) not in _OF_CLASSES for each in cls.decorator_list):
             return True
         modules = self.modules_with(cls.name)
         return modules is None or any(each.is_reflected for each in modules)
 
-    @memo
-    def _having(self, word: str) -> list[tuple[str, str]] | None:
-        """The Python files that have a word, with what they say; None when they are too many."""
-        found = [each for each in (self._texts or {}).items() if word in each[1] and _has(each[1], word)]
+    @cached_property
+    def _loaded(self) -> frozenset[str]:
+        """What files that load something name as a part of something else."""
+        texts = (each.text for each in self._files.of_kind(*_LOADING))
+        return frozenset(name for text in texts for name in _PART.findall(text))
+
+    def _having(self, word: str) -> list[str] | None:
+        """The Python files that have a word; None when they are too many."""
+        found = self._words.having(word) if self._texts is not None else []
         return found if self._texts is not None and len(found) <= _FILES else None
 
     @memo
     def modules_with(self, word: str) -> list[Module] | None:
         """The modules that have a word; None when they are too many, or one cannot be read."""
-        found = [self._module(each) for each in self._having(word) or ()]
+        having = self._having(word)
+        found = [self._module((name, (self._texts or {})[name])) for name in having or ()]
         modules = [each for each in found if each is not None]
-        return modules if self._having(word) is not None and len(modules) == len(found) else None
+        return modules if having is not None and len(modules) == len(found) else None
 
     def mentions(self, name: str, first: Module) -> Iterator[tuple[Module, ast.expr]] | None:
         """The places that may use a function or class, but for its definition and plain imports, those of one module
         first; None when unknown, as where a comment puts away a call that somebody may bring back."""
         having = self._having(name)
-        if having is None or any(_has(text, name) for text in self._others if name in text):
+        if having is None or self._others.having(name) or any(name in self._words.put_away(each) for each in having):
             return None
-        put_away = re.compile(rf"#[^\n]*\b{re.escape(name)}[ \t]*\(")
-        if any(put_away.search(text) for _, text in having):
-            return None
-        return self._used(name, sorted(having, key=lambda each: each[0] != first.path))
+        return self._used(name, sorted(having, key=lambda each: each != first.path))
 
-    def _used(self, name: str, having: list[tuple[str, str]]) -> Iterator[tuple[Module, ast.expr]]:
+    def _used(self, name: str, having: list[str]) -> Iterator[tuple[Module, ast.expr]]:
         for each in having:
-            module = self._module(each)
-            if module is None or name in module.renamed:
-                yield Module(*each, ast.Module([], [])), ast.Name(name, lineno=0)
+            text = (self._texts or {})[each]
+            module = self._module((each, text))
+            uses = module.uses.get(name, ()) if module is not None and name not in module.renamed else None
+            if module is None or uses is None or len(uses) > USES:
+                yield Module(each, text, ast.Module([], [])), ast.Name(name, lineno=0)
             else:
-                yield from ((module, use) for use in module.uses.get(name, ()))
+                yield from ((module, use) for use in uses)
 
+    @memo
     def has_known_bases(self, cls: ast.ClassDef) -> bool:
         """Whether nothing that a class builds on may call its methods unseen."""
-        return not cls.keywords and all(self._is_known(base, 4) for base in cls.bases)
+        return not cls.keywords and all(self._is_known((last_name(base), 4)) for base in cls.bases)
 
     @staticmethod
     def has_plain_bases(cls: ast.ClassDef) -> bool:
         """Whether a class builds on no other of the tree."""
         return all(last_name(base) in _PLAIN_BASES for base in cls.bases)
 
-    def _is_known(self, base: ast.expr, depth: int) -> bool:
-        name = last_name(base)
+    @memo
+    def _is_known(self, asked: tuple[str, int]) -> bool:
+        name, depth = asked
         if name in _PLAIN_BASES:
             return True
         modules = self.modules_with(name) if name and depth else None
-        found = [
-            (module, each)
-            for module in modules or ()
-            for each in module.tree.body
-            if isinstance(each, ast.ClassDef) and each.name == name
-        ]
+        found = [(module, each) for module in modules or () for each in module.classes.get(name, ())]
         return bool(found) and not any(
-            module.is_reflected or each.keywords or not all(self._is_known(inner, depth - 1) for inner in each.bases)
+            module.is_reflected
+            or each.keywords
+            or not all(self._is_known((last_name(inner), depth - 1)) for inner in each.bases)
             for module, each in found
         )
 
@@ -313,20 +375,12 @@ def _cells(text: str) -> str:
     try:
         cells = json.loads(text)["cells"]
         code = ["".join(each["source"]) for each in cells if each["cell_type"] == "code"]
-    except (ValueError, KeyError, TypeError):
+    except (ValueError, KeyError, TypeError, RecursionError):
         return ""
-    return "\n".join(each for each in (_MAGIC.sub(r"\1pass #", one) for one in code) if _is_python(each))
+    return "\n".join(each for each in (_MAGIC.sub(r"\1pass #", one) for one in code) if syntax_of(each) is not None)
 
 
-def _is_python(text: str) -> bool:
-    try:
-        ast.parse(text)
-    except (SyntaxError, ValueError):
-        return False
-    return True
-
-
-def _statements(each: ast.stmt) -> Iterator[ast.stmt]:
+def _statements(each: ast.AST) -> Iterator[ast.stmt]:
     """The statements directly in one."""
     for child in ast.iter_child_nodes(each):
         if isinstance(child, ast.stmt):
@@ -339,17 +393,6 @@ def last_name(base: ast.expr) -> str:
     return base.attr if isinstance(base, ast.Attribute) else base.id if isinstance(base, ast.Name) else ""
 
 
-def _has(text: str, word: str) -> bool:
-    """Whether a text has a word as a whole."""
-    at = text.find(word)
-    while at >= 0:
-        before, after = text[at - 1 : at], text[at + len(word) : at + len(word) + 1]
-        if not (before.isidentifier() or before.isdigit() or after == "_" or after.isalnum()):
-            return True
-        at = text.find(word, at + 1)
-    return False
-
-
 def is_own(place: ast.AST) -> bool:
     """Whether a place is an attribute of ``self``."""
     return isinstance(place, ast.Attribute) and is_self(place.value)
@@ -357,4 +400,4 @@ def is_own(place: ast.AST) -> bool:
 
 def has_plain_decorators(function: Function) -> bool:
     """Whether the decorators of a function hand it to nobody."""
-    return all(re.split(r"\W", ast.unparse(each))[-1] in _PLAIN for each in function.decorator_list)
+    return all(last_name(each) in _PLAIN for each in function.decorator_list)
