@@ -19,8 +19,8 @@ ends so. Packages whose repository the tree patches, or fetches from others than
 are left alone.
 
 Where it is not known which program gets a block, or the program declares whatever it is given: parameters that no
-source of the tree names, when one source reads at least three others of the block, and most of them. Also those that the
-file of a generate_parameter_library has not, in a block of the same name as its node.
+source of the tree names, when one source reads at least three others of the block, and most of them. Also those that
+the file of a generate_parameter_library has not, in a block of the same name as its node.
 
 ## Why it matters on a robot
 A node takes what it is given only for parameters that it declares; the rest is dropped without a word. A watchdog, a

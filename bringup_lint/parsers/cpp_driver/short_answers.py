@@ -70,8 +70,8 @@ def _parts(text: str, known: dict[str, Span]) -> Iterator[tuple[re.Match[str], s
     if _TAKES.search(text):
         return
     for answer in islice((each for each in ANSWER.finditer(text) if each["call"] in known), MOST):
-        name = answer["name"]
+        name = re.escape(answer["name"])
         part = re.compile(rf"\b{name}\s{{0,4}}\.\s{{0,4}}substr\s{{0,4}}\(\s{{0,4}}[1-9]\d{{0,2}}\s{{0,4}}[,)]")
         used = part.search(text, answer.end())
         if used is not None and not re.search(_LOOKS.format(name), text):
-            yield used, name
+            yield used, answer["name"]

@@ -66,7 +66,9 @@ def installed_at(files: Files, unit: Unit) -> Iterator[Located]:
 def _copies(source: Source) -> dict[str, list[int]]:
     """The units that a script puts into place, each with where the commands begin."""
     found: dict[str, list[int]] = {}
-    for match in _COPIES.finditer(source.text) if "/systemd/system" in source.text else ():
+    if "/systemd/system" not in source.text:
+        return found
+    for match in _COPIES.finditer(source.text):
         for name in dict.fromkeys(_copied(match[0])):
             found.setdefault(name, []).append(match.start())
     return found
