@@ -3,6 +3,7 @@
 ## What it finds
 A USB serial device or a gamepad (`/dev/input/js0`, `/dev/input/event5`) in `devices:` of a service with a restart
 policy, or a link that the container knows as one.
+Not where a volume brings the folder of the device, too.
 On-board UARTs (`ttyAMA`, `ttyS`, `ttyTHS`), i2c, gpio and spi cannot be unplugged and are not reported.
 
 ## Why it matters on a robot
@@ -49,7 +50,10 @@ def devices_pinned_restart(robot: Robot) -> Iterator[Finding]:
     for service in robot.compose.services:
         if not service.restarts:
             continue
+        mounted = [str(each.source).rstrip("/") for each in service.volumes if each.source is not None]
         for device in service.devices:
+            if any(each.startswith("/dev") and device.host.startswith(f"{each}/") for each in mounted):
+                continue  # the container sees what is plugged in
             if _is_replugged(device) and device.where.span.start >= service.body.span.start:
                 is_input = device.host.startswith(INPUT)
                 numbers = '["c 13:* rmw"]' if is_input else '["c 188:* rmw", "c 166:* rmw"]'

@@ -42,6 +42,15 @@ from bringup_lint.api.shell import Run
 OPTIONS = ("--tags", "-t")
 OWN = ("all", "tagged", "untagged", "always", "never")
 TAGS = regex(r"\btags\b[\"']?[ \t]*[:=]", hints="tags")
+UNKNOWN = regex(
+    r"\btags\b[\"']?[ \t]*[:=][^\n]{0,80}\{\{"
+    r"|^[ \t]*-[ \t]+(?:role:[ \t]*)?[\"']?[a-z]\w{0,60}\.\w{1,60}[\"']?[ \t]*$",
+    re.M,
+)
+"""Tags that a variable gives, and roles of others."""
+PAGE = regex(r"\.ya?ml$")
+SIZE = 64 * 1024
+"""How much is read of a page."""
 FOREIGN = ("requirements.yml", "requirements.yaml")
 """Name roles and collections that are not in the tree."""
 MOST = 50
@@ -54,8 +63,11 @@ PLAYBOOK = regex(r".*(?:\.ya?ml|\$.*)")
 def ansible_tag_missing(robot: Robot) -> Iterator[Finding]:
     if not robot.of_kind("ansible") or any(True for name in FOREIGN for _ in robot.tree.named(name)):
         return
+    if robot.tree.submodules or any(each.matches(UNKNOWN) for each in robot.of_kind("ansible")):
+        return
     asked = list(islice(_asked(robot), MOST))
-    has_tags = asked and any(TAGS.search(each.text) for each in robot.sources)
+    texts = list(_texts(robot)) if asked else []
+    has_tags = any(map(TAGS.search, texts))
     for word, names in asked:
         if not has_tags:
             yield finding(
@@ -63,7 +75,7 @@ def ansible_tag_missing(robot: Robot) -> Iterator[Finding]:
                 "No play, role or task of the tree has tags: Ansible skips every task, and ends with success",
                 advice="give the tasks tags, or choose them by a variable and when:",
             )
-        elif all(map(PLAIN.fullmatch, names)) and not any(_has(robot, name) for name in names):
+        elif all(map(PLAIN.fullmatch, names)) and not any(_has(texts, name) for name in names):
             yield finding(
                 word,
                 f"No play, role or task has the tag {', '.join(names)}: Ansible skips every task and succeeds",
@@ -96,7 +108,13 @@ def _is_of_tree(robot: Robot, run: Run, tags: Located) -> bool:
     return bool(named) and all(any(robot.tree.named(name)) for name in files)
 
 
-def _has(robot: Robot, name: str) -> bool:
+def _has(texts: list[str], name: str) -> bool:
     """Whether a play may give a task a tag of this name: it says the word."""
     word = re.compile(rf"(?<![\w.-]){re.escape(name)}(?![\w-])")
-    return any(word.search(each.text) for each in robot.of_kind("ansible", "ansible-vars"))
+    return any(map(word.search, texts))
+
+
+def _texts(robot: Robot) -> Iterator[str]:
+    """What plays, roles, tasks and their variables say."""
+    yield from (each.text for each in robot.of_kind("ansible", "ansible-vars"))
+    yield from robot.tree.pages(PAGE, SIZE)

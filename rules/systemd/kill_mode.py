@@ -44,8 +44,14 @@ from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.systemd import Unit
 
-TRAP = regex(r"\btrap\b[^\n]{0,200}\b(?:kill|pkill|killall|EXIT|TERM)\b|^[ \t]*(?:tmux|screen|setsid|nohup)[ \t]", re.M)
+TRAP = regex(
+    r"\btrap\b[^\n]{0,200}\b(?:kill|pkill|killall|EXIT|(?:SIG)?(?:TERM|INT|HUP))\b"
+    r"|^[ \t]*(?:tmux|screen|setsid|nohup)[ \t]|\bdisown\b",
+    re.M,
+)
 """The script ends them itself, or means them to outlive it."""
+SHORT = frozenset(("sleep", "stty", "echo", "modprobe", "amixer", "aplay", "logger", "systemd-notify"))
+"""Programs that end by themselves."""
 
 
 @rule(
@@ -82,10 +88,12 @@ def kill_mode(robot: Robot) -> Iterator[Finding]:
 
 
 def _left(robot: Robot, unit: Unit) -> Iterator[Located]:
-    """What the scripts of a unit leave in the background."""
+    """What the scripts of a unit leave in the background, where no other command of the unit may end it."""
+    if unit.get("Type") == "forking" or unit.get("ExecStop") or unit.get("ExecStopPost"):
+        return
     for process in robot.units.processes(unit):
         for step in process.steps:
             command = step.command
             source = command.words[0].span.source if command.background and command.words else None
-            if source is not None and not source.matches(TRAP):
+            if source is not None and command.words[0] not in SHORT and not source.matches(TRAP):
                 yield command.words[0]
