@@ -15,7 +15,24 @@ from bringup_lint.source import Source
 
 _INCLUDE = regex(r"#[ \t]{0,8}include[ \t]{0,8}([\"<][^\">\n]{1,200}[\">]|[A-Z_]\w{0,80})", hints="include")
 """A name that a macro gives is unknown."""
-_CODE = regex(rf"(?:{'|'.join(each.replace('.', '[.]').replace('+', '[+]') for each in CPP)})$")
+_OTHERS = (
+    ".c",
+    ".cu",
+    ".cuh",
+    ".ino",
+    ".mm",
+    ".pyx",
+    ".pxd",
+    ".i",
+    ".inc",
+    ".tcc",
+    ".txx",
+    ".impl",
+    ".hpp.in",
+    ".h.in",
+)
+"""Other files that include headers of C++: of firmware and CUDA, wrappers and templates."""
+_CODE = regex(rf"(?:{'|'.join(each.replace('.', '[.]').replace('+', '[+]') for each in (*CPP, *_OTHERS))})$")
 _DEPTH = 100
 """Folders of an include, of which none has more."""
 _SIZE = 500_000

@@ -53,7 +53,7 @@ _STARTING = frozenset(
     ("Node", "LifecycleNode", "ComposableNodeContainer", "ExecuteProcess", "ExecuteLocal", "LoadComposableNodes")
 )
 
-_WINDOW = regex(r"(?i)rviz|rqt|gui|visuali[sz]|foxglove|plotjuggler")
+_WINDOW = regex(r"(?i)rviz|rqt|(?<![a-z])gui(?![a-z])|visuali[sz]|foxglove|plotjuggler")
 """Of the name of a program that only shows something."""
 _STATIC = "static_transform_publisher"
 OF_MANY_NODES = (_STATIC, "spawner", "parameter_bridge", "create", "spawn_entity.py", "relay")

@@ -37,6 +37,8 @@ def leads_to(folder: Path, files: dict[str, str], name: str) -> bool:
         ({"weir/include/weir/lock.hpp": '#include "../weir/gate.hpp"\n'}, True),
         ({"weir/include/weir/lock.hpp": "#include GATE\n"}, True),
         ({"weir/src/lock.cpp": '#include "lock.hpp"\n'}, True),
+        ({"weir/src/gate.cu": '#include "weir/gate.hpp"\n'}, True),
+        ({"weir/firmware/firmware.ino": '#include "weir/gate.hpp"\n'}, True),
     ],
 )
 def test_headers(tmp_path: Path, files: dict[str, str], *, expected: bool) -> None:
