@@ -39,9 +39,9 @@ if TYPE_CHECKING:
 
 Model = TypeVar("Model")
 
-_PYTHON_FILE = regex(r"[\w.-]{1,200}\.py\b", hints=".py")
+_PYTHON_FILE = regex(r"(?<![\w.-])[\w.-]{1,200}\.py\b", hints=".py")
 _CONFIGURES_MIDDLEWARE = regex(
-    r"""CYCLONEDDS_URI["']?\s*[:=](?:[^\n]*|["']\s*)<|RMW_IMPLEMENTATION["']?\s*[:=]\s*["']?rmw_fastrtps_""",
+    r"""CYCLONEDDS_URI["']?\s*[:=](?:[^\n]{0,300}|["']\s*)<|RMW_IMPLEMENTATION["']?\s*[:=]\s*["']?rmw_fastrtps_""",
     hints="CYCLONEDDS_URI rmw_fastrtps_",
 )
 _ROS_KINDS = (

@@ -79,15 +79,15 @@ def _published(robot: Robot) -> Iterator[Finding]:
 
 
 def _subscribed(robot: Robot) -> Iterator[Finding]:
-    publishers: dict[object, list[topics.Use]] = {}
+    publishers: dict[object, set[object]] = {}
     for publisher, subscription in robot.topics.pairs:
-        publishers.setdefault(subscription.where, []).append(publisher)
+        publishers.setdefault(subscription.where, set()).add(publisher.where)
     seen = set()
     for publisher, subscription in robot.topics.pairs:
         qos, offered = subscription.qos, publisher.qos
         if qos is None or offered is None or qos.durability != "VOLATILE" or offered.durability != "TRANSIENT_LOCAL":
             continue
-        if subscription.where in seen or len({each.where for each in publishers[subscription.where]}) > 1:
+        if subscription.where in seen or len(publishers[subscription.where]) > 1:
             continue
         published = [] if subscription.shown else _at_start(robot, publisher)
         if published:

@@ -67,8 +67,8 @@ MOST = 20
 """Such lists that are looked at in one script."""
 PIPED = regex(r"\bxargs\b[^\n|;&]{0,60}\bkill[ \t]+(?:-9|-KILL|-SIGKILL|-s[ \t]*(?:9|KILL|SIGKILL))\b")
 ASKED = regex(
-    r"\bsend-keys\b[^\n]*\bC-c\b|\bsystemctl\b[^\n]*[ \t]stop\b|\blifecycle[ \t]+set\b|\btopic[ \t]+pub\b"
-    r"|\bdocker\b[^\n]*\b(?:stop|down|pkill|kill)\b|\btimeout[ \t]+-"
+    r"\bsend-keys\b[^\n]{0,200}\bC-c\b|\bsystemctl\b[^\n]{0,200}[ \t]stop\b|\blifecycle[ \t]+set\b|\btopic[ \t]+pub\b"
+    r"|\bdocker\b[^\n]{0,200}\b(?:stop|down|pkill|kill)\b|\btimeout[ \t]+-"
 )
 """What stops nodes or the robot before in another way."""
 GENTLE = regex(

@@ -336,6 +336,10 @@ def counts(size: int) -> str:
     return "".join(f"n{each}=0\n" for each in names) + "".join(f"((n{each}++))\n" for each in names)
 
 
+def asked_flags(size: int) -> str:
+    return "".join(f'busy={at}\nif [ "$busy" ]; then ls; fi\n' for at in range(size * 4))
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("rule", "made"),
@@ -348,6 +352,8 @@ def counts(size: int) -> str:
         ("script/second-run-ends", lambda size: "".join(f"mkdir /opt/rover{each}x\n" for each in range(size * 5))),
         ("script/second-run-ends", lambda size: f"mkdir /opt/rover\necho {'[ ' * size * 10}\n"),
         ("script/error-page-stored", lambda size: f"curl https://a.b/c -o /opt/rover\necho {'sum ' * size * 10}\n"),
+        ("script/condition-always-true", asked_flags),
+        ("script/kill-without-stop", lambda size: f"pkill -9 ros2\ntrue {'docker ' * size * 10}\n"),
         ("script/syntax", lambda size: "".join(f"sed s/@TOKEN{at}@/x/ a\n" for at in range(size * 10))),
         ("script/apt-asks", lambda size: "".join(f"n{at}=0\n" for at in range(size * 4)) + "apt install rover\n"),
         ("script/apt-asks", lambda size: f"{'apt install rover; ' * size * 2}\n"),
@@ -374,6 +380,12 @@ def copies(size: int) -> str:
     builds = "RUN colcon build --symlink-install\n" * size
     brought = "".join(f"COPY --from=0 /w{at}/install /w{at}/install\n" for at in range(size))
     return f"FROM ros:jazzy\n{builds}FROM ros:jazzy\n{brought}"
+
+
+def middleware(size: int) -> str:
+    taken = "COPY --from=made /ws/install /ws/install\n" * size
+    made = "FROM ros:jazzy AS made\n" + "RUN colcon build\n" * size
+    return f"{made}FROM ros:jazzy\nENV RMW_IMPLEMENTATION=rmw_zenoh_cpp\n{taken}CMD ros2 run boat row\n"
 
 
 @pytest.mark.slow
@@ -405,6 +417,8 @@ def stages(size: int) -> str:
         ("script/apt-asks", lambda size: f"FROM ros:jazzy\nRUN {'apt-get install -y rover && ' * size * 3}:\n"),
         ("script/yes-ends-script", stages),
         ("docker/failure-hidden", shells),
+        ("env/rmw-package-missing", middleware),
+        ("env/rmw-package-missing", lambda size: middleware(0) + f"RUN {'rosdep git curl ' * size * 5}\n"),
         ("docker/links-left-behind", copies),
         ("docker/links-left-behind", lambda size: f"FROM ros:jazzy\nRUN {'rm -r ' * size * 5}\n"),
     ],
@@ -431,6 +445,31 @@ def test_time_grows_as_what_a_step_of_an_image_repeats(step: str, tmp_path: Path
 
 
 @pytest.mark.slow
+def test_time_grows_as_the_units_that_a_script_installs(tmp_path: Path) -> None:
+    def check(size: int) -> None:
+        for at in range(size):
+            unit = "[Service]\nExecStart=/opt/rover/part\n[Install]\nWantedBy=multi-user.target\n"
+            (tmp_path / f"part{at}.service").write_text(unit)
+        lines = "".join(f"cp part{at}.service /etc/systemd/system/\n" for at in range(size))
+        (tmp_path / "install.sh").write_text(f"#!/bin/bash\n{lines}")
+        lint("--no-cache", "--quiet", "--select", "systemd/never-enabled", ".", cwd=tmp_path)
+
+    assert is_linear(check, 30)
+
+
+@pytest.mark.slow
+def test_time_grows_as_the_tags_that_scripts_ask_for(tmp_path: Path) -> None:
+    def check(size: int) -> None:
+        task = "    - name: row\n      ansible.builtin.apt:\n        name: oar\n      tags: [row]\n"
+        (tmp_path / "deploy.yml").write_text(f"- hosts: all\n  tasks:\n{task * size}")
+        lines = "".join(f"ansible-playbook deploy.yml --tags part{at}\n" for at in range(size))
+        (tmp_path / "deploy.sh").write_text(f"#!/bin/bash\n{lines}")
+        lint("--no-cache", "--quiet", "--select", "script/ansible-tag-missing", ".", cwd=tmp_path)
+
+    assert is_linear(check, 60)
+
+
+@pytest.mark.slow
 def test_time_grows_as_the_units_beside_each_other(tmp_path: Path) -> None:
     def check(size: int) -> None:
         for at in range(size):
@@ -449,6 +488,12 @@ NODE = "import rclpy\n\nrclpy.init()\n"
 def attributes(size: int) -> str:
     a_class = "class C{0}:\n    def get(self):\n        return self.a{0}\n\n\nC{0}().b{0} = 1\n"
     return NODE + "".join(a_class.format(at) for at in range(size))
+
+
+def objects(size: int) -> str:
+    methods = "".join(f"    def row{at}(self):\n        self.a{at} = 1\n\n" for at in range(size))
+    calls = "".join(f"boat.row{at}()\nprint(boat.b{at})\n" for at in range(size))
+    return f"{NODE}class Boat:\n{methods}\nboat = Boat()\n{calls}"
 
 
 def failed_calls(size: int) -> str:
@@ -481,6 +526,8 @@ def calls_of_method(size: int) -> str:
     ("rule", "made"),
     [
         ("node/undefined-attribute", attributes),
+        ("node/undefined-attribute", objects),
+        ("node/call-misfit", objects),
         ("node/unbound-local", failed_calls),
         ("node/constructor-gives-up", given_up_with_flags),
         ("node/constructor-gives-up", calls_of_method),

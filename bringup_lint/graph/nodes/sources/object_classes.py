@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+from collections import Counter
 from collections import defaultdict
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -10,6 +11,7 @@ from typing import TYPE_CHECKING
 from bringup_lint.graph.memo import memo
 from bringup_lint.graph.nodes.sources.plain_classes import plain_classes
 from bringup_lint.graph.nodes.sources.tree_imports import Defined
+from bringup_lint.graph.nodes.sources.tree_imports import Definition
 from bringup_lint.graph.nodes.sources.tree_imports import definitions
 from bringup_lint.graph.nodes.sources.tree_imports import own_definitions
 from bringup_lint.model.node_source import NodeSource
@@ -17,6 +19,7 @@ from bringup_lint.model.python import FunctionNode
 from bringup_lint.model.python import bound_names
 from bringup_lint.model.python import is_own
 from bringup_lint.model.python import walk
+from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
@@ -59,15 +62,12 @@ class ObjectClasses:
         """Whether the objects of a class have no attribute of a name."""
         if name in self._known.foreign or hasattr(object, name):
             return False
-        return not any(name in _named(each) for each in walk(found.node))
+        return name not in _of_class(self._nodes, found.node).named
 
     def method(self, found: Defined, name: str) -> FunctionNode | None:
         """The method that a name surely means, without decorators."""
-        if name in self._known.foreign or any(name in _stored(each) for each in walk(found.node)):
-            return None
-        methods = [each for each in walk(found.node) if isinstance(each, _FUNCTIONS) and each.name == name]
-        is_sure = len(methods) == 1 and methods[0] in found.node.body and not methods[0].decorator_list
-        return methods[0] if is_sure else None
+        of_class = _of_class(self._nodes, found.node)
+        return of_class.methods.get(name) if name not in self._known.foreign and name not in of_class.stored else None
 
     @cached_property
     def _made(self) -> dict[str, Defined]:
@@ -124,9 +124,25 @@ class ObjectClasses:
         return None if found.file.source.matches(_DYNAMIC) else found
 
 
-def _named(node: ast.AST) -> tuple[str, ...]:
-    """What a piece of a class gives a name, be it in a method."""
-    return (*bound_names(node), *_stored(node))
+class _OfClass(NamedTuple):
+    """The names in one class, be they in a method."""
+
+    named: frozenset[str]
+    """What gets a value or a definition."""
+    stored: frozenset[str]
+    """The attributes of them."""
+    methods: dict[str, FunctionNode]
+    """Those that a name surely means, without decorators."""
+
+
+@memo
+def _of_class(nodes: Nodes, node: Definition) -> _OfClass:
+    every = list(walk(node))
+    stored = frozenset(name for each in every for name in _stored(each))
+    defined = Counter(each.name for each in every if isinstance(each, _FUNCTIONS))
+    plain = (each for each in node.body if isinstance(each, _FUNCTIONS) and not each.decorator_list)
+    methods = {each.name: each for each in plain if defined[each.name] == 1}
+    return _OfClass(stored.union(*map(bound_names, every)), stored, methods)
 
 
 def _stored(node: ast.AST) -> tuple[str, ...]:

@@ -31,18 +31,24 @@ _MAPPED = "__map_"
 """What begins a level whose name is any of a list that another parameter holds."""
 
 
+_PATTERNS = 200
+"""Names with such levels of one library: with more, none is known to be lacking."""
+
+
 class _Library(NamedTuple):
     node: str
     names: frozenset[str]
     where: Span
+    words: frozenset[str]
+    """The parts of the names."""
+    mapped: frozenset[tuple[str, ...]]
+    """The names of which a level is any of a list; empty there."""
 
     def has(self, name: str) -> bool:
+        if name in self.names or len(self.mapped) > _PATTERNS:
+            return True
         parts = name.split(".")
-        return name in self.names or any(_fits(each.split("."), parts) for each in self.names if _MAPPED in each)
-
-    @property
-    def words(self) -> frozenset[str]:
-        return frozenset(part for name in self.names for part in name.split("."))
+        return any(_fits(each, parts) for each in self.mapped)
 
 
 def unlisted(params: Params, launch: Launch) -> Iterator[Unread]:
@@ -65,19 +71,20 @@ def unlisted(params: Params, launch: Launch) -> Iterator[Unread]:
 
 def _is_new(params: Params, library: _Library, name: str) -> bool:
     """Whether a part of a name is none of the library, and no text of a source: the node may declare more itself."""
-    words = library.words
-    return any(part not in words and not params.is_named_in_code(part) for part in name.split("."))
+    return any(part not in library.words and not params.is_named_in_code(part) for part in name.split("."))
 
 
 def _libraries(params: Params, launch: Launch) -> Iterator[_Library]:
-    for package in launch.workspace.packages.values():
-        for build in package.builds:
-            folder = os.path.dirname(build.source.absolute)
-            for found in _MADE.finditer(build.source.text):
-                path = os.path.normpath(os.path.join(folder, found["file"]))
-                source = params.files.tree.read(path, judged=False)
-                if source is not None:
-                    yield from _listed(source)
+    builds = [build.source for package in launch.workspace.packages.values() for build in package.builds]
+    paths = (
+        os.path.normpath(os.path.join(os.path.dirname(build.absolute), found["file"]))
+        for build in builds
+        for found in _MADE.finditer(build.text)
+    )
+    for path in dict.fromkeys(paths):
+        source = params.files.tree.read(path, judged=False)
+        if source is not None:
+            yield from _listed(source)
 
 
 def _listed(source: Source) -> Iterator[_Library]:
@@ -85,7 +92,11 @@ def _listed(source: Source) -> Iterator[_Library]:
     root = parse(source).root
     if isinstance(root, Mapping):
         for key, value in root.entries:
-            yield _Library(str(key.value), frozenset(_names(value, "")), key.span)
+            names = frozenset(_names(value, ""))
+            parts = [name.split(".") for name in names]
+            mapped = (tuple("" if part.startswith(_MAPPED) else part for part in each) for each in parts)
+            words = frozenset(part for each in parts for part in each)
+            yield _Library(str(key.value), names, key.span, words, frozenset(each for each in mapped if "" in each))
 
 
 def _names(node: object, prefix: str) -> Iterator[str]:
@@ -98,6 +109,6 @@ def _names(node: object, prefix: str) -> Iterator[str]:
         yield from _names(value, f"{prefix}{key.value}.")
 
 
-def _fits(pattern: list[str], parts: list[str]) -> bool:
-    same = (own.startswith(_MAPPED) or own == part for own, part in zip(pattern, parts))
+def _fits(pattern: tuple[str, ...], parts: list[str]) -> bool:
+    same = (own in ("", part) for own, part in zip(pattern, parts))
     return len(pattern) == len(parts) and all(same)

@@ -7,13 +7,14 @@ import os
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.graph.memo import memo
 from bringup_lint.graph.nodes.sources.tree_imports import Taken
 from bringup_lint.graph.nodes.sources.tree_imports import bindings
 from bringup_lint.graph.nodes.sources.tree_imports import may_fail
 from bringup_lint.graph.nodes.sources.tree_imports import taken
 from bringup_lint.model.node_source import NodeSource
 from bringup_lint.named_tuple import NamedTuple
-from bringup_lint.spelling import nearest
+from bringup_lint.spelling import nearest_of_few
 
 if TYPE_CHECKING:
     from bringup_lint.graph.nodes.nodes import Nodes
@@ -39,7 +40,7 @@ def missing_names(nodes: Nodes) -> Iterator[MissingName]:
             if each.alias.name in names or each.alias.name in _OF_MODULES or _is_module(nodes, each):
                 continue
             if not may_fail(nodes.syntax(file), each.statement):
-                near = nearest(each.alias.name, names)
+                near = nearest_of_few(each.alias.name, names)
                 function = nodes.syntax(file).function(each.statement)
                 named = function.name if function is not None else None
                 yield MissingName(file, each.alias, each.file, near[0] if len(near) == 1 else None, named)
@@ -52,4 +53,10 @@ def _is_module(nodes: Nodes, each: Taken) -> bool:
         return False
     tree, path = nodes.files.tree, os.path.join(folder, each.alias.name)
     is_made = tree.is_ignored(path) or tree.is_ignored(f"{path}.py") or tree.exists(f"{folder}/CMakeLists.txt")
-    return is_made or tree.exists(path) or any(each.startswith(f"{path}.") for each in tree.walked_in(folder))
+    return is_made or tree.exists(path) or each.alias.name in _stems(nodes, folder)
+
+
+@memo
+def _stems(nodes: Nodes, folder: str) -> frozenset[str]:
+    """The names of the files of a folder without their endings."""
+    return frozenset(os.path.basename(each).partition(".")[0] for each in nodes.files.tree.walked_in(folder))
