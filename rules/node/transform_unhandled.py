@@ -12,7 +12,7 @@ Each start begins without transforms, and each transform arrives after the senso
 LookupException, ConnectivityException or ExtrapolationException then. The exception leaves `spin()`, and the node
 ends: usually with the first message, later whenever localization is late once. While the constructor runs, nothing
 spins the node yet. The listener gets no transform, and the lookup fails at every start, whatever its timeout is. A
-message that was not filled is all zero: a goal at the origin of the frame, which may be on the other side of a wall.
+message that was not filled is a goal at the origin of the frame, which may be on the other side of a wall.
 
 ## Bad
 ```python
@@ -86,7 +86,8 @@ def transform_unhandled(robot: Robot) -> Iterator[Finding]:
         for lost in driver.lost_transforms:
             yield finding(
                 lost.handled,
-                f"When there is no transform, this only logs: what follows uses '{lost.name}' as it was made, all zero",
+                f"When there is no transform, this only logs: what follows uses '{lost.name}' as it was made, at the "
+                "origin of its frame",
                 advice="return here, and go without this message",
                 related=[note(lost.looked_up, "fills it"), note(lost.used, "used whether it was filled or not")],
                 severity=robot.nodes.lowered_if_vendored(driver.source, "warning"),

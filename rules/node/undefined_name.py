@@ -50,7 +50,7 @@ def undefined_name(robot: Robot) -> Iterator[Finding]:
             when = f"in a branch of {found.function}()" if found.branch and not found.handling else when
             when = f"{when} and its try block has failed" if found.handling else when
             end = nodes.end_of(robot.nodes.syntax(file), found.name, caught=found.caught)
-            end = "what follows at the end of the node never runs" if found.late else end
+            end = "the node ends with this traceback" if found.late else end
             line = f"from {module} import {name}" if module else f"import {name}"
             started = found.function != "main" or robot.nodes.runs_main(file.source)
             rare = found.late or found.handling or found.branch

@@ -2,8 +2,9 @@
 
 ## What it finds
 A text file of the tree that a unit starts directly and whose first line does not begin with `#!`: no such line at all,
-or a misspelt one such as `#/bin/sh`. A misspelt one, and one behind blanks or empty lines, is a warning in every other
-script but the completions of shells, which are never started.
+or a misspelt one such as `#/bin/sh`. A misspelt one is a warning in every other script but the completions of shells,
+which are never started. One behind blanks or empty lines is a warning where something of the tree starts the script,
+and else an info: from a shell it starts.
 
 ## Why it matters on a robot
 The kernel executes a text file only by its first line. systemd has no shell to fall back to: the unit fails with
@@ -87,7 +88,7 @@ def no_shebang(robot: Robot) -> Iterator[Finding]:
                 source.located(*indented.span(1)),
                 "The file begins with blanks and so names no interpreter: only a shell can start the script",
                 advice="remove the blanks",
-                severity="warning",
+                severity="warning" if robot.scripts.starts_by_itself(source) else "info",
             )
         elif misspelt is not None and "complet" not in source.basename:
             yield finding(

@@ -2,8 +2,9 @@
 
 ## What it finds
 A script that copies files to a `rules.d` folder of udev, or writes one, and neither runs `udevadm trigger`, nor
-restarts the machine, nor says that somebody has to do that, or to plug the devices in again. `udevadm control
---reload` and `service udev restart` only make udev read the rules: no device gets them before its next event.
+restarts the machine, nor says that somebody has to do that, or to plug the devices in again; no page that names it, or
+a script that calls it, says so either. `udevadm control --reload` and `service udev restart` only make udev read the
+rules: no device gets them before its next event.
 
 ## Why it matters on a robot
 Devices that are plugged in keep the names and modes that they have. The links that drivers open are not there until
@@ -57,6 +58,10 @@ SYSTEM = ("/etc/", "/lib/", "/usr/lib/")
 PAGE = regex(r"\.(?:md|rst|txt|py|mk)$|(?:^|/)(?:makefile|justfile)$", re.I)
 """Files that may tell udev, or say how the script is used."""
 MOST = 100_000
+SCRIPT = regex(r"(?<![\w.-])[\w.-]{1,80}\.(?:sh|bash)(?![\w-])")
+CALLS = 3
+"""Scripts that call each other, up to the one that a page names."""
+NAMES = 20
 
 
 @rule("warning", symptoms=["No such file or directory: '/dev/", "could not open port /dev/*No such file or directory"])
@@ -70,11 +75,16 @@ def udev_not_reloaded(robot: Robot) -> Iterator[Finding]:
     for source, written in robot.scripts.written(FOLDER):
         if written.path.startswith(SYSTEM) and FOLDER in written.path:
             copied.setdefault(source, []).append(written.where)
-    telling = [each for each in robot.sources if each.kind == "dockerfile" or TOLD.search(each.said)] if copied else []
+    if not copied:
+        return
+    telling = [each for each in robot.sources if each.kind == "dockerfile" or TOLD.search(each.said)]
+    pages = [page for page in robot.tree.pages(PAGE, MOST) if TOLD.search(page)]
+    callers = _callers(robot) if pages else {}
     for source, (first, *others) in copied.items():
         if TOLD.search(source.text) or _is_called(telling, source) or runs_in_image(source):
             continue
-        if any(source.basename in page and TOLD.search(page) for page in robot.tree.pages(PAGE, MOST)):
+        names = _with_callers(source.basename, callers)
+        if any(name in page for page in pages for name in names):
             continue
         reloads = RELOADS.search(source.text)
         cause = "udev only reads the new rules" if reloads else "udev is not told of the new rules"
@@ -93,3 +103,20 @@ def _is_called(telling: list[Source], source: Source) -> bool:
         and (source.basename in each.text or (each.kind == "shell-script" and each.basename in source.text))
         for each in telling
     )
+
+
+def _callers(robot: Robot) -> dict[str, set[str]]:
+    """The names of scripts, each with those of the scripts that say it."""
+    callers: dict[str, set[str]] = {}
+    for source in robot.of_kind("shell-script"):
+        for match in SCRIPT.finditer(source.text):
+            callers.setdefault(match[0], set()).add(source.basename)
+    return callers
+
+
+def _with_callers(name: str, callers: dict[str, set[str]]) -> list[str]:
+    """The name of a script, and those of scripts that call it, themselves or through others."""
+    names = [name]
+    for _ in range(CALLS):
+        names += sorted({caller for each in names for caller in callers.get(each, ())} - set(names))[:NAMES]
+    return names

@@ -6,8 +6,9 @@ has.
 
 - It is a warning for names that look like the robot's own, unless a script of the repository creates the
   unit, and for targets that nobody has, such as `docker.target`, where the distribution has a service of that name.
-- It is a warning, too, for names that the system manager does not have in any distribution: `udisks.service`, which is
-  called udisks2, and the sound servers, which only the managers of users have.
+- It is a warning, too, for names that the system manager does not have in any distribution, such as those of the sound
+  servers, which only the managers of users have. `udisks.service`, which is called udisks2, is an info where it only
+  gives an order: D-Bus starts that one for whoever asks it.
 - It is an info for names of which four or more that begin with the same word are missing: another package
   brings them.
 - It is an info for other names, which may be optional, and only in a complete root file system.
@@ -59,6 +60,8 @@ GONE = {
     "wireplumber.service": "",
 }
 """Names that the system manager does not have, each with the one that is meant; empty: units of the user manager."""
+STARTED_WHEN_ASKED = {"udisks.service"}
+"""Those of a program that D-Bus starts."""
 
 
 def renamed(unit: Unit, name: str, meant: str) -> Iterator[tuple[Located, str]]:
@@ -89,13 +92,15 @@ def missing_wanted_unit(robot: Robot) -> Iterator[Finding]:
             f"{key}={word} has no effect: there is no such unit" + ("" if robot.tree.complete else " in this tree"),
             advice=f"did you mean {meant}?" if meant else "correct the name, or remove the line",
             fix=fix(f"write {meant}", *renamed(unit, word, meant), safe=False) if meant else None,
-            severity=None if _is_sure(robot.units, word, unit) and not elsewhere else "info",
+            severity=None if _is_sure(robot.units, word, unit, key) and not elsewhere else "info",
             confidence="high" if robot.tree.complete else "medium",
         )
 
 
-def _is_sure(units: Units, name: str, unit: Unit) -> bool:
-    return name in GONE or units.is_own(name, unit) or units.service_of_target(name, unit) is not None
+def _is_sure(units: Units, name: str, unit: Unit, key: str) -> bool:
+    if name in GONE:
+        return name not in STARTED_WHEN_ASKED or key not in ("After", "Before")
+    return units.is_own(name, unit) or units.service_of_target(name, unit) is not None
 
 
 def _is_gone(units: Units, name: str, unit: Unit) -> bool:

@@ -34,7 +34,7 @@ _SUBSTITUTION = regex(r"%%|\$\$|[%$](?:[a-z]+|[A-Z])?(?:\{[^}]{0,400}\})?")
 _PLACEHOLDER = regex(r"\{\{(?:(?!\{\{|\}\}).)*\}\}|@\w+@")
 STARTING = ("RUN", "PROGRAM", "IMPORT")
 """The keys that start a program."""
-_HID = regex(r"[0-9a-f]{4}:(?P<vendor>[0-9a-f]{4}):(?P<product>[0-9a-f]{4})\.")
+_HID = regex(r"(?:[0-9a-f]{4}:|\*:?)(?P<vendor>[0-9a-f]{4}):(?P<product>[0-9a-f]{4})(?:[.*]|$)")
 """The name of a HID device: its bus, vendor and product."""
 _LOOKING = frozenset({"input", "video4linux", "iio", "media"})
 """Subsystems of devices that drive nothing."""
