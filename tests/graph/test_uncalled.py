@@ -201,6 +201,12 @@ def test_a_method_of_another_that_has_the_name_is_another(tmp_path: Path) -> Non
         (branch("FAST", head="FAST = False\n") + "\ndef start(weir):\n    setattr(weir, 'FAST', True)\n", True),
         (branch("self.fast", made="self.fast = False") + "\ndef go(weir):\n    setattr(weir, 'fast', 1)\n", True),
         (branch("self.fast", made="self.fast = False") + "\ndef go(weir, key):\n    setattr(weir, key, 1)\n", True),
+        (
+            branch("self.fast", made="self.fast = False").replace(
+                "    def open", "    @property\n    def fast(self):\n        return self.level > 3\n\n    def open"
+            ),
+            True,
+        ),
         (branch("slowly").replace("    def lower_gate", "    @app.get('/')\n    def lower_gate"), True),
         (branch("slowly", call="self.get()").replace("lower_gate", "execute"), True),
         (branch("self.get():\n            pass\n        elif slowly"), False),

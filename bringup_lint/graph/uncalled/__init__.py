@@ -22,7 +22,7 @@ _DEPTH = 3
 """Functions in a row that only the next one calls."""
 _RUN_BY_OTHERS = regex(
     r"main$|__\w+__$|on_\w+$|(?:do|visit|test|handle|pytest|cmd|lambda)_\w+$|destroy_node$|run$|setup$|update$|initialise$"
-    r"|terminate$|execute$|generate_launch_description$|[a-z]+[A-Z]\w*$"
+    r"|terminate$|execute$|generate_\w+_description$|[a-z]+[A-Z]\w*$"
 )
 """Functions that a framework calls by their names; those of Qt are in mixed case."""
 

@@ -16,6 +16,8 @@ from bringup_lint.graph.uncalled.code import last_name
 
 _DEPTH = 4
 """Calls in a row that hand an argument on."""
+_OF_ALL = ("__getattr__", "__getattribute__", "__setattr__")
+"""Functions of a class that answer for any attribute."""
 _NESTED = 20
 """Conditions in each other that are looked at."""
 _ARGUMENTS = 50
@@ -129,7 +131,7 @@ class Branches:
         """What an attribute of ``self`` is, when only its class sets it."""
         module, cls, name, depth = asked
         modules = self._code.modules_with(name) if not module.is_reflected else None
-        if modules is None or self._code.reaches_by_name or not self._is_alone(cls):
+        if modules is None or self._code.reaches_by_name or not self._is_alone(cls) or _is_computed(cls, name):
             return None
         if (
             any(name in each.set_by_name for each in modules)
@@ -159,6 +161,12 @@ class Branches:
 def _plain(module: Module, name: str) -> list[ast.AST]:
     """The places that set a variable of this name."""
     return [each for each in module.stores.get(name, ()) if not isinstance(each, ast.Attribute)]
+
+
+def _is_computed(cls: ast.ClassDef, name: str) -> bool:
+    """Whether a class has a function that answers for an attribute, or sets it."""
+    functions = (each for each in cls.body if isinstance(each, (ast.FunctionDef, ast.AsyncFunctionDef)))
+    return any(each.name in (name, *_OF_ALL) for each in functions)
 
 
 def _default(function: Function, name: str) -> ast.expr | None:
