@@ -26,9 +26,10 @@ _READS = regex(r"(?:\.|->)\s{0,4}(?:ReadLine|readline|read_until)\s{0,4}\(|\brea
 _TAKES = regex(r"\bcatch\s{0,4}\(\s{0,4}(?:\.\.\.|(?:const\s{1,4})?std::(?:exception|logic_error|out_of_range)\b)")
 _LOOKS = (
     r"\b{0}\s{{0,4}}\.\s{{0,4}}(?:empty|size|length|at|find|rfind|compare|front|back|starts_with|resize)\b"
-    r"|\b{0}\s{{0,4}}(?:[!=]=|\[\s{{0,4}}0)"
+    r"|\b{0}\s{{0,4}}(?:[!=]=|\[\s{{0,4}}0)|[(,]\s{{0,4}}{0}\s{{0,4}}[,)]|\b{0}\s{{0,4}}\.\s{{0,4}}substr\s{{0,4}}\(\s{{0,4}}0\b"
+    r"|\b{0}\s{{0,4}}\.\s{{0,4}}(?:c_str|data)\s{{0,4}}\(\s{{0,4}}\)\s{{0,4}},"
 )
-"""What may tell how long an answer is."""
+"""What may tell how long an answer is, or that it is another."""
 
 
 def short_answers(code: Code) -> Iterator[ShortAnswer]:

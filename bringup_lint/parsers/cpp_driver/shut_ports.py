@@ -34,14 +34,16 @@ SERIAL_PORT = regex(r"\bserial::|\bLibSerial\b", hints="serial:: LibSerial")
 def shut_ports(code: Code) -> Iterator[ShutPort]:
     found_in = ((call, _OPENED.search(call.qualified)) for call in code.calls)
     opens = list(islice(((call, found) for call, found in found_in if found is not None), MOST))
-    for tried in code.written.get("try", ()):
+    all_tried = code.written.get("try", ()) if opens else ()
+    bodies = [code.span(each) for each in all_tried]
+    for tried in all_tried:
         inside = [each for each in opens if tried.start_byte < each[0].node.start_byte < tried.end_byte]
         handler = only_log(code, tried) if inside else None
         if handler is None:
             continue
         for call, found in inside:
             place = _used(code, tried, found)
-            if place is not None:
+            if place is not None and not any(body.start < place.start < body.end for body in bodies):
                 yield ShutPort(code.span(call.node), code.span(handler), place, found["port"])
                 break
 
