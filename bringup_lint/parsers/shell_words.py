@@ -53,7 +53,7 @@ class Words:
         return answer
 
     def refuse(self, start: int, word: str) -> NoReturn:
-        raise Refused(start, start + max(len(word), 1), "unexpected", word)
+        raise Refused(start, min(start + max(len(word), 1), self.size), "unexpected", word)
 
     def refuse_here(self) -> NoReturn:
         self.refuse(self.at, self.plain_word() or self.text[self.at : self.at + 1])

@@ -111,6 +111,7 @@ def test_mistake(text: str, kind: str, word: str) -> None:
     mistake = syntax_mistake(text)
     assert mistake is not None
     assert (mistake.kind, mistake.word) == (kind, word)
+    assert 0 <= mistake.at <= mistake.end <= len(text)
 
 
 @pytest.mark.parametrize(
