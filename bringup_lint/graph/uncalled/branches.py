@@ -131,7 +131,12 @@ class Branches:
         """What an attribute of ``self`` is, when only its class sets it."""
         module, cls, name, depth = asked
         modules = self._code.modules_with(name) if not module.is_reflected else None
-        if modules is None or self._code.reaches_by_name or not self._is_alone(cls) or _is_computed(cls, name):
+        if (
+            modules is None
+            or self._code.reaches_by_name
+            or not self._is_alone(cls)
+            or not module.methods(cls).isdisjoint((name, *_OF_ALL))
+        ):
             return None
         if (
             any(name in each.set_by_name for each in modules)
@@ -161,12 +166,6 @@ class Branches:
 def _plain(module: Module, name: str) -> list[ast.AST]:
     """The places that set a variable of this name."""
     return [each for each in module.stores.get(name, ()) if not isinstance(each, ast.Attribute)]
-
-
-def _is_computed(cls: ast.ClassDef, name: str) -> bool:
-    """Whether a class has a function that answers for an attribute, or sets it."""
-    functions = (each for each in cls.body if isinstance(each, (ast.FunctionDef, ast.AsyncFunctionDef)))
-    return any(each.name in (name, *_OF_ALL) for each in functions)
 
 
 def _default(function: Function, name: str) -> ast.expr | None:

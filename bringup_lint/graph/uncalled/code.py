@@ -115,10 +115,10 @@ class Module:
     def has_its_own(self, use: ast.expr) -> bool:
         """Whether an attribute of ``self`` is a method of the class around."""
         classes = [each for each in self.around(use.lineno) if isinstance(each, ast.ClassDef)] if is_own(use) else []
-        return any(getattr(use, "attr", "") in self._methods(cls) for cls in classes[-1:])
+        return any(getattr(use, "attr", "") in self.methods(cls) for cls in classes[-1:])
 
     @memo
-    def _methods(self, cls: ast.ClassDef) -> frozenset[str]:
+    def methods(self, cls: ast.ClassDef) -> frozenset[str]:
         return frozenset(each.name for each in cls.body if isinstance(each, (ast.FunctionDef, ast.AsyncFunctionDef)))
 
     @cached_property
