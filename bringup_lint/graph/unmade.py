@@ -23,6 +23,10 @@ _DEFINED = r"[ \t]*\(|::~?\w+[ \t]*\(|[ \t]*(?:final[ \t]*)?[:{][^:]"
 """What follows the name of a class where it is defined, and its methods are."""
 _MADE = r"(?:\b(?:new|return|throw)[ \t(]|[=(?][ \t]*|<<[ \t]*)(?:\w+::){0,8}"
 """What is before the name of a class where an object is made without a name."""
+_BASE = r"\b(?:public|protected|private|virtual)[ \t]+(?:\w+::){0,8}"
+"""What is before the name of a class where another builds on it."""
+_CALLED = r"(?:\b(?:return|throw)[ \t]|[=(,!&|?][ \t]*|^[ \t]+)(?:\w+::){0,8}"
+"""What is before the name of a class where a function of the class is called, without an object of it."""
 _END = regex(r"(?m)^\}")
 _REMARK = regex(r"//[^\n]*|/\*[\s\S]*?(?:\*/|\Z)|^[ \t]*#[ \t]*(?:include|ifndef|define|endif)[^\n]*", re.M)
 _STARTS = regex(r"\bmain\s{0,4}\(|\b(?:RCLCPP_COMPONENTS_REGISTER_NODE|PLUGINLIB_EXPORT_CLASS)\b")
@@ -73,6 +77,8 @@ class Unmade:
         word = re.compile(rf"(?<!\w){written}(?!\w)(?![ \t]*;)")
         own = re.compile(
             rf"(?<![\w~])(?<!class )(?<!struct )(?<!explicit ){written}(?!\w)(?!{_DEFINED})|{_MADE}{written}[ \t]*[({{]"
+            rf"|{_BASE}{written}(?!\w)|{_CALLED}{written}::(?!{written}\b)\w+[ \t]*\(",
+            re.M,
         )
         return any(
             (own if _stem(path) == stem else word).search(text) for path, text in self._texts.items() if name in text
