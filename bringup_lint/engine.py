@@ -84,6 +84,7 @@ def run(
     steps = Steps()
     judged = steps.each(checked.findings, "asking what reads its file", lambda found: _by_use(found, robot, registry))
     findings = [*judged, *failures]
+    robot.let_go_of_uncalled()
     findings += [too_slow(source, "Not judged: to parse it", budget.FILE) for source in robot.unfinished]
     if ignores:
         findings = _suppressed(findings, robot, rules, selection, config, steps)

@@ -172,6 +172,10 @@ class Robot:
 
             let_go(self.sources)
 
+    def let_go_of_uncalled(self) -> None:
+        """Forget the Python code that ``leads_to`` has read."""
+        self.__dict__.pop("_uncalled", None)
+
     @property
     def tree(self) -> Tree:
         return self.files.tree

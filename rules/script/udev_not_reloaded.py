@@ -81,12 +81,12 @@ def udev_not_reloaded(robot: Robot) -> Iterator[Finding]:
     pages = [page for page in robot.tree.pages(PAGE, MOST) if TOLD.search(page)]
     callers = _callers(robot) if pages else {}
     for source, (first, *others) in copied.items():
-        if TOLD.search(source.text) or _is_called(telling, source) or runs_in_image(source):
+        if TOLD.search(source.said) or _is_called(telling, source) or runs_in_image(source):
             continue
         names = _with_callers(source.basename, callers)
         if any(name in page for page in pages for name in names):
             continue
-        reloads = RELOADS.search(source.text)
+        reloads = RELOADS.search(source.said)
         cause = "udev only reads the new rules" if reloads else "udev is not told of the new rules"
         yield finding(
             first,
@@ -109,7 +109,7 @@ def _callers(robot: Robot) -> dict[str, set[str]]:
     """The names of scripts, each with those of the scripts that say it."""
     callers: dict[str, set[str]] = {}
     for source in robot.of_kind("shell-script"):
-        for match in SCRIPT.finditer(source.text):
+        for match in SCRIPT.finditer(source.said):
             callers.setdefault(match[0], set()).add(source.basename)
     return callers
 
