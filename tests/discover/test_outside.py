@@ -84,6 +84,26 @@ def test_nobody_looks_for_what_lies_outside(tree: Path) -> None:
     assert [checkout.is_broken(str(tree / name)) for name in ("gone", "out")] == [True, False]
 
 
+LIBRARY = """<package format="3">
+  <name>rover</name><version>0.0.1</version><description>Rover</description>
+  <maintainer email="a@b.c">a</maintainer><license>MIT</license>
+</package>
+"""
+
+
+@pytest.mark.parametrize("folder", ["", "../"])
+def test_a_library_of_parameters_outside_is_not_read(tree: Path, folder: str) -> None:
+    names = [f"speed_{letter}" for letter in "abc"]
+    listed = "".join(f"  {name}:\n    type: double\n" for name in names)
+    (tree / f"{folder}rover.yaml").write_text(f"rover:\n{listed}")
+    given = "".join(f"    {name}: 1.0\n" for name in (*names, "wheels"))
+    (tree / "config.yaml").write_text(f"rover:\n  ros__parameters:\n{given}")
+    (tree / "CMakeLists.txt").write_text(f"project(rover)\ngenerate_parameter_library(made {folder}rover.yaml)\n")
+    (tree / "package.xml").write_text(LIBRARY)
+    found = lint("--select", "params/not-declared", "--output-format", "concise", ".", cwd=tree).stdout
+    assert ("wheels" in found) == (not folder)
+
+
 def test_a_git_directory_elsewhere_is_not_read(tree: Path) -> None:
     elsewhere = tree.parent / "elsewhere"
     elsewhere.mkdir()

@@ -82,7 +82,7 @@ def _libraries(params: Params, launch: Launch) -> Iterator[_Library]:
         for found in _MADE.finditer(build.text)
     )
     for path in dict.fromkeys(paths):
-        source = params.files.tree.read(path, judged=False)
+        source = params.files.tree.read(path, judged=False) if params.files.tree.holds(path) else None
         if source is not None:
             yield from _listed(source)
 
