@@ -458,6 +458,17 @@ def test_time_grows_as_the_units_that_a_script_installs(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
+def test_time_grows_as_the_units_that_name_one_that_is_gone(tmp_path: Path) -> None:
+    def check(size: int) -> None:
+        for at in range(size):
+            unit = "[Unit]\nAfter=pulseaudio.service\n[Service]\nExecStart=/opt/rover/part\n"
+            (tmp_path / f"part{at}.service").write_text(unit)
+        lint("--no-cache", "--quiet", "--select", "systemd/missing-wanted-unit", ".", cwd=tmp_path)
+
+    assert is_linear(check, 60)
+
+
+@pytest.mark.slow
 def test_time_grows_as_the_tags_that_scripts_ask_for(tmp_path: Path) -> None:
     def check(size: int) -> None:
         task = "    - name: row\n      ansible.builtin.apt:\n        name: oar\n      tags: [row]\n"

@@ -161,9 +161,17 @@ class NamedUnits:
         stem, _, kind = name.rpartition(".")
         if len(stem) < 6:
             return None
-        own = [other for other in self._stems((manager, kind)) if f"{other}.{kind}" != besides]
-        found = [other for other in nearest(stem, own) if _DIGITS.sub("", other) != _DIGITS.sub("", stem)]
+        near = [other for other in self._nearest((stem, manager, kind)) if f"{other}.{kind}" != besides]
+        if not near and self._nearest((stem, manager, kind)):
+            near = nearest(stem, [each for each in self._stems((manager, kind)) if f"{each}.{kind}" != besides])
+        found = [other for other in near if _DIGITS.sub("", other) != _DIGITS.sub("", stem)]
         return f"{found[0]}.{kind}" if len(found) == 1 else None
+
+    @memo
+    def _nearest(self, asked: tuple[str, str, str]) -> list[str]:
+        """The stems that are nearest to one, of all units of a manager and type."""
+        stem, manager, kind = asked
+        return nearest(stem, self._stems((manager, kind)))
 
     def lacks(self, name: str, manager: str) -> bool:
         """Whether a command names a unit that looks like one of the robot's own, and that nothing provides."""
