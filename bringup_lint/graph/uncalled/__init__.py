@@ -12,9 +12,9 @@ from bringup_lint.graph.files import Files
 from bringup_lint.graph.memo import memo
 from bringup_lint.graph.uncalled.branches import Branches
 from bringup_lint.graph.uncalled.code import Code
-from bringup_lint.graph.uncalled.code import Function
-from bringup_lint.graph.uncalled.code import Module
-from bringup_lint.graph.uncalled.code import has_plain_decorators
+from bringup_lint.graph.uncalled.module import Function
+from bringup_lint.graph.uncalled.module import Module
+from bringup_lint.graph.uncalled.module import has_plain_decorators
 from bringup_lint.pattern import regex
 from bringup_lint.source import Span
 

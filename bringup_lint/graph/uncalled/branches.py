@@ -6,13 +6,13 @@ from __future__ import annotations
 import ast
 
 from bringup_lint.graph.memo import memo
-from bringup_lint.graph.uncalled.code import USES
 from bringup_lint.graph.uncalled.code import Code
-from bringup_lint.graph.uncalled.code import Function
-from bringup_lint.graph.uncalled.code import Module
-from bringup_lint.graph.uncalled.code import has_plain_decorators
-from bringup_lint.graph.uncalled.code import is_own
-from bringup_lint.graph.uncalled.code import last_name
+from bringup_lint.graph.uncalled.module import USES
+from bringup_lint.graph.uncalled.module import Function
+from bringup_lint.graph.uncalled.module import Module
+from bringup_lint.graph.uncalled.module import has_plain_decorators
+from bringup_lint.graph.uncalled.module import is_own
+from bringup_lint.graph.uncalled.module import last_name
 
 _DEPTH = 4
 """Calls in a row that hand an argument on."""

@@ -9,6 +9,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.memo import memo
+from bringup_lint.graph.nodes.sources.plain_classes import PlainClasses
 from bringup_lint.graph.nodes.sources.plain_classes import plain_classes
 from bringup_lint.graph.nodes.sources.tree_imports import Defined
 from bringup_lint.graph.nodes.sources.tree_imports import Definition
@@ -41,9 +42,10 @@ class ObjectClasses:
     """The objects that one file makes and keeps under one name, or in one attribute of ``self``."""
 
     def __init__(self, nodes: Nodes, file: NodeSource) -> None:
-        self._nodes = nodes
         self._file = file
         self._known = plain_classes(nodes)
+        self._own = own_definitions(nodes, file)
+        self._taken = definitions(nodes, file)
 
     def of(self, value: ast.expr) -> Defined | None:
         """The class of what an expression gives; None when that is not known."""
@@ -62,11 +64,11 @@ class ObjectClasses:
         """Whether the objects of a class have no attribute of a name."""
         if name in self._known.foreign or hasattr(object, name):
             return False
-        return name not in _of_class(self._nodes, found.node).named
+        return name not in _of_class(self._known, found.node).named
 
     def method(self, found: Defined, name: str) -> FunctionNode | None:
         """The method that a name surely means, without decorators."""
-        of_class = _of_class(self._nodes, found.node)
+        of_class = _of_class(self._known, found.node)
         return of_class.methods.get(name) if name not in self._known.foreign and name not in of_class.stored else None
 
     @cached_property
@@ -117,8 +119,8 @@ class ObjectClasses:
 
     def _class_of(self, value: ast.expr) -> Defined | None:
         name = value.func.id if isinstance(value, ast.Call) and isinstance(value.func, ast.Name) else ""
-        own = own_definitions(self._nodes, self._file).get(name)
-        found = definitions(self._nodes, self._file).get(name) if own is None else Defined(self._file, own)
+        own = self._own.get(name)
+        found = self._taken.get(name) if own is None else Defined(self._file, own)
         if found is None or not isinstance(found.node, ast.ClassDef) or not self._known.knows(found.node):
             return None
         return None if found.file.source.matches(_DYNAMIC) else found
@@ -136,7 +138,7 @@ class _OfClass(NamedTuple):
 
 
 @memo
-def _of_class(nodes: Nodes, node: Definition) -> _OfClass:
+def _of_class(known: PlainClasses, node: Definition) -> _OfClass:
     every = list(walk(node))
     stored = frozenset(name for each in every for name in _stored(each))
     defined = Counter(each.name for each in every if isinstance(each, _FUNCTIONS))
