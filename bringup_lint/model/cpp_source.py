@@ -84,6 +84,8 @@ class Canceled(NamedTuple):
     """The condition after which it is not one that is to be canceled; or the function that ends it."""
     runs: str | None
     """What calls that function while the goal is executed: ``a subscription``; None for a condition."""
+    decides: bool = False
+    """The function answers whether the goal may be canceled, which it only is afterwards."""
 
 
 class ComponentEnd(NamedTuple):

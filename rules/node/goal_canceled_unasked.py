@@ -52,17 +52,18 @@ from bringup_lint.api import rule
     symptoms=["goal_handle attempted invalid transition from state EXECUTING with event CANCELED"],
 )
 def goal_canceled_unasked(robot: Robot) -> Iterator[Finding]:
+    asked = "goals that are to be canceled end here"
     for found in nodes.canceled_goals(robot.nodes):
-        yield _finding(robot, found.file.source, found.file.span_of(found.call), found.file.span_of(found.asked))
-    for source in robot.nodes.cpp:
-        for each in source.canceled:
-            yield _finding(robot, source.source, each.span, each.asked, each.runs)
+        place, end = found.file.span_of(found.call), found.file.span_of(found.asked)
+        yield _finding(robot, found.file.source, place, note(end, asked))
+    for node in robot.nodes.cpp:
+        for each in node.canceled:
+            what = f"{each.runs} calls this while the goal is executed" if each.runs else asked
+            yield _finding(robot, node.source, each.span, note(each.asked, what), decides=each.decides)
 
 
-def _finding(robot: Robot, source: Source, place: Span, asked: Span, runs: str | None = None) -> Finding:
-    what = f"{runs} calls this while the goal is executed" if runs else "goals that are to be canceled end here"
-    related: list[Related] = [note(asked, what)]
-    if runs is not None and runs.startswith("the question"):
+def _finding(robot: Robot, source: Source, place: Span, where: Related, *, decides: bool = False) -> Finding:
+    if decides:
         message = "The goal becomes one that is to be canceled only after this function has returned: the call throws"
         advice = "end it where it is executed, when is_canceling() says so"
     else:
@@ -71,10 +72,4 @@ def _finding(robot: Robot, source: Source, place: Span, asked: Span, runs: str |
             "canceled"
         )
         advice = "end it with abort()"
-    return finding(
-        place,
-        message,
-        advice=advice,
-        related=related,
-        severity=robot.nodes.lowered(source, "warning"),
-    )
+    return finding(place, message, advice=advice, related=[where], severity=robot.nodes.lowered(source, "warning"))

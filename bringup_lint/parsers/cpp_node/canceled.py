@@ -24,7 +24,7 @@ _MAY_KNOW = regex(r"(?i)cancel|stat(?:e|us)|result|code|\bok\b|success|reason|\b
 """Words of conditions that may say that the cancellation was asked for."""
 _ROLES = frozenset({"subscription", "service"})
 _RESPONDS = regex(r"\bCancelResponse\b")
-DECIDES = "the question whether to cancel"
+_DECIDES = "the question whether to cancel"
 _CONDITIONS = ("if_statement", "while_statement", "for_statement", "do_statement")
 _OTHERS = frozenset({"switch_statement", "case_statement", "catch_clause", "conditional_expression"})
 
@@ -42,7 +42,7 @@ def canceled(code: Code, callbacks: list[Callback]) -> Iterator[Canceled]:
         body = code.body_of(call.node)
         why = runs.get(body.id) if body is not None else None
         if body is not None and why is not None and not _may_know(code, call, body):
-            yield Canceled(code.span(call.node), code.source.span(*_begin(code, body)), why)
+            yield Canceled(code.span(call.node), code.source.span(*_begin(code, body)), why, why == _DECIDES)
 
 
 def _calls(code: Code) -> Iterator[Call]:
@@ -58,7 +58,7 @@ def _runs(code: Code, callbacks: list[Callback]) -> Iterator[tuple[int, str]]:
             yield body.id, f"a {callback.role}"
     for each in (*code.written.get("function", ()), *code.written.get("lambda", ())):
         if _RESPONDS.search(code.source.text[slice(*_begin(code, each))]):
-            yield each.id, DECIDES
+            yield each.id, _DECIDES
 
 
 def _begin(code: Code, function: Node) -> tuple[int, int]:
