@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.model.cpp_driver import ShutContext
 from bringup_lint.model.cpp_text import plain_of
-from bringup_lint.parsers.cpp_node.early_pointers import class_made
+from bringup_lint.parsers.cpp_node.owners import class_made
 from bringup_lint.parsers.cpp_node.syntax import LOOPS
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.pattern import regex

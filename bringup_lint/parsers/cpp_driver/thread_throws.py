@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.model.cpp_driver import ThreadThrow
 from bringup_lint.model.cpp_text import plain_of
+from bringup_lint.parsers.cpp_node.owners import class_of
 from bringup_lint.parsers.cpp_node.syntax import FUNCTIONS
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.parsers.cpp_node.waits import Bodies
@@ -105,9 +106,7 @@ def _run(code: Code, bodies: Bodies, lambdas: list[tuple[int, Node]], start: int
 
 def _is_in(code: Code, function: Node, scope: str) -> bool:
     """Whether a function is one of the class before its name."""
-    *around, _ = (code.defined_name(function) or "").split("::")
-    outer = next((each for each in code.above(function) if each.type in ("class_specifier", "struct_specifier")), None)
-    owner = around[-1] if around else code.text(outer.child_by_field_name("name")) if outer is not None else ""
+    owner = class_of(code, function, (code.defined_name(function) or "").rpartition("::")[0])
     return not owner or not scope or scope.split("::")[-2] == owner
 
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.model.cpp_source import ComponentEnd
-from bringup_lint.parsers.cpp_node.early_pointers import class_of
+from bringup_lint.parsers.cpp_node.owners import class_of
 from bringup_lint.parsers.cpp_node.syntax import Call
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.pattern import regex

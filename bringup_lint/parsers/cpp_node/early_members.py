@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.model.cpp_source import EarlyMember
 from bringup_lint.named_tuple import NamedTuple
-from bringup_lint.parsers.cpp_node.early_pointers import class_made
+from bringup_lint.parsers.cpp_node.owners import class_made
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.pattern import regex
 

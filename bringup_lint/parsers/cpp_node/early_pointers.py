@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.model.cpp_source import EarlyPointer
 from bringup_lint.model.cpp_text import blanked
+from bringup_lint.parsers.cpp_node.owners import class_made
+from bringup_lint.parsers.cpp_node.owners import class_of
 from bringup_lint.parsers.cpp_node.syntax import Call
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.parsers.cpp_node.waits import Bodies
@@ -64,22 +66,6 @@ def while_made(code: Code, bodies: Bodies) -> Iterator[tuple[str, Node, Span | N
             method = _method(code, bodies, call, owner)
             if method is not None:
                 yield owner, method, code.span(call.node)
-
-
-def class_made(code: Code, function: Node) -> str | None:
-    """The class of which a definition is a constructor."""
-    if function.child_by_field_name("type") is not None:
-        return None
-    qualifier, _, name = (code.defined_name(function) or "").rpartition("::")
-    return name if name and class_of(code, function, qualifier) == name else None
-
-
-def class_of(code: Code, function: Node, qualifier: str) -> str:
-    """The class of a method: by its qualified name, or the class that its definition is in."""
-    if qualifier:
-        return qualifier.rpartition("::")[2]
-    outer = next((each for each in code.above(function) if each.type in ("class_specifier", "struct_specifier")), None)
-    return code.text(outer.child_by_field_name("name")) if outer is not None else ""
 
 
 def _method(code: Code, bodies: Bodies, call: Call, owner: str) -> Node | None:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.model.cpp_source import GivenUp
 from bringup_lint.model.cpp_text import blanked
-from bringup_lint.parsers.cpp_node.early_pointers import class_made
+from bringup_lint.parsers.cpp_node.owners import class_made
 from bringup_lint.parsers.cpp_node.syntax import Call
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.parsers.cpp_node.waits import Bodies

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from bringup_lint.model.cpp_source import TimeMember
 from bringup_lint.model.cpp_source import TimeUse
 from bringup_lint.model.node_source import Callback
-from bringup_lint.parsers.cpp_node.early_pointers import class_of
+from bringup_lint.parsers.cpp_node.owners import class_of
 from bringup_lint.parsers.cpp_node.syntax import Code
 from bringup_lint.parsers.cpp_node.waits import Bodies
 from bringup_lint.pattern import regex

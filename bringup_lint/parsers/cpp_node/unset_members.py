@@ -14,6 +14,7 @@ from bringup_lint.model.cpp_source import BareMember
 from bringup_lint.model.cpp_source import UnsetMember
 from bringup_lint.model.node_source import Callback
 from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.parsers.cpp_node.owners import class_of
 from bringup_lint.parsers.cpp_node.plain_guards import PlainGuards
 from bringup_lint.parsers.cpp_node.syntax import Call
 from bringup_lint.parsers.cpp_node.syntax import Code
@@ -261,10 +262,9 @@ def _loops(code: Code) -> Iterator[tuple[Node, str]]:
     """The methods of hardware and controllers that the controller manager calls in each cycle, with their class."""
     for each in code.written.get("function", ()):
         if _LOOP_TYPE.search("".join(code.text(each.child_by_field_name("type")).split())):
-            *scope, name = (code.defined_name(each) or "").split("::")
-            outer = next((one for one in code.above(each) if one.type == "class_specifier"), None)
-            owner = scope[-1] if scope else code.text(outer.child_by_field_name("name")) if outer is not None else ""
-            if name in _LOOP and owner:
+            qualifier, _, name = (code.defined_name(each) or "").rpartition("::")
+            owner = class_of(code, each, qualifier) if name in _LOOP else ""
+            if owner:
                 yield each, owner
 
 
