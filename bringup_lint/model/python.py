@@ -77,9 +77,14 @@ def is_own(node: ast.AST | None) -> TypeGuard[ast.Attribute]:
     return isinstance(node, ast.Attribute) and is_self(node.value)
 
 
+def last_name(node: ast.AST | None) -> str:
+    """The last part of a name; empty of everything else."""
+    return getattr(node, "attr", getattr(node, "id", ""))
+
+
 def called_name(call: ast.Call) -> str:
     """The last part of the name of what is called; empty where that has none."""
-    return getattr(call.func, "attr", getattr(call.func, "id", ""))
+    return last_name(call.func)
 
 
 def dotted_name(node: ast.AST) -> str:

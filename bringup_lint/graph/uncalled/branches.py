@@ -11,8 +11,8 @@ from bringup_lint.graph.uncalled.module import USES
 from bringup_lint.graph.uncalled.module import Function
 from bringup_lint.graph.uncalled.module import Module
 from bringup_lint.graph.uncalled.module import has_plain_decorators
-from bringup_lint.graph.uncalled.module import is_own
-from bringup_lint.graph.uncalled.module import last_name
+from bringup_lint.model.python import is_own
+from bringup_lint.model.python import last_name
 
 _DEPTH = 4
 """Calls in a row that hand an argument on."""

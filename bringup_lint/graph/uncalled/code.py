@@ -13,8 +13,8 @@ from bringup_lint.graph.memo import memo
 from bringup_lint.graph.uncalled.module import BY_NAME
 from bringup_lint.graph.uncalled.module import USES
 from bringup_lint.graph.uncalled.module import Module
-from bringup_lint.graph.uncalled.module import last_name
 from bringup_lint.graph.uncalled.words import Words
+from bringup_lint.model.python import last_name
 from bringup_lint.model.python import syntax_of
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source

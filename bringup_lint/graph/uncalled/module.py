@@ -10,7 +10,8 @@ from typing import TypeAlias
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.graph.memo import memo
-from bringup_lint.model.python import is_self
+from bringup_lint.model.python import is_own
+from bringup_lint.model.python import last_name
 from bringup_lint.pattern import regex
 
 Function: TypeAlias = ast.FunctionDef | ast.AsyncFunctionDef
@@ -194,15 +195,6 @@ def _statements(each: ast.AST) -> Iterator[ast.stmt]:
             yield child
         elif isinstance(child, (ast.ExceptHandler, ast.match_case)):
             yield from child.body
-
-
-def last_name(base: ast.expr) -> str:
-    return base.attr if isinstance(base, ast.Attribute) else base.id if isinstance(base, ast.Name) else ""
-
-
-def is_own(place: ast.AST) -> bool:
-    """Whether a place is an attribute of ``self``."""
-    return isinstance(place, ast.Attribute) and is_self(place.value)
 
 
 def has_plain_decorators(function: Function) -> bool:

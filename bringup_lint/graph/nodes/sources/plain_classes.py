@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from bringup_lint.graph.memo import kept
 from bringup_lint.model.python import called_name
 from bringup_lint.model.python import is_self
+from bringup_lint.model.python import last_name
 
 if TYPE_CHECKING:
     from bringup_lint.graph.nodes.nodes import Nodes
@@ -34,7 +35,7 @@ class PlainClasses:
                     if not is_self(node.value):
                         self.foreign.add(node.attr)
                 elif isinstance(node, ast.ClassDef):
-                    self._bases.update(map(_last_name, node.bases))
+                    self._bases.update(map(last_name, node.bases))
                 elif isinstance(node, ast.Call):
                     self._made.add(called_name(node))
 
@@ -43,10 +44,6 @@ class PlainClasses:
         return not is_open and node.name in self._made and node.name not in self._bases
 
 
-def _last_name(base: ast.expr) -> str:
-    return base.attr if isinstance(base, ast.Attribute) else base.id if isinstance(base, ast.Name) else ""
-
-
 def _is_plain(base: ast.expr) -> bool:
     is_of_abc = isinstance(base, ast.Attribute) and isinstance(base.value, ast.Name) and base.value.id == "abc"
-    return (is_of_abc or isinstance(base, ast.Name)) and _last_name(base) in _PLAIN_BASES
+    return (is_of_abc or isinstance(base, ast.Name)) and last_name(base) in _PLAIN_BASES

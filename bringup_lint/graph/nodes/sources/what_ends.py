@@ -9,6 +9,7 @@ from functools import cached_property
 
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.python import FunctionNode
+from bringup_lint.model.python import last_name
 from bringup_lint.model.python import walk
 from bringup_lint.pattern import regex
 
@@ -81,14 +82,14 @@ class _Threads:
     @cached_property
     def of_ros(self) -> set[FunctionNode]:
         """What the file hands to ROS, and what it calls."""
-        takers = (each for each in self._syntax.calls if _TAKES.match(_name(each.func)))
+        takers = (each for each in self._syntax.calls if _TAKES.match(last_name(each.func)))
         given = (
             each
             for call in takers
             for value in (call.args + [word.value for word in call.keywords])
             for each in walk(value)
         )
-        return self._reached(each for name in map(_name, given) for each in self._named[name])
+        return self._reached(each for name in map(last_name, given) for each in self._named[name])
 
     def _reached(self, begin: Iterable[FunctionNode]) -> set[FunctionNode]:
         found: set[FunctionNode] = set()
@@ -135,14 +136,14 @@ class _Threads:
     def _spins_aside(self) -> bool:
         """Whether a thread spins, and the program itself does not."""
         handed = {each for given in self._given for each in walk(given)}
-        spins = [each for each in self._syntax.calls if _name(each.func).startswith("spin")]
+        spins = [each for each in self._syntax.calls if last_name(each.func).startswith("spin")]
         own = [each for each in spins if each not in handed and self._syntax.function(each) not in self.own]
-        return not own and (bool(spins) or any(_name(each) == "spin" for each in handed))
+        return not own and (bool(spins) or any(last_name(each) == "spin" for each in handed))
 
     def _is_thread(self, function: FunctionNode) -> bool:
         """Whether a method is one of a class of threads."""
         owner = self._syntax.definition(function)
-        return owner is not None and any(_name(base) == "Thread" for base in owner.bases)
+        return owner is not None and any(last_name(base) == "Thread" for base in owner.bases)
 
     @cached_property
     def _named(self) -> dict[str, list[FunctionNode]]:
@@ -155,13 +156,13 @@ class _Threads:
     @cached_property
     def _given(self) -> list[ast.expr]:
         """What the file hands to threads."""
-        calls = [call for call in self._syntax.calls if _name(call.func) in ("Thread", "submit")]
+        calls = [call for call in self._syntax.calls if last_name(call.func) in ("Thread", "submit")]
         targets = [word.value for call in calls for word in call.keywords if word.arg == "target"]
-        return targets + [call.args[0] for call in calls if _name(call.func) == "submit" and call.args]
+        return targets + [call.args[0] for call in calls if last_name(call.func) == "submit" and call.args]
 
     @property
     def _begun(self) -> set[str]:
-        return {_name(each) for each in self._given}
+        return {last_name(each) for each in self._given}
 
     @cached_property
     def _users(self) -> dict[str, set[FunctionNode | None]]:
@@ -171,8 +172,8 @@ class _Threads:
         for node in self._syntax.file.nodes:
             if _is_read(node) and node not in given:
                 function = self._syntax.function(node)
-                if function is None or function.name != _name(node):
-                    found[_name(node)].add(function)
+                if function is None or function.name != last_name(node):
+                    found[last_name(node)].add(function)
         return found
 
     @cached_property
@@ -181,7 +182,7 @@ class _Threads:
         found: dict[FunctionNode | None, set[str]] = defaultdict(set)
         for call in self._syntax.calls:
             if not self._is_in_lambda(call):
-                found[self._syntax.function(call)].add(_name(call.func))
+                found[self._syntax.function(call)].add(last_name(call.func))
         return found
 
     @cached_property
@@ -189,7 +190,7 @@ class _Threads:
         """The names of what is not called where it is mentioned, but may be called later."""
         given = set(self._given)
         now = {call.func for call in self._syntax.calls if not self._is_in_lambda(call)} | given
-        return {_name(node) for node in self._syntax.file.nodes if _is_read(node) and node not in now}
+        return {last_name(node) for node in self._syntax.file.nodes if _is_read(node) and node not in now}
 
     def _is_in_lambda(self, node: ast.AST) -> bool:
         return any(isinstance(outer, ast.Lambda) for outer, _ in self._syntax.above(node))
@@ -197,8 +198,3 @@ class _Threads:
 
 def _is_read(node: ast.AST) -> bool:
     return isinstance(node, (ast.Name, ast.Attribute)) and isinstance(node.ctx, ast.Load)
-
-
-def _name(node: ast.expr | ast.AST) -> str:
-    """The last part of a dotted name; empty for anything else."""
-    return node.attr if isinstance(node, ast.Attribute) else node.id if isinstance(node, ast.Name) else ""

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import own
 from bringup_lint.graph.nodes.sources.syntax import own_calls
+from bringup_lint.model.python import called_name
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
@@ -41,12 +42,8 @@ def _is_used(syntax: Syntax, read: ast.Call) -> bool:
     if not isinstance(outer, ast.Return):
         return not isinstance(outer, ast.Expr)
     function = syntax.function(outer)
-    named = [each for each in syntax.calls if function is not None and _called(each) == function.name]
+    named = [each for each in syntax.calls if function is not None and called_name(each) == function.name]
     return not named or any(not isinstance(next(syntax.above(each))[0], ast.Expr) for each in named)
-
-
-def _called(call: ast.Call) -> str:
-    return call.func.attr if isinstance(call.func, ast.Attribute) else getattr(call.func, "id", "")
 
 
 def _directly(syntax: Syntax, outer: ast.AST) -> ast.Call | None:

@@ -10,6 +10,7 @@ from bringup_lint.graph.nodes.sources.syntax import FUNCTIONS
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import own
 from bringup_lint.graph.nodes.sources.syntax import own_calls
+from bringup_lint.model.python import called_name
 from bringup_lint.model.python import walk
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
@@ -43,7 +44,7 @@ class LateBound(NamedTuple):
 def late_bound(syntax: Syntax) -> Iterator[LateBound]:
     """The first use in each lambda."""
     for call in syntax.calls:
-        name = call.func.attr if isinstance(call.func, ast.Attribute) else getattr(call.func, "id", "")
+        name = called_name(call)
         if name not in _KEEPS:
             continue
         variables = dict(_variables(syntax, call))

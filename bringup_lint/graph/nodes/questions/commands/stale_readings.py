@@ -20,6 +20,7 @@ from bringup_lint.graph.nodes.sources.with_header import with_header
 from bringup_lint.model.cpp_text import COMMENT
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import NodeClass
+from bringup_lint.model.python import called_name
 from bringup_lint.model.python import is_own
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
@@ -92,8 +93,7 @@ def _is_timed(syntax: Syntax, node: NodeClass, reading: Endpoint, mover: Loop) -
     """Whether a callback asks for the time, or counts, so that the mover can see how old the reading is."""
     method = node.methods.get(reading.callback or "")
     code = reached(syntax, body_of(method.node), node) if method is not None else []
-    calls = (each.func for each in code if isinstance(each, ast.Call))
-    if any(getattr(each, "attr", getattr(each, "id", "")) in _CLOCKS for each in calls):
+    if any(isinstance(each, ast.Call) and called_name(each) in _CLOCKS for each in code):
         return True
     counted = {name for each in code for name in _counted(each)}
     return any(isinstance(each, ast.Attribute) and each.attr in counted for each in mover.code)

@@ -16,6 +16,7 @@ from bringup_lint.model.python import FunctionNode
 from bringup_lint.model.python import called_name
 from bringup_lint.model.python import is_own
 from bringup_lint.model.python import is_self
+from bringup_lint.model.python import last_name
 from bringup_lint.model.python import walk
 from bringup_lint.parsers.cpp_node.given_up import STAYS
 from bringup_lint.pattern import regex
@@ -138,4 +139,4 @@ def _asked_in_conditions(syntax: Syntax) -> frozenset[str]:
 def _is_log(call: ast.Call) -> bool:
     if not isinstance(call.func, ast.Attribute) or call.func.attr not in _LOGS:
         return False
-    return any("logger" in getattr(each, "attr", getattr(each, "id", "")) for each in walk(call.func.value))
+    return any("logger" in last_name(each) for each in walk(call.func.value))

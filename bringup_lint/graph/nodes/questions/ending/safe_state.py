@@ -20,6 +20,7 @@ from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import Function
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.python import FunctionNode
+from bringup_lint.model.python import called_name
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
@@ -101,7 +102,7 @@ def _is_stop(syntax: Syntax, block: Sequence[ast.AST], cls: NodeClass | None) ->
     if next(sendings(syntax, block, cls), None) is not None:
         return True
     for call in own_calls(block):
-        name = call.func.attr if isinstance(call.func, ast.Attribute) else getattr(call.func, "id", "")
+        name = called_name(call)
         if name == "publish" or (_STOP_WORDS.search(name) and (syntax.qualified(call) or "")[:6] != "rclpy."):
             return True
     return False

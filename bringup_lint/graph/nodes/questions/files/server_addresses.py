@@ -12,6 +12,7 @@ from bringup_lint.addresses import is_wildcard
 from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.graph.memo import memo
 from bringup_lint.graph.nodes.sources.syntax import Syntax
+from bringup_lint.model.python import last_name
 from bringup_lint.model.python import walk
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.parsers.python_node.values import argument
@@ -86,7 +87,7 @@ def _setting(syntax: Syntax, node: ast.expr, depth: int) -> Setting | None:
             return found
     if isinstance(node, ast.Call) and len(node.args) == 1:
         node = node.args[0]
-    name = _last_word(node)
+    name = last_name(node)
     settings = syntax.once(_settings)
     if name in settings:
         return settings[name]
@@ -95,7 +96,7 @@ def _setting(syntax: Syntax, node: ast.expr, depth: int) -> Setting | None:
 
 
 def _given(syntax: Syntax, call: ast.Call) -> Setting | None:
-    name = syntax.qualified(call) or _last_word(call.func)
+    name = syntax.qualified(call) or last_name(call.func)
     if name in _ENVIRONMENT:
         return _with_default(call, 1, "default")
     if name.rpartition(".")[2] in _DECLARED and call.args and isinstance(call.args[0], ast.Constant):
@@ -112,7 +113,7 @@ def _settings(syntax: Syntax) -> dict[str, Setting]:
     """The parameters of the file by their names, and the options of its command line by the attributes for them."""
     found: dict[str, Setting] = {}
     for call in syntax.calls:
-        what = _last_word(call.func)
+        what = last_name(call.func)
         if what == "declare_parameter" and (parameter := _with_default(call, 1, "value")) is not None:
             found[parameter.name] = parameter
         elif what == "add_argument":
@@ -129,14 +130,10 @@ def _assigned(syntax: Syntax) -> dict[str, list[ast.expr]]:
     for node in syntax.file.nodes:
         if isinstance(node, ast.Assign):
             for target in node.targets:
-                found[_last_word(target)].append(node.value)
+                found[last_name(target)].append(node.value)
         elif isinstance(node, ast.AnnAssign) and node.value is not None:
-            found[_last_word(node.target)].append(node.value)
+            found[last_name(node.target)].append(node.value)
     return found
-
-
-def _last_word(node: ast.expr) -> str:
-    return node.attr if isinstance(node, ast.Attribute) else node.id if isinstance(node, ast.Name) else ""
 
 
 def _limits(text: str, name: str) -> bool:

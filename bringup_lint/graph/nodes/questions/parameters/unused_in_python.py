@@ -14,6 +14,7 @@ from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.node_source import NodeSource
 from bringup_lint.model.python import called_name
 from bringup_lint.model.python import is_own
+from bringup_lint.model.python import last_name
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
@@ -79,7 +80,7 @@ def _is_log(call: ast.Call) -> bool:
     if not isinstance(call.func, ast.Attribute):
         return called_name(call) == "print"
     owner = call.func.value
-    named = called_name(owner) if isinstance(owner, ast.Call) else getattr(owner, "attr", getattr(owner, "id", ""))
+    named = called_name(owner) if isinstance(owner, ast.Call) else last_name(owner)
     return call.func.attr in _LEVELS and "log" in named.lower()
 
 

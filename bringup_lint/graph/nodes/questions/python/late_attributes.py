@@ -17,6 +17,7 @@ from bringup_lint.model.node_source import Callback
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import Timer
 from bringup_lint.model.python import FunctionNode
+from bringup_lint.model.python import called_name
 from bringup_lint.model.python import is_self
 from bringup_lint.model.python import walk
 from bringup_lint.named_tuple import NamedTuple
@@ -122,8 +123,7 @@ def _called_at_start(node: NodeClass) -> set[str]:
     constructor = node.methods.get("__init__")
     if constructor is None:
         return set()
-    functions = [each.func for each in walk(constructor.node) if isinstance(each, ast.Call)]
-    return {getattr(each, "attr", getattr(each, "id", "")) for each in functions}
+    return {called_name(each) for each in walk(constructor.node) if isinstance(each, ast.Call)}
 
 
 def _is_started(timer: Timer) -> bool:

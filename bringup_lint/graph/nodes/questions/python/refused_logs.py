@@ -8,6 +8,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.nodes.sources.syntax import Syntax
+from bringup_lint.model.python import last_name
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
@@ -100,8 +101,7 @@ def _takes_logger_of_rclpy(node: NodeClass) -> bool:
 
 def _is_called_node(value: ast.expr) -> bool:
     """Whether a variable or attribute has the name of a node: other things have loggers too."""
-    name = value.attr if isinstance(value, ast.Attribute) else value.id if isinstance(value, ast.Name) else ""
-    return "node" in name.lower()
+    return "node" in last_name(value).lower()
 
 
 class _Loggers:
