@@ -30,8 +30,6 @@ When the script is a step of the making of an image, or whoever calls it tells u
 
 import re
 from collections.abc import Iterator
-from collections.abc import Mapping
-from collections.abc import Set
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
@@ -64,8 +62,6 @@ SCRIPT = regex(r"(?<![\w.-])[\w.-]{1,80}\.(?:sh|bash)(?![\w-])")
 CALLS = 3
 """Scripts that call each other, up to the one that a page names."""
 NAMES = 20
-FEW = 200
-"""Names that are looked for one by one."""
 
 
 @rule("warning", symptoms=["No such file or directory: '/dev/", "could not open port /dev/*No such file or directory"])
@@ -81,14 +77,14 @@ def udev_not_reloaded(robot: Robot) -> Iterator[Finding]:
             copied.setdefault(source, []).append(written.where)
     if not copied:
         return
-    callers = _callers(robot)
-    names = {source: _with_callers(source.basename, callers) for source in copied}
-    telling = [each for each in robot.sources if each.kind == "dockerfile" or _may_tell(each, names)]
-    pages = _telling_pages(robot, {name for each in names.values() for name in each})
+    telling = [each for each in robot.sources if each.kind == "dockerfile" or TOLD.search(each.said)]
+    pages = [page for page in robot.tree.pages(PAGE, MOST) if TOLD.search(page)]
+    callers = _callers(robot) if pages else {}
     for source, (first, *others) in copied.items():
         if TOLD.search(source.said) or _is_called(telling, source) or runs_in_image(source):
             continue
-        if any(name in page for page in pages for name in names[source]):
+        names = _with_callers(source.basename, callers)
+        if any(name in page for page in pages for name in names):
             continue
         reloads = RELOADS.search(source.said)
         cause = "udev only reads the new rules" if reloads else "udev is not told of the new rules"
@@ -98,21 +94,6 @@ def udev_not_reloaded(robot: Robot) -> Iterator[Finding]:
             advice=f"run {'' if reloads else 'udevadm control --reload and '}udevadm trigger afterwards",
             related=[note(other, "rules are copied here too") for other in others],
         )
-
-
-def _may_tell(source: Source, copying: Mapping[Source, list[str]]) -> bool:
-    """Whether a script, or another file that names one that copies rules, tells udev."""
-    is_near = (
-        source.kind == "shell-script" or len(copying) > FEW or any(each.basename in source.text for each in copying)
-    )
-    return is_near and TOLD.search(source.said) is not None
-
-
-def _telling_pages(robot: Robot, names: Set[str]) -> list[str]:
-    """The pages that have one of the names, and say how udev is told."""
-    pages = robot.tree.pages(PAGE, MOST)
-    named = (page for page in pages if len(names) > FEW or any(name in page for name in names))
-    return [page for page in named if TOLD.search(page)]
 
 
 def _is_called(telling: list[Source], source: Source) -> bool:
