@@ -225,6 +225,10 @@ class Robot:
         """Whether the text of a judged file matches."""
         return self.files.mentions(pattern)
 
+    def may_hold(self, *words: str) -> bool:
+        """Whether a file may hold one of some words; False saves the loading of the rule that asks first."""
+        return self.files.may_hold(*words)
+
     @property
     def problems(self) -> list[Problem]:
         """What could not be read at all: unreadable, oversized or binary files."""

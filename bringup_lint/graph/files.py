@@ -23,6 +23,7 @@ from bringup_lint.graph.purpose import by_names
 from bringup_lint.graph.target import Target
 from bringup_lint.graph.target import find_target
 from bringup_lint.graph.variants import Variants
+from bringup_lint.pattern import has_one
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Problem
@@ -44,6 +45,8 @@ _CONFIGURES_MIDDLEWARE = regex(
     r"""CYCLONEDDS_URI["']?\s*[:=](?:[^\n]{0,300}|["']\s*)<|RMW_IMPLEMENTATION["']?\s*[:=]\s*["']?rmw_fastrtps_""",
     hints="CYCLONEDDS_URI rmw_fastrtps_",
 )
+_FEW = 16
+"""Files that are searched for a word before a rule is loaded."""
 _ROS_KINDS = (
     "launch-python",
     "launch-xml",
@@ -146,6 +149,11 @@ class Files:
             else:
                 self._mentioned[pattern] = any(each.says(pattern) for each in texts)
         return self._mentioned[pattern]
+
+    def may_hold(self, *words: str) -> bool:
+        """Whether a file may hold one of some words. Taken for granted where there are many files: there, a rule more
+        costs little, and the search much."""
+        return len(self.sources) > _FEW or any(has_one(source.text, words) for source in self.sources)
 
     @cached_property
     def _mentioned(self) -> dict[re.Pattern[str], bool]:

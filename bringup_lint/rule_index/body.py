@@ -20,16 +20,18 @@ from bringup_lint.rule_index.needs import NOTHING
 from bringup_lint.rule_index.needs import Needs
 from bringup_lint.rule_index.needs import both
 from bringup_lint.rule_index.needs import either
+from bringup_lint.rule_index.syntax import Constants
 from bringup_lint.rule_index.syntax import assigned
 from bringup_lint.rule_index.syntax import constant_words
 from bringup_lint.rule_index.syntax import inner_blocks
+from bringup_lint.rule_index.syntax import is_filled
 from bringup_lint.rule_index.syntax import is_fresh
 from bringup_lint.rule_index.syntax import is_generator
 from bringup_lint.rule_index.syntax import is_rule
 from bringup_lint.rule_index.syntax import looped
-from bringup_lint.rule_index.syntax import named_words
 from bringup_lint.rule_index.syntax import only_read
 from bringup_lint.rule_index.syntax import own
+from bringup_lint.rule_index.syntax import same_items
 from bringup_lint.rule_index.syntax import takes_plain_arguments
 
 _DEEPEST = 6
@@ -41,13 +43,12 @@ _UNIT_LISTS = frozenset({"judged", "services", "ros", "ros1", "presumed_ros", "d
 def needs_of(text: str) -> Needs:
     """What the rule in a file needs."""
     tree = ast.parse(text)
-    words = {name: each for node in tree.body for name, each in named_words(node)}
     functions = {node.name: node for node in tree.body if isinstance(node, ast.FunctionDef)}
     rule = next((node for node in functions.values() if is_rule(node)), None)
     if rule is None or [parameter.arg for parameter in rule.args.args] != ["robot"]:
         return NOTHING
     try:
-        return Body(rule, {"robot": ROBOT}, functions, words).items
+        return Body(rule, {"robot": ROBOT}, functions, Constants.of(tree)).items
     except RecursionError:
         return NOTHING
 
@@ -60,11 +61,10 @@ class Body(Expressions):
         function: ast.FunctionDef,
         names: dict[str, Value],
         functions: dict[str, ast.FunctionDef],
-        words: dict[str, tuple[str, ...]],
+        constants: Constants,
         depth: int = 0,
     ) -> None:
-        super().__init__(names, functions)
-        self._words = words
+        super().__init__(names, functions, constants)
         self._function = function
         self._depth = depth
         self._is_generator = is_generator(function)
@@ -119,22 +119,34 @@ class Body(Expressions):
             del self.names[name]
         once = {name for name, count in stored.items() if count == 1} - given_again
         for node in own(self._function):
-            target, value = assigned(node)
-            if target is not None and value is not None and target.id in once:
-                self.names[target.id] = Value(value, self)
+            for target, value in assigned(node):
+                if target.id in once:
+                    self.names[target.id] = Value(value, self)
+        lists: dict[str, list[ast.expr]] = {}
         for node in own(self._function):
             for each, listed in looped(node):
-                if isinstance(each, ast.Name) and each.id in once:
-                    self._bind_looped(each.id, listed)
+                if isinstance(each, ast.Name):
+                    lists.setdefault(each.id, []).append(listed)
+        for name, each_list in lists.items():
+            if len(each_list) == stored[name] and name not in given_again:
+                self._bind_looped(name, each_list)
 
-    def _bind_looped(self, name: str, listed: ast.expr) -> None:
-        words = self._words.get(listed.id) if isinstance(listed, ast.Name) else constant_words(listed)
-        if words:
-            self.keys[name] = words
-        elif self._gives_units(listed):
+    def _bind_looped(self, name: str, lists: list[ast.expr]) -> None:
+        words = [self._words_of(listed) for listed in lists]
+        if all(words):
+            self.keys[name] = tuple(word for each in words for word in each)
+        elif all(map(self._gives_units, lists)):
             self.names[name] = UNIT
 
+    def _words_of(self, listed: ast.expr) -> tuple[str, ...]:
+        return self.constants.words.get(listed.id, ()) if isinstance(listed, ast.Name) else constant_words(listed)
+
     def _gives_units(self, listed: ast.expr) -> bool:
+        if isinstance(listed, ast.Name) and not is_filled(self._function, listed.id):
+            value = self.names.get(listed.id)
+            chosen = same_items(value and value.expression)
+            if chosen is not None:
+                return self._gives_units(chosen)
         if isinstance(listed, (ast.Tuple, ast.List)):
             return all(isinstance(each, ast.Starred) and self._gives_units(each.value) for each in listed.elts)
         path = self.path(listed)
@@ -212,7 +224,7 @@ class Body(Expressions):
             return NOTHING
         values = {each.arg: self._value(given) for each, given in zip(function.args.args, call.args, strict=False)}
         values.update((str(each.arg), self._value(each.value)) for each in call.keywords)
-        body = Body(function, values, self.functions, self._words, self._depth + 1)
+        body = Body(function, values, self.functions, self.constants, self._depth + 1)
         if ask is Expressions.some:
             return body.items
         return body.truth if ask is Expressions.true else body.value

@@ -21,6 +21,7 @@ from bringup_lint.rule_index.needs import both
 from bringup_lint.rule_index.needs import either
 from bringup_lint.rule_index.needs import one
 from bringup_lint.rule_index.syntax import SAME_ITEMS
+from bringup_lint.rule_index.syntax import Constants
 from bringup_lint.rule_index.syntax import asks_for_one
 from bringup_lint.rule_index.syntax import is_fresh
 
@@ -33,6 +34,12 @@ _NEEDED: dict[Path, Needs] = {
     ("units", "environment_files"): one("key", "EnvironmentFile"),
 }
 """Methods that give nothing without this, whatever they are asked for."""
+_OF_SETTINGS = {
+    "hidden_home": ("ProtectHome",),
+    "memory": (),
+    "paths": (),
+}
+"""Functions that give nothing for a unit without a setting: one of these, or the one that they are asked for."""
 _FRESH = frozenset({"list", "dict", "set", "defaultdict", "Counter", "sorted"})
 
 
@@ -51,9 +58,10 @@ UNIT = Value(None, None)
 class Expressions(ABC):
     """The expressions of one function, with what its names are."""
 
-    def __init__(self, names: dict[str, Value], functions: dict[str, ast.FunctionDef]) -> None:
+    def __init__(self, names: dict[str, Value], functions: dict[str, ast.FunctionDef], constants: Constants) -> None:
         self.names = names
         self.functions = functions
+        self.constants = constants
         self.keys: dict[str, tuple[str, ...]] = {}
         """The names that stand for one of some words."""
         self._asked: set[str] = set()
@@ -78,10 +86,27 @@ class Expressions(ABC):
             return None if base is None else (*base, node.attr)
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and not node.keywords:
             base = self.path(node.func.value)
-            words = [each.value for each in node.args if isinstance(each, ast.Constant)]
-            if base is not None and words and len(words) == len(node.args) and all(isinstance(w, str) for w in words):
+            words = self._plain_words(node.args)
+            if base is not None and words:
                 return (*base, (node.func.attr, *words))
         return None
+
+    def _plain_words(self, arguments: list[ast.expr]) -> tuple[str, ...]:
+        """The words that a call is given; none where one of them is not known."""
+        words: list[str] = []
+        for each in arguments:
+            if isinstance(each, ast.Constant) and isinstance(each.value, str):
+                words.append(each.value)
+            elif isinstance(each, ast.Name) and each.id in self.constants.texts and each.id not in self.names:
+                words.append(self.constants.texts[each.id])
+            elif isinstance(each, ast.Starred) and isinstance(each.value, ast.Name):
+                named = self.constants.words.get(each.value.id, ()) if each.value.id not in self.names else ()
+                if not named:
+                    return ()
+                words += named
+            else:
+                return ()
+        return tuple(words)
 
     def some(self, node: ast.expr) -> Needs:
         """What is needed for an expression to have an item."""
@@ -146,12 +171,43 @@ class Expressions(ABC):
             return self.some(function.value)
         if isinstance(function, ast.Attribute) and function.attr == "fromkeys" and node.args:
             return self.some(node.args[0])
+        if isinstance(function, ast.Name) and function.id in _OF_SETTINGS:
+            return self._set(node, _OF_SETTINGS[function.id])
+        if isinstance(function, ast.Attribute) and function.attr == "missing_settings":
+            return self.some(node.args[1])
         return self._asked_of(node)
+
+    def _first(self, node: ast.expr) -> ast.expr | None:
+        """What ``next(each, None)`` takes its first item from."""
+        if not isinstance(node, ast.Call) or not isinstance(node.func, ast.Name) or node.func.id != "next":
+            return None
+        ends_with_none = len(node.args) == 2 and isinstance(node.args[1], ast.Constant) and node.args[1].value is None
+        return node.args[0] if ends_with_none else None
 
     def _asked_of(self, node: ast.Call) -> Needs:
         """What is needed for a question to a unit, or to a part of the robot, to be answered."""
-        needed = _NEEDED.get(self.path(node.func) or ())
+        asked = self.path(node.func) or ()
+        if asked[-1:] == ("mentions",) and node.args and isinstance(node.args[0], ast.Name):
+            hints = self.constants.hints.get(node.args[0].id)
+            return one("true", (("may_hold", *hints),)) if hints else NOTHING
+        needed = _NEEDED.get(asked, self._variable(node))
         return self._keys(node) if needed is None else needed
+
+    def _variable(self, node: ast.expr) -> Needs | None:
+        """What is needed for an environment to hold the variable that is asked for: a file sets it. None for another
+        question."""
+        if not isinstance(node, ast.Call) or not isinstance(node.func, ast.Attribute) or len(node.args) != 1:
+            return None
+        if node.func.attr not in ("get", "text") or not self._is_environment(node.func.value):
+            return None
+        (asked,) = node.args
+        names = self.keys.get(asked.id, ()) if isinstance(asked, ast.Name) else self._plain_words([asked])
+        return one("true", (("may_hold", *names),)) if names else NOTHING
+
+    def _is_environment(self, node: ast.expr) -> bool:
+        value = self.names.get(node.id) if isinstance(node, ast.Name) else None
+        node = value.expression or node if value else node
+        return isinstance(node, ast.Attribute) and node.attr == "environment"
 
     def _keys(self, node: ast.expr) -> Needs:
         """What is needed for a question to a unit to be answered."""
@@ -168,9 +224,26 @@ class Expressions(ABC):
             return NOTHING
         return any_of("key", words)
 
+    def _set(self, node: ast.Call, keys: tuple[str, ...]) -> Needs:
+        """What is needed for a function to find a setting of the unit that it is given."""
+        if not node.args or not self._stands_for_unit(node.args[0]):
+            return NOTHING
+        asked = node.args[1] if len(node.args) > 1 else None
+        if not keys and isinstance(asked, ast.Name):
+            keys = self.keys.get(asked.id, ())
+        elif not keys and isinstance(asked, ast.Constant) and isinstance(asked.value, str):
+            keys = (asked.value,)
+        return any_of("key", keys) if keys else NOTHING
+
     def _is_unit(self, node: ast.Attribute) -> bool:
         """Whether an attribute is one of a unit."""
-        return isinstance(node.value, ast.Name) and self.names.get(node.value.id) is UNIT
+        return self._stands_for_unit(node.value)
+
+    def _stands_for_unit(self, node: ast.expr) -> bool:
+        value = self.names.get(node.id) if isinstance(node, ast.Name) else None
+        if value is None or value is UNIT:
+            return value is not None
+        return isinstance(value.expression, ast.Attribute) and value.expression.attr == "unit"
 
     def true(self, node: ast.expr) -> Needs:
         """What is needed for a test to hold."""
@@ -207,6 +280,9 @@ class Expressions(ABC):
             return both(self.some(node.args[0]), self.true(node.args[0].elt))
         if isinstance(node.func, ast.Name) and node.func.id in ("enumerate", "reversed", "iter"):
             return NOTHING
+        first = self._first(node)
+        if first is not None:
+            return self.some(first)
         return self._called(node, Expressions.true)
 
     def false(self, node: ast.expr) -> Needs:
@@ -237,6 +313,8 @@ class Expressions(ABC):
             return self.given(left) if isinstance(operator, ast.IsNot if holds else ast.Is) else NOTHING
         if not equal:
             return NOTHING
+        if isinstance(operator, (ast.In, ast.NotIn)) and isinstance(right, ast.Name):
+            return self.some(right)
         words = right.elts if isinstance(right, (ast.Tuple, ast.List, ast.Set)) else [right]
         if not all(isinstance(each, ast.Constant) and isinstance(each.value, str) for each in words):
             return NOTHING
@@ -266,6 +344,14 @@ class Expressions(ABC):
             return self.of_function(node, self.functions[node.func.id], Expressions.given)
         if isinstance(node, ast.Call) and self.path(node.func) in _NEEDED:
             return self._asked_of(node)
+        first = self._first(node)
+        if first is not None:
+            return self.some(first)
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in _OF_SETTINGS:
+            return self._set(node, _OF_SETTINGS[node.func.id])
+        needed = self._variable(node)
+        if needed is not None:
+            return needed
         return self._keys(node) if asks_for_one(node) else NOTHING
 
 

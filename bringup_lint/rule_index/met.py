@@ -23,6 +23,8 @@ KINDS: dict[tuple[str, ...], tuple[str, ...]] = {
     ("launch", "expansions"): LAUNCH,
     ("launch", "judged"): LAUNCH,
     ("launch", "nodes"): LAUNCH,
+    ("scripts", "run"): ("shell-script",),
+    ("scripts", "written"): ("shell-script",),
     ("sysctl", "unknown"): ("sysctl",),
 }
 """The lists that are empty in a tree without certain kinds of file, so that their layers need not be loaded."""
@@ -51,7 +53,7 @@ def _answer(atom: Atom, robot: Robot) -> bool:
 
 
 def _value(path: Path, robot: Robot) -> Any:
-    kinds = KINDS.get(path[:2])
+    kinds = KINDS.get(tuple(step if isinstance(step, str) else step[0] for step in path[:2]))
     if kinds is not None and not robot.of_kind(*kinds):
         return ()
     value: Any = robot

@@ -6,9 +6,33 @@ import ast
 from collections.abc import Iterable
 from collections.abc import Iterator
 
+from bringup_lint.named_tuple import NamedTuple
+
 SAME_ITEMS = frozenset({"list", "tuple", "set", "frozenset", "sorted", "reversed", "enumerate", "iter"})
 _READING = frozenset({"len", "any", "all", "min", "max", "sum", "zip", "next", "dict", "map", "filter", *SAME_ITEMS})
 _READING_METHODS = frozenset({"items", "values", "keys", "get"})
+_FILLING_METHODS = frozenset({"append", "extend", "insert", "add", "update"})
+
+
+class Constants(NamedTuple):
+    """What a rule file gives names to, outside of its functions."""
+
+    texts: dict[str, str]
+    words: dict[str, tuple[str, ...]]
+    hints: dict[str, tuple[str, ...]]
+    """Name of a pattern in which case counts -> words, one of which is in each text that it matches."""
+
+    @classmethod
+    def of(cls, tree: ast.Module) -> Constants:
+        given = [pair for node in tree.body for pair in assigned(node)]
+        texts = {
+            target.id: value.value
+            for target, value in given
+            if isinstance(value, ast.Constant) and isinstance(value.value, str)
+        }
+        words = {target.id: words for target, value in given if (words := constant_words(value))}
+        hints = {target.id: hints for target, value in given if (hints := _hints(value))}
+        return cls(texts, words, hints)
 
 
 def own(node: ast.AST) -> Iterator[ast.AST]:
@@ -19,15 +43,19 @@ def own(node: ast.AST) -> Iterator[ast.AST]:
             yield from own(child)
 
 
-def assigned(node: ast.AST) -> tuple[ast.Name | None, ast.expr | None]:
-    """The name that a statement gives a value, and the value."""
-    if isinstance(node, ast.Assign):
-        target: ast.expr = node.targets[0] if len(node.targets) == 1 else ast.Tuple(node.targets)
+def assigned(node: ast.AST) -> Iterator[tuple[ast.Name, ast.expr]]:
+    """The names that a statement gives values, with these."""
+    pairs: list[tuple[ast.expr, ast.expr | None]] = []
+    if isinstance(node, ast.Assign) and len(node.targets) == 1:
+        target, value = node.targets[0], node.value
+        pairs = [(target, value)]
+        if isinstance(target, ast.Tuple) and isinstance(value, ast.Tuple) and len(target.elts) == len(value.elts):
+            pairs = list(zip(target.elts, value.elts))
     elif isinstance(node, (ast.AnnAssign, ast.NamedExpr)):
-        target = node.target
-    else:
-        return None, None
-    return (target, node.value) if isinstance(target, ast.Name) else (None, None)
+        pairs = [(node.target, node.value)]
+    for name, given in pairs:
+        if isinstance(name, ast.Name) and given is not None:
+            yield name, given
 
 
 def constant_words(node: ast.expr) -> tuple[str, ...]:
@@ -37,11 +65,41 @@ def constant_words(node: ast.expr) -> tuple[str, ...]:
     return tuple(words) if len(words) == len(items) else ()
 
 
-def named_words(node: ast.stmt) -> Iterator[tuple[str, tuple[str, ...]]]:
-    """The name that a statement gives to constant words, with these."""
-    target, value = assigned(node)
-    if target is not None and value is not None and (words := constant_words(value)):
-        yield target.id, words
+def _hints(value: ast.expr) -> tuple[str, ...]:
+    """The hints of a pattern, where they are written out and case counts."""
+    if not isinstance(value, ast.Call) or not isinstance(value.func, ast.Name) or value.func.id != "regex":
+        return ()
+    options = {str(each.arg): each.value for each in value.keywords}
+    options.update(zip(("pattern", "flags", "hints"), value.args))
+    hints = options.get("hints")
+    if not isinstance(hints, ast.Constant) or not isinstance(hints.value, str):
+        return ()
+    folds = (
+        isinstance(each, ast.Attribute) and each.attr in ("I", "IGNORECASE")
+        for each in ast.walk(options.get("flags", hints))
+    )
+    return () if any(folds) else tuple(hints.value.split())
+
+
+def same_items(node: ast.expr | None) -> ast.expr | None:
+    """What a comprehension chooses its items from; None for one that makes others."""
+    if not isinstance(node, (ast.ListComp, ast.GeneratorExp, ast.SetComp)) or len(node.generators) != 1:
+        return None
+    (each,) = node.generators
+    is_same = isinstance(node.elt, ast.Name) and isinstance(each.target, ast.Name) and node.elt.id == each.target.id
+    return each.iter if is_same else None
+
+
+def is_filled(function: ast.AST, name: str) -> bool:
+    """Whether a function puts items into the list that a name holds."""
+    calls = (node.func for node in ast.walk(function) if isinstance(node, ast.Call))
+    return any(
+        isinstance(each, ast.Attribute)
+        and each.attr in _FILLING_METHODS
+        and isinstance(each.value, ast.Name)
+        and each.value.id == name
+        for each in calls
+    )
 
 
 def looped(node: ast.AST) -> Iterator[tuple[ast.expr, ast.expr]]:
@@ -83,7 +141,9 @@ def only_read(node: ast.AST) -> Iterator[ast.Name]:
         elif isinstance(each, ast.comprehension):
             reads = [each.iter]
         elif isinstance(each, ast.IfExp):
-            reads = [each.test]
+            reads = _tested(each.test)
+        elif isinstance(each, ast.Subscript) and isinstance(each.ctx, ast.Load):
+            reads = [each.value]
         elif isinstance(each, (ast.Return, ast.YieldFrom)) and each.value is not None:
             reads = [each.value]
         yield from (name for name in reads if isinstance(name, ast.Name))

@@ -73,7 +73,7 @@ FAST = Middleware(
 
 @rule("info", confidence="medium", silent="the nodes start with the defaults")
 def dds_file_unread(robot: Robot) -> Iterator[Finding]:
-    chosen = _chosen(robot)
+    chosen = _chosen(robot) if robot.may_hold(RMW) else {}
     if CYCLONE.rmw in chosen:
         sources = [each.source for each in robot.dds.configurations if each.source.kind == "cyclonedds"]
         yield from _unread(robot, CYCLONE, sources, chosen[CYCLONE.rmw])

@@ -64,6 +64,8 @@ THROWN_AWAY = regex(r"\bdocker[ \t]+run\b[^\n]{0,200}[ \t]--rm\b", hints="docker
 
 @rule("warning", tags=["CWE-1104"], symptoms=['Skip end-of-life distro "*"'])
 def ended_distro_installed(robot: Robot) -> Iterator[Finding]:
+    if not robot.may_hold("ros"):
+        return
     found: dict[str, list[Located]] = {}
     for source in robot.of_kind(*KINDS):
         if source.judged and source.origin is None and not robot.ros.is_development(source.span(0, 0)):

@@ -41,7 +41,7 @@ OLD, NEW = "FASTRTPS_DEFAULT_PROFILES_FILE", "FASTDDS_DEFAULT_PROFILES_FILE"
 @rule("error", silent="Fast DDS does not look at variables that it does not know")
 def fastdds_profiles_var_wrong_for_distro(robot: Robot) -> Iterator[Finding]:
     newer = at_least(robot.target.ros, "kilted")
-    if newer is None:
+    if newer is None or not robot.may_hold(OLD, NEW):
         return
     wrong, right = (OLD, NEW) if newer else (NEW, OLD)
     for process in robot.ros.processes:

@@ -51,6 +51,8 @@ FASTDDS = ("FASTRTPS_DEFAULT_PROFILES_FILE", "FASTDDS_DEFAULT_PROFILES_FILE")
 
 @rule("warning", silent="a middleware does not look at the variables of another one")
 def rmw_config_mismatch(robot: Robot) -> Iterator[Finding]:
+    if not robot.may_hold("CYCLONEDDS_URI", "DEFAULT_PROFILES_FILE"):
+        return
     said = set()
     for process in robot.ros.processes:
         environment = process.environment

@@ -67,6 +67,8 @@ _ON, _OFF = regex(r"-[a-zA-Z]*u[a-zA-Z]*"), regex(r"\+[a-zA-Z]*u[a-zA-Z]*")
     ],
 )
 def setup_sourced_under_nounset(robot: Robot) -> Iterator[Finding]:
+    if not robot.may_hold("setup."):
+        return
     for source in robot.of_kind("shell-script"):
         if source.judged and not source.template and "setup." in source.said:
             yield from _check(shell_commands(source), _shebang(source), "the script exits here")

@@ -56,7 +56,7 @@ DELETES = r"(?:\b(?:rm|mv|rmtree|unlink|rename|move)|-delete)\b"
 @rule("warning", confidence="medium", symptoms=["Output folder '*' already exists."])
 def recording_folder_taken(robot: Robot) -> Iterator[Finding]:
     seen = set()
-    for runner, words in recordings(robot.runners.all):
+    for runner, words in recordings(robot.runners.all) if robot.may_hold("bag") else ():
         folder = _folder(words)
         if folder is None or folder.span in seen or not _stays(runner, folder):
             continue

@@ -69,6 +69,8 @@ MOST = 200_000
 
 @rule("error", symptoms=["roslaunch: command not found", "rosrun: command not found", "catkin_make: command not found"])
 def ros1_command(robot: Robot) -> Iterator[Finding]:
+    if not robot.may_hold("ros", "catkin_make"):
+        return
     found: dict[tuple[Source, str], Run] = {}
     for source, run in robot.scripts.run(*COMMANDS):
         if not run.command.hides_errors and run.command.ends != "||" and not _defines(source, run.name):

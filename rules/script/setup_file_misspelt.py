@@ -60,6 +60,8 @@ COMMENT = regex(r"(?:^|[ \t])#")
 
 @rule("error", confidence="medium", symptoms=["/opt/ros/*: No such file or directory"])
 def setup_file_misspelt(robot: Robot) -> Iterator[Finding]:
+    if not robot.may_hold("setup.", "/opt/ros/"):
+        return
     for source in robot.of_kind(*KINDS):
         if source.judged and not source.template and ("setup." in source.text or "/opt/ros/" in source.text):
             for where, meant in _misspelt(source):

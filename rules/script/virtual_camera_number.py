@@ -60,7 +60,7 @@ KINDS = ("shell-script", "systemd-unit", "systemd-dropin")
 
 @rule("warning", symptoms=["is not a output device", "Cannot identify device '/dev/video"])
 def virtual_camera_number(robot: Robot) -> Iterator[Finding]:
-    if robot.mentions(NUMBERED):
+    if not robot.mentions(MODULE) or robot.mentions(NUMBERED):
         return
     sources = [source for source in robot.of_kind(*KINDS) if source.judged]
     devices = [device for source in sources for device in _sinks(source)]

@@ -62,6 +62,8 @@ SHORT = frozenset(("sleep", "stty", "echo", "modprobe", "amixer", "aplay", "logg
 def kill_mode(robot: Robot) -> Iterator[Finding]:
     ros = set(map(id, robot.units.ros))
     for unit in robot.units.services:
+        if not unit.has("KillMode"):
+            continue
         service = robot.units.supervision(unit)
         mode = service.kill_mode
         if mode.value not in ("process", "none") or unit.get("Type") == "oneshot" or service.in_container:

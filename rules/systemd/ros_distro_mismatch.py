@@ -56,6 +56,8 @@ DISTRO = regex(r"/opt/ros/([a-z]+)(?:/|$)", hints="/opt/ros/")
 
 @rule("error", symptoms=["undefined symbol: _ZN", "Package not found"])
 def ros_distro_mismatch(robot: Robot) -> Iterator[Finding]:
+    if not robot.may_hold("/opt/ros/"):
+        return
     units = robot.units
     for unit in units.services:
         for process in units.processes(unit):

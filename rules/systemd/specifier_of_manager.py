@@ -48,6 +48,8 @@ MEANS = {"h": "/root", "u": "root", "U": "0"}
 
 @rule("error", symptoms=["status=200/CHDIR", "Changing to the requested working directory failed"])
 def specifier_of_manager(robot: Robot) -> Iterator[Finding]:
+    if not robot.may_hold("%h", "%u", "%U"):
+        return
     for unit in robot.units.services:
         user = unit.identity.user
         if unit.manager != "system" or user is None or not PLAIN.fullmatch(user) or unit.identity.is_root is not False:

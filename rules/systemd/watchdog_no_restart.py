@@ -48,6 +48,8 @@ IDLE = ("no", "on-success", "on-abort")
 @rule("warning", symptoms=["Failed with result 'watchdog'"])
 def watchdog_no_restart(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
+        if not unit.has("WatchdogSec"):
+            continue
         service, policy = robot.units.supervision(unit), robot.units.restart(unit)
         if not unit.complete or not service.watchdog_on or policy.restart not in IDLE:
             continue

@@ -85,6 +85,53 @@ def any_of(*atoms: Atom) -> Needs:
         ),
         ("yield from (*robot.jails, *robot.sshd)", any_of(("some", ("jails",)), ("some", ("sshd",)))),
         ("for each in [robot]:\n    yield each", NOTHING),
+        (
+            f"{UNITS}first = next((each for each in unit.words('A') if each), None)\n    if first is None:\n"
+            "        continue\n    yield first",
+            all_of(JUDGED, ("key", "A")),
+        ),
+        (f"{UNITS}first = next(iter(unit.words('A')), 1)\n    if first is not None:\n        yield 1", all_of(JUDGED)),
+        (
+            "chosen = [unit for unit in robot.units.judged if unit.has('A')]\nfor unit in chosen:\n"
+            "    if unit.has('B'):\n        yield unit",
+            all_of(JUDGED, ("key", "A"), ("key", "B")),
+        ),
+        (
+            "chosen = [unit for unit in robot.units.judged]\nchosen.append(1)\nfor unit in chosen:\n"
+            "    if unit.has('B'):\n        yield unit",
+            NOTHING,
+        ),
+        (
+            f"{UNITS}one, other = unit.get('A'), unit.get('B')\n    if not one or not other:\n        continue\n"
+            "    yield one",
+            all_of(JUDGED, ("key", "A"), ("key", "B")),
+        ),
+        ("found = {each: 1 for each in robot.sshd}\nif 'x' in found:\n    yield 1", all_of(("some", ("sshd",)))),
+        ("found = {each: 1 for each in robot.sshd}\nif 'x' not in found:\n    yield 1", NOTHING),
+        ("found = [*robot.sshd]\nif found:\n    yield found[0]", all_of(("some", ("sshd",)))),
+        (f"{UNITS}if memory(unit, 'A') is not None:\n        yield unit", all_of(JUDGED, ("key", "A"))),
+        (f"{UNITS}yield from paths(other, 'A')", all_of(JUDGED)),
+        (
+            "for runner in robot.runners.all:\n    unit = runner.unit\n    if unit is None or not unit.has('A'):\n"
+            "        continue\n    yield unit",
+            all_of(("some", ("runners", "all")), ("key", "A")),
+        ),
+        (
+            "for process in robot.ros.processes:\n    if process.environment.text('A') == '1':\n        yield 1",
+            all_of(("some", ("ros", "processes")), ("true", (("may_hold", "A"),))),
+        ),
+        (
+            "for process in robot.ros.processes:\n    environment = process.environment\n"
+            "    for name in ('A', 'B'):\n        found = environment.get(name)\n"
+            "        if found is not None:\n            yield found",
+            all_of(("some", ("ros", "processes")), ("true", (("may_hold", "A", "B"),))),
+        ),
+        (
+            "for process in robot.ros.processes:\n    if process.environment.text('A') not in (None, '1'):\n"
+            "        continue\n    yield 1",
+            all_of(("some", ("ros", "processes"))),
+        ),
+        ("if not robot.mentions(OTHER):\n    return\nyield 1", NOTHING),
         ("for unit in robot.units.judged:\n    pass\nelse:\n    yield 1", NOTHING),
         ("if [unit for unit in robot.units.judged if unit.has('A')]:\n    yield 1", all_of(JUDGED, ("key", "A"))),
         ("found = {}\n" + UNITS + "found.setdefault(1, unit)\nyield from found.values()", all_of(JUDGED)),
@@ -104,6 +151,26 @@ def test_needs(body: str, expected: Needs) -> None:
 def test_words_that_the_file_names() -> None:
     rule = needs(f"{UNITS}for key in KEYS:\n        yield from unit.words(key)", "KEYS = ('A',)\n")
     assert rule == all_of(JUDGED, ("key", "A"))
+
+
+@pytest.mark.parametrize(
+    ("pattern", "expected"),
+    [
+        ("regex(r'a|b', hints='a b')", all_of(("true", (("may_hold", "a", "b"),)))),
+        ("regex(r'a', re.M, 'a')", all_of(("true", (("may_hold", "a"),)))),
+        ("regex(r'a', re.M | re.I, 'a')", NOTHING),
+        ("regex(r'a')", NOTHING),
+        ("regex(r'a', hints=NAMES)", NOTHING),
+    ],
+)
+def test_words_of_a_pattern(pattern: str, expected: Needs) -> None:
+    assert needs("if not robot.mentions(SAID):\n    return\nyield 1", f"SAID = {pattern}\n") == expected
+
+
+def test_words_that_a_call_is_given() -> None:
+    body = "for each in robot.of_kind(*NAMES):\n    yield each"
+    assert needs(body, "NAMES = ('a', 'b')\n") == all_of(("some", (("of_kind", "a", "b"),)))
+    assert needs(f"NAMES = named()\n{body}", "NAMES = ('a', 'b')\n") == NOTHING
 
 
 def test_own_functions_are_followed() -> None:
@@ -160,7 +227,7 @@ def test_a_list_is_empty_without_the_kinds_of_its_files(path: tuple[str, ...]) -
         tree = discover([str(top)])
         robot = Robot(tree.without({source.name for source in tree.sources if source.kind in KINDS[path]}))
         found: Any = reduce(getattr, path, robot)
-        assert list(found) == []
+        assert list(found("docker") if callable(found) else found) == []
 
 
 def test_what_is_named_apart_from_robot_is_asked_of_it() -> None:
