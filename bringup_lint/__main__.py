@@ -38,6 +38,9 @@ def main() -> None:
 
             sys.exit(lost(error))
         return
+    from bringup_lint.importing import import_directly
+
+    import_directly()
     from bringup_lint.cli.answering import asked
     from bringup_lint.cli.answering import replayed
 

@@ -15,7 +15,6 @@ from collections.abc import Iterator
 from collections.abc import Mapping
 from functools import cache
 from functools import cached_property
-from importlib.machinery import SourceFileLoader
 from types import ModuleType
 
 from bringup_lint.api import Check
@@ -28,6 +27,7 @@ from bringup_lint.discover.kinds.launch import LAUNCH
 from bringup_lint.discover.starters import STARTING
 from bringup_lint.finding import Severity
 from bringup_lint.graph.purpose import Purpose
+from bringup_lint.importing import Loader
 from bringup_lint.pattern import regex
 from bringup_lint.robot import Robot
 from bringup_lint.rule_index.described import Described
@@ -241,7 +241,7 @@ def _module(path: str, rule_id: str) -> ModuleType:
     module = ModuleType(name)
     module.__file__ = path
     try:
-        SourceFileLoader(name, path).exec_module(module)
+        Loader(name, path).exec_module(module)
     except Exception as error:
         raise RuleError(f"{path}: {type(error).__name__}: {error}") from error
     return module

@@ -50,7 +50,8 @@ def duplicate(robot: Robot) -> Iterator[Finding]:
     for file in robot.env_files:
         yield from _within(file)
     for unit in robot.units.judged:
-        yield from _across(robot, unit)
+        if unit.has("Environment") or unit.has("EnvironmentFile"):
+            yield from _across(robot, unit)
 
 
 def _within(file: UsedEnvFile) -> Iterator[Finding]:

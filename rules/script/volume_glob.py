@@ -43,6 +43,8 @@ CLIENTS = ("docker", "podman", "nvidia-docker")
 
 @rule("error", symptoms=["includes invalid characters for a local volume name", "empty section between colons"])
 def volume_glob(robot: Robot) -> Iterator[Finding]:
+    if not robot.may_hold(*CLIENTS):
+        return
     found = {volume.span: (volume, words) for words in _commands(robot) for volume in _volumes(words)}
     for volume, words in found.values():
         source = volume.partition(":")[0]

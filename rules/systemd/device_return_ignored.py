@@ -56,7 +56,7 @@ from bringup_lint.api.systemd import Unit
 @rule("warning", silent="systemd stops the service on purpose, and nothing starts it again")
 def device_return_ignored(robot: Robot) -> Iterator[Finding]:
     for unit in robot.units.services:
-        word = next((word for word in unit.words("BindsTo") if host.device_path(word)), None)
+        word = next((each for each in unit.words("BindsTo") if host.device_path(each)), None)
         if word is None or unit.uncertain:
             continue
         links = robot.udev.links_to(host.device_path(word) or "")

@@ -49,6 +49,8 @@ KEYS = ("ExecStartPre", "ExecStart")
     symptoms=["failed to resolve reference", "dial tcp: lookup registry-1.docker.io"],
 )
 def pull_blocks_start(robot: Robot) -> Iterator[Finding]:
+    if not robot.may_hold("docker"):
+        return
     for unit in robot.units.services:
         if unit.uncertain or not unit.fragment or not any(robot.units.wanted_by(unit)):
             continue
