@@ -89,7 +89,7 @@ LAYERS = (
         "toml",
     },
     {"ignore_marks"},
-    {"pattern", "dataclass", "named_tuple", "on_demand"},
+    {"pattern", "dataclass", "importing", "named_tuple", "on_demand"},
     {"type_names"},
     {""},
 )
