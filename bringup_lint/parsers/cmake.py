@@ -113,6 +113,8 @@ class Reader(Language):
                 self.build.executables[str(name)] = name
                 self.build.targets[str(name)] = self.build.targets.get(target, [])
                 self.build.links[str(name)] = self.build.links.get(target, [])
+                if target in self.build.open_targets:
+                    self.build.open_targets.add(str(name))
             if self.build.built.pop(target, None) is not None:
                 self.build.built[str(name)] = name
 

@@ -33,8 +33,10 @@ from bringup_lint.graph.topics.resolved.remapping import refused_sides
 from bringup_lint.graph.topics.resolved.systems import systems
 from bringup_lint.graph.topics.sources.code import Code
 from bringup_lint.graph.topics.sources.cpp_code import CppCode
+from bringup_lint.graph.topics.sources.cpp_files import CppFiles
 from bringup_lint.graph.topics.sources.programs import code_of
 from bringup_lint.graph.topics.sources.rviz import Displays
+from bringup_lint.graph.topics.sources.whole_programs import WholePrograms
 from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
@@ -81,7 +83,11 @@ class Topics:
 
     @cached_property
     def _cpp(self) -> CppCode:
-        return CppCode(self.files)
+        return CppCode(self.files, self._cpp_files, WholePrograms(self._cpp_files, self.launch.workspace))
+
+    @cached_property
+    def _cpp_files(self) -> CppFiles:
+        return CppFiles(self.files, self.launch.workspace)
 
     @cached_property
     def _displays(self) -> Displays:
@@ -142,7 +148,7 @@ class Topics:
     def _parameter_names(self) -> ParameterNames:
         from bringup_lint.graph.topics.sources.parameter_names import ParameterNames
 
-        return ParameterNames(self.files, self.launch.workspace, self.nodes)
+        return ParameterNames(self.files, self.launch.workspace, self.nodes, self._cpp_files)
 
     @memo
     def node(self, started: Started) -> LaunchedNode:

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
-from functools import cached_property
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.topics.sources.code import Code
+from bringup_lint.graph.topics.sources.cpp_files import CppFiles
+from bringup_lint.graph.topics.sources.whole_programs import WholePrograms
 from bringup_lint.graph.workspace import Package
 from bringup_lint.model.cpp_source import CppNode
 from bringup_lint.model.package import Build
@@ -23,8 +24,10 @@ FILES = 40
 class CppCode:
     """Reads the sources of each C++ program once."""
 
-    def __init__(self, files: Files) -> None:
+    def __init__(self, files: Files, cpp_files: CppFiles, whole: WholePrograms) -> None:
         self._files = files
+        self._cpp_files = cpp_files
+        self._whole = whole
         self._known: dict[tuple[str, str], Code | None] = {}
         self._read: dict[str, CppNode | None] = {}
 
@@ -45,9 +48,9 @@ class CppCode:
             library = build.components.get(program)
             if library is not None:
                 plugin = build.main_plugins.get(program) or (program if "::" in program else _plugin_of(build, library))
-                return _joined(self._component(build, library, plugin)) if plugin else None
+                return self._joined(package, library, self._component(build, library, plugin)) if plugin else None
             if program in build.targets:
-                return _joined(self._executable(build, program))
+                return self._joined(package, program, self._executable(build, program))
         return None
 
     def _executable(self, build: Build, program: str) -> list[CppNode]:
@@ -77,16 +80,22 @@ class CppCode:
     def _parse(self, path: str) -> CppNode | None:
         if path not in set(self._files.tree.named(os.path.basename(path))):
             return None
-        source = self._known_sources.get(path) or self._files.tree.read(path, "cpp-node")
+        source = self._cpp_files.known.get(path) or self._files.tree.read(path, "cpp-node")
         if source is None or source.template or "Node" not in source.text:
             return None
         from bringup_lint.parsers.cpp_node import parse
 
         return next(iter(self._files.parsed(parse, [source])), None)
 
-    @cached_property
-    def _known_sources(self) -> dict[str, Source]:
-        return {source.absolute: source for source in self._files.of_kind("cpp-node")}
+    def _joined(self, package: Package, target: str, nodes: list[CppNode]) -> Code | None:
+        """One program of several files; nothing when they hold several classes of nodes."""
+        classes = {name for node in nodes for name in node.classes}
+        endpoints = [endpoint for node in nodes for endpoint in node.endpoints]
+        names = [name for node in nodes for name in node.names]
+        if not nodes or len(classes) > 1 or not (endpoints or names):
+            return None
+        whole = self._whole.is_whole(package, target, nodes)
+        return Code(names[0] if len(names) == 1 else None, None, endpoints, whole, None, nodes[0].source)
 
 
 def _plugin_of(build: Build, library: str) -> str | None:
@@ -100,13 +109,3 @@ def _included(own: list[CppNode], linked: list[CppNode]) -> list[CppNode]:
         return linked
     text = "".join(node.source.text for node in own)
     return [node for node in linked if f"{os.path.splitext(node.source.basename)[0]}.h" in text]
-
-
-def _joined(nodes: list[CppNode]) -> Code | None:
-    """One program of several files; nothing when they hold several classes of nodes."""
-    classes = {name for node in nodes for name in node.classes}
-    endpoints = [endpoint for node in nodes for endpoint in node.endpoints]
-    names = [name for node in nodes for name in node.names]
-    if not nodes or len(classes) > 1 or not (endpoints or names):
-        return None
-    return Code(names[0] if len(names) == 1 else None, None, endpoints, False, None, nodes[0].source)

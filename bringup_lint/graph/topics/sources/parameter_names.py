@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ast
 import os
-import re
 from collections.abc import Callable
 from collections.abc import Iterable
 from collections.abc import Iterator
@@ -15,16 +14,16 @@ from operator import or_
 from typing import TYPE_CHECKING
 
 from bringup_lint.dataclass import replace
-from bringup_lint.endings import CPP
-from bringup_lint.endings import CPP_HEADERS
 from bringup_lint.facts.ros.brought import is_released
 from bringup_lint.facts.ros.parameters import declared_by
 from bringup_lint.facts.ros.parameters import hands_parameters
 from bringup_lint.graph.launch.started import Started
 from bringup_lint.graph.launch.started import literal_text
-from bringup_lint.graph.memo import memo
 from bringup_lint.graph.nodes.nodes import Nodes
 from bringup_lint.graph.nodes.resolved.programs import Program
+from bringup_lint.graph.topics.sources.cpp_files import CppFiles
+from bringup_lint.graph.topics.sources.cpp_files import packages_included
+from bringup_lint.graph.topics.sources.cpp_files import stem
 from bringup_lint.graph.workspace import Package
 from bringup_lint.graph.workspace import Workspace
 from bringup_lint.model.node_source import NodeSource
@@ -40,15 +39,8 @@ if TYPE_CHECKING:
 
 CPP_FILES = 300
 """C++ files of one program that are read."""
-_ASIDE = regex(r"/(?:tests?|examples?|build|install|log)/")
 _CLASS = regex(r"\b(?:class|struct)\s+[\w\s]{1,120}:(?P<bases>[^:{};()](?:[^{};()]|::){0,400})\{", hints="class struct")
 _CLASS_NAME = regex(r"\b(?:class|struct)\s+(?:[A-Z][A-Z_]+\s+)?(\w+)", hints="class struct")
-_INCLUDE = regex(
-    r"^[ \t]*#[ \t]*include[ \t]*[<\"](?!pluginlib/class_list_macros)(?P<package>[\w-]+)/", re.M, hints="include"
-)
-"""A header of a package; the one with which plugins are exported loads none."""
-_LOCAL = regex(r"^[ \t]*#[ \t]*include[ \t]*[<\"]([^>\"\n]+)[>\"]", re.M)
-_MAIN = regex(r"\bint\s+main\s*\(|\bRCLCPP_COMPONENTS_REGISTER_NODE\b", hints="main RCLCPP_COMPONENTS_REGISTER_NODE")
 _NODE = regex(r"\brclcpp(?:_lifecycle)?::(?:Lifecycle)?Node\b", hints="rclcpp")
 _ACCESS = regex(r"\b(?:public|virtual|private|protected)\b|\s")
 _BASES = frozenset({"rclcpp::Node", "Node", "rclcpp_lifecycle::LifecycleNode", "LifecycleNode"})
@@ -75,8 +67,9 @@ _SAFE = ("rclpy", "rclpy_action", "tf2_ros", "message_filters", "diagnostic_upda
 class ParameterNames:
     """Reads for each program the words with which it may ask for parameters, once."""
 
-    def __init__(self, files: Files, workspace: Workspace, nodes: Nodes) -> None:
+    def __init__(self, files: Files, workspace: Workspace, nodes: Nodes, cpp_files: CppFiles) -> None:
         self._files = files
+        self._cpp_files = cpp_files
         self._workspace = workspace
         self._nodes = nodes
         self._known: dict[tuple[str, str], ParameterWords | None] = {}
@@ -143,7 +136,7 @@ class ParameterNames:
         from bringup_lint.parsers.cpp_node.parameter_words import parse
 
         made = _made(package, program)
-        if any(self._source(path) is None for path in made or ()):
+        if any(self._cpp_files.source(path) is None for path in made or ()):
             return None
         sources = self._with_included(package, self._own(package, made)) if made is not None else None
         if made is None or sources is None or not _is_plain_node(sources):
@@ -163,36 +156,23 @@ class ParameterNames:
 
     def _own(self, package: Package, made: set[str]) -> list[str]:
         """The files of the package that a program may be made of, but not those of other programs."""
-        used = self._used(package, made)
-        return [path for path in self._files_of(package, CPP) if path in used or not made or not self._is_program(path)]
+        used, every = self._used(package, made), self._cpp_files.of_package(package)
+        return [path for path in every if path in used or not made or not self._cpp_files.is_program(path)]
 
     def _used(self, package: Package, made: set[str]) -> set[str]:
-        return made | self._implementing(made, self._files_of(package, CPP))
+        return made | self._implementing(package, made)
 
-    def _implementing(self, made: set[str], every: list[str]) -> set[str]:
+    def _implementing(self, package: Package, made: set[str]) -> set[str]:
         """The files that are called like a header which some files, or such files, include."""
-        by_stem: dict[str, list[str]] = {}
-        for path in every:
-            by_stem.setdefault(_stem(path), []).append(path)
+        by_stem = self._cpp_files.by_stem(package)
         found: set[str] = set()
         todo = list(made)
         while todo:
-            new = {path for name in self._includes(todo.pop()) for path in by_stem.get(_stem(name), [])} - found - made
+            included = map(stem, self._cpp_files.includes(todo.pop()))
+            new = {path for name in included for path in by_stem.get(name, ())} - found - made
             found |= new
             todo += new
         return found
-
-    @memo
-    def _includes(self, path: str) -> list[str]:
-        """The headers that a file includes, as it names them."""
-        source = self._source(path)
-        return _LOCAL.findall(source.text) if source is not None else []
-
-    @memo
-    def _is_program(self, path: str) -> bool:
-        """Whether a file is the main one of a program, or registers a component."""
-        source = self._source(path) if not path.endswith(CPP_HEADERS) else None
-        return source is not None and source.matches(_MAIN)
 
     def _with_included(self, package: Package, paths: list[str]) -> list[Source] | None:
         """Files, and those of the packages of the workspace that they include; None when there are too many, or when
@@ -203,46 +183,22 @@ class ParameterNames:
         todo, seen = list(paths), {package.name}
         while todo:
             path = todo.pop()
-            source = self._source(path) if path not in found else None
+            source = self._cpp_files.source(path) if path not in found else None
             if source is None:
                 continue
             found[path] = source
             if len(found) > CPP_FILES:
                 return None
-            for name in source.once(_packages, partial(_packages, source)) - seen:
+            for name in packages_included(source) - seen:
                 seen.add(name)
                 other = self._workspace.packages.get(name)
                 if other is not None:
                     depends |= {str(each) for _, each in other.manifest.depends}
-                    todo += self._files_of(other, CPP)
+                    todo += self._cpp_files.of_package(other)
                 elif (name in depends or is_released(name)) and hands_parameters(name):
                     is_open = True
         sources = list(found.values())
         return None if is_open and (any(map(_hands_node, sources)) or _builds_on_others(sources)) else sources
-
-    def _files_of(self, package: Package, endings: tuple[str, ...]) -> list[str]:
-        paths = self._by_folder.get(package.folder, [])
-        return [path for path in paths if path.endswith(endings)]
-
-    @cached_property
-    def _by_folder(self) -> dict[str, list[str]]:
-        """Folder of a package -> the C++ files in it, without those of tests."""
-        folders = {package.folder for package in self._workspace.packages.values()}
-        found: dict[str, list[str]] = {}
-        for path in self._files.tree.paths:
-            if path.endswith(CPP):
-                owner = _owner(path, folders)
-                if owner is not None and not _ASIDE.search(path[len(owner) :]):
-                    found.setdefault(owner, []).append(path)
-        return found
-
-    @memo
-    def _source(self, path: str) -> Source | None:
-        return self._known_sources.get(path) or self._files.tree.read(path, "cpp-node", judged=False)
-
-    @cached_property
-    def _known_sources(self) -> dict[str, Source]:
-        return {source.absolute: source for source in self._files.of_kind("cpp-node")}
 
 
 def _made(package: Package, program: str) -> set[str] | None:
@@ -268,28 +224,9 @@ def _made_of(build: Build, target: str) -> Iterator[str]:
                 todo.append(name)
 
 
-def _stem(path: str) -> str:
-    return os.path.basename(path).partition(".")[0]
-
-
-def _owner(path: str, folders: set[str]) -> str | None:
-    folder = os.path.dirname(path)
-    while folder not in folders:
-        above = os.path.dirname(folder)
-        if above == folder:
-            return None
-        folder = above
-    return folder
-
-
 def _joined(words: Iterable[ParameterWords]) -> ParameterWords | None:
     found = reduce(or_, words, ParameterWords(declared=frozenset()))
     return None if found.is_open else found
-
-
-def _packages(source: Source) -> set[str]:
-    """What a C++ file includes headers of."""
-    return {each["package"] for each in _INCLUDE.finditer(source.text)}
 
 
 def _bases(source: Source) -> list[str]:
