@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.topics.questions.transform_files import rivals_in_files
     from bringup_lint.graph.topics.questions.two_parents import two_parents
     from bringup_lint.graph.topics.questions.unmatched import without_publisher
+    from bringup_lint.graph.topics.questions.unpublished import unpublished
     from bringup_lint.graph.topics.questions.unserved import unserved
     from bringup_lint.graph.topics.resolved.endpoint_use import LaunchedNode
     from bringup_lint.graph.topics.resolved.endpoint_use import Pair
@@ -77,6 +78,7 @@ __all__ = [
     "unheard_by_controllers",
     "unheard_commands",
     "unmonitored",
+    "unpublished",
     "unserved",
     "unserved_apart",
     "used_at",

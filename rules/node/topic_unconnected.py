@@ -5,6 +5,10 @@ A topic to which a node subscribes and that no node publishes, on a robot whose 
 their nodes, are known. Not reported: topics of tools and people (`goal_pose`, `joy`, commands, triggers), topics
 that are known only from the table of common nodes, and names that any other source of the tree publishes.
 
+Also, anywhere in the tree, a subscription to a message of the tree's own that is made in any case, while all nodes of
+the tree that publish this message do so under names with another last part, and no other file has that of the
+subscription. Silent where a publisher of the message takes its name from a parameter or an expression.
+
 ## Why it matters on a robot
 The callback never runs. A filter, a watchdog or a localisation that depends on it waits forever.
 
@@ -53,3 +57,17 @@ def topic_unconnected(robot: Robot) -> Iterator[Finding]:
                         *topics.used_at(use.name_place or use.where, use.where),
                     ],
                 )
+    for each in topics.unpublished(robot.topics):
+        subscription, first = each.subscription, each.publishers[0]
+        others = len({end.topic for end in each.publishers}) - 1
+        also = f" and {others} other topic{'s' * (others > 1)}" if others else ""
+        yield finding(
+            subscription.name,
+            f"Nobody publishes {subscription.topic}: {subscription.label} waits for it forever, and "
+            f"{subscription.type} is published as {first.topic}{also} alone",
+            advice="write the same name on both sides, or remap one of them",
+            related=[
+                note(first.name, f"{first.topic} is named here"),
+                note(subscription.where, f"{subscription.label} subscribes here"),
+            ],
+        )
