@@ -19,6 +19,8 @@ EVERYWHERE = (
     "/bond",
 )
 """Topics that tools, or every node, use."""
+_MADE_UNSEEN = regex(r"/transition_event$|/_action/(?:feedback|status)$")
+"""What lifecycle nodes and action servers publish by themselves."""
 BY_HAND = regex(
     r"goal|initial_?pose|clicked|command|cmd|joy|teleop|stop|start|trigger|request|enable|reset|mode|feedback|set_|debug|input"
 )
@@ -31,7 +33,7 @@ FIRMWARE_TYPES = ("unitree_go/", "unitree_hg/", "unitree_api/", "px4_msgs/")
 def unmatched_endpoints(running: Running) -> Iterator[Use]:
     """The uses of topics that no other side of the running nodes uses, whether or not it starts by default."""
     for topic, uses in running.by_topic().items():
-        if len({use.role for use in uses}) == 1 and topic not in EVERYWHERE:
+        if len({use.role for use in uses}) == 1 and topic not in EVERYWHERE and not _MADE_UNSEEN.search(topic):
             yield from (use for use in uses if not use.implied and use.node.started.by_default is True)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from functools import partial
 from typing import TYPE_CHECKING
 
 from bringup_lint.facts.ros.brought import is_released
@@ -71,11 +72,14 @@ class WholePrograms:
                 other = self._workspace.packages.get(name, owner)
                 if name in self._workspace.ambiguous or (other is owner and _is_open(included, depends)):
                     return None
+                beside = self._files.by_stem(other).get(stem(included), ())
+                if name == ".." and not beside:
+                    return None
                 if other is not package and other is not owner:
                     depends.update(str(each) for _, each in other.manifest.depends)
                     library = (each for each in self._files.of_package(other) if not self._files.is_program(each))
                     todo += ((each, other) for each in library)
-                todo += ((each, other) for each in self._files.by_stem(other).get(stem(included), ()))
+                todo += ((each, other) for each in beside)
         return found
 
 
@@ -106,11 +110,14 @@ def _made(package: Package, target: str) -> set[str] | None:
 
 def _is_told(source: Source, node: CppNode | None) -> bool:
     """Whether every end that a file makes is known with its name, or with the parameter that gives it."""
-    plain = plain_of(source)
-    if _UNSEEN.search(plain):
-        return False
-    made = len(_MADE.findall(plain))
+    made = source.once(_ends, partial(_ends, source))
     if not made:
-        return True
+        return made == 0
     named = [each for each in node.endpoints if each.name or each.parameter] if node is not None else []
     return node is not None and not node.problems and made == len(named)
+
+
+def _ends(source: Source) -> int | None:
+    """How many ends a file makes; None when it may make some unseen."""
+    plain = plain_of(source)
+    return None if _UNSEEN.search(plain) else len(_MADE.findall(plain))
