@@ -57,9 +57,10 @@ def topic_unconnected(robot: Robot) -> Iterator[Finding]:
                         *topics.used_at(use.name_place or use.where, use.where),
                     ],
                 )
-    for each in topics.unpublished(robot.topics):
-        subscription, first = each.subscription, each.publishers[0]
-        others = len({end.topic for end in each.publishers}) - 1
+    if not robot.of_kind("python-node", "cpp-node"):
+        return
+    for subscription, publishers in topics.unpublished(robot.topics):
+        first, others = publishers[0], len({each.topic for each in publishers}) - 1
         also = f" and {others} other topic{'s' * (others > 1)}" if others else ""
         yield finding(
             subscription.name,
