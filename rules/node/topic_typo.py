@@ -3,7 +3,7 @@
 ## What it finds
 In a launch file whose nodes and topics are all known: a subscription without a publisher, while a publisher of the
 same type uses nearly the same name, or the same name in another namespace. A publisher without a subscription is
-checked in the same way. Names that differ only in a number are different names.
+checked in the same way. Names that differ only in a number are different names, and so are those of one node.
 
 Where some nodes are not known: a subscription whose name nothing else in the tree mentions, while a source of the tree
 publishes the same type under nearly the same name, or a type of the tree's own that nothing else uses.

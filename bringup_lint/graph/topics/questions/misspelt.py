@@ -88,6 +88,7 @@ def probable_typos(running: Running) -> Iterator[ProbableTypo]:
     seen = set()
     for use in alone[:COMPARED]:
         others = [each for each in running.uses if each.role != use.role and each.type == use.type and use.type]
+        others = [each for each in others if each.node is not use.node]
         if use.role == "publisher":
             others = [each for each in others if each.topic in topics]
         found = _meant(use, others, topics)
