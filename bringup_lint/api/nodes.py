@@ -80,6 +80,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.ending.window_spins import window_spins
     from bringup_lint.graph.nodes.questions.files.home_files import home_files
     from bringup_lint.graph.nodes.questions.files.relative_files import relative_files
+    from bringup_lint.graph.nodes.questions.files.unreached_servers import unreached_servers
     from bringup_lint.graph.nodes.questions.hardware.hardware_interfaces import blocking_reads
     from bringup_lint.graph.nodes.questions.hardware.hardware_interfaces import zeroed_commands
     from bringup_lint.graph.nodes.questions.hardware.hidden_failures import hidden_failures
@@ -305,6 +306,7 @@ __all__ = [
     "unhandled_shutdown",
     "unhandled_transforms",
     "unplugged_ports",
+    "unreached_servers",
     "unreached_stops",
     "unread_answers",
     "unread_in_cpp",

@@ -2,9 +2,9 @@
 
 ## What it finds
 Python nodes that read or write a serial port, or ask it for `in_waiting`, in a callback or a thread of their own and
-outside every `try` that takes the exception. Callbacks only where nothing is seen to start the node again: `respawn` or
-`on_exit` in a launch file, a unit or container that runs it by itself. `except serial.SerialException` does not take
-the OSError of `in_waiting`, which pyserial hands on as it is.
+outside every `try` that takes the exception, also through a method of a class of the workspace. Callbacks only where
+nothing is seen to start the node again: `respawn` or `on_exit` in a launch file, a unit or container that runs it by
+itself. `except serial.SerialException` does not take the OSError of `in_waiting`, which pyserial hands on as it is.
 
 ## Why it matters on a robot
 Cables of USB adapters come loose, and a dip of the supply resets the chip: the device is gone for a second. The next
@@ -62,6 +62,6 @@ def port_unplugged(robot: Robot) -> Iterator[Finding]:
             each.file.span_of(each.node),
             f"An unplugged adapter raises {raised} in {each.name}(), and nothing catches it: {end}{stays}",
             advice="catch OSError, which is also SerialException, close the port and open it again",
-            related=[note(each.file.span_of(each.opened), "the port")],
+            related=[note(each.opened, "the port")],
             severity=robot.nodes.lowered_if_vendored(each.file.source, "warning"),
         )

@@ -12,18 +12,15 @@ from bringup_lint.graph.nodes.questions.hardware.unplugged_ports import OF_SYSTE
 from bringup_lint.graph.nodes.questions.hardware.unplugged_ports import is_restarted
 from bringup_lint.graph.nodes.questions.hardware.unplugged_ports import threads
 from bringup_lint.graph.nodes.sources.callback_code import code_of
-from bringup_lint.graph.nodes.sources.stored_values import module_values
-from bringup_lint.graph.nodes.sources.stored_values import stored
+from bringup_lint.graph.nodes.sources.drivers import driver_of
+from bringup_lint.graph.nodes.sources.drivers import first_uncaught
+from bringup_lint.graph.nodes.sources.drivers import made_of
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import body_of
-from bringup_lint.graph.nodes.sources.syntax import calls_through
-from bringup_lint.graph.nodes.sources.syntax import methods_of
 from bringup_lint.graph.nodes.sources.syntax import own
 from bringup_lint.graph.nodes.sources.uncaught import Uncaught
-from bringup_lint.graph.nodes.sources.uncaught import is_caught
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
-from bringup_lint.model.python import is_own
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Span
@@ -94,7 +91,7 @@ def _transfer(nodes: Nodes, file: NodeSource, cls: NodeClass, node: ast.AST) -> 
         return None
     if function.attr in _TRANSFERS:
         return node, None
-    made = _made(syntax, cls, function.value)
+    made = made_of(syntax, cls, function.value)
     if made is None:
         return None
     if function.attr in _CHIPS.get(str(syntax.qualified(made)), ()):
@@ -103,21 +100,9 @@ def _transfer(nodes: Nodes, file: NodeSource, cls: NodeClass, node: ast.AST) -> 
     return (node, where) if where is not None else None
 
 
-def _made(syntax: Syntax, cls: NodeClass, value: ast.expr) -> ast.Call | None:
-    """The call that makes what an attribute or a variable of the module always holds."""
-    if is_own(value):
-        values = stored(syntax, cls, value)
-    elif isinstance(value, ast.Name):
-        values = module_values(syntax).get(value.id, [])
-    else:
-        return None
-    first = values[0] if len(values) == 1 else None
-    return first if isinstance(first, ast.Call) else None
-
-
 def _is_chip(syntax: Syntax, cls: NodeClass, value: ast.expr, depth: int) -> bool:
     """Whether a value is a driver of CircuitPython that is made with an I2C bus, or with such a driver."""
-    made = _made(syntax, cls, value) if depth else None
+    made = made_of(syntax, cls, value) if depth else None
     if made is None or not (syntax.qualified(made) or "").startswith("adafruit_"):
         return False
     given = (*made.args, *(each.value for each in made.keywords))
@@ -125,7 +110,7 @@ def _is_chip(syntax: Syntax, cls: NodeClass, value: ast.expr, depth: int) -> boo
 
 
 def _is_bus(syntax: Syntax, cls: NodeClass, value: ast.expr) -> bool:
-    made = value if isinstance(value, ast.Call) else _made(syntax, cls, value) or _local(syntax, value)
+    made = value if isinstance(value, ast.Call) else made_of(syntax, cls, value) or _local(syntax, value)
     return made is not None and syntax.qualified(made) in _BUSES
 
 
@@ -139,22 +124,10 @@ def _local(syntax: Syntax, value: ast.expr) -> ast.Call | None:
 
 def _in_driver(nodes: Nodes, file: NodeSource, made: ast.Call, method: str) -> Span | None:
     """The first transfer that a method of a class of the workspace makes, itself or through others of the class."""
-    dotted = nodes.syntax(file).qualified(made) or ""
-    module, _, name = dotted.rpartition(".")
-    others = [nodes.module_named(module, file)] if module else [file]
-    if isinstance(made.func, ast.Name) and (not module or others[0] is None):
-        others = [file, *(nodes.module_named(each, file) for each in file.stars)]
-        name = made.func.id
-    for other in others:
-        methods = methods_of(other.tree.body, name) if other is not None and other.tree is not None else None
-        if other is not None and methods is not None:
-            return _in_method(nodes, other, methods, method)
-    return None
+    driver = driver_of(nodes, file, made)
+    first = first_uncaught(nodes, driver, method, OF_SYSTEM, _is_transfer) if driver is not None else None
+    return driver.file.span_of(first) if driver is not None and first is not None else None
 
 
-def _in_method(nodes: Nodes, other: NodeSource, methods: dict[str, ast.FunctionDef], method: str) -> Span | None:
-    syntax = nodes.syntax(other)
-    calls = calls_through(methods, method, _DEPTH, lambda call: is_caught(syntax, call, OF_SYSTEM))
-    transfers = (call for call in calls if isinstance(call.func, ast.Attribute) and call.func.attr in _TRANSFERS)
-    first = next(transfers, None)
-    return other.span_of(first) if first is not None else None
+def _is_transfer(call: ast.Call) -> bool:
+    return isinstance(call.func, ast.Attribute) and call.func.attr in _TRANSFERS
