@@ -8,6 +8,7 @@ from bringup_lint.on_demand import on_demand
 
 if TYPE_CHECKING:
     from bringup_lint.templates import final_name
+    from bringup_lint.templates import has_placeholder
     from bringup_lint.templates import is_example
     from bringup_lint.templates import is_stand_in
 else:
@@ -15,6 +16,7 @@ else:
 
 __all__ = [
     "final_name",
+    "has_placeholder",
     "is_example",
     "is_stand_in",
 ]

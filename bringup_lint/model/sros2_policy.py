@@ -37,7 +37,7 @@ class Profile:
     node: Located
     rights: list[Right] = field(default_factory=list)
     open: bool = False
-    """More rights are included from elsewhere."""
+    """More rights are included from elsewhere, or a template does not say them yet."""
 
     @property
     def fqn(self) -> str:

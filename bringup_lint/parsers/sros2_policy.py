@@ -17,6 +17,7 @@ from bringup_lint.parsers.sros2_schema import check
 from bringup_lint.parsers.xml import parse as parse_xml
 from bringup_lint.source import Located
 from bringup_lint.source import Source
+from bringup_lint.templates import has_placeholder
 
 VERSION = "0.2.0"
 XINCLUDE = "http://www.w3.org/2001/XInclude"
@@ -52,7 +53,9 @@ def _enclave(element: Element) -> PolicyEnclave:
         enclave.open |= _includes(holder)
         for child in holder.find_all("profile"):
             profile = Profile(child, _attribute(child, "ns"), _attribute(child, "node"), open=_includes(child))
-            profile.rights += _rights(child.children)
+            rights = list(_rights(child.children))
+            profile.rights += [right for right in rights if not _is_to_fill(right)]
+            profile.open |= len(profile.rights) < len(rights)
             enclave.profiles.append(profile)
     return enclave
 
@@ -69,6 +72,12 @@ def _rights(groups: Iterable[Element]) -> Iterator[Right]:
             if f"{child.local}s" == group.local:
                 name = child.texts[0] if len(child.texts) == 1 else child.text
                 yield Right(str(child.local), name, ways, group)
+
+
+def _is_to_fill(right: Right) -> bool:
+    """Whether a template does not say yet what a right is for, or what it allows."""
+    is_template = bool(right.name.span.source.template)
+    return is_template and any(map(has_placeholder, (right.name, *right.ways.values())))
 
 
 def _structure(root: Element) -> Iterator[Remark]:

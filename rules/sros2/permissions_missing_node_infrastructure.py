@@ -2,7 +2,8 @@
 
 ## What it finds
 A grant to an enclave that does not allow publishing `rt/rosout` or `rt/parameter_events`, and an enclave of a policy,
-from which sros2 makes such a grant. Silent where a policy includes rights from elsewhere.
+from which sros2 makes such a grant, also in the template of a policy and in one that a script writes. Silent where a
+policy includes rights from elsewhere, or a template fills in the name of one.
 
 ## Why it matters on a robot
 The constructor of a node creates these publishers, unless the node switches them off, and throws at the first

@@ -44,6 +44,7 @@ from bringup_lint.api import fix
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.sros2 import Right
+from bringup_lint.api.templates import has_placeholder
 
 PREFIXED = regex(r"/?r[tqr]/(.+)")
 
@@ -51,7 +52,8 @@ PREFIXED = regex(r"/?r[tqr]/(.+)")
 @rule("error", fix="unsafe", symptoms=["Not Allowed By Security"])
 def policy_grants_nothing(robot: Robot) -> Iterator[Finding]:
     for profile in robot.sros2.policy_profiles:
-        if profile.namespace and not profile.namespace.startswith(("/", "$")):
+        is_known = profile.namespace and not has_placeholder(profile.namespace)
+        if is_known and not profile.namespace.startswith(("/", "$")):
             yield finding(
                 profile.namespace,
                 f"The namespace '{profile.namespace}' has no leading slash: relative names of {profile.node} become "

@@ -1,9 +1,10 @@
 """sros2 does not accept a policy.
 
 ## What it finds
-Mistakes in the structure of a `policy.xml`: elements and attributes that are missing, unknown, repeated or
-misplaced, words other than ALLOW and DENY, text between elements, an XML namespace, and a version other than
-0.2.0. Files that `xi:include` adds are not read, so nothing that they may contain is reported as missing.
+Mistakes in the structure of a `policy.xml`, of its template, or of one that a script writes: elements and attributes
+that are missing, unknown, repeated or misplaced, words other than ALLOW and DENY, text between elements, an XML
+namespace, and a version other than 0.2.0. Files that `xi:include` adds are not read, so nothing that they may contain
+is reported as missing.
 
 ## Why it matters on a robot
 `ros2 security create_permission` and `generate_artifacts` end with an error. The enclave keeps its previous
@@ -37,6 +38,7 @@ from bringup_lint.api import Robot
 from bringup_lint.api import rule
 from bringup_lint.api.schema import Code
 from bringup_lint.api.schema import wrong_value
+from bringup_lint.api.templates import has_placeholder
 
 MESSAGES: dict[str, str] = {
     Code.MISSING: "{where} has no {detail}",
@@ -55,9 +57,10 @@ MESSAGES: dict[str, str] = {
 
 @rule("error", fix="safe", symptoms=["No matching global declaration", "SCHEMAV_CVC"])
 def policy_schema(robot: Robot) -> Iterator[Finding]:
-    for policy in robot.sros2.policies:
+    for policy in robot.sros2.policies_and_templates:
         for remark in policy.remarks:
-            if remark.code not in MESSAGES:
+            is_to_fill = isinstance(remark.where, str) and has_placeholder(remark.where)
+            if remark.code not in MESSAGES or is_to_fill:
                 continue
             what = MESSAGES[remark.code].format(where=remark.where, detail=remark.detail)
             right = str(remark.where).strip().upper() if remark.code == Code.ENUM else ""

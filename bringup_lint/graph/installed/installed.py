@@ -32,8 +32,10 @@ from bringup_lint.templates import template_language
 MOST_SCRIPTS = 500
 MOST_FILES = 200
 """Files that one script may write."""
-_MARKS = regex(r"/etc/|/systemd|/udev|/usr/l|\.config/|/opt/|sysctl|\.rules|\.service")
+_MARKS = regex(r"/etc/|/systemd|/udev|/usr/l|\.config/|/opt/|sysctl|\.rules|\.service|<policy ")
 """What a script says that installs something."""
+_ANYWHERE = frozenset({"sros2-policy"})
+"""Kinds of files that count wherever a script writes them."""
 _BY_LINE = frozenset({"sysctl", "udev-rules", "sudoers", "env-file", "limits-conf"})
 """Kinds of which every line speaks for itself, so that lines added to a file can be judged."""
 _EXPANDING = frozenset({"shell-script", "env-file"})
@@ -67,7 +69,7 @@ def join_installed(files: Files, scripts: Scripts) -> None:
             continue
         files.installed.update(place for _, place in copies)
         for source in made:
-            if source.robot_path not in known:
+            if source.robot_path is None or source.robot_path not in known:
                 files.join(source)
         for path, place in copies:
             placed.setdefault(path, set()).add(place)
@@ -153,14 +155,19 @@ def _edit(texts: dict[str, list[Written]], run: Run) -> None:
 
 
 def _source(files: Files, script: Source, path: str, written: list[Written]) -> Source | None:
-    if not path.startswith("/") or any(each.text is None for each in written):
+    if any(each.text is None for each in written):
         return None
     text = Text()
     for each in written:
         text.extend(each.text or Text())
     whole = str(text)
+    is_nameless = path.endswith("}}") and whole.startswith("<")
+    path = f"{path}.xml" if is_nameless else path
     kind = kind_of(path.lstrip("/"), lambda: whole[:HEAD_SIZE])
     if not kind or _NOT_JOINED.search(kind) or (written[0].appends and kind not in _BY_LINE):
+        return None
+    is_placed = path.startswith("/")
+    if not is_placed and (kind not in _ANYWHERE or any(True for _ in files.tree.named(posixpath.basename(path)))):
         return None
     origin = Origin(
         written[0].where.span,
@@ -173,7 +180,7 @@ def _source(files: Files, script: Source, path: str, written: list[Written]) -> 
     if template and kind in _EXPANDING:
         files.tree.written.add(path)
         return None
-    return Source(name, whole, kind, path, script.judged, template, origin=origin)
+    return Source(name, whole, kind, path if is_placed else None, script.judged, template, origin=origin)
 
 
 def _place(files: Files, placed: dict[str, str]) -> None:

@@ -49,6 +49,7 @@ from bringup_lint.parsers.sros2_policy import policy
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
+from bringup_lint.templates import has_control_flow
 
 if TYPE_CHECKING:
     from bringup_lint.graph.environment.ros import RosEnvironment
@@ -93,6 +94,12 @@ class Sros2:
     @cached_property
     def policies(self) -> list[Policy]:
         return self.files.parsed(policy, self._sources("sros2-policy"))
+
+    @cached_property
+    def policies_and_templates(self) -> list[Policy]:
+        """The policies, and the templates of such in which only words are to be filled in."""
+        found = (each for each in self.files.of_kind("sros2-policy") if each.judged and each.template)
+        return self.policies + self.files.parsed(policy, [each for each in found if not has_control_flow(each.text)])
 
     def _sources(self, kind: str) -> list[Source]:
         found = [source for source in self.files.of_kind(kind) if source.judged and not source.template]
@@ -244,15 +251,15 @@ class Sros2:
     @property
     def policy_profiles(self) -> Iterator[Profile]:
         """The rights of nodes in all policies that can be read."""
-        for each in self.policies:
+        for each in self.policies_and_templates:
             if not each.document.problems:
                 yield from (profile for enclave in each.enclaves for profile in enclave.profiles)
 
     @property
     def policy_enclaves(self) -> Iterator[PolicyEnclave]:
-        """The enclaves whose rights are all in one policy, for the robot."""
+        """The enclaves whose rights are all in one policy that sros2 accepts, for the robot."""
         for each in self.used_policies:
-            if each.open or each.document.problems:
+            if each.open or each.document.problems or each.remarks:
                 continue
             for enclave in each.enclaves:
                 if not enclave.open and not any(profile.open for profile in enclave.profiles):
@@ -265,7 +272,8 @@ class Sros2:
 
     @property
     def used_policies(self) -> Iterator[Policy]:
-        return (each for each in self.policies if not _OTHERS.search(each.source.name))
+        """The policies for a robot, with the templates of such."""
+        return (each for each in self.policies_and_templates if not _OTHERS.search(each.source.name))
 
     @property
     def used_governances(self) -> Iterator[Governance]:
