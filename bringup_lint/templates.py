@@ -41,6 +41,8 @@ begin, so that it must not run over the next such place."""
 _CONTROL = regex(r"\{%|^@\[|<%(?!=)|^(?:ifdef|ifelse|m4_)\b|^#(?:if|else|endif)\b", re.M)
 
 
+_UNFILLED = {"jinja": regex(r"\{[{%#]"), "erb": regex(r"<%")}
+"""What every template of a language holds whose text is not final: what its tool would change."""
 _MARK = regex(r"[{@<%]|__")
 """What every placeholder holds."""
 
@@ -87,7 +89,7 @@ def template_language(name: str, text: str) -> str:
     suffix = _suffix(name)
     named = TEMPLATE_SUFFIXES.get(suffix)
     if named is not None:
-        return named
+        return "" if named in _UNFILLED and not _UNFILLED[named].search(text) else named
     if suffix in _SAMPLE_SUFFIXES and (has_placeholder(text) or _TO_FILL.search(text)):
         return "template"
     text = _of_others(name, text)

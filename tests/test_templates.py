@@ -57,3 +57,18 @@ def test_other_files_fill_in_nothing() -> None:
 def test_sample_is_final_unless_something_is_to_be_filled_in(text: str, language: str) -> None:
     assert template_language("helm.service.example", text) == language
     assert final_name("helm.service.example") == "helm.service"
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "language"),
+    [
+        ("helm.service.j2", "User=rover\n", ""),
+        ("helm.service.j2", "User={{ pilot }}\n", "jinja"),
+        ("helm.service.j2", "{% if pilot %}User=rover\n{% endif %}\n", "jinja"),
+        ("helm.service.erb", "User=rover\n", ""),
+        ("helm.service.erb", "User=<%= pilot %>\n", "erb"),
+        ("helm.service.in", "User=rover\n", "configure"),
+    ],
+)
+def test_template_that_its_tool_leaves_alone_is_final(name: str, text: str, language: str) -> None:
+    assert template_language(name, text) == language

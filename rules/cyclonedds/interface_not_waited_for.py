@@ -5,7 +5,8 @@ Cyclone DDS names an interface that the robot's netplan marks `optional: true`, 
 it. No unit that reads the file waits for the interface itself: through its device unit, with wait-online, or
 in a script. `presence_required="false"` is not reported if other interfaces are listed too.
 It is a warning when netplan says nothing of a Wi-Fi interface, and a system unit that reads the file at boot is ordered
-after nothing of the network. A unit that is always started again, without a limit that stops it, gets there by itself.
+after nothing of the network; both may be templates of Ansible. A unit that is always started again, without a limit
+that stops it, gets there by itself.
 
 ## Why it matters on a robot
 The interface does not exist yet when the nodes start: `does not match an available interface`, and no node

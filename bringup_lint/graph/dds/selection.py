@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 from bringup_lint.dataclass import dataclass
 from bringup_lint.dataclass import field
 from bringup_lint.parsers.cyclonedds_uri import split_uri
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.source import Span
@@ -32,6 +33,8 @@ PROFILES = {
     "3": ("FASTDDS_DEFAULT_PROFILES_FILE",),
 }
 """The variable that names the profiles file, by the major version of Fast DDS."""
+
+_TO_FILL = regex(r"\{\{[ \t]*(\w+)[ \t]*\}\}", hints="{{")
 
 
 @dataclass(eq=False)
@@ -58,8 +61,19 @@ def selections(files: Files, ros: RosEnvironment) -> Iterator[Selection]:
     apart = {each.node for process in ros.processes for each in process.launched}
     for process in ros.processes:
         variable = process.environment.get(URI)
-        if variable is not None and variable.text is not None and _reads_it(process.environment):
+        if variable is None or not _reads_it(process.environment):
+            continue
+        if variable.text is not None:
             yield _selection(files, ros, process, variable, apart)
+        elif (file := _filled_alike(files, variable.value)) is not None:
+            yield Selection(process, variable.value, [file])
+
+
+def _filled_alike(files: Files, uri: Located) -> Source | None:
+    """The file that the tree puts at a path of which a template fills in a folder, in both places alike."""
+    path = _TO_FILL.sub(r"{{ \1 }}", uri)
+    file = files.find(path, uri.span.source) if "{{ " in path else None
+    return file if file is not None and file.robot_path == path else None
 
 
 def _selection(
