@@ -18,7 +18,7 @@ TEMPLATE_SUFFIXES = {
     ".tpl": "template",
     ".template": "template",
 }
-_SAMPLE_SUFFIXES = (".example", ".sample", ".dist")
+_SAMPLE_SUFFIXES = (".example", ".sample", ".dist", ".default")
 """What people copy without the suffix: final where nothing in it is to be filled in."""
 SUFFIXES = (*TEMPLATE_SUFFIXES, *_SAMPLE_SUFFIXES)
 """The ends of names that a file loses before it is in use."""

@@ -52,6 +52,18 @@ def test_an_fstab_is_a_table(path: str, kind: str) -> None:
 
 
 @pytest.mark.parametrize(
+    ("path", "kind"),
+    [
+        ("etc/stack/compose.yaml.default", "compose"),
+        ("docker-compose.yml.example", "compose"),
+        ("docker-compose.yml.bak", ""),
+    ],
+)
+def test_a_sample_is_of_the_kind_of_its_copy(path: str, kind: str) -> None:
+    assert kind_of(path, lambda: "services:\n  nav:\n    image: ros:jazzy\n") == kind
+
+
+@pytest.mark.parametrize(
     ("path", "text", "kind"),
     [
         ("roles/rover/templates/start.sh.j2", "{{ ansible_managed }}\n", "shell-script"),

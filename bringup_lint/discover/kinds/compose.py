@@ -7,6 +7,8 @@ import re
 from bringup_lint.discover.kinds import Head
 from bringup_lint.discover.kinds import Kind
 from bringup_lint.pattern import regex
+from bringup_lint.templates import final_name
+from bringup_lint.templates import is_sample
 
 _YAML = regex(r"\.ya?ml$")
 _NAMED = regex(r"(?:^|[/._-])compose(?:[._-][^/]*)?\.ya?ml$", re.I)
@@ -18,6 +20,8 @@ _RUNS = regex(r"^[ \t]+(?:image|build):", re.M)
 
 
 def _is_compose(path: str, head: Head) -> bool:
+    if is_sample(path):
+        path = final_name(path)
     if not _YAML.search(path):
         return False
     if not _NAMED.search(path) and ".github/" in path:
