@@ -100,6 +100,8 @@ class Build:
     """Programs that CMake makes, whether they are installed or not, by the place where they are named."""
     elsewhere: dict[str, Located] = field(default_factory=dict)
     """Targets that are installed where ``ros2 run`` does not look, by the place where the installation names them."""
+    unplaced: set[str] = field(default_factory=set)
+    """Those of them whose installation says no folder, for which CMake takes `bin` and `lib`."""
     programs_at: Located | None = None
     """The first target that is installed where ``ros2 run`` looks."""
     without_mode: dict[str, Located] = field(default_factory=dict)

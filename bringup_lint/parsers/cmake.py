@@ -200,6 +200,8 @@ class Reader(Language):
         elif kind not in ("TARGETS", "PROGRAMS", "FILES", "DIRECTORY"):
             return
         elif destination is None:
+            if kind == "TARGETS" and not self.destinations(options):
+                self.elsewhere(sources, unplaced=True, where=options[0] if options == ["DESTINATION"] else None)
             runtime = kind != "TARGETS" or any(option == "RUNTIME" for option in options) or not options
             self.build.installs_known = False
             if runtime:
@@ -220,7 +222,15 @@ class Reader(Language):
             self.executable(sources)
             self.build.programs_at = self.build.programs_at or next(iter(sources), None)
             return
-        self.build.elsewhere.update((str(word), word) for word in self.words(sources) if word is not None)
+        self.elsewhere(sources, unplaced=self.destinations(options).keys().isdisjoint(("RUNTIME", "")))
+
+    def elsewhere(self, sources: list[Located], *, unplaced: bool, where: Located | None = None) -> None:
+        """``where``: a word that says the place better than the name of the target does."""
+        words = [word for word in self.words(sources) if word is not None]
+        found = {str(word): Located(word, where.span) if where is not None else word for word in words}
+        self.build.elsewhere.update(found)
+        if unplaced:
+            self.build.unplaced.update(found)
 
     def files(self, kind: str, destination: str, sources: list[Located], options: list[Located]) -> None:
         renamed = [after for before, after in itertools.pairwise(options) if before == "RENAME"]
@@ -244,6 +254,16 @@ class Reader(Language):
 
     def destination(self, options: list[Located]) -> str | None:
         """The destination of programs, else the only one."""
+        found = self.destinations(options)
+        chosen = found.get("RUNTIME") or found.get("") or (next(iter(found.values())) if found else None)
+        expanded = None if chosen is None else self.expand(chosen)
+        if expanded is None:
+            return None
+        text = expanded.strip("/")
+        return "" if text.startswith("..") else text
+
+    def destinations(self, options: list[Located]) -> dict[str, Located]:
+        """What each kind of targets is installed into, and under the empty text what all are."""
         found: dict[str, Located] = {}
         current = ""
         for before, after in zip([Located("", self.build.source.whole), *options], options):
@@ -251,12 +271,7 @@ class Reader(Language):
                 current = str(before)
             if before == "DESTINATION":
                 found[current] = after
-        chosen = found.get("RUNTIME") or found.get("") or (next(iter(found.values())) if found else None)
-        expanded = None if chosen is None else self.expand(chosen)
-        if expanded is None:
-            return None
-        text = expanded.strip("/")
-        return "" if text.startswith("..") else text
+        return found
 
     def install(self, destination: str, source: Located, tree: bool, filtered: bool = False, renamed: str = "") -> None:
         for word in self.words([source]):

@@ -3,12 +3,13 @@
 ## What it finds
 A package of the type `ament_python` whose setup.cfg does not put its console scripts into `lib/<package>`, or that has
 no setup.cfg, where one of the scripts makes a node. A script in Python, with `#!` and `__main__`, that CMake installs
-into `lib/<package>` with `install(FILES)`, which takes its executable mode away. What a launch file starts is left to
-`launch/executable-missing`, and misspelt lines of setup.cfg are left to `package/setup-cfg-unread`.
+into `lib/<package>` with `install(FILES)`, which takes its executable mode away. Nodes in C++ that `install(TARGETS)`
+puts nowhere in particular, for which CMake takes `bin`, in one finding for each package. What a launch file starts is
+left to `launch/executable-missing`, and misspelt lines of setup.cfg are left to `package/setup-cfg-unread`.
 
 ## Why it matters on a robot
-setuptools puts the programs into `bin`: `ros2 run` ends with "No executable found", and so does each unit and script
-that starts the node with it. `colcon build` says nothing.
+setuptools and CMake put the programs into `bin`: `ros2 run` ends with "No executable found", and so does each unit and
+script that starts the node with it. `colcon build` says nothing.
 
 ## Bad
 ```ini
@@ -36,12 +37,16 @@ When the programs are meant to be started by their names alone.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.launch import Package
 from bringup_lint.api.launch import literal_text
+
+SHOWN = 20
+"""Programs that a finding shows."""
 
 
 @rule("warning", symptoms=["No executable found"])
@@ -54,7 +59,19 @@ def programs_misplaced(robot: Robot) -> Iterator[Finding]:
                     f"`ros2 run {package.name} {name}` finds no executable: install(FILES) gives it the mode 644",
                     advice="write install(PROGRAMS ...)",
                 )
+        if robot.dependencies.must_declare(package):
+            yield from _unplaced(package, list(robot.dependencies.unplaced_programs(package)))
     yield from _of_python(robot)
+
+
+def _unplaced(package: Package, nodes: list[Located]) -> Iterator[Finding]:
+    for name in nodes[:1]:
+        yield finding(
+            name,
+            f"`ros2 run {package.name} {name}` finds no executable: install() without a folder for programs takes bin",
+            advice=f"write RUNTIME DESTINATION lib/{package.name}",
+            related=[note(each, "nor is this one found") for each in nodes[1:SHOWN]],
+        )
 
 
 def _of_python(robot: Robot) -> Iterator[Finding]:

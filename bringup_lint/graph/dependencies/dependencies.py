@@ -40,6 +40,7 @@ from bringup_lint.graph.dependencies.needs import of_launch_files
 from bringup_lint.graph.dependencies.needs import of_nodes
 from bringup_lint.graph.dependencies.plain_programs import plain_programs
 from bringup_lint.graph.dependencies.plain_programs import programs_without_mode
+from bringup_lint.graph.dependencies.plain_programs import unplaced_programs
 from bringup_lint.graph.dependencies.plugin_needs import of_plugins
 from bringup_lint.graph.dependencies.provided import Provided
 from bringup_lint.graph.dependencies.ros1_programs import ros1_programs
@@ -222,6 +223,10 @@ class Dependencies:
     def programs_without_mode(self, package: Package) -> Iterator[Located]:
         """The scripts that a package installs as programs without the mode of one, and that no launch file starts."""
         return programs_without_mode(self._files.tree, package, self.started_programs(package))
+
+    def unplaced_programs(self, package: Package) -> Iterator[Located]:
+        """The nodes that CMake installs where ``ros2 run`` does not look, and that no launch file starts."""
+        return unplaced_programs(self._files.tree, package, self.started_programs(package))
 
     def started_programs(self, package: Package) -> dict[str, Span]:
         """The programs of a package that launch files start, and where."""

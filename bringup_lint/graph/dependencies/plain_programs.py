@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 _SCRIPTS = (".py", ".sh", ".bash")
 _IS_RUN = regex(r"^if\s{1,4}__name__\s{0,4}==", re.M, "__name__")
 _IMPORTS = regex(r"^[ \t]*(?:from|import)[ \t]+\.?(\w+)\b", re.M, "from import")
+_OF_ROS = regex(r"\brclcpp", hints="rclcpp")
 _READ = 200_000
 
 
@@ -52,6 +53,18 @@ def programs_without_mode(tree: Tree, package: Package, started: Container[str])
                 imported = _imported(tree, package) if imported is None else imported
                 if name.removesuffix(".py") not in imported:
                     yield Located(name, where.span)
+
+
+def unplaced_programs(tree: Tree, package: Package, started: Container[str]) -> Iterator[Located]:
+    """The nodes in C++ that a build installs into no folder in particular, for which CMake takes ``bin``."""
+    for build in package.builds:
+        folder = os.path.dirname(build.source.absolute)
+        for name, place in build.elsewhere.items():
+            is_built = name in build.unplaced and name in build.built
+            if is_built and name not in package.executables and name not in started:
+                sources = (os.path.join(folder, each) for each in build.targets.get(name, ()))
+                if any(_OF_ROS.search(tree.head(each, _READ)) for each in sources if tree.is_file(each)):
+                    yield place
 
 
 def _imported(tree: Tree, package: Package) -> set[str]:
