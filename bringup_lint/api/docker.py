@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.containers.base_images import ended_release
     from bringup_lint.graph.containers.base_images import has_dash
     from bringup_lint.graph.containers.base_images import may_set
+    from bringup_lint.graph.containers.base_images import oldest_codename
     from bringup_lint.graph.containers.base_images import ros_distro
     from bringup_lint.graph.containers.base_images import runs_as_root
     from bringup_lint.graph.containers.base_images import ubuntu_codename
@@ -106,6 +107,7 @@ __all__ = [
     "misplaced_mounts",
     "missing_programs",
     "missing_settings",
+    "oldest_codename",
     "other_distros",
     "own_homes",
     "recordings",

@@ -3,9 +3,9 @@
 ## What it finds
 Packages that a release of Ubuntu dropped, in images and scripts for that release or a later one: the packages of
 Python 2 (`python-pip`, `python-serial`), `python3-distutils`, `libgl1-mesa-glx` and `gazebo` on 24.04,
-`qt5-default` on 22.04. The release is that of the base image, or that of the ROS distribution of the robot. What no
-supported release has is found without it, also in lists of packages; it is a warning then, for the robot may run an
-older Debian.
+`qt5-default` on 22.04. The release is that of the base image, which is 24.04 or later for `ros:rolling`, or that of
+the ROS distribution of the robot. What no supported release has is found without it, also in lists of packages; it is a
+warning then, for the robot may run an older Debian.
 
 Silent where a command may fail (`||`), only runs under a condition, or another repository is added.
 
@@ -49,7 +49,7 @@ from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.docker import Stage
 from bringup_lint.api.docker import commands_of
-from bringup_lint.api.docker import ubuntu_codename
+from bringup_lint.api.docker import oldest_codename
 from bringup_lint.api.host import removed_package
 from bringup_lint.api.ros import codename_of
 from bringup_lint.api.shell import unwrapped
@@ -70,7 +70,7 @@ OF_APT = regex(r"^(?:python3-[a-z0-9-]+|lib[a-z0-9.+-]+-dev|build-essential)[ \t
 def package_removed(robot: Robot) -> Iterator[Finding]:
     for file in robot.dockerfiles:
         for stage in file.stages:
-            codename = ubuntu_codename(stage.origin)
+            codename = oldest_codename(stage.origin)
             if codename and not file.source.says(OTHER_SOURCES) and not robot.compose.images.is_chosen(stage, tag=True):
                 yield from _findings(_of_stage(stage), codename, [note(stage.start.value, "the image")])
     codename = codename_of(robot.target.ros) if robot.target.ros is not None else ""

@@ -94,6 +94,11 @@ def ubuntu_codename(image: str) -> str:
     return last if last in _CODENAMES.values() else ""
 
 
+def oldest_codename(image: str) -> str:
+    """The Ubuntu of an image, and of one of rolling the oldest that it may have: for what no later one has."""
+    return ubuntu_codename(image) or ("noble" if ros_distro(image) == "rolling" else "")
+
+
 def ended_release(image: str) -> EndedRelease | None:
     """The release of Debian or Ubuntu of an official image, where its packages are in an archive."""
     official = _OFFICIAL.fullmatch(image)
