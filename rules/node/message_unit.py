@@ -6,10 +6,13 @@
   Limits are left alone where the tree itself publishes percentages, or sets the parameter that holds them to a share.
 - Degrees (`math.degrees()`) in angles and speeds that are rad and rad/s: those of `LaserScan`, `Imu`, `Twist`, and of
   the `JointState` on `joint_states`.
+- In Python, `FluidPressure` with the `pressure` of a chip whose CircuitPython library gives hPa, such as
+  `adafruit_bme280`, and `MagneticField` with a `magnetic` that is in µT, such as that of `adafruit_bno055`.
 
 ## Why it matters on a robot
 A full battery is 1.0, which is below every limit in percent: the robot lands, docks or shuts down at the first message.
-The other way round, 15 for an empty battery is above every limit. An angle in degrees is 57 times too large.
+The other way round, 15 for an empty battery is above every limit. An angle in degrees is 57 times too large. A
+pressure that is a hundred times too small is that of a height of 30 km.
 
 ## Bad
 ```python
@@ -49,14 +52,22 @@ def message_unit(robot: Robot) -> Iterator[Finding]:
         yield finding(
             found.place,
             _message(found),
-            advice="convert it to radians" if found.got == "degrees" else "use the range from 0 to 1",
+            advice=_advice(found),
             related=[note(found.declared, "the limit is the default of this parameter")] if found.declared else [],
             severity=robot.nodes.lowered(found.place.source, "warning"),
         )
 
 
+def _advice(found: nodes.WrongUnit) -> str:
+    if found.chip is not None:
+        return f"convert it from {found.got} to {found.chip.unit}"
+    return "convert it to radians" if found.got == "degrees" else "use the range from 0 to 1"
+
+
 def _message(found: nodes.WrongUnit) -> str:
     name = f"{found.field} of {found.type.rpartition('/')[2]}"
+    if found.chip is not None:
+        return f"{name} is in {found.chip.unit}, and is set to {found.got}: readers take it for {found.chip.readers}"
     if found.got == "degrees":
         return f"{name} is in rad, and is set to degrees: readers take it for 57 times as much"
     if found.is_read:

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def wrong_units(nodes: Nodes) -> Iterator[WrongUnit]:
-    """Percentages where a share of 1 is meant, and degrees where radians are.
+    """Percentages where a share of 1 is meant, degrees where radians are, and what chips give in units of their own.
 
     A limit in percent is right where the tree itself publishes percentages: only what goes out is told then."""
     found = [each for types in nodes.message_types for each in in_python(nodes, types)]

@@ -1,4 +1,4 @@
-"""Percentages and degrees in Python nodes, where a share of 1 and radians are meant."""
+"""Percentages, degrees and readings of chips in Python nodes, where shares of 1, radians and SI units are meant."""
 
 from __future__ import annotations
 
@@ -8,8 +8,10 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.discover.kinds.launch import LAUNCH
+from bringup_lint.facts.ros.message_units import CHIP_UNITS
 from bringup_lint.facts.ros.message_units import FRACTIONS
 from bringup_lint.facts.ros.message_units import RADIANS
+from bringup_lint.facts.ros.message_units import ChipUnit
 from bringup_lint.graph.nodes.questions.messages.wrong_unit import PERCENT
 from bringup_lint.graph.nodes.questions.messages.wrong_unit import TELLS_APART
 from bringup_lint.graph.nodes.questions.messages.wrong_unit import WrongUnit
@@ -34,7 +36,7 @@ _OTHER_ANGLES = regex(r"(?i)deg|euler|rpy|debug|plot|servo|gimbal|pan_?tilt")
 
 def in_python(nodes: Nodes, types: MessageTypes) -> Iterator[WrongUnit]:
     text = types.file.source.text
-    if not any(kind.rpartition("/")[2] in text for kind in (*FRACTIONS, *RADIANS)):
+    if not any(kind.rpartition("/")[2] in text for kind in (*FRACTIONS, *RADIANS, *CHIP_UNITS)):
         return
     for node in types.file.nodes:
         if isinstance(node, ast.Compare):
@@ -120,6 +122,21 @@ def _given(
             yield WrongUnit(place, kind, field, False, percent)
     elif field in RADIANS.get(kind, ()) and _is_judged(types, kind) and _in_degrees(types, value):
         yield WrongUnit(place, kind, field, False, "degrees")
+    chip = CHIP_UNITS.get(kind)
+    if chip is not None and field in chip.fields and _is_of_chip(types, value, chip):
+        yield WrongUnit(place, kind, field, False, chip.of_chip, chip=chip)
+
+
+def _is_of_chip(types: MessageTypes, value: ast.expr, chip: ChipUnit) -> bool:
+    """Whether a value is a reading of a chip as its library gives it: ``self.bmp.pressure``."""
+    inner = _unwrapped(types, value)
+    if isinstance(inner, ast.Subscript):
+        inner = _unwrapped(types, inner.value)
+    if not isinstance(inner, ast.Attribute) or inner.attr != chip.property:
+        return False
+    made = types.kept(inner.value) if isinstance(inner.value, ast.Attribute) else _unwrapped(types, inner.value)
+    name = types.file.qualified(made.func) if isinstance(made, ast.Call) else None
+    return (name or "").partition(".")[0] in chip.libraries
 
 
 def _is_judged(types: MessageTypes, kind: str) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bringup_lint.facts.ros.message_units import ChipUnit
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Span
@@ -22,6 +23,8 @@ class WrongUnit(NamedTuple):
     is_read: bool
     """A limit for a value that comes in; else the value that goes out."""
     got: str
-    """``20`` for a percentage, empty where it is not known; ``degrees``."""
+    """``20`` for a percentage, empty where it is not known; ``degrees``; the unit of a chip."""
     declared: Span | None = None
     """The parameter of which a limit is the default."""
+    chip: ChipUnit | None = None
+    """The kind of chip whose reading it is."""
