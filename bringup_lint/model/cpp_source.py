@@ -341,6 +341,25 @@ class EndlessAnswer(NamedTuple):
     """``async_send_request``."""
 
 
+class UncheckedElement(NamedTuple):
+    """An element of an array that a callback takes from its message without a look at the size."""
+
+    place: Span
+    field: str
+    number: int
+    """The index; -1 where it is not known."""
+    is_given: bool
+    """A parameter sets the index, by default to this number."""
+
+
+class UncheckedElements(NamedTuple):
+    """Those of one callback."""
+
+    first: Span
+    told: list[UncheckedElement]
+    """One for each array, the one that is most surely not there."""
+
+
 class Read(NamedTuple):
     """``get_parameter`` of a literal name."""
 
@@ -427,6 +446,7 @@ class CppNode:
     races: list[MessageRace] = field(default_factory=list)
     repeated_branches: list[RepeatedBranch] = field(default_factory=list)
     canceled: list[Canceled] = field(default_factory=list)
+    unchecked_elements: list[UncheckedElements] = field(default_factory=list)
     divisors: list[Located] = field(default_factory=list)
     """Velocities of commands by which something is divided unseen."""
     problems: list[Problem] = field(default_factory=list)

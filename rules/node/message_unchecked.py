@@ -17,6 +17,8 @@ left out.
 ## Why it matters on a robot
 rclpy hands an exception of a callback on to `spin()`, which ends the node. Everybody can publish on a topic: one
 message of a test with `ros2 topic pub`, or a camera that sees nothing, and the driver or the mission is gone.
+In C++ nothing checks the index: the node crashes, or takes what lies behind the array for a button that is pressed. An
+Xbox controller has 11 buttons, and `game_controller_node` sends 6 axes.
 
 ## Bad
 ```python
@@ -35,11 +37,12 @@ def on_plan(self, msg):
 ```
 
 ## When to ignore it
-When only one program publishes on the topic, and never sends such a message.
+When only one program publishes on the topic, and never sends such a message, or the robot has one gamepad forever.
 
 ## References
 - rclpy, executors.py: exceptions of a task are raised by `spin_once`
 - https://docs.python.org/3/library/functions.html#next
+- https://en.cppreference.com/w/cpp/container/vector/operator_at
 """
 
 from collections.abc import Iterator
@@ -56,6 +59,24 @@ from bringup_lint.api import rule
 def message_unchecked(robot: Robot) -> Iterator[Finding]:
     yield from _in_callbacks(robot)
     yield from _in_handlers(robot)
+    yield from _in_cpp(robot)
+
+
+def _in_cpp(robot: Robot) -> Iterator[Finding]:
+    for source in robot.nodes.cpp:
+        for found in source.unchecked_elements:
+            first, *others = found.told
+            yield finding(
+                found.first,
+                f"{first.place.text} is read without a look at how many {first.field} the message has: where it is "
+                "missing, the node crashes, or goes on with what lies there in memory",
+                advice="return when the array is too short",
+                related=[
+                    *(note(each.place, "this one, too") for each in others),
+                    *([note(first.place, "the last of them")] if first.place != found.first else []),
+                ],
+                severity=robot.nodes.lowered_if_vendored(source.source, "warning"),
+            )
 
 
 def _in_callbacks(robot: Robot) -> Iterator[Finding]:
@@ -86,7 +107,9 @@ def _finding(robot: Robot, file: nodes.NodeSource, first: nodes.Unchecked, *othe
     return finding(
         file.span_of(fault.node),
         f"A {kind}{topic} {fault.when} raises {fault.raises}: {nodes.end_of(robot.nodes.syntax(file), fault.node)}",
-        advice="catch it, log it and go without this message" if fault.is_text else "return when it is empty",
+        advice="catch it, log it and go without this message"
+        if fault.is_text
+        else "return when the array is too short",
         related=[
             note(first.endpoint.span, f"{first.name}() is the callback of this {first.endpoint.role}"),
             *(note(file.span_of(each), "raises too") for each in first.others),

@@ -22,6 +22,7 @@ from bringup_lint.parsers.cpp_node.durations import durations
 from bringup_lint.parsers.cpp_node.early_members import early_members
 from bringup_lint.parsers.cpp_node.early_pointers import early_pointers
 from bringup_lint.parsers.cpp_node.early_pointers import second_owners
+from bringup_lint.parsers.cpp_node.elements import unchecked_elements
 from bringup_lint.parsers.cpp_node.endless_answers import ASKS
 from bringup_lint.parsers.cpp_node.endless_answers import endless_answers
 from bringup_lint.parsers.cpp_node.endpoints import endpoint
@@ -126,6 +127,7 @@ def parse(source: Source) -> CppNode:
     node.bare_members = list(bare_members(code, node.classes))
     node.unset_members = list(unset_members(code, node.classes, node.callbacks[:CALLBACKS]))
     node.canceled = list(canceled(code, node.callbacks[:CALLBACKS]))
+    node.unchecked_elements = list(unchecked_elements(code, node.callbacks[:CALLBACKS]))
     node.divisors = list(divisors(code))
     node.unstamped = list(unstamped(code, names, node.endpoints))
     if RESTAMPS.search(source.text):

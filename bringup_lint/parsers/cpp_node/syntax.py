@@ -178,6 +178,11 @@ class Code:
             return byte
         return byte - self._wide[bisect_right(self._wide, (byte, len(self._data))) - 1][1]
 
+    def at(self, offset: int) -> Node | None:
+        """The innermost node at a place in code points."""
+        byte = offset if self._wide is None else len(self.source.text[:offset].encode("utf-8", "surrogatepass"))
+        return self.tree.root_node.descendant_for_byte_range(byte, byte)
+
     def span(self, node: Node) -> Span:
         return Span(self.source, self.offset(node.start_byte), self.offset(node.end_byte))
 

@@ -9,6 +9,10 @@ from functools import partial
 from itertools import islice
 from typing import TYPE_CHECKING
 
+from bringup_lint.facts.ros.short_arrays import COMMON
+from bringup_lint.facts.ros.short_arrays import EMPTY
+from bringup_lint.facts.ros.short_arrays import JOYSTICK
+from bringup_lint.facts.ros.short_arrays import SEEN
 from bringup_lint.graph.memo import memo
 from bringup_lint.graph.nodes.sources.callback_code import code_of
 from bringup_lint.graph.nodes.sources.stored_values import module_values
@@ -21,7 +25,6 @@ from bringup_lint.model.node_source import NodeSource
 from bringup_lint.model.python import is_own
 from bringup_lint.model.python import walk
 from bringup_lint.named_tuple import NamedTuple
-from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
     from bringup_lint.graph.nodes.nodes import Nodes
@@ -48,24 +51,6 @@ _READERS = {
     "float": _NUMBER,
     "int": _NUMBER,
 }
-_EMPTY = {
-    "nav_msgs/msg/Path": ("poses",),
-    "geometry_msgs/msg/PoseArray": ("poses",),
-    "trajectory_msgs/msg/JointTrajectory": ("points",),
-    "visualization_msgs/msg/MarkerArray": ("markers",),
-    "vision_msgs/msg/Detection2DArray": ("detections",),
-    "vision_msgs/msg/Detection3DArray": ("detections",),
-    "vision_msgs/msg/Detection2D": ("results",),
-    "apriltag_msgs/msg/AprilTagDetectionArray": ("detections",),
-    "ros2_aruco_interfaces/msg/ArucoMarkers": ("poses", "marker_ids"),
-    "depthai_ros_msgs/msg/SpatialDetectionArray": ("detections",),
-    "yolo_msgs/msg/DetectionArray": ("detections",),
-    "yolov8_msgs/msg/DetectionArray": ("detections",),
-    "darknet_ros_msgs/msg/BoundingBoxes": ("bounding_boxes",),
-}
-"""Messages that come without elements in regular operation: nothing is seen, or a path or trajectory is cleared."""
-_SEEN = regex(r"(?:detections|bounding_boxes|boxes|objects|obstacles|persons|people|faces|tracks|markers|marker_ids)\Z")
-"""Names for the same in messages of the robot's own."""
 _CLEANED = ("strip", "lower", "upper", "rstrip", "lstrip", "replace")
 _MOST = 10
 _ROLES = ("subscription", "service")
@@ -212,8 +197,19 @@ def _element(types: MessageTypes, node: ast.AST) -> Fault | None:
     if not isinstance(node, ast.Subscript) or not isinstance(node.ctx, ast.Load):
         return None
     index = node.slice.operand if isinstance(node.slice, ast.UnaryOp) else node.slice
-    is_certain = isinstance(index, ast.Constant) and isinstance(index.value, int)
-    return _of_array(types, node, node.value, "IndexError") if is_certain else None
+    if not isinstance(index, ast.Constant) or not isinstance(index.value, int):
+        return None
+    return _of_joystick(types, node, index.value) or _of_array(types, node, node.value, "IndexError")
+
+
+def _of_joystick(types: MessageTypes, node: ast.Subscript, index: int) -> Fault | None:
+    """A button or axis that gamepads need not have."""
+    field = node.value
+    if not isinstance(field, ast.Attribute) or index < COMMON.get(field.attr, index + 1) or not _is_taken(field):
+        return None
+    if types.of(field.value) != JOYSTICK:
+        return None
+    return Fault(node, [ast.unparse(field)], f"with {index} {field.attr} or fewer", "IndexError", False)
 
 
 def _most(types: MessageTypes, node: ast.AST) -> Fault | None:
@@ -242,9 +238,9 @@ def _array(types: MessageTypes, node: ast.expr) -> ast.Attribute | None:
     owner = types.of(node.value)
     if owner is None:
         return None
-    if node.attr in _EMPTY.get(owner, ()):
+    if node.attr in EMPTY.get(owner, ()):
         return node
-    return node if _SEEN.match(node.attr) and (types.of(node) or "").endswith("[]") else None
+    return node if SEEN.match(node.attr) and (types.of(node) or "").endswith("[]") else None
 
 
 def _is_taken(node: ast.Attribute) -> bool:
