@@ -176,6 +176,15 @@ class ShortAnswer(NamedTuple):
     """It is a field of a line that is split; else what is cut off from a fixed place on."""
 
 
+class LostCamera(NamedTuple):
+    """A read of a camera after whose failure a timer or loop goes on, where nothing opens it again."""
+
+    read: Span
+    test: Span
+    opened: Span
+    is_logged: bool
+
+
 @dataclass(eq=False, slots=True)
 class CppDriver:
     source: Source
@@ -196,4 +205,5 @@ class CppDriver:
     blind_writes: list[BlindWrite] = field(default_factory=list)
     shut_ports: list[ShutPort] = field(default_factory=list)
     short_answers: list[ShortAnswer] = field(default_factory=list)
+    lost_cameras: list[LostCamera] = field(default_factory=list)
     problems: list[Problem] = field(default_factory=list)

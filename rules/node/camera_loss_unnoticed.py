@@ -3,7 +3,8 @@
 ## What it finds
 In the callback of a timer or in a `while` loop of a Python node, a `read()` of `cv2.VideoCapture` after whose failure
 the code only returns, continues, waits or logs, where nothing opens the camera again: it is opened in the constructor
-or before the loop alone. Video files are left out.
+or before the loop alone. In C++ the same of `read(frame)` and `camera >> frame` of `cv::VideoCapture`. Video files are
+left out.
 
 ## Why it matters on a robot
 When the USB camera is unplugged, or resets for a moment, `read()` returns False at once, each time. OpenCV does not
@@ -43,6 +44,8 @@ from bringup_lint.api import nodes
 from bringup_lint.api import note
 from bringup_lint.api import rule
 
+ADVICE = "open the camera again, or end the node and let launch or systemd restart it"
+
 
 @rule("warning", silent="OpenCV says nothing of a device that is gone", tags=["CWE-391"])
 def camera_loss_unnoticed(robot: Robot) -> Iterator[Finding]:
@@ -52,10 +55,24 @@ def camera_loss_unnoticed(robot: Robot) -> Iterator[Finding]:
             found.file.span_of(found.call),
             f"When the camera is unplugged, this fails at once each time, and {found.function}() {only}: "
             "no picture comes until somebody restarts the node",
-            advice="open the camera again, or end the node and let launch or systemd restart it",
+            advice=ADVICE,
             related=[
                 note(found.file.span_of(found.choice.test), "goes on without a picture"),
                 note(found.file.span_of(found.opened), "is the only time that it is opened"),
             ],
             severity=robot.nodes.lowered_if_vendored(found.file.source, "warning"),
         )
+    for driver in robot.nodes.drivers:
+        for lost in driver.lost_cameras:
+            only = "only logs it" if lost.is_logged else "says nothing"
+            yield finding(
+                lost.test,
+                f"When the camera is unplugged, this goes on without a picture each time, and {only}: no picture comes "
+                "until somebody restarts the node",
+                advice=ADVICE,
+                related=[
+                    note(lost.read, "fails at once"),
+                    note(lost.opened, "is the only time that it is opened"),
+                ],
+                severity=robot.nodes.lowered_if_vendored(driver.source, "warning"),
+            )

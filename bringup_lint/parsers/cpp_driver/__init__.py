@@ -22,6 +22,8 @@ from bringup_lint.parsers.cpp_driver.idle_reads import SERIAL
 from bringup_lint.parsers.cpp_driver.idle_reads import idle_reads
 from bringup_lint.parsers.cpp_driver.left_locked import BY_HAND
 from bringup_lint.parsers.cpp_driver.left_locked import left_locked
+from bringup_lint.parsers.cpp_driver.lost_cameras import CAMERA
+from bringup_lint.parsers.cpp_driver.lost_cameras import lost_cameras
 from bringup_lint.parsers.cpp_driver.lost_transforms import LOOKS_UP
 from bringup_lint.parsers.cpp_driver.lost_transforms import TAKES
 from bringup_lint.parsers.cpp_driver.lost_transforms import lost_transforms
@@ -67,6 +69,7 @@ _QUESTIONS: tuple[tuple[str, tuple[re.Pattern[str], ...], Callable[[Code], Itera
     ("blind_writes", (WRITES, ANSWERED), blind_writes),
     ("shut_ports", (OPENS_PORT, SERIAL_PORT), shut_ports),
     ("short_answers", (TAKES_PARTS,), short_answers),
+    ("lost_cameras", (CAMERA,), lost_cameras),
 )
 """What is asked of a file, with the words without all of which it has none."""
 

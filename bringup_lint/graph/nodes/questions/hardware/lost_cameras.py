@@ -6,6 +6,8 @@ import ast
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.facts.ros.cameras import LOOKED_AFTER
+from bringup_lint.facts.ros.cameras import VIDEO_FILE
 from bringup_lint.graph.nodes.sources.ending import Ending
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import own
@@ -14,17 +16,11 @@ from bringup_lint.model.python import FunctionNode
 from bringup_lint.model.python import called_name
 from bringup_lint.model.python import walk
 from bringup_lint.named_tuple import NamedTuple
-from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
     from bringup_lint.graph.nodes.nodes import Nodes
 
 _CAPTURE = "cv2.VideoCapture"
-_FILE = regex(r"(?i)\.(?:mp4|avi|mov|mkv|webm|mpe?g|bag)\b")
-_LOOKED_AFTER = regex(
-    r"(?i)last_?(?:frame|image|img|capture)|watch_?dog|stale|re_?(?:connect|open|init)|fail\w{0,10}_?count|diagnostic"
-)
-"""Names of what may notice that no picture comes any more."""
 _LOGS = frozenset({"info", "warn", "warning", "error", "debug", "fatal", "print", "get_logger"})
 _WAITS = frozenset({"sleep", "waitKey", "spin_once"})
 _STARTS = ("__init__", "main")
@@ -46,7 +42,7 @@ class LostCamera(NamedTuple):
 def lost_cameras(nodes: Nodes) -> Iterator[LostCamera]:
     """The reads that are tried again and again after a camera is gone, where nothing opens it anew."""
     for file in nodes.robot_sources:
-        if "VideoCapture" in file.source.text and not file.source.matches(_LOOKED_AFTER):
+        if "VideoCapture" in file.source.text and not file.source.matches(LOOKED_AFTER):
             ending = nodes.ending(file)
             found = (_lost(ending, call) for call in ending.syntax.calls)
             yield from (each for each in found if each is not None)
@@ -106,7 +102,7 @@ def _openings(syntax: Syntax) -> dict[str, list[tuple[ast.AST, ast.expr | None]]
 
 
 def _opens_device(syntax: Syntax, value: ast.expr | None) -> bool:
-    if not isinstance(value, ast.Call) or _FILE.search(ast.unparse(value)):
+    if not isinstance(value, ast.Call) or VIDEO_FILE.search(ast.unparse(value)):
         return False
     return syntax.qualified(value) == _CAPTURE or getattr(value.func, "attr", "") == "open"
 

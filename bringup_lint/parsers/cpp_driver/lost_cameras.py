@@ -1,0 +1,119 @@
+"""Cameras of a C++ file whose loss a timer or loop survives without opening them again."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from itertools import islice
+from typing import TYPE_CHECKING
+
+from bringup_lint.facts.ros.cameras import LOOKED_AFTER
+from bringup_lint.facts.ros.cameras import VIDEO_FILE
+from bringup_lint.model.cpp_driver import LostCamera
+from bringup_lint.model.cpp_text import end_of_block
+from bringup_lint.model.cpp_text import plain_of
+from bringup_lint.parsers.cpp_node.endpoints import TIMERS
+from bringup_lint.parsers.cpp_node.owners import class_made
+from bringup_lint.parsers.cpp_node.syntax import FUNCTIONS
+from bringup_lint.parsers.cpp_node.syntax import LOOPS
+from bringup_lint.parsers.cpp_node.syntax import Code
+from bringup_lint.pattern import regex
+
+if TYPE_CHECKING:
+    from tree_sitter import Node
+
+    from bringup_lint.source import Span
+
+CAMERA = regex(r"\bVideoCapture\b|\bisOpened\s{0,4}\(", hints="VideoCapture isOpened")
+_READS = regex(
+    r"\b(?P<camera>\w{1,60})\s{0,4}>>\s{0,4}(?P<frame>\w{1,60})\s{0,4};[\s}]{0,400}"
+    r"(?P<test>if\s{0,4}\(\s{0,4}(?P=frame)\s{0,4}\.\s{0,4}empty\s{0,4}\(\s{0,4}\)\s{0,4}\))\s{0,40}\{(?P<body>)"
+    r"|(?P<check>if\s{0,4}\(\s{0,4}!\s{0,4}(?P<read>\w{1,60})\s{0,4}(?:\.|->)\s{0,4}read\s{0,4}\(\s{0,4}\w{1,60}\s{0,4}\)"
+    r"\s{0,4}\))\s{0,40}\{(?P<inside>)"
+)
+MOST = 20
+"""Reads of one file that are looked at."""
+_OPENS = (
+    r"(?<![\w.>])(?:this->)?{0}\s{{0,4}}(?:(?:\.|->)\s{{0,4}}open\s{{0,4}}\(|=\s{{0,4}}(?:cv::)?VideoCapture\s{{0,4}}[({{])"
+    r"|\bVideoCapture\s{{1,4}}{0}\s{{0,4}}[({{=]|(?<=[,:\s]){0}\s{{0,4}}[({{](?=[^;]{{0,200}}\{{)"
+)
+_PASSIVE = regex(
+    r"\bRCLCPP_\w{3,40}\s{0,4}\((?:[^;\"]|\"(?:[^\"\\\n]|\\.)*\"){0,900}\)\s{0,4};"
+    r"|\bstd::c(?:err|out)\b(?:[^;\"]|\"(?:[^\"\\\n]|\\.)*\"){0,900};"
+    r"|[\w:.>-]{0,60}sleep(?:_for)?\s{0,4}\([^;]{0,200};"
+)
+_LEAVES = regex(r"\s*(?:return|continue)\s*;\s*\Z")
+
+
+def lost_cameras(code: Code) -> Iterator[LostCamera]:
+    """One for each read that goes on without a picture."""
+    plain = plain_of(code.source)
+    if LOOKED_AFTER.search(plain):
+        return
+    for found in islice(_READS.finditer(plain), MOST):
+        by_stream = found["camera"] is not None
+        start = found.end("body" if by_stream else "inside")
+        end = end_of_block(plain, start)
+        branch = plain[start:end]
+        if not _LEAVES.match(_PASSIVE.sub(" ", branch)) or plain[end + 1 : end + 40].lstrip().startswith("else"):
+            continue
+        node = code.at(found.start())
+        opened = _opened(code, plain, found["camera"] or found["read"], node) if node is not None else None
+        if opened is not None:
+            place = code.source.span(found.start(), found.end("frame") if by_stream else found.end("check"))
+            test = code.source.span(*found.span("test" if by_stream else "check"))
+            yield LostCamera(place, test, opened, _PASSIVE.search(branch) is not None)
+
+
+def _opened(code: Code, plain: str, camera: str, read: Node) -> Span | None:
+    """Where a camera is opened, when this is before a timer or loop reads it, and not again."""
+    function, loop = code.body_of(read), _loop(code, read)
+    if function is None or (loop is None and not _is_of_timer(code, function)):
+        return None
+    first: Span | None = None
+    for found in re.compile(_OPENS.format(re.escape(camera))).finditer(plain):
+        node = code.at(found.start())
+        if node is None or VIDEO_FILE.search(plain, found.start(), plain.find(";", found.end())):
+            return None
+        outer = code.body_of(node)
+        is_before = outer is not None and outer.id == function.id and loop is not None
+        if _loop(code, node) is not None or not (is_before or (outer is not None and _is_early(code, outer))):
+            return None
+        first = first or code.source.span(found.start(), found.end() - 1)
+    return first
+
+
+def _is_early(code: Code, function: Node) -> bool:
+    """Whether a function is a constructor or ``main``, or is called by these alone."""
+    if function.type != "function_definition":
+        return False
+    name = (code.defined_name(function) or "").rpartition("::")[2]
+    if name == "main" or class_made(code, function) is not None:
+        return True
+    callers = [code.body_of(call.node) for call in code.calls if call.name == name]
+    made = [each is not None and _is_start(code, each) for each in callers]
+    return len(made) == 1 and all(made) and len(list(code.uses(name))) == 2
+
+
+def _is_start(code: Code, function: Node) -> bool:
+    return class_made(code, function) is not None or code.defined_name(function) == "main"
+
+
+def _is_of_timer(code: Code, function: Node) -> bool:
+    """Whether a timer runs a function, itself or through a lambda."""
+    name = (code.defined_name(function) or "").rpartition("::")[2] if function.type == "function_definition" else ""
+    for call in code.calls:
+        if call.name in TIMERS:
+            for given in call.arguments:
+                if given.id == function.id or (name and re.search(rf"\b{re.escape(name)}\b", code.text(given))):
+                    return True
+    return False
+
+
+def _loop(code: Code, node: Node) -> Node | None:
+    for outer in code.above(node):
+        if outer.type in FUNCTIONS:
+            return None
+        if outer.type in LOOPS:
+            return outer
+    return None
