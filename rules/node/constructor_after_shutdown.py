@@ -3,7 +3,8 @@
 ## What it finds
 `rclpy.shutdown()` in the constructor of a Python node that neither returns nor raises after it, and then makes a
 publisher, a subscription, a service, a client or a timer; or that returns, where the program spins the node without
-asking `rclpy.ok()`. In C++ `rclcpp::shutdown()` in a constructor that then makes one of these.
+asking `rclpy.ok()`. In C++ `rclcpp::shutdown()` in a constructor that then makes one of these, or in a method without
+an answer that such a constructor calls.
 
 ## Why it matters on a robot
 `shutdown()` ends nothing: it returns. The constructor goes on without the device that it did not find, and the next
