@@ -38,6 +38,8 @@ _OF_NODES = regex(
 """The names of calls of a node that make nothing, and of macros."""
 _FLAG = regex(r"=\s{0,4}true\s{0,4};", hints="true")
 _HANDED = regex(r"\bthis\b(?!\s{0,4}->)|shared_from_this", hints="this")
+_POINTERS = ("shared_ptr", "unique_ptr")
+"""They keep the node that they are handed, and run nothing."""
 _BRANCHES = frozenset({"if_statement", "else_clause", "catch_clause"})
 
 
@@ -82,6 +84,8 @@ class _Making:
     def may(self, call: Call) -> bool:
         """Whether a call may make it itself, in a method, or in what is handed the node."""
         given = (each for each in call.arguments if each.type != "lambda_expression")
+        if call.name in _POINTERS:
+            return False
         if any(_HANDED.search(self._code.text(each)) for each in given):
             return True
         if call.qualified not in (call.name, f"this->{call.name}") or _OF_NODES.match(call.name):
