@@ -2,8 +2,9 @@
 
 ## What it finds
 `rclcpp::shutdown()`, `exit()`, `abort()` and the like in a method of a class that its file registers with
-`RCLCPP_COMPONENTS_REGISTER_NODE`, and in transitions such as `on_configure()` of any class. It is a warning in a
-transition, and where a launch file of the tree loads the component, else an info. Once a class, with the other places.
+`RCLCPP_COMPONENTS_REGISTER_NODE`, and in transitions such as `on_configure()` of any class, or in a method of the file
+that a transition calls. It is a warning in a transition, and where a launch file of the tree loads the component, else
+an info. Once a class, with the other places.
 
 ## Why it matters on a robot
 A component shares its process and its context with all nodes of the container. A camera that is not plugged in, or a

@@ -9,6 +9,7 @@ from bringup_lint.model.cpp_source import ComponentEnd
 from bringup_lint.parsers.cpp_node.owners import class_of
 from bringup_lint.parsers.cpp_node.syntax import Call
 from bringup_lint.parsers.cpp_node.syntax import Code
+from bringup_lint.parsers.cpp_node.waits import Bodies
 from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
@@ -26,22 +27,42 @@ _OF_LIFECYCLE = regex(r"\bCallbackReturn\b|\bState\b|\bCallback\w{0,20}Return\w{
 
 
 def component_ends(code: Code, components: list[str]) -> Iterator[ComponentEnd]:
-    """The calls in the methods of components, and in transitions of lifecycle nodes, in the order of the text."""
+    """The calls in the methods of components, and in transitions of lifecycle nodes or what those call, in the order
+    of the text."""
+    ends = [call for call in code.calls if call.qualified == _CONTEXT or call.qualified in _PROCESS]
+    if not ends:
+        return
     by_class = {each.rpartition("::")[2]: each for each in components}
     own = frozenset(_DECLARED.findall(code.source.text))
     forking = {function.id for call in code.calls if call.name in _FORK and (function := _function(code, call))}
-    for call in code.calls:
+    steps = _steps(code)
+    for call in ends:
         is_context = call.qualified == _CONTEXT
-        if not is_context and (call.qualified not in _PROCESS or call.qualified in own):
+        if not is_context and call.qualified in own:
             continue
         function = _function(code, call)
         if function is None or (not is_context and function.id in forking):
             continue
-        owner, method = _method(code, function)
+        owner = _method(code, function)[0]
         if owner in by_class:
             yield ComponentEnd(code.span(call.node), call.qualified, by_class[owner], None, is_context)
-        elif owner and _STEP.match(method) and _OF_LIFECYCLE.search(_head(code, function)):
-            yield ComponentEnd(code.span(call.node), call.qualified, owner, method, is_context)
+        elif owner and (step := steps.get(function.id)) is not None:
+            yield ComponentEnd(code.span(call.node), call.qualified, owner, step, is_context)
+
+
+def _steps(code: Code) -> dict[int, str]:
+    """Function -> the transition that runs it: itself, or a method of the file that it calls."""
+    bodies = Bodies(code)
+    found: dict[int, str] = {}
+    for name, functions in bodies.functions.items():
+        for function in functions if _STEP.match(name) else ():
+            if _method(code, function)[0] and _OF_LIFECYCLE.search(_head(code, function)):
+                found[function.id] = name
+                for each in bodies.reached(function):
+                    inner = _function(code, each) if isinstance(each, Call) else None
+                    if inner is not None:
+                        found.setdefault(inner.id, name)
+    return found
 
 
 def _function(code: Code, call: Call) -> Node | None:
