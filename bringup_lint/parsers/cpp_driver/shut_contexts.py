@@ -147,7 +147,9 @@ def _made(code: Code, functions: _Functions, statement: Node, depth: int) -> Nod
 def _made_in(code: Code, functions: _Functions, method: Node, depth: int) -> Node | None:
     """What a method makes before it may leave."""
     plain, body = plain_of(code.source), method.child_by_field_name("body")
-    for statement in body.named_children if body is not None else ():
+    if body is None:
+        return None
+    for statement in body.named_children:
         if statement.type in ("expression_statement", "declaration"):
             made = _made(code, functions, statement, depth)
             if made is not None:

@@ -54,8 +54,8 @@ def _steps(code: Code) -> dict[int, str]:
     """Function -> the transition that runs it: itself, or a method of the file that it calls."""
     bodies = Bodies(code)
     found: dict[int, str] = {}
-    for name, functions in bodies.functions.items():
-        for function in functions if _STEP.match(name) else ():
+    for name in filter(_STEP.match, bodies.functions):
+        for function in bodies.functions[name]:
             if _method(code, function)[0] and _OF_LIFECYCLE.search(_head(code, function)):
                 found[function.id] = name
                 for each in bodies.reached(function):
