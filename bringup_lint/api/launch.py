@@ -53,6 +53,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch.questions.delays import waiting_comment
     from bringup_lint.graph.launch.questions.entry_points import MissingEntry
     from bringup_lint.graph.launch.questions.entry_points import missing_entries
+    from bringup_lint.graph.launch.questions.gone_arguments import GoneArgument
+    from bringup_lint.graph.launch.questions.gone_arguments import gone_arguments
     from bringup_lint.graph.launch.questions.gone_packages import gone_packages
     from bringup_lint.graph.launch.questions.joined_commands import joined_commands
     from bringup_lint.graph.launch.questions.public_includes import Unpassed
@@ -166,6 +168,7 @@ __all__ = [
     "Expansion",
     "Failed",
     "FileDir",
+    "GoneArgument",
     "Group",
     "Include",
     "Lack",
@@ -216,6 +219,7 @@ __all__ = [
     "distribution_of",
     "exclusive",
     "full_name",
+    "gone_arguments",
     "gone_packages",
     "happens_anyway",
     "in_degrees",

@@ -54,6 +54,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.plugins.xacro_refused import XacroRefused
     from bringup_lint.graph.topics.questions.foreign_files import foreign
     from bringup_lint.graph.topics.questions.frames import unknown_frames
+    from bringup_lint.graph.topics.questions.gone_parameters import GoneParameters
+    from bringup_lint.graph.topics.questions.gone_parameters import gone_parameters
     from bringup_lint.graph.topics.questions.parameter_blocks import unreached
     from bringup_lint.graph.topics.questions.parameter_blocks import unused
     from bringup_lint.graph.topics.questions.undeclared import Undeclared
@@ -71,6 +73,7 @@ __all__ = [
     "Block",
     "BrokenChain",
     "Declared",
+    "GoneParameters",
     "HardwareParameter",
     "IncompleteController",
     "Item",
@@ -96,6 +99,7 @@ __all__ = [
     "broken_chains",
     "declared_type",
     "foreign",
+    "gone_parameters",
     "holds_maps",
     "indenting_tabs",
     "is_flattened",

@@ -3,7 +3,10 @@
 ## What it finds
 Keys in `launch_arguments` (`<arg>` inside `<include>`) that the launched file and everything it includes neither
 declare nor read. Of files in packages that are not in the tree, those of Nav2, slam_toolbox, the drivers of Universal
-Robots, RPLIDAR and Velodyne, rosbridge, robot_localization, Gazebo, TurtleBot and others are known. `name:=value` in
+Robots, RPLIDAR and Velodyne, rosbridge, robot_localization, Gazebo, TurtleBot and others are known. The same for
+arguments of `rs_launch.py` of realsense2_camera that newer releases have under another name, be they passed or only
+declared around the include, unless the tree is for a distribution that never got these, or fetches an older one.
+`name:=value` in
 the `ros2 launch` commands of units, and of compose services that are built from this tree, is checked in the same way.
 Silent where nothing is lost: an empty value, `use_sim_time:=false` for a file that says nothing of it, and `use_X` that
 is off beside an empty `X`. An info where the value asks for what happens anyway: it switches off what no launched file
@@ -58,6 +61,7 @@ def include_unknown_arg(robot: Robot) -> Iterator[Finding]:
             values = {str(launch.literal(key)): value for key, value in include.action.arguments}
             yield from unknown(robot, [name for name in own if name not in idle], include.target, values)
         yield from _of_public(robot, file)
+        yield from _renamed(robot, file)
     for command in (*robot.runners.launches, *robot.runners.typed_launches):
         if command.file is not None and command.runner.certain:
             given = [
@@ -78,6 +82,23 @@ def _of_public(robot: Robot, file: launch.LaunchFile) -> Iterator[Finding]:
             f"'{each.name}' is not an argument of {each.target} in any distribution: the value is silently ignored",
             advice=f"pass '{each.near}'" if each.near else "remove it",
             chain=robot.provenance.chain_to(each.name, f"'{each.name}' is passed"),
+        )
+
+
+def _renamed(robot: Robot, file: launch.LaunchFile) -> Iterator[Finding]:
+    """Arguments that launch files of public packages had in older releases."""
+    for (name, target, gone), *others in launch.gone_arguments(robot.launch, file):
+        if robot.dependencies.is_kept_before(gone.package, gone.since):
+            continue
+        more = f" and {len(others)} other{'s' if len(others) > 1 else ''}" if others else ""
+        yield finding(
+            name,
+            f"{target} has had no argument '{name}'{more} since {gone.package} {gone.since}: "
+            "the value is silently ignored",
+            advice=f"pass '{gone.now}'",
+            related=[note(each.name, f"'{each.gone.now}' is the name now") for each in others[:10]],
+            chain=robot.provenance.chain_to(name, f"'{name}' is passed"),
+            confidence="medium",
         )
 
 

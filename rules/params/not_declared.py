@@ -16,7 +16,8 @@ own. The controller manager hands nothing of its block to a controller, whose pa
 value that the launch file reads itself is left alone, and one that a comment of the package calls unneeded is an info.
 In the sections of Navigation2's own plugins, a parameter is unknown when nothing of Navigation2 has one whose name
 ends so. Packages whose repository the tree patches, or fetches from others than its first owners, may be changed, and
-are left alone.
+are left alone. Of `realsense2_camera`, names that newer releases have changed, unless the tree is for a distribution
+that never got these, or fetches an older one.
 
 Where it is not known which program gets a block, or the program declares whatever it is given: parameters that no
 source of the tree names, when one source reads at least three others of the block, and most of them. Also those that
@@ -58,8 +59,10 @@ from bringup_lint.api import finding
 from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.launch import literal_text
+from bringup_lint.api.params import GoneParameters
 from bringup_lint.api.params import Unknown
 from bringup_lint.api.params import Unread
+from bringup_lint.api.params import gone_parameters
 from bringup_lint.api.params import undeclared
 from bringup_lint.api.params import unknown_to_public
 from bringup_lint.api.params import unlisted
@@ -96,6 +99,11 @@ def not_declared(robot: Robot) -> Iterator[Finding]:
         if not is_said and not robot.dependencies.is_forked(each.node.package):
             said |= {parameter.key.span for parameter in each.parameters}
             yield _of_public(each)
+    for renamed in gone_parameters(robot.topics):
+        gone = renamed.given[0][1]
+        if not robot.dependencies.is_kept_before(gone.package, gone.since):
+            said |= {given.place.span for given, _ in renamed.given}
+            yield _of_renamed(robot, renamed)
     for lost in (*unread(robot.params, robot.launch), *unlisted(robot.params, robot.launch)):
         if not said & {parameter.key.span for parameter in lost.parameters}:
             yield _of_reader(lost)
@@ -129,6 +137,24 @@ def _advice_of_public(package: str, name: str, near: Sequence[str]) -> str:
     if package == "controller_manager" and dot:
         return f"write it in the block of {controller} itself, or remove it: the controller manager hands nothing on"
     return "remove the value, or correct its name"
+
+
+def _of_renamed(robot: Robot, found: GoneParameters) -> Finding:
+    """A finding about parameters that a node of a public package had in older releases."""
+    (first, gone), *others = found.given
+    started = found.node.started
+    return finding(
+        first.place,
+        f"{_node(found.node)} has had no parameter '{first.name}'{_more(others)} since {gone.package} {gone.since}: "
+        "the value has no effect",
+        advice=f"write {gone.now}",
+        related=[
+            note(started.span, "the node is started here"),
+            *(note(given.place, f"write {each.now} for '{given.name}'") for given, each in others[:10]),
+        ],
+        chain=robot.provenance.chain_to_node(started),
+        confidence="medium",
+    )
 
 
 def _of_reader(lost: Unread) -> Finding:

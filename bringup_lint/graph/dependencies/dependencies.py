@@ -372,6 +372,10 @@ class Dependencies:
         """Whether the tree fetches a public package from others than those who release it: it may be changed."""
         return self._provided.has_fork(package)
 
+    def is_kept_before(self, package: str, release: str) -> bool:
+        """Whether the tree fetches a public package from others, or an older release of it than one."""
+        return self.is_forked(package) or self._provided.fetches_older(package, release)
+
     def left_out(self, need: Need) -> Located | None:
         """The command that builds a package without another one of the workspace that its launch files start."""
         name = str(need.name)

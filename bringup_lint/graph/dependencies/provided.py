@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from bisect import bisect_left
 from collections.abc import Iterable
 from collections.abc import Iterator
@@ -29,13 +30,19 @@ _SHORT = 3
 _REPOSITORY = regex(r"(?:github|gitlab)\.com[/:][\w.-]{1,60}/([\w.-]{1,80})")
 _OWNERS = frozenset(
     "ros-navigation ros-planning stevemacenski cra-ros-pkg ros-teleop ros-drivers ros-perception slamtec ros2 "
-    "ros-controls".split()
+    "ros-controls intelrealsense realsenseai".split()
 )
 """Who has the public repositories themselves."""
-_SHARED = (("nav2_", "navigation2"), ("dwb_", "navigation2"), ("opennav_", "navigation2"), ("joy", "joystick_drivers"))
+_SHARED = (
+    *(("nav2_", "navigation2"), ("dwb_", "navigation2"), ("opennav_", "navigation2"), ("joy", "joystick_drivers")),
+    ("realsense2_", "realsense_ros"),
+)
 """How packages begin that come with others in one repository."""
 _CONTROLLERS = ("_controller", "_controllers", "_broadcaster")
 """How packages end that come with ros2_controllers."""
+_RELEASE = regex(r"(?<![\d.])(\d{1,3})\.(\d{1,3})\.(\d{1,3})(?![\d.])")
+_BESIDE = 120
+"""Characters before and after a repository in which the release is named that is fetched."""
 _PATCHED = regex(r"\bpatch(?:es)?/([\w-]{1,80})/|/([\w-]{1,80})\s{1,8}apply\b")
 """Repositories that are changed after they are fetched."""
 _HAS_ROS = regex(rf"\bcolcon\b|/opt/ros\b|\bros[-:_\d]|\b(?:{'|'.join(distros.every())})\b")
@@ -95,9 +102,20 @@ class Provided:
     def has_fork(self, package: str) -> bool:
         """Whether anything fetches the repository of a public package from others than those who release it, or
         patches it."""
-        name = next((repository for begin, repository in _SHARED if package.startswith(begin)), package)
+        name = _repository(package)
         is_controller = name.endswith(_CONTROLLERS)
         return name in self._forks or (is_controller and any("controller" in each for each in self._forks))
+
+    def fetches_older(self, package: str, release: str) -> bool:
+        """Whether anything names a release of a public package before another one beside its repository or package."""
+        names = "|".join(re.escape(each).replace("_", "[-_]") for each in (_repository(package), package))
+        after = tuple(map(int, release.split(".")))
+        around = (
+            text[max(0, match.start() - _BESIDE) : match.end() + _BESIDE]
+            for text in self._installers.texts
+            for match in re.finditer(names, text)
+        )
+        return any(tuple(map(int, each)) < after for text in around for each in _RELEASE.findall(text))
 
     @cached_property
     def _forks(self) -> frozenset[str]:
@@ -146,6 +164,11 @@ class Provided:
         files = (file for file in self._dockerfiles if _HAS_ROS.search(file.source.text))
         origins = {each.origin.lower() for file in files if not ROSDEP.search(file.source.text) for each in file.stages}
         return not all(map(is_plain, origins))
+
+
+def _repository(package: str) -> str:
+    """The repository that a public package comes with."""
+    return next((repository for begin, repository in _SHARED if package.startswith(begin)), package)
 
 
 def _plain(names: Iterable[str]) -> frozenset[str]:

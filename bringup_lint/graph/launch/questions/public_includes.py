@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterable
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -88,8 +89,13 @@ def _may_be_set(launch: Launch, expansion: Expansion, include: Included) -> bool
 
 
 def _public(launch: Launch, file: LaunchFile) -> Iterator[tuple[Included, str, str, Taken]]:
-    for include in launch.expansion(file).includes:
-        where = place(include.file) if include.source is file and include.target is None else None
+    return of_public(launch, (each for each in launch.expansion(file).includes if each.source is file))
+
+
+def of_public(launch: Launch, includes: Iterable[Included]) -> Iterator[tuple[Included, str, str, Taken]]:
+    """The includes of known public launch files, each with the package and the name of the file."""
+    for include in includes:
+        where = place(include.file) if include.target is None else None
         if where is None or where.base != "share" or _is_in_tree(launch, where.package):
             continue
         target = os.path.basename(where.path)

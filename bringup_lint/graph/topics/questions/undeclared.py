@@ -72,7 +72,7 @@ def undeclared(topics: Topics) -> Iterator[Undeclared]:
     verdicts: dict[Span, bool] = {}
     namesakes: dict[tuple[Source, str, str], bool] = {}
     found: dict[Span, tuple[LaunchedNode, GivenName]] = {}
-    for node, given in _given_together(topics):
+    for node, given in given_together(topics):
         words = topics.parameter_words(node.started)
         span = given.place.span
         lacks = words is not None and not words.name(given.name) and not is_of_library(given.name)
@@ -162,7 +162,7 @@ def _asked_and_lacking(topics: Topics, is_meant: Callable[[Asked], bool]) -> Ite
     return (name for name in lacking if not topics.may_be_declared_for(name))
 
 
-def _given_together(topics: Topics) -> Iterator[tuple[LaunchedNode, GivenName]]:
+def given_together(topics: Topics) -> Iterator[tuple[LaunchedNode, GivenName]]:
     """What each launch gives to its nodes; what is for one by its name, only to this one, and not to those whose names
     are not known: two of one name do not start together."""
     for expansion in topics.launch.expansions:
