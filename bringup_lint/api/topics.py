@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.topics.questions.controller_topics import unheard_by_controllers
     from bringup_lint.graph.topics.questions.dead_remappings import DeadRemapping
     from bringup_lint.graph.topics.questions.dead_remappings import dead_remappings
+    from bringup_lint.graph.topics.questions.device_programs import device_role
     from bringup_lint.graph.topics.questions.drive_inputs import Unheard
     from bringup_lint.graph.topics.questions.drive_inputs import unheard_commands
     from bringup_lint.graph.topics.questions.misspelt import misspelt
@@ -56,6 +57,7 @@ __all__ = [
     "Use",
     "conflicts_of",
     "dead_remappings",
+    "device_role",
     "is_gate",
     "is_stop",
     "is_velocity",

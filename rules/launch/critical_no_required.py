@@ -1,10 +1,12 @@
 """Nothing reacts when a driver dies.
 
 ## What it finds
-Nodes that drive hardware with neither `respawn` nor an exit action nor an `OnProcessExit` handler. Reported for
-launch files that also start other nodes, or that a unit launches. A warning where a unit or container of the tree
-launches the file, and once a robot for `ros2_control_node` beside nodes that outlive it; else for information, and so
-for a node in a part that an argument switches on.
+Nodes that drive hardware with neither `respawn` nor an exit action nor an `OnProcessExit` handler: known drivers, the
+agent of micro-ROS, and programs of the workspace that open a port, bus or pin and publish measurements or take commands
+to move, or that publish the odometry. Reported for launch files that also start other nodes, or that a unit launches. A
+warning where a unit or container of the tree launches the file (not for odometry, of which a robot may have more than
+one), where the file has another node restarted, and once a robot for `ros2_control_node` beside nodes that outlive it;
+else for information, and so for a node in a part that an argument switches on.
 
 ## Why it matters on a robot
 If the driver ends, the launch continues and the service stays "active (running)": the robot is blind until somebody
@@ -33,6 +35,7 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Fix
+from bringup_lint.api import NamedTuple
 from bringup_lint.api import Related
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
@@ -42,28 +45,33 @@ from bringup_lint.api import note
 from bringup_lint.api import rule
 from bringup_lint.api.python import Import
 from bringup_lint.api.python import with_keyword
+from bringup_lint.api.topics import device_role
 
 WATCHED_ROLES = ("driver", "hardware")
 ASIDE = ("tool", "state", "teleop", "container")
-BY_HAND = ("joy", "joy_linux", "spacenav")
-"""Input devices: without them a robot drives on by itself."""
 
 
 @rule("warning", fix="unsafe", silent="launch reports that a process has died, as for every process, and goes on")
 def critical_no_required(robot: Robot) -> Iterator[Finding]:
     apart = []
-    for expansion, node, supervised in unwatched(robot):
-        severity = None if supervised and not is_option(node) else "info"
+    for expansion, node, role, supervised, restarted in unwatched(robot):
+        missed = bool(restarted) or (supervised and role != "odometry")
+        severity = None if missed and not is_option(node) else "info"
         if severity and is_whole_hardware(expansion, node):
             apart.append(node)
             continue
-        role = robot.launch.role(node).role
+        name = "the micro-ROS agent" if role == "microcontroller" else node.label()
+        effect = "a service around it stays active without its"
+        if restarted and not supervised:
+            effect = f"{restarted[0].label()} beside it is restarted, and runs on without the"
         yield finding(
             node.span,
-            f"If {node.label()} dies, the launch continues and nothing reacts: a service around it stays active "
-            f"without its {role}",
+            f"If {name} dies, the launch continues and nothing reacts: {effect} {role}",
             advice="set on_exit=Shutdown() and let the unit restart it with Restart=always, or set respawn",
-            related=starts(robot, expansion.entry),
+            related=[
+                *starts(robot, expansion.entry),
+                *(note(each.span, "this one is restarted") for each in restarted[:1]),
+            ],
             severity=severity,
             chain=robot.provenance.chain_to_node(node),
             fix=shut_down(node),
@@ -81,9 +89,19 @@ def critical_no_required(robot: Robot) -> Iterator[Finding]:
         )
 
 
-def unwatched(robot: Robot) -> Iterator[tuple[launch.Expansion, launch.Started, bool]]:
-    """The nodes that drive hardware and whose end nothing handles, each with whether something supervises the
-    launch."""
+class Unwatched(NamedTuple):
+    """A program that drives hardware and whose end nothing handles."""
+
+    expansion: launch.Expansion
+    node: launch.Started
+    role: str
+    supervised: bool
+    """Something starts the launch again when it ends."""
+    restarted: list[launch.Started]
+    """The nodes of the same file that launch restarts."""
+
+
+def unwatched(robot: Robot) -> Iterator[Unwatched]:
     for expansion in robot.launch.entries:
         entry = expansion.entry
         if robot.launch.simulated(entry):
@@ -92,18 +110,29 @@ def unwatched(robot: Robot) -> Iterator[tuple[launch.Expansion, launch.Started, 
         starters = robot.runners.launching(entry)
         units = [each for each in starters if each.runner.unit is not None]
         supervised = any(robot.runners.is_supervised(each.runner) for each in starters)
+        restarted = restarted_in(expansion)
         seen = set()
         for node in expansion.nodes:
-            role = robot.launch.role(node).role
-            if role not in WATCHED_ROLES or not isinstance(node.action, launch.Node) or node.by_default is False:
+            if not isinstance(node.action, launch.Process) or node.by_default is False:
                 continue
-            if launch.literal_text(node.package) in BY_HAND or launch.literal_text(node.executable) == "spawner":
+            if "respawn" in node.options or node.span in seen or launch.watched(node, expansion):
                 continue
-            if "respawn" in node.options or launch.watched(node, expansion) or not (others or units):
+            beside = restarted.get(id(node.file), [])
+            if not units and all(each.span == node.span for each in (*beside, *others)):
                 continue
-            if node.span not in seen:
+            role = device_role(robot.topics, node)
+            if role is not None:
                 seen.add(node.span)
-                yield expansion, node, supervised
+                yield Unwatched(expansion, node, role, supervised, beside)
+
+
+def restarted_in(expansion: launch.Expansion) -> dict[int, list[launch.Started]]:
+    """By launch file, the nodes that launch restarts."""
+    found: dict[int, list[launch.Started]] = {}
+    for each in expansion.nodes:
+        if each.by_default is not False and launch.respawns(each) is True:
+            found.setdefault(id(each.file), []).append(each)
+    return found
 
 
 def is_whole_hardware(expansion: launch.Expansion, node: launch.Started) -> bool:

@@ -36,7 +36,7 @@ def watched(node: Started, expansion: Expansion) -> bool:
     if isinstance(action, Process) and (action.on_exit or action.open):
         return True
     for handler, _ in expansion.handlers:
-        if handler.event in ("OnProcessExit", "OnExecutionComplete", "OnShutdown", "", "EventHandler"):
+        if handler.event in ("OnProcessExit", "OnExecutionComplete", "", "EventHandler"):
             if handler.target is None or handler.target == action.key:
                 return True
     return False
