@@ -32,6 +32,7 @@ _UNSEEN = regex(
     "dlopen",
 )
 """What makes ends that no call above writes, and what loads code that is not known."""
+_COMPONENT = "RCLCPP_COMPONENTS_REGISTER_NODE"
 _HARMLESS = regex(r"\w+/(?:msg|srv|action)/|pluginlib/class_list_macros|pcl_ros/transforms")
 """Headers of packages that may make topics, which make none."""
 
@@ -45,13 +46,18 @@ class WholePrograms:
 
     def is_whole(self, package: Package, target: str, nodes: Iterable[CppNode]) -> bool:
         """``target``: an executable, or the library of a component; ``nodes``: the files whose ends are known."""
-        made = _made(package, target)
+        known = {node.source.absolute: node for node in nodes}
+        made = {path for path in _made(package, target) or () if path in known or not self._registers(path)}
         paths = self._reached(package, made) if made else None
         if paths is None:
             return False
-        known = {node.source.absolute: node for node in nodes}
         sources = [(path, self._files.source(path)) for path in sorted(paths)]
         return all(source is not None and _is_told(source, known.get(path)) for path, source in sources)
+
+    def _registers(self, path: str) -> bool:
+        """Whether a file is that of a component: of one library, each is made by itself."""
+        source = self._files.source(path)
+        return source is not None and _COMPONENT in source.text
 
     def _reached(self, package: Package, made: set[str]) -> set[str] | None:
         """The files that a program is made of, and all of the workspace that they include; None when part of that is
