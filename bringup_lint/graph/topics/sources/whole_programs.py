@@ -75,8 +75,9 @@ class WholePrograms:
                 return None
             for included in self._files.includes(path):
                 name = included.partition("/")[0]
-                other = self._workspace.packages.get(name, owner)
-                if name in self._workspace.ambiguous or (other is owner and _is_open(included, depends)):
+                packages = self._workspace.packages
+                other = packages.get(name, owner)
+                if name in self._workspace.ambiguous or (name not in packages and _is_open(included, depends)):
                     return None
                 beside = self._files.by_stem(other).get(stem(included), ())
                 if name == ".." and not beside:
