@@ -6,6 +6,7 @@ import os
 from functools import partial
 from typing import TYPE_CHECKING
 
+from bringup_lint.endings import CPP_SOURCES
 from bringup_lint.facts.ros.brought import is_released
 from bringup_lint.facts.ros.topic_makers import may_make_topics
 from bringup_lint.graph.topics.sources.cpp_files import CppFiles
@@ -84,8 +85,8 @@ class WholePrograms:
                     return None
                 if other is not package and other is not owner:
                     depends.update(str(each) for _, each in other.manifest.depends)
-                    library = (each for each in self._files.of_package(other) if not self._files.is_program(each))
-                    todo += ((each, other) for each in library)
+                    compiled = self._files.of_package(other, CPP_SOURCES)
+                    todo += ((each, other) for each in compiled if not self._files.is_program(each))
                 todo += ((each, other) for each in beside)
         return found
 
