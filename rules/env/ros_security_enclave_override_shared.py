@@ -37,8 +37,10 @@ from bringup_lint.api.systemd import Variable
 
 @rule("warning", silent="a shared identity works", tags=["CWE-250"])
 def ros_security_enclave_override_shared(robot: Robot) -> Iterator[Finding]:
+    if not robot.may_hold("ROS_SECURITY_ENCLAVE_OVERRIDE"):
+        return
     readers: dict[tuple[int, int], tuple[Variable, dict[str, RosProcess]]] = {}
-    for process in robot.ros.processes if robot.may_hold("ROS_SECURITY_ENCLAVE_OVERRIDE") else ():
+    for process in robot.ros.processes:
         variable = process.environment.get("ROS_SECURITY_ENCLAVE_OVERRIDE")
         if variable is not None and variable.value.span.source.judged:
             key = (id(variable.value.span.source), variable.value.span.start)

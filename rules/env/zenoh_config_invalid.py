@@ -49,8 +49,10 @@ FILES = ("ZENOH_ROUTER_CONFIG_URI", "ZENOH_SESSION_CONFIG_URI")
     ],
 )
 def zenoh_config_invalid(robot: Robot) -> Iterator[Finding]:
+    if not robot.may_hold("ZENOH_"):
+        return
     read: dict[Span, tuple[Variable, RosProcess]] = {}
-    for process in robot.ros.processes if robot.may_hold("ZENOH_") else ():
+    for process in robot.ros.processes:
         if process.environment.text("RMW_IMPLEMENTATION") not in (None, "rmw_zenoh_cpp"):
             continue
         if process.unit:

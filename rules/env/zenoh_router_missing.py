@@ -56,9 +56,11 @@ ROUTER = regex(r"zenohd\b|zenoh[-_]router", hints="zenoh")
     ],
 )
 def zenoh_router_missing(robot: Robot) -> Iterator[Finding]:
-    if at_least(robot.target.ros, "humble") is False or any(source.says(ROUTER) for source in robot.sources):
+    if not robot.may_hold("rmw_zenoh_cpp") or at_least(robot.target.ros, "humble") is False:
         return
-    for process in robot.ros.processes if robot.may_hold("rmw_zenoh_cpp") else ():
+    if any(source.says(ROUTER) for source in robot.sources):
+        return
+    for process in robot.ros.processes:
         environment = process.environment
         rmw = environment.get("RMW_IMPLEMENTATION")
         if rmw is None or rmw.text != "rmw_zenoh_cpp":

@@ -55,8 +55,10 @@ DELETES = r"(?:\b(?:rm|mv|rmtree|unlink|rename|move)|-delete)\b"
 
 @rule("warning", confidence="medium", symptoms=["Output folder '*' already exists."])
 def recording_folder_taken(robot: Robot) -> Iterator[Finding]:
+    if not robot.may_hold("bag"):
+        return
     seen = set()
-    for runner, words in recordings(robot.runners.all) if robot.may_hold("bag") else ():
+    for runner, words in recordings(robot.runners.all):
         folder = _folder(words)
         if folder is None or folder.span in seen or not _stays(runner, folder):
             continue

@@ -45,8 +45,10 @@ ALL = ("-a", "--all", "--all-topics")
 
 @rule("warning", symptoms=["No space left on device"])
 def recording_unlimited(robot: Robot) -> Iterator[Finding]:
+    if not robot.may_hold("bag"):
+        return
     seen = set()
-    for runner, words in recordings(robot.runners.all) if robot.may_hold("bag") else ():
+    for runner, words in recordings(robot.runners.all):
         if runner.restarts is False and not _starts_at_boot(robot, runner):
             continue
         if not set(ALL) & set(words) or words[2].span in seen:

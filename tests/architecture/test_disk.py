@@ -19,6 +19,7 @@ ALLOWED = {
     "live": "starts the process that looks at the running graph",
     "fleet": "reads the inventory, and asks whether there is what it names",
     "registry.py": "loads the rules",
+    "importing.py": "imports the modules of the program",
     "on_demand.py": "reads the imports of its modules",
     "rule_index": "keeps what the rules say of themselves",
     "fix.py": "asks whether a file is a link before it is corrected",
