@@ -20,6 +20,8 @@ if TYPE_CHECKING:
     from bringup_lint.graph.commands.wrappers import unwrapped
     from bringup_lint.graph.image_builds import has_busybox
     from bringup_lint.graph.image_builds import runs_in_image
+    from bringup_lint.graph.installed.ansible.modes import FileMode
+    from bringup_lint.graph.installed.ansible.modes import file_modes
     from bringup_lint.graph.installed.ansible.names import missing_names
     from bringup_lint.graph.installed.ansible.roles import roles_of
     from bringup_lint.graph.installed.ansible.shells import sh_commands
@@ -65,6 +67,7 @@ __all__ = [
     "STRICT",
     "Block",
     "Command",
+    "FileMode",
     "Job",
     "Misnamed",
     "Mistake",
@@ -80,6 +83,7 @@ __all__ = [
     "commands",
     "ended_by_failure",
     "every_command",
+    "file_modes",
     "functions",
     "has_busybox",
     "in_tree",

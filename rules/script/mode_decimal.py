@@ -33,19 +33,14 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Robot
-from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
-from bringup_lint.api.shell import tasks
-from bringup_lint.api.yaml import Mapping
+from bringup_lint.api.shell import file_modes
 from bringup_lint.api.yaml import Scalar
 
-MODULES = frozenset(
-    "archive assemble blockinfile copy file get_url ini_file lineinfile replace template unarchive".split()
-)
 MODE = regex(r"[1-7]?[0-7]{3}")
 LARGEST = 0o7777
 MEANT = (0o400, 0o600, 0o640, 0o644, 0o660, 0o664, 0o777)
@@ -60,7 +55,7 @@ READ_OR_WRITE = 6
 @rule("error", fix="unsafe", silent="Ansible sets the wrong mode without a word")
 def mode_decimal(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("ansible"):
-        given = list(_modes(source)) if source.judged and "mode" in source.text else []
+        given = [each.mode for each in file_modes(source)] if source.judged and "mode" in source.text else []
         yield from map(_of_odd, filter(_is_odd, given))
         modes = list(filter(_is_decimal, given))
         if modes:
@@ -85,14 +80,6 @@ def _message(mode: Scalar) -> str:
 def _is_readable(mode: Scalar) -> bool:
     """Whether everybody may read the file all the same, and nobody but its owner write it."""
     return int(mode.value) <= LARGEST and int(mode.value) & 0o026 == 0o004
-
-
-def _modes(source: Source) -> Iterator[Scalar]:
-    for task in tasks(source):
-        for module in task.modules:
-            mode = module.settings.scalar("mode") if isinstance(module.settings, Mapping) else None
-            if mode is not None and module.name in MODULES:
-                yield mode
 
 
 def _of_odd(mode: Scalar) -> Finding:

@@ -2,7 +2,8 @@
 
 ## What it finds
 `chmod 777`, `chmod 666`, `chmod a+w` and the like on a file or folder in `/etc`, `/usr`, `/boot`, `/lib`, `/opt`,
-on a hidden file of a home folder, on a private key, or on a file `.env`.
+on a hidden file of a home folder, on a private key, or on a file `.env`. Also such a mode of `mkdir -m`, of
+`install -m` and of a task of Ansible.
 
 ## Why it matters on a robot
 Every service and every user of the robot can change the file. Configuration that root reads, such as /etc/hosts or
@@ -34,10 +35,12 @@ from collections.abc import Iterator
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.shell import Run
+from bringup_lint.api.shell import file_modes
 
 OPEN = regex(r"0?[0-7]?[0-7][0-7][2367]|(?:[ugo]*[ao][ugo]*)?\+r?wx?X?|[ugo]*[ao][ugo]*=r?wx?X?")
 STICKY = regex(r"[1357][0-7]{3}|0[1357][0-7]{3}")
@@ -48,24 +51,73 @@ TRUSTED = regex(
 NO_MATTER = regex(r"/(?:logs?|tmp|cache|run|data)(?:/|$)|\.log$|\.Xauth|\.docker\.xauth")
 
 
+MODE = regex(r"(?:--mode=|-[a-zA-Z]*m)(?P<mode>\S*)")
+OPTIONS = frozenset(("-o", "-g", "-S", "-t", "--owner", "--group", "--suffix", "--target-directory"))
+"""Options of install whose values are words of their own."""
+
+
 @rule("warning", tags=["CWE-732"], symptoms=["is marked world-writable"])
 def world_writable(robot: Robot) -> Iterator[Finding]:
-    for _, run in robot.scripts.run("chmod"):
-        mode, paths = _opened(run)
+    for _, run in robot.scripts.run("chmod", "mkdir", "install"):
+        mode, paths = _opened(run) if run.name == "chmod" else _made(run)
         for path, word in paths:
-            if TRUSTED.fullmatch(path) and not NO_MATTER.search(path):
-                yield finding(
-                    word,
-                    f"chmod {mode} lets every user and every service of the robot change {path}",
-                    advice="give the file to a group that needs it, with mode 664 or 640",
-                    confidence=None if run.certain else "medium",
-                )
+            if _is_trusted(path):
+                yield _of(word, f"{run.name} {mode}", path, None if run.certain else "medium")
+    for source in robot.of_kind("ansible"):
+        if source.judged and "mode" in source.text:
+            for where, mode, path in _of_tasks(source):
+                yield _of(where, mode, path, None)
+
+
+def _of(where: Located, mode: str, path: str, confidence: str | None) -> Finding:
+    return finding(
+        where,
+        f"{mode} lets every user and every service of the robot change {path}",
+        advice="give the file to a group that needs it, with mode 664 or 640",
+        confidence=confidence,
+    )
+
+
+def _is_trusted(path: str) -> bool:
+    return TRUSTED.fullmatch(path) is not None and not NO_MATTER.search(path)
+
+
+def _is_open(mode: str) -> bool:
+    return OPEN.fullmatch(mode) is not None and not STICKY.fullmatch(mode)
 
 
 def _opened(run: Run) -> tuple[str, list[tuple[str, Located]]]:
     """The mode that a command gives to everybody, and the paths with their words; no paths for other modes."""
     words = [(run.text(word), word) for word in run.words[1:]]
     plain = [each for each in words if not re.match(r"-[A-Za-z-]", each[0])]
-    if not plain or not OPEN.fullmatch(plain[0][0]) or STICKY.fullmatch(plain[0][0]):
+    return (plain[0][0], plain[1:]) if plain and _is_open(plain[0][0]) else ("", [])
+
+
+def _made(run: Run) -> tuple[str, list[tuple[str, Located]]]:
+    """The mode with which everybody may write to what mkdir or install makes, and the paths; no paths for others."""
+    mode = ""
+    paths: list[tuple[str, Located]] = []
+    words = iter(run.words[1:])
+    for word in words:
+        given = MODE.fullmatch(word)
+        if given is not None:
+            mode = given["mode"] or str(next(words, ""))
+        elif word in OPTIONS:
+            next(words, None)
+        elif not word.startswith("-"):
+            paths.append((run.text(word), word))
+    if not _is_open(mode):
         return "", []
-    return plain[0][0], plain[1:]
+    is_folder = run.name == "mkdir" or any(re.fullmatch(r"-[a-zA-Z]*d\w*|--directory", word) for word in run.words)
+    return f"-m {mode}", paths if is_folder else paths[-1:]
+
+
+def _of_tasks(source: Source) -> Iterator[tuple[Located, str, str]]:
+    """The modes of tasks that everybody may write with, and the paths."""
+    for given in file_modes(source):
+        mode, state = given.mode.value, given.settings.scalar("state")
+        path = given.settings.scalar("path") or given.settings.scalar("dest")
+        if path is None or (state is not None and state.value in ("link", "absent")):
+            continue
+        if (given.is_octal or not mode.isdigit()) and _is_open(mode) and _is_trusted(path.value):
+            yield mode, f"mode {mode}", path.value
