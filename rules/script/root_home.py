@@ -1,9 +1,12 @@
-"""A script that root runs writes to the login file of root.
+"""A script or task that root runs writes to the login file of root.
 
 ## What it finds
 `~/.bashrc`, `~/.profile` and the like (also with `$HOME`) that a set-up script writes to, where the script runs as
 root: it asks for it (`$EUID`, `id -u`), or says that it is called with `sudo`, or installs packages and writes to /etc
 without `sudo`. Only where the robot has a user of its own, by the script or by `User=` of a unit.
+
+Also tasks of Ansible with `become: true` that write to `~/.bashrc` and the like, themselves or by `item` of their loop.
+Silent with `become_user`, where the tree has hosts with the user root, and where only images are built with Ansible.
 
 ## Why it matters on a robot
 With sudo, `~` is /root. The shells of the robot's user know nothing of ROS, of the workspace and of the domain:
@@ -34,6 +37,7 @@ import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import Source
 from bringup_lint.api import finding
@@ -41,7 +45,12 @@ from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.shell import Run
+from bringup_lint.api.shell import Task
 from bringup_lint.api.shell import Written
+from bringup_lint.api.shell import plays
+from bringup_lint.api.shell import tasks
+from bringup_lint.api.yaml import Mapping
+from bringup_lint.api.yaml import Scalar
 
 LOGIN = regex(r"(?:~|\{\{ HOME \}\})/\.(?:bashrc|bash_profile|bash_aliases|profile|zshrc)")
 ASKS = regex(r"(?:\bEUID\b|\bid[ \t]+-u\b)[^\n]{0,60}(?:-ne|!=|-gt)[ \t]*[\"']?0")
@@ -50,10 +59,23 @@ REFUSES = regex(r"(?:(?!\b(?:fi|else|sudo[ \t]+[^\n]{0,20}\$(?:0|\{?BASH_SOURCE)
 OTHER_HOME = regex(r"\bSUDO_USER\b|^[ \t]*(?:export[ \t]+)?HOME=|\bsudo[ \t]+(?:-\w+[ \t]+)*-u\b|\bsu[ \t]+-", re.M)
 INSTALLERS = ("apt", "apt-get")
 ADDS = ("useradd", "adduser")
+WRITERS = frozenset(("lineinfile", "blockinfile", "copy", "template", "replace"))
+OF_TASK = regex(r"(?:~|\$HOME|\$\{HOME\})/\.(?:bashrc|bash_profile|bash_aliases|profile|zshrc)")
+ITEM = regex(r"\{\{[ \t]*item[ \t]*\}\}")
+OTHER_USER = regex(r"\bbecome_user[ \t]*:(?![ \t]*root\b)")
+ROOT_HOSTS = regex(r"\b(?:ansible_(?:ssh_)?user|remote_user)[\"']?[ \t]*[=:][ \t]*[\"']?root\b")
+PLAYBOOK = regex(r"\bansible-p(?:laybook|ull)\b")
 
 
 @rule("warning", confidence="medium", silent="the script succeeds; only the user's shell lacks the lines")
 def root_home(robot: Robot) -> Iterator[Finding]:
+    yield from _of_scripts(robot)
+    found = [each for source in robot.of_kind("ansible") if source.judged for each in _of_tasks(source)]
+    if found and not _is_of_root(robot):
+        yield from found
+
+
+def _of_scripts(robot: Robot) -> Iterator[Finding]:
     has_user: bool | None = None
     for source in robot.of_kind("shell-script"):
         if not source.judged or source.template or OTHER_HOME.search(source.text):
@@ -113,3 +135,46 @@ def _has_user(robot: Robot) -> bool:
     """Whether a service runs as somebody else than root."""
     users = (unit.identity.user for unit in robot.units.services if unit.fragment is not None)
     return any(user is not None and user not in ("root", "0") for user in users)
+
+
+def _of_tasks(source: Source) -> Iterator[Finding]:
+    """What the tasks of a file write as root to the login file of whoever they run as."""
+    if "become" not in source.text or not OF_TASK.search(source.text) or OTHER_USER.search(source.said):
+        return
+    written = [place for task in tasks(source) if task.become and (place := _login_file(task)) is not None]
+    if written:
+        first, *others = written
+        yield finding(
+            first,
+            f"With become, {first} is the login file of root: the user of the robot never reads it",
+            advice="write become: false in this task, or the home of the user",
+            related=[note(other, "this, too") for other in others[:5]],
+        )
+
+
+def _login_file(task: Task) -> Located | None:
+    """The login file that a task writes to."""
+    for module in task.modules:
+        if module.name not in WRITERS or not isinstance(module.settings, Mapping):
+            continue
+        path = module.settings.scalar("path") or module.settings.scalar("dest")
+        if path is None:
+            continue
+        if OF_TASK.fullmatch(path.value):
+            return path.value
+        items = (task.keys.sequence("loop") or task.keys.sequence("with_items")) if ITEM.fullmatch(path.value) else None
+        for item in items or ():
+            if isinstance(item, Scalar) and OF_TASK.fullmatch(item.value):
+                return item.value
+    return None
+
+
+def _is_of_root(robot: Robot) -> bool:
+    """Whether the tasks may be meant for root, or run as somebody else: in images, or by the inventory."""
+    sources = robot.files.of_kind("ansible", "ansible-vars")
+    if any(ROOT_HOSTS.search(source.said) for source in sources):
+        return True
+    if any(play.get("become_user") is not None for source in robot.files.of_kind("ansible") for play in plays(source)):
+        return True
+    images = any(PLAYBOOK.search(source.said) for source in robot.files.of_kind("dockerfile"))
+    return images and not any(PLAYBOOK.search(source.said) for source in robot.files.of_kind("shell-script"))
