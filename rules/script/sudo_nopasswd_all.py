@@ -8,6 +8,8 @@ In a sudoers file, or in what a script writes to one:
   It is info where they only shut the computer down.
 - A line `USER ALL=(root) NOPASSWD: COMMAND` without arguments, or with `*` alone, where the command runs any program or
   writes any file for whoever calls it: a shell, an interpreter, `mount`, `tee`, `cp`, `systemctl`, `docker`, `apt`.
+- A line `USER ALL=(root) NOPASSWD: COMMAND` whose command is a file in the home of the user, or in the checkout that
+  the script which writes the line lies in. `Cmnd_Alias` is read.
 
 Not reported: what an Ansible role writes that plays run only where a variable asks for it that is false by default.
 
@@ -41,6 +43,7 @@ from bringup_lint.api import Located
 from bringup_lint.api import Robot
 from bringup_lint.api import Source
 from bringup_lint.api import finding
+from bringup_lint.api import note
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 
@@ -66,6 +69,11 @@ BECOME_ROOT = frozenset(
 ROLE = regex(r"(?:^|/)roles/(?P<name>[\w.-]+)/tasks/")
 WHEN = regex(r"\bwhen:[ \t]*(?P<variable>\w+)[ \t]*$")
 FALSE = regex(r"^(?P<variable>\w+):[ \t]*(?:false|no)\b", re.M | re.I)
+ALIAS = regex(r"^[ \t]*Cmnd_Alias[ \t]+(?P<name>[A-Z]\w*)[ \t]*=(?P<commands>(?:[^\\\n]|\\\s){0,9000})", re.M)
+IN_HOME = regex(r"/home/(?P<user>[^/]+)/.+")
+IN_FOLDER = regex(r"\{\{ (?P<variable>\w+) \}\}(?P<path>/.+)")
+IS_OWN = r"^[ \t]*(?:readonly[ \t]+)?%s=[^\n]*(?:\$0|\bBASH_SOURCE\b|\bpwd\b|\$PWD\b|\brev-parse\b)"
+"""A variable with a folder of the checkout."""
 TAGGED = regex(r"\s*(?P<tags>(?:[A-Z_]+:\s*)*)(?P<command>.*)")
 
 
@@ -74,13 +82,16 @@ def sudo_nopasswd_all(robot: Robot) -> Iterator[Finding]:
     for source in robot.of_kind("sudoers"):
         if not source.judged or _is_left_out(robot, source):
             continue
+        aliases = {match["name"]: source.located(*match.span("commands")) for match in ALIAS.finditer(source.text)}
         for match in AS_ROOT.finditer(source.text):
             what = source.located(*match.span("what")).strip_located()
-            yield from _judged(match["who"], what, source.located(*match.span("commands")).strip_located())
+            commands = source.located(*match.span("commands")).strip_located()
+            found = list(_judged(match["who"], what, commands, aliases))
+            yield from found or _of_own(robot, match["who"], commands, aliases)
     for source, did in robot.scripts.written("sudoers.d"):
         kept = KEPT.search(source.text) if "/etc/sudoers" in did.path or "SUDOERS" in did.path else None
         if kept is not None and kept["name"] in (str(did.text) if did.text is not None else ""):
-            yield from _judged(kept["who"], source.located(*kept.span("what")), source.located(*kept.span("all")))
+            yield from _judged(kept["who"], source.located(*kept.span("what")), source.located(*kept.span("all")), {})
 
 
 def _is_left_out(robot: Robot, source: Source) -> bool:
@@ -97,8 +108,8 @@ def _is_left_out(robot: Robot, source: Source) -> bool:
     return None not in conditions and bool(names) and names <= set(false)
 
 
-def _judged(who: str, what: Located, text: Located) -> Iterator[Finding]:
-    commands = list(_without_password(text))
+def _judged(who: str, what: Located, text: Located, aliases: dict[str, Located]) -> Iterator[Finding]:
+    commands = list(_without_password(text, aliases))
     if "ALL" in commands and not any(command.startswith("!") for command in commands):
         yield finding(
             what,
@@ -125,20 +136,57 @@ def _judged(who: str, what: Located, text: Located) -> Iterator[Finding]:
         )
 
 
+def _of_own(robot: Robot, who: str, text: Located, aliases: dict[str, Located]) -> Iterator[Finding]:
+    """The commands that the user may write to."""
+    commands = _without_password(text, aliases)
+    own = [command for command in commands if _is_in_home(command, who) or _is_in_checkout(robot, command, text)]
+    if own:
+        name = own[0].rpartition("/")[2].split()[0]
+        alias = next((each for each in aliases.values() if own[0] in each), None)
+        at = alias.index(own[0]) if alias is not None else 0
+        yield finding(
+            alias.part(at, at + len(own[0])) if alias is not None else text,
+            f"{_user(who).capitalize() if '{' in who else who} can replace {name}, which sudo runs as root without a "
+            "password",
+            advice="install the program in /usr/local/sbin, owned by root, and name that path",
+            related=[note(text, "who may run it")] if alias is not None else [],
+            confidence="medium",
+        )
+
+
+def _is_in_home(command: str, who: str) -> bool:
+    home = IN_HOME.match(command)
+    return home is not None and home["user"] == who
+
+
+def _is_in_checkout(robot: Robot, command: str, text: Located) -> bool:
+    """Whether it is a file of the tree, at its place below the script that writes the line."""
+    inside = IN_FOLDER.match(command)
+    origin = text.span.source.origin
+    if inside is None or origin is None:
+        return False
+    path = inside["path"].split()[0].lstrip("/")
+    script = origin.whole.source.text
+    own = re.search(IS_OWN % inside["variable"], script, re.M) is not None
+    return own and any(f"/{each}".endswith(f"/{path}") for each in robot.tree.named(path.rpartition("/")[2]))
+
+
 def _is_free(command: str) -> bool:
     """Whether a command gives a shell or any file to whoever chooses its arguments."""
     program, _, arguments = command.partition(" ")
     return program.startswith("/") and program.rpartition("/")[2] in BECOME_ROOT and arguments.strip() in ("", "*")
 
 
-def _without_password(text: str) -> Iterator[str]:
-    """The commands of a list that starts with NOPASSWD:. A tag holds until its opposite."""
+def _without_password(text: str, aliases: dict[str, Located]) -> Iterator[str]:
+    """The commands of a list that starts with NOPASSWD:, those of an alias in its place. A tag holds until its
+    opposite."""
     free = True
     for tagged in filter(None, map(TAGGED.match, text.split(","))):
         tags = tagged["tags"].replace(":", " ").split()
         free = "NOPASSWD" in tags or (free and "PASSWD" not in tags)
         if free:
-            yield tagged["command"].strip()
+            command = tagged["command"].strip()
+            yield from (each.strip("\\ \t\n") for each in str(aliases.get(command, command)).split(","))
 
 
 def _user(who: str) -> str:
