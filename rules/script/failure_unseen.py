@@ -3,7 +3,7 @@
 ## What it finds
 A script without `set -e` in which two or more steps bring something - `apt-get install`, `pip install`,
 `rosdep install`, `vcs import`, `git clone`, `wget`, `curl`, `dpkg -i`, `make`, `colcon build` - and nobody looks at
-their results, and that ends with `echo`, `printf` or `rm`.
+their results, and that ends with `echo`, `printf`, `rm`, `reboot` or with enabling a unit.
 
 Also, with `set -e` too, an installation that fails with nothing but a message (`apt-get install ... || echo "failed"`)
 before the script enables or starts a unit, whatever came of it.
@@ -74,7 +74,9 @@ BRINGS = {
     "wget": (),
 }
 """Program -> its commands that bring something; empty: it does nothing else."""
-SUCCEED = ("echo", "printf", "rm")
+SUCCEED = ("echo", "printf", "rm", "reboot")
+SETTLES = ("enable", "daemon-reload")
+"""Commands of systemctl that succeed whatever the unit needs."""
 STARTS = frozenset({"enable", "start", "restart"})
 PRINTS = ("echo", "printf")
 INSTALLERS = ("apt", "apt-get", "dpkg", "pip", "pip3")
@@ -98,7 +100,7 @@ def failure_unseen(robot: Robot) -> Iterator[Finding]:
         if len(ignored) < LEAST or all(run.name == "colcon" for run in ignored):
             continue
         last = runs[-1]
-        is_told = last.certain and last.name in SUCCEED and not last.command.depth
+        is_told = last.certain and _succeeds(last) and not last.command.depth
         if is_told and not _is_sourced(robot, source):
             yield finding(
                 ignored[0].words[0],
@@ -110,6 +112,11 @@ def failure_unseen(robot: Robot) -> Iterator[Finding]:
                     note(last.words[0], "this succeeds in any case"),
                 ],
             )
+
+
+def _succeeds(run: Run) -> bool:
+    """Whether a command says nothing of those before it."""
+    return run.name in SUCCEED or (run.name == "systemctl" and any(word in SETTLES for word in run.arguments))
 
 
 def _only_told(robot: Robot, source: Source) -> Iterator[Finding]:
