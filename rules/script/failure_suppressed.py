@@ -4,8 +4,8 @@
 `failed_when: false` in a task:
 - whose result the same file asks for: `result is failed`, `result is succeeded`, `result.failed`, or
   `selectattr('failed')` of its `results`, also in the task's own `until`;
-- that installs packages with `apt`, `package`, `dnf`, `apt_repository` or `deb822_repository`, and whose result nobody
-  looks at, but for whether it is changed.
+- that installs packages with `apt`, `package`, `dnf`, `pip`, `snap`, `apt_repository` or `deb822_repository`, and whose
+  result nobody looks at, but for whether it is changed.
 
 Silent where two tasks register the same name, and for packages that are removed.
 
@@ -67,7 +67,9 @@ ASKS = regex(
     r"|\.results\b[^\n{}]{0,80}?\b(?:select|reject)attr\([\"']failed[\"'])"
 )
 READS = regex(r"\b(?P<name>[A-Za-z_]\w*)(?:\.(?!changed\b)|\[|[ \t]{1,9}is[ \t]{1,9}(?!(?:not[ \t]{1,9})?changed\b))")
-INSTALLERS = frozenset("apt package dnf apt_repository deb822_repository".split())
+INSTALLERS = frozenset("apt package dnf pip snap apt_repository deb822_repository".split())
+NAMED = ("name", "pkg", "package", "deb", "repo", "uris", "requirements")
+"""What is to be installed: without any, the module only renews its lists."""
 REMOVING = ("absent", "build-dep", "fixed")
 MOST = 10
 
@@ -137,7 +139,7 @@ def _installer(task: Task) -> Located | None:
         settings = module.settings
         if module.name in INSTALLERS and isinstance(settings, Mapping):
             state = settings.scalar("state")
-            named = any(settings.get(key) is not None for key in ("name", "pkg", "package", "deb", "repo", "uris"))
+            named = any(settings.get(key) is not None for key in NAMED)
             if named and (state is None or state.value not in REMOVING):
                 return module.key
     return None
