@@ -16,6 +16,8 @@ _MODULES = frozenset(
 
 
 class FileMode(NamedTuple):
+    """The mode that one module gives to its file or folder."""
+
     mode: Scalar
     settings: Mapping
     """All that the module is told."""
