@@ -167,7 +167,7 @@ def _is_in_checkout(robot: Robot, command: str, text: Located) -> bool:
         return False
     path = inside["path"].split()[0].lstrip("/")
     script = origin.whole.source.text
-    own = re.search(IS_OWN % inside["variable"], script, re.M) is not None
+    own = re.search(IS_OWN % re.escape(inside["variable"]), script, re.M) is not None
     return own and any(f"/{each}".endswith(f"/{path}") for each in robot.tree.named(path.rpartition("/")[2]))
 
 
