@@ -2,15 +2,16 @@
 
 ## What it finds
 A node that keeps the last velocity it was sent, and whose timer or thread sends it on again and again; and code that
-writes velocities to pins, to an I2C bus or to a motor driver, which keep what was written last. Messages of other types
-count by their names: `MotorSpeeds`, `ThrusterCommand`; numbers by that of their topic: `thruster/command`; and the axes
-of a joystick that a timer goes on with. The same for a callback that writes velocities to a serial port or a CAN bus,
-unless the firmware of the tree compares times or the controller is known to stop by itself (VESC, moteus,
-ros_arduino_bridge, ...); where the tree holds no firmware, it is info. What turns a gimbal or a camera is left out. So
-it is for a class that nothing of the tree makes. In all cases when nothing in the source looks at a time: no time-out,
-no stamp that is read, no difference of two times, no count of the turns without a message; a time that is kept and
-never read is no look. A timer in Python is found in spite of such a look when no condition comes before the call that
-sends the command: a watchdog that only publishes a flag does not alter what the motors get.
+writes velocities to pins, to an I2C bus or to a motor driver, which keep what was written last. Messages of other
+types count by their names: `MotorSpeeds`, `ThrusterCommand`; numbers by that of their topic: `thruster/command`; and
+the axes of a joystick that a timer goes on with, `Joy` or a type of its own such as `JoyState`. The same for a
+callback that writes velocities to a serial port or a CAN bus, unless the firmware of the tree compares times or the
+controller is known to stop by itself (VESC, moteus, ros_arduino_bridge, ...); where the tree holds no firmware, it is
+info. What turns a gimbal or a camera is left out. So it is for a class that nothing of the tree makes. In all cases
+when nothing in the source looks at a time: no time-out, no stamp that is read, no difference of two times, no count of
+the turns without a message; a time that is kept and never read is no look. A timer in Python is found in spite of such
+a look when no condition comes before the call that sends the command: a watchdog that only publishes a flag does not
+alter what the motors get.
 
 ## Why it matters on a robot
 When the planner ends, the teleoperation loses its WiFi or the message queue runs dry, the robot drives on at its last

@@ -53,20 +53,29 @@ def _own_attribute(node: ast.AST | None) -> str | None:
 
 def held_over(syntax: Syntax, node: NodeClass, callback: str | None, loop: Loop) -> set[str]:
     """The attributes that a callback fills from its message and that a loop uses, when nothing but messages changes
-    them. Empty when the loop sets what the callback sets: it counts, or sends each message once."""
+    them. Empty when the loop sets what the callback sets: it counts, or sends each message once. Fields of what is
+    kept may be set."""
     method = node.methods.get(callback or "")
     if method is None or len(method.node.args.args) < 2:
         return set()
     every = _assigned(reached(syntax, body_of(method.node), node))
     filled = set(_filled(node, method.node, {method.node.args.args[1].arg}, {}, DEPTH))
-    if not filled or every & _assigned(loop.code):
+    changed = every & _assigned(loop.code)
+    if not filled or not changed <= filled or changed & _replaced(loop.code):
         return set()
     used = {each.attr for each in loop.code if isinstance(each, ast.Attribute) and _own_attribute(each)}
-    return (filled & used) - _assigned_elsewhere(syntax, node)
+    return (filled & used) - changed - _assigned_elsewhere(syntax, node)
 
 
 def _assigned(code: Iterator[ast.AST] | list[ast.AST]) -> set[str]:
     return {name for each in code for target in _targets(each) for name in _attributes(target)}
+
+
+def _replaced(code: list[ast.AST]) -> set[str]:
+    """The attributes of ``self`` that get another value as a whole, or another element."""
+    parts = [part for each in code for target in _targets(each) for part in ast.walk(target)]
+    whole = {each.attr for each in parts if is_own(each) and isinstance(each.ctx, ast.Store)}
+    return whole | {each.value.attr for each in parts if isinstance(each, ast.Subscript) and is_own(each.value)}
 
 
 def _targets(node: ast.AST) -> list[ast.expr]:

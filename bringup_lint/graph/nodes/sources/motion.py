@@ -71,8 +71,13 @@ _OTHER = regex(
 
 def is_motor_command(endpoint: Endpoint) -> bool:
     """Whether the messages that come in are commands for motors, by the name of a message type of the robot's own."""
+    return endpoint.role == "subscription" and is_for_motors(endpoint)
+
+
+def is_for_motors(endpoint: Endpoint) -> bool:
+    """Whether the messages are commands for motors, by the name of a message type of the robot's own."""
     package, _, kind = (endpoint.type or "").partition("/msg/")
-    if endpoint.role != "subscription" or not kind or package in _COMMON or endpoint.type in _VELOCITIES:
+    if not kind or package in _COMMON or endpoint.type in _VELOCITIES:
         return False
     if _OTHER.search(kind) or is_aimed(endpoint) or _REPORT.search(str(endpoint.name or "")):
         return False

@@ -18,6 +18,7 @@ from bringup_lint.graph.nodes.sources.halting import firmware_looks_at_time
 from bringup_lint.graph.nodes.sources.kept_commands import held_over
 from bringup_lint.graph.nodes.sources.kept_commands import loops
 from bringup_lint.graph.nodes.sources.motion import is_aimed
+from bringup_lint.graph.nodes.sources.motion import is_for_motors
 from bringup_lint.graph.nodes.sources.motion import is_motor_command
 from bringup_lint.graph.nodes.sources.motion import moves
 from bringup_lint.graph.nodes.sources.syntax import Syntax
@@ -38,6 +39,9 @@ if TYPE_CHECKING:
     from bringup_lint.source import Source
 
 _TYPES = frozenset({"Twist", "TwistStamped", "AckermannDrive", "AckermannDriveStamped"})
+_JOYSTICKS = regex(r"/Joy(?!_?(?:Feedback|Trajectory)|nt)\w*\Z")
+_AXES = regex(r"(?:axes|(?:left|right)_?(?:stick_?)?[xy](?:_axis)?|(?:l|r)(?:stick|joy)_?[xy])\Z")
+"""The types of messages of joysticks, and their fields that hold axes."""
 _SENDS = regex(
     r"(?i)(?:publish|write|send|set_?(?:motor|speed|velocity|pwm|wheel)\w*|drive"
     r"|(?:send|write)_?(?:control|command|cmd|velocit|speed|motor|drive|twist|frame)\w*)\Z"
@@ -141,9 +145,9 @@ def _in_class(
 
 def _is_joystick(node: NodeClass, endpoint: Endpoint) -> bool:
     """Whether a callback takes the axes of a joystick, which sends nothing any more when it drops out."""
-    method = node.methods.get(endpoint.callback or "") if endpoint.type == "sensor_msgs/msg/Joy" else None
+    method = node.methods.get(endpoint.callback or "") if _JOYSTICKS.search(endpoint.type or "") else None
     return method is not None and any(
-        isinstance(each, ast.Attribute) and each.attr == "axes" for each in walk(method.node)
+        isinstance(each, ast.Attribute) and _AXES.match(each.attr) for each in walk(method.node)
     )
 
 
@@ -161,7 +165,9 @@ def is_motion(endpoint: Endpoint) -> bool:
     if endpoint.role != "publisher" or _REPORTS.search(str(endpoint.name or "")):
         return False
     kind = (endpoint.type or "").rpartition("/")[2]
-    return moves(endpoint) or kind in _TYPES or bool(_DRIVES.search(str(endpoint.name or "")))
+    return (
+        moves(endpoint) or kind in _TYPES or is_for_motors(endpoint) or bool(_DRIVES.search(str(endpoint.name or "")))
+    )
 
 
 def _in_cpp(nodes: Nodes, source: CppNode) -> Iterator[Repeated]:
