@@ -4,6 +4,9 @@
 `ROS_DOMAIN_ID=7` and the like on a line of its own, without `export`, in a script that runs `ros2` afterwards, where
 neither the script nor any other file of the tree names the variable a second time. Silent under `set -a`.
 
+Also such a line after an `unset` of the variable, in a script that neither exports nor reads it: after `unset`, a
+variable that was exported is exported no more.
+
 Also a file of variables that a script sources before `ros2 launch`, when the launch file reads variables and the script
 exports none of these. It is one that a unit reads with `EnvironmentFile=`, where nothing may be exported, or one of the
 tree that sets a variable of the launch file.
@@ -25,7 +28,8 @@ ros2 launch rover_bringup rover.launch.py
 ```
 
 ## When to ignore it
-When whoever starts the script has exported the variable, which then keeps being exported.
+When whoever starts the script has exported the variable, which then keeps being exported, or whoever sources it exports
+the variable afterwards.
 
 ## References
 - bash(1), "ENVIRONMENT"
@@ -60,7 +64,9 @@ READ = regex(
 """What of the environment a launch file reads."""
 SETUP = regex(r"setup\.\w+$|\.bashrc$|activate$")
 SOURCES = regex(r"^[ \t]*(?:source|\.)[ \t]", re.M)
-EXPORT, WORD = regex(r"\bexport\b([^\n]*)"), regex(r"\w+")
+EXPORT, WORD = regex(r"\b(?:export|declare[ \t]+-x|typeset[ \t]+-x)\b([^\n]*)"), regex(r"\w+")
+UNSETS = regex(r"^[ \t]*unset[ \t]", re.M, "unset")
+READS = regex(r"\$\{?([A-Z][A-Z0-9_]+)")
 EXPORTED = regex(r"^[ \t]*export\b", re.M)
 EXPORTS_ALL = regex(r"^[ \t]*set[ \t]+(?:-[a-z]{0,8}a[a-z]{0,8}\b|-o[ \t]+allexport)", re.M)
 
@@ -83,7 +89,32 @@ def not_exported(robot: Robot) -> Iterator[Finding]:
                     *(note(other, "is not exported, either") for other in others),
                 ],
             )
+    yield from _unset_before(robot)
     yield from _sourced_files(robot)
+
+
+def _unset_before(robot: Robot) -> Iterator[Finding]:
+    """Variables that a script has unset, sets again, and neither exports nor reads."""
+    for source in robot.of_kind("shell-script"):
+        if not source.judged or not UNSETS.search(source.said) or EXPORTS_ALL.search(source.said):
+            continue
+        used = {name for line in EXPORT.findall(source.said) for name in WORD.findall(line)}
+        used.update(READS.findall(source.said))
+        unset: dict[str, Located] = {}
+        for run in robot.scripts.done(source):
+            if not isinstance(run, Run) or not run.certain:
+                continue
+            if run.name == "unset":
+                unset.update((str(word), word) for word in run.words[1:])
+            for word in _kept(run) if not run.words else ():
+                name = word.partition("=")[0]
+                if name in unset and name not in used:
+                    yield finding(
+                        word,
+                        f"{name} is no longer exported after unset: ros2 and its nodes do not see this value",
+                        advice="write export before it",
+                        related=[note(unset[name], "unset here")],
+                    )
 
 
 class Unseen(NamedTuple):
