@@ -38,9 +38,6 @@ def main() -> None:
 
             sys.exit(lost(error))
         return
-    from bringup_lint.importing import import_directly
-
-    import_directly()
     from bringup_lint.cli.answering import asked
     from bringup_lint.cli.answering import replayed
 
@@ -48,6 +45,9 @@ def main() -> None:
     answer = question and question.answer()
     if answer:
         sys.exit(replayed(answer))
+    from bringup_lint.importing import import_directly
+
+    import_directly()
     from bringup_lint.cli import dispatch
 
     _settle()
