@@ -106,7 +106,9 @@ def _unset_before(robot: Robot) -> Iterator[Finding]:
                 continue
             if run.name == "unset":
                 unset.update((str(word), word) for word in run.words[1:])
-            for word in _kept(run) if not run.words else ():
+            if run.words:
+                continue
+            for word in _kept(run):
                 name = word.partition("=")[0]
                 if name in unset and name not in used:
                     yield finding(
