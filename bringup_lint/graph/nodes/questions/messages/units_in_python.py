@@ -16,9 +16,11 @@ from bringup_lint.graph.nodes.questions.messages.wrong_unit import PERCENT
 from bringup_lint.graph.nodes.questions.messages.wrong_unit import TELLS_APART
 from bringup_lint.graph.nodes.questions.messages.wrong_unit import WrongUnit
 from bringup_lint.graph.nodes.sources.message_types import MessageTypes
+from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import Parameter
 from bringup_lint.model.node_source import reports_joints
+from bringup_lint.model.python import FunctionNode
 from bringup_lint.pattern import regex
 from bringup_lint.source import Span
 
@@ -105,11 +107,26 @@ def _assigned(types: MessageTypes, target: ast.Attribute, value: ast.expr) -> It
     for _ in range(2):
         kind = types.of(owner)
         if kind is not None:
-            yield from _given(types, kind, ".".join(path), value, types.file.span_of(target))
+            found = list(_given(types, kind, ".".join(path), value, types.file.span_of(target)))
+            if found and (types.syntax.function(target), ast.unparse(target)) not in types.syntax.once(_converted):
+                yield from found
         if not isinstance(owner, ast.Attribute):
             return
         path.insert(0, owner.attr)
         owner = owner.value
+
+
+def _converted(syntax: Syntax) -> frozenset[tuple[FunctionNode | None, str]]:
+    """The fields that functions make from what is in them, each as it is written: ``msg.fluid_pressure *= 100``."""
+    found = set()
+    for node in syntax.file.nodes:
+        if isinstance(node, ast.AugAssign) and isinstance(node.target, ast.Attribute):
+            found.add((syntax.function(node), ast.unparse(node.target)))
+        elif isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Attribute):
+            target = ast.unparse(node.targets[0])
+            if target in {ast.unparse(each) for each in ast.walk(node.value) if isinstance(each, ast.Attribute)}:
+                found.add((syntax.function(node), target))
+    return frozenset(found)
 
 
 def _given(
