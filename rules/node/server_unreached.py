@@ -3,7 +3,9 @@
 ## What it finds
 `connect()` of a client of paho-mqtt which the constructor of a Python node calls, by itself, through a method or
 through a class of the workspace, outside every `try` that takes OSError. Silent where something is seen to start the
-node again: `respawn` or `on_exit` in a launch file, a unit or container that runs it by itself.
+node again: `respawn` or `on_exit` in a launch file, a unit or container that runs it by itself, a loop of a script, a
+`try` around the call that makes the node; and where the code tries by itself whether the broker answers. For
+information where no launch file of the tree starts the node.
 
 ## Why it matters on a robot
 At boot the broker starts at the same time as the node, or is on another computer and the network is not up yet.
@@ -57,5 +59,5 @@ def server_unreached(robot: Robot) -> Iterator[Finding]:
             "start, and nothing starts it again",
             advice="call connect_async(): the thread of loop_start() tries again until the broker answers",
             related=[note(each.where, "the connection")] if each.where is not None else [],
-            severity=robot.nodes.lowered(each.file.source, "warning"),
+            severity=robot.nodes.lowered(each.file.source, "warning") if each.is_launched else "info",
         )
