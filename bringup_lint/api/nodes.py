@@ -107,6 +107,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.messages.quaternion_order import misordered_quaternions
     from bringup_lint.graph.nodes.questions.messages.restamped import restamped
     from bringup_lint.graph.nodes.questions.messages.shell_commands import shell_commands
+    from bringup_lint.graph.nodes.questions.messages.unchecked_elements import unchecked_elements
     from bringup_lint.graph.nodes.questions.messages.unchecked_messages import Unchecked
     from bringup_lint.graph.nodes.questions.messages.unchecked_messages import unchecked_messages
     from bringup_lint.graph.nodes.questions.messages.unstamped import unstamped
@@ -298,6 +299,7 @@ __all__ = [
     "tried_shutdown",
     "unbound_locals",
     "unchecked_devices",
+    "unchecked_elements",
     "unchecked_messages",
     "undefined_in",
     "unfinished_classes",

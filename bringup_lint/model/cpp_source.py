@@ -348,14 +348,14 @@ class UncheckedElement(NamedTuple):
     field: str
     number: int
     """The index; -1 where it is not known."""
-    is_given: bool
-    """A parameter sets the index, by default to this number."""
 
 
 class UncheckedElements(NamedTuple):
     """Those of one callback."""
 
     first: Span
+    type: str
+    """``sensor_msgs/msg/Joy``."""
     told: list[UncheckedElement]
     """One for each array, the one that is most surely not there."""
 

@@ -29,6 +29,12 @@ def parse(text: str, package: str) -> list[Fields]:
     return parts
 
 
+def fixed_arrays(text: str) -> frozenset[str]:
+    """The fields that always have the same number of elements."""
+    found = (_LINE.match(line) for line in text.splitlines())
+    return frozenset(each["name"] for each in found if each is not None and (each["array"] or "")[1:-1].isdecimal())
+
+
 def _type(match: re.Match[str], package: str) -> str:
     kind = match["type"]
     if kind == "Header":

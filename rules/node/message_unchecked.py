@@ -63,20 +63,19 @@ def message_unchecked(robot: Robot) -> Iterator[Finding]:
 
 
 def _in_cpp(robot: Robot) -> Iterator[Finding]:
-    for source in robot.nodes.cpp:
-        for found in source.unchecked_elements:
-            first, *others = found.told
-            yield finding(
-                found.first,
-                f"{first.place.text} is read without a look at how many {first.field} the message has: where it is "
-                "missing, the node crashes, or goes on with what lies there in memory",
-                advice="return when the array is too short",
-                related=[
-                    *(note(each.place, "this one, too") for each in others),
-                    *([note(first.place, "the last of them")] if first.place != found.first else []),
-                ],
-                severity=robot.nodes.lowered_if_vendored(source.source, "warning"),
-            )
+    for source, found in nodes.unchecked_elements(robot.nodes):
+        first, *others = found.told
+        yield finding(
+            found.first,
+            f"{first.place.text} is read without a look at how many {first.field} the message has: where it is "
+            "missing, the node crashes, or goes on with what lies there in memory",
+            advice="return when the array is too short",
+            related=[
+                *(note(each.place, "this one, too") for each in others),
+                *([note(first.place, "the last of them")] if first.place != found.first else []),
+            ],
+            severity=robot.nodes.lowered_if_vendored(source.source, "warning"),
+        )
 
 
 def _in_callbacks(robot: Robot) -> Iterator[Finding]:

@@ -35,6 +35,7 @@ from bringup_lint.source import Source
 if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
     from bringup_lint.graph.launch.launch import Launch
+    from bringup_lint.graph.nodes.resolved.interface_fields import InterfaceFields
     from bringup_lint.graph.nodes.sources.message_types import MessageTypes
     from bringup_lint.graph.provenance import Provenance
     from bringup_lint.graph.runners.runners import Runners
@@ -321,13 +322,17 @@ class Nodes:
         return node.name is None or node.base is not None or all(base in ROOTS for base in node.bases)
 
     @cached_property
+    def interfaces(self) -> InterfaceFields:
+        from bringup_lint.graph.nodes.resolved.interface_fields import InterfaceFields
+
+        return InterfaceFields(self.files.tree, self.launch.workspace)
+
+    @cached_property
     def message_types(self) -> list[MessageTypes]:
         """The types of the expressions of each program that imports messages."""
-        from bringup_lint.graph.nodes.resolved.interface_fields import InterfaceFields
         from bringup_lint.graph.nodes.sources.message_types import types_of
 
-        interfaces = InterfaceFields(self.files.tree, self.launch.workspace)
-        found = (types_of(file, self.syntax(file), interfaces) for file in self.robot_sources)
+        found = (types_of(file, self.syntax(file), self.interfaces) for file in self.robot_sources)
         return [types for types in found if types is not None]
 
     @cached_property

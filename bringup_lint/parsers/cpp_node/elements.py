@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterator
 from itertools import islice
 from typing import TYPE_CHECKING
@@ -40,12 +41,13 @@ _VALUE = regex(
     r"\s{0,8}\"[\w./]{1,80}\",\s{0,8})?(?P<number>\d{1,3})\s{0,4}\)?\s{0,4}[;,}]"
 )
 """What gives a name a number; a parameter its default."""
-_PARAMETER = regex(
-    r"(?<![\w.])(?P<set>[A-Za-z_][\w.]{0,80})\s{0,4}=\s{0,4}[\w>-]{0,40}(?:declare|get)_parameter\b"
-    r"|\bget_parameter(?:_or)?\s{0,4}\(\s{0,8}\"[\w./]{1,80}\",\s{0,8}(?P<filled>[A-Za-z_][\w.]{0,80})",
-    hints="_parameter",
+_SET = regex(
+    r"(?<![\w.])(?P<name>[A-Za-z_][\w.]{0,80})\s{0,4}(?:[-+*/%&|^]?=(?!=)|\{|\+\+|--)"
+    r"|[\w>]\s{0,4}[\s&*]\s{0,4}(?P<taken>[A-Za-z_]\w{0,80})\s{0,4}[,):](?!:)"
 )
+"""What gives a name any value; a function takes it."""
 _SIZE = regex(r"\s{0,4}\.\s{0,4}(?:size|empty)\b")
+_CHOOSES = regex(r"\b(?:if|try)\b|\?|&&")
 _ASSIGNED = regex(r"\s{0,4}=(?!=)")
 _ASKING = {
     "if_statement": "condition",
@@ -65,7 +67,7 @@ def unchecked_elements(code: Code, callbacks: list[Callback]) -> Iterator[Unchec
     if not TAKES.search(code.source.text):
         return
     bodies = Bodies(code)
-    indexes = _Indexes(code)
+    indexes = _Indexes(plain_of(code.source))
     seen: set[int] = set()
     for body in _callbacks(code, bodies, callbacks):
         message = _message(code, body) if body.id not in seen else None
@@ -80,14 +82,26 @@ def _callbacks(code: Code, bodies: Bodies, callbacks: list[Callback]) -> Iterato
         body = bodies.of(callback) if callback.role == "subscription" else None
         if body is not None and callback.name is not None:
             yield body
+    subscribed = [call for call in code.calls if call.name == "create_subscription"]
+    given = {each.id for call in subscribed for each in call.arguments}
+    named_as = {code.text(each) for call in subscribed for each in call.arguments if each.type == "identifier"}
     for each in code.written.get("lambda", ()):
-        yield each
-        if _SIZE.search(code.text(each)):
+        if each.id not in given and _kept_as(code, each) not in named_as:
             continue
-        for call in bodies.own(each):
-            named = bodies.functions.get(call.name, []) if call.arguments else []
-            if len(named) == 1 and call.qualified in (call.name, f"this->{call.name}"):
-                yield named[0]
+        yield each
+        calls = [call for call in bodies.own(each) if call.arguments]
+        if len(calls) != 1 or _CHOOSES.search(code.text(each)):
+            continue
+        named = bodies.functions.get(calls[0].name, [])
+        if len(named) == 1 and calls[0].qualified in (calls[0].name, f"this->{calls[0].name}"):
+            yield named[0]
+
+
+def _kept_as(code: Code, node: Node) -> str | None:
+    """The variable that a lambda is kept in."""
+    outer = next(iter(code.above(node)), None)
+    declarator = outer.child_by_field_name("declarator") if outer is not None else None
+    return code.text(declarator) if declarator is not None else None
 
 
 def _message(code: Code, body: Node) -> tuple[str, str] | None:
@@ -104,34 +118,32 @@ def _message(code: Code, body: Node) -> tuple[str, str] | None:
 def _in(code: Code, body: Node, type_name: str, message: str, indexes: _Indexes) -> Iterator[UncheckedElements]:
     plain, span = plain_of(code.source), code.span(body)
     named = re.compile(rf"(?<![\w.>]){re.escape(message)}\s{{0,4}}(?:->|\.)\s{{0,4}}(?P<field>[a-z]\w{{0,60}})")
-    handed = re.compile(rf"\b(?:if|while)\s{{0,4}}\([^;{{}}]{{0,200}}[(,]\s{{0,4}}\*?{re.escape(message)}\s{{0,4}}[,)]")
-    if handed.search(plain, span.start, span.end):
-        return
+    handed = re.compile(rf"[(,]\s{{0,4}}\*?{re.escape(message)}\s{{0,4}}[,)]").search(plain, span.start, span.end)
+    end = handed.start() if handed is not None else span.end
     taken: list[UncheckedElement] = []
     asked: list[int] = []
     for each in islice(named.finditer(plain, span.start, span.end), MOST):
         field = each["field"]
         is_short = _is_short(type_name, field)
         index = _INDEX.match(plain, each.end()) if is_short else None
-        if index is not None and not _ASSIGNED.match(plain, index.end()):
+        if index is not None and not _ASSIGNED.match(plain, index.end()) and each.start() < end:
             number = 0 if index["end"] else indexes.number(index["index"], field in COMMON)
             place = code.source.span(each.start(), index.end() - len(index["call"] or ""))
-            taken.append(UncheckedElement(place, field, number, indexes.is_given(index["index"] or "")))
+            taken.append(UncheckedElement(place, field, number))
         elif index is None and (is_short or _SIZE.match(plain, each.end())):
             asked.append(each.start())
     guards = [_Guard(code, body, each) for each in asked]
     bare = [each for each in taken if not any(guard.holds(each.place.start) for guard in guards)]
     fields = dict.fromkeys(each.field for each in bare)
     worst = [max((each for each in bare if each.field == field), key=_rank) for field in fields]
-    told = [each for each in worst if each.is_given or each.number >= COMMON.get(each.field, 0)]
+    told = [each for each in worst if each.number >= COMMON.get(each.field, 0)]
     if told:
         first = next(each for each in bare if each.field in {each.field for each in told})
-        yield UncheckedElements(first.place, told)
+        yield UncheckedElements(first.place, type_name, told)
 
 
-def _rank(element: UncheckedElement) -> tuple[bool, int, int]:
-    """A number that is known to be great says more than a parameter."""
-    return element.number >= COMMON.get(element.field, 0), element.number, -element.place.start
+def _rank(element: UncheckedElement) -> tuple[int, int]:
+    return element.number, -element.place.start
 
 
 def _is_short(type_name: str, field: str) -> bool:
@@ -143,22 +155,19 @@ def _is_short(type_name: str, field: str) -> bool:
 class _Indexes:
     """The names by which a file takes elements."""
 
-    def __init__(self, code: Code) -> None:
-        plain = plain_of(code.source)
-        self._numbers: dict[str, set[int]] = {}
+    def __init__(self, plain: str) -> None:
+        self._numbers: dict[str, list[int]] = {}
         for each in _VALUE.finditer(plain):
-            self._numbers.setdefault(each["name"], set()).add(int(each["number"]))
-        self._given = frozenset(each["set"] or each["filled"] for each in _PARAMETER.finditer(plain))
+            self._numbers.setdefault(each["name"], []).append(int(each["number"]))
+        self._set = Counter(each["name"] or each["taken"] for each in _SET.finditer(plain))
 
     def number(self, written: str, is_named: bool) -> int:
         """What an index surely is, or is by default; -1 where that is not known, and for the variable of a loop."""
-        named = self._numbers.get(_name(written), set()) if is_named else set()
-        known = {int(written)} if written.isdecimal() else named
-        return next(iter(known)) if len(known) == 1 else -1
-
-    def is_given(self, written: str) -> bool:
-        """Whether a parameter sets it."""
-        return _name(written) in self._given
+        if written.isdecimal():
+            return int(written)
+        name = _name(written)
+        known = self._numbers.get(name, []) if is_named else []
+        return known[0] if len(set(known)) == 1 and self._set[name] == len(known) else -1
 
 
 def _name(written: str) -> str:

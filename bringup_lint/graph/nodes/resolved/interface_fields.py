@@ -12,6 +12,7 @@ from bringup_lint.facts import table
 from bringup_lint.graph.interface_files import interface_files
 from bringup_lint.graph.memo import memo
 from bringup_lint.parsers.interface import Fields
+from bringup_lint.parsers.interface import fixed_arrays
 from bringup_lint.parsers.interface import parse
 
 if TYPE_CHECKING:
@@ -39,6 +40,12 @@ class InterfaceFields:
             self._read[type_] = self._find(type_)
         return self._read[type_]
 
+    def is_fixed(self, type_: str, field: str) -> bool:
+        """Whether a field of a message of the workspace is an array that always has the same number of elements."""
+        package, kind, name = (*type_.split("/"), "", "")[:3]
+        text = self._text(package, kind, name) if package in self._workspace.packages else None
+        return text is not None and field in fixed_arrays(text)
+
     def _find(self, type_: str) -> Fields | None:
         package, kind, name = (*type_.split("/"), "", "")[:3]
         if package in self._workspace.ambiguous:
@@ -46,18 +53,22 @@ class InterfaceFields:
         if package not in self._workspace.packages:
             return _common().get(type_)
         name, _, part = name.partition("_")
-        path = self._files_of(package).get((kind, name))
-        if path is None or os.path.basename(os.path.dirname(path)) != kind or not path.endswith(f".{kind}"):
+        text = self._text(package, kind, name)
+        if text is None:
             return None
-        source = self._tree.read(path, "interface", judged=False)
-        if source is None or source.template:
-            return None
-        parts = parse(source.text, package)
+        parts = parse(text, package)
         names = _PARTS[kind]
         wanted = f"_{part}" if part else ""
         if wanted not in names or len(parts) != len(names):
             return None
         return parts[names.index(wanted)]
+
+    def _text(self, package: str, kind: str, name: str) -> str | None:
+        path = self._files_of(package).get((kind, name))
+        if path is None or os.path.basename(os.path.dirname(path)) != kind or not path.endswith(f".{kind}"):
+            return None
+        source = self._tree.read(path, "interface", judged=False)
+        return source.text if source is not None and not source.template else None
 
     @memo
     def _files_of(self, package: str) -> dict[tuple[str, str], str]:
