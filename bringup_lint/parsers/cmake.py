@@ -225,11 +225,13 @@ class Reader(Language):
         self.elsewhere(sources, unplaced=self.destinations(options).keys().isdisjoint(("RUNTIME", "")))
 
     def elsewhere(self, sources: list[Located], *, unplaced: bool, where: Located | None = None) -> None:
-        """``where``: a word that says the place better than the name of the target does."""
-        words = [word for word in self.words(sources) if word is not None]
+        """``where``: a word that says the place better than the name of the target does. A variable among the words may
+        hold the folder too."""
+        given = self.words(sources)
+        words = [word for word in given if word is not None]
         found = {str(word): Located(word, where.span) if where is not None else word for word in words}
         self.build.elsewhere.update(found)
-        if unplaced:
+        if unplaced and self.sure and None not in given and named_for("install").isdisjoint(words):
             self.build.unplaced.update(found)
 
     def files(self, kind: str, destination: str, sources: list[Located], options: list[Located]) -> None:

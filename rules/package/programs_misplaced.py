@@ -4,8 +4,9 @@
 A package of the type `ament_python` whose setup.cfg does not put its console scripts into `lib/<package>`, or that has
 no setup.cfg, where one of the scripts makes a node. A script in Python, with `#!` and `__main__`, that CMake installs
 into `lib/<package>` with `install(FILES)`, which takes its executable mode away. Nodes in C++ that `install(TARGETS)`
-puts nowhere in particular, for which CMake takes `bin`, in one finding for each package. What a launch file starts is
-left to `launch/executable-missing`, and misspelt lines of setup.cfg are left to `package/setup-cfg-unread`.
+puts nowhere in particular, for which CMake takes `bin`, in one finding for each package; silent where a file of the
+tree starts a program from there, or gives `CMAKE_INSTALL_BINDIR` a value. What a launch file starts is left to
+`launch/executable-missing`, and misspelt lines of setup.cfg are left to `package/setup-cfg-unread`.
 
 ## Why it matters on a robot
 setuptools and CMake put the programs into `bin`: `ros2 run` ends with "No executable found", and so does each unit and

@@ -20,6 +20,15 @@ _SCRIPTS = (".py", ".sh", ".bash")
 _IS_RUN = regex(r"^if\s{1,4}__name__\s{0,4}==", re.M, "__name__")
 _IMPORTS = regex(r"^[ \t]*(?:from|import)[ \t]+\.?(\w+)\b", re.M, "from import")
 _OF_ROS = regex(r"\brclcpp", hints="rclcpp")
+_LINKS = regex(r"\b(?:CREATE_LINK|create_symlink)\b", hints="CREATE_LINK create_symlink")
+_PAGES = regex(
+    r"(?:\.(?:cmake|md|rst|txt|sh|bash|service|ya?ml|meta|py|desktop)|(?:^|/)[^/]*(?:Make|Docker|Container|just)file[^/]*)$"
+)
+_USES_BIN = regex(
+    r"(?:\bset\s{0,4}\(\s{0,4}|-D\s{0,4})CMAKE_INSTALL_BINDIR\b|\binstall/(?:[\w.-]{1,80}/)?bin/\w",
+    hints="CMAKE_INSTALL_BINDIR install/",
+)
+"""What gives the programs of CMake another folder, or starts one from ``bin``."""
 _READ = 200_000
 
 
@@ -56,11 +65,21 @@ def programs_without_mode(tree: Tree, package: Package, started: Container[str])
 
 
 def unplaced_programs(tree: Tree, package: Package, started: Container[str]) -> Iterator[Located]:
-    """The nodes in C++ that a build installs into no folder in particular, for which CMake takes ``bin``."""
+    """The nodes in C++ that a build installs into no folder in particular, for which CMake takes ``bin``. None where a
+    page of the tree says that they are elsewhere, or meant to be there."""
+    found = list(_in_bin(tree, package, started))
+    if found and not any(_USES_BIN.search(page) for page in tree.pages(_PAGES, _READ)):
+        yield from found
+
+
+def _in_bin(tree: Tree, package: Package, started: Container[str]) -> Iterator[Located]:
     for build in package.builds:
+        if _LINKS.search(build.source.said):
+            continue
         folder = os.path.dirname(build.source.absolute)
         for name, place in build.elsewhere.items():
-            is_built = name in build.unplaced and name in build.built
+            is_alone = f"TARGET_FILE:{name}>" in build.source.said
+            is_built = name in build.unplaced and name in build.built and not is_alone
             if is_built and name not in package.executables and name not in started:
                 sources = (os.path.join(folder, each) for each in build.targets.get(name, ()))
                 if any(_OF_ROS.search(tree.head(each, _READ)) for each in sources if tree.is_file(each)):
