@@ -5,8 +5,9 @@ Nodes that drive hardware with neither `respawn` nor an exit action nor an `OnPr
 agent of micro-ROS, and programs of the workspace that open a port, bus or pin and publish measurements or take commands
 to move, or that publish the odometry. Reported for launch files that also start other nodes, or that a unit launches. A
 warning where a unit or container of the tree launches the file (not for odometry, of which a robot may have more than
-one), where the file has another node restarted, and once a robot for `ros2_control_node` beside nodes that outlive it;
-else for information, and so for a node in a part that an argument switches on.
+one), where the file has another driver or controller restarted, and once a robot for `ros2_control_node` beside nodes
+that outlive it; else for information, and so for a node in a part that an argument switches on, or that gets simulated
+time.
 
 ## Why it matters on a robot
 If the driver ends, the launch continues and the service stays "active (running)": the robot is blind until somebody
@@ -56,7 +57,7 @@ def critical_no_required(robot: Robot) -> Iterator[Finding]:
     apart = []
     for expansion, node, role, supervised, restarted in unwatched(robot):
         missed = bool(restarted) or (supervised and role != "odometry")
-        severity = None if missed and not is_option(node) else "info"
+        severity = None if missed and not is_option(node) and not has_simulated_time(node) else "info"
         if severity and is_whole_hardware(expansion, node):
             apart.append(node)
             continue
@@ -98,7 +99,7 @@ class Unwatched(NamedTuple):
     supervised: bool
     """Something starts the launch again when it ends."""
     restarted: list[launch.Started]
-    """The nodes of the same file that launch restarts."""
+    """The drivers and controllers of the same file that launch restarts."""
 
 
 def unwatched(robot: Robot) -> Iterator[Unwatched]:
@@ -110,7 +111,7 @@ def unwatched(robot: Robot) -> Iterator[Unwatched]:
         starters = robot.runners.launching(entry)
         units = [each for each in starters if each.runner.unit is not None]
         supervised = any(robot.runners.is_supervised(each.runner) for each in starters)
-        restarted = restarted_in(expansion)
+        restarted = restarted_in(robot, expansion)
         seen = set()
         for node in expansion.nodes:
             if not isinstance(node.action, launch.Process) or node.by_default is False:
@@ -126,11 +127,12 @@ def unwatched(robot: Robot) -> Iterator[Unwatched]:
                 yield Unwatched(expansion, node, role, supervised, beside)
 
 
-def restarted_in(expansion: launch.Expansion) -> dict[int, list[launch.Started]]:
-    """By launch file, the nodes that launch restarts."""
+def restarted_in(robot: Robot, expansion: launch.Expansion) -> dict[int, list[launch.Started]]:
+    """By launch file, the drivers and controllers that launch restarts."""
     found: dict[int, list[launch.Started]] = {}
     for each in expansion.nodes:
-        if each.by_default is not False and launch.respawns(each) is True:
+        is_restarted = each.by_default is not False and launch.respawns(each) is True
+        if is_restarted and device_role(robot.topics, each) is not None:
             found.setdefault(id(each.file), []).append(each)
     return found
 
@@ -148,6 +150,12 @@ def is_whole_hardware(expansion: launch.Expansion, node: launch.Started) -> bool
 def shut_down(node: launch.Started) -> Fix | None:
     change = with_keyword(node.span, "on_exit", "Shutdown()", Import("launch.actions", "Shutdown"))
     return fix("shut down when it exits", codemod=change, safe=False) if change else None
+
+
+def has_simulated_time(node: launch.Started) -> bool:
+    """Whether the launch file itself gives a node the clock of a simulation."""
+    given = {launch.literal_text(name): launch.text_of(value) for name, value in node.given}
+    return (given.get("use_sim_time") or "").lower() == "true"
 
 
 def is_option(node: launch.Started) -> bool:

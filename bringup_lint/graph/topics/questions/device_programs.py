@@ -16,6 +16,11 @@ if TYPE_CHECKING:
 _BY_HAND = ("joy", "joy_linux", "spacenav")
 """Input devices: without them a robot drives on by itself."""
 _AGENT = regex(r"\bmicro[-_]ros[-_]agent\b|\bMicroXRCEAgent\b", hints="micro-ros-agent micro_ros_agent MicroXRCEAgent")
+_IS_NO_AGENT = regex(
+    r"--restart|--detach|(?<![\w-])-[a-z]{0,3}d[a-z]{0,3}\b"
+    r"|(?<![\w-])(?:echo|printf|p?kill|killall|p?grep|systemctl|service|sleep|stop|rm|build|pull|while|until|tmux|screen)\b"
+)
+"""Commands that only name the agent, or start it again by themselves."""
 _OPENS = regex(
     r"\bserial\.(?:Serial|serial_for_url)\s{0,2}\(|\bSMBus\s{0,2}\(|\bcan\.(?:interface\.)?Bus\s{0,2}\("
     r"|^[ \t]*(?:from|import)[ \t]+(?:RPi\.GPIO|RPi|Jetson\.GPIO|gpiod|lgpio|pigpio|gpiozero|spidev)\b"
@@ -46,7 +51,8 @@ def device_role(topics: Topics, node: Started) -> str | None:
     role = topics.launch.role(node).role
     if role in ("driver", "hardware"):
         return role
-    if package == "micro_ros_agent" or (package is None and _AGENT.search(node.span.text)):
+    text = node.span.text
+    if package == "micro_ros_agent" or (package is None and _AGENT.search(text) and not _IS_NO_AGENT.search(text)):
         return "microcontroller"
     code = topics.code(node) if package in topics.launch.workspace.packages else None
     return None if code is None else _own_role(code)
