@@ -57,7 +57,13 @@ def unknown_name(
 
 
 def wrong_value(
-    where: Located | Span, message: str, right: str | None, otherwise: str, *, safe: bool = True
+    where: Located | Span,
+    message: str,
+    right: str | None,
+    otherwise: str,
+    *,
+    safe: bool = True,
+    severity: str | None = None,
 ) -> Finding:
     """A value that the program does not take: replaced where it is known which one was meant."""
     return finding(
@@ -65,4 +71,5 @@ def wrong_value(
         message,
         advice=f"write {right}" if right else otherwise,
         fix=fix(f"write {right}", (where, right), safe=safe) if right else None,
+        severity=severity,
     )

@@ -60,4 +60,4 @@ class Policy:
     remarks: list[Remark] = field(default_factory=list)
     enclaves: list[PolicyEnclave] = field(default_factory=list)
     open: bool = False
-    """More enclaves are included from elsewhere."""
+    """More enclaves are included from elsewhere, or something puts more into the text than names."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from collections.abc import Iterator
 
@@ -15,28 +16,51 @@ from bringup_lint.model.xml import Element
 from bringup_lint.parsers.sros2 import not_wellformed
 from bringup_lint.parsers.sros2_schema import check
 from bringup_lint.parsers.xml import parse as parse_xml
+from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
 from bringup_lint.templates import has_placeholder
+from bringup_lint.templates import is_named_template
 
 VERSION = "0.2.0"
 XINCLUDE = "http://www.w3.org/2001/XInclude"
+_EXPANDS = regex(r"[$`]")
+"""What a shell, envsubst or make replaces; no name of ROS has it."""
+_FILLED = regex(
+    r"\s(?:path|ns|node)=(?:\"[^\"<>]{0,200}\"|'[^'<>]{0,200}')|<!--.*?-->", re.S, hints="path= ns= node= <!--"
+)
+"""Names that may be expanded without a change of the structure, and comments."""
 WAYS = {"topics": ("publish", "subscribe"), "services": ("reply", "request"), "actions": ("call", "execute")}
 
 
 def policy(source: Source) -> Policy:
     document = parse_xml(source)
-    model = Policy(source, document, [not_wellformed(problem) for problem in document.problems])
+    model = Policy(source, document, open=_is_expanded(source))
+    if not model.open:
+        model.remarks += [not_wellformed(problem) for problem in document.problems]
     root = document.root
     if root is None:
         return model
-    if not model.remarks:
+    if not document.problems and not model.open:
         model.remarks += _structure(root)
+        if _is_to_complete(source, model.remarks):
+            model.open, model.remarks = True, []
     for holder in root.find_all("enclaves"):
         model.open |= _includes(holder)
         model.enclaves += [_enclave(each) for each in holder.find_all("enclave")]
     model.open |= _includes(root)
     return model
+
+
+def _is_expanded(source: Source) -> bool:
+    """Whether a shell or another program puts more than names into the text, which may be whole elements."""
+    return bool(_EXPANDS.search(source.text) and _EXPANDS.search(_FILLED.sub("", source.text)))
+
+
+def _is_to_complete(source: Source, remarks: Iterable[Remark]) -> bool:
+    """Whether a template has text where elements are to be: a mark that is replaced by such."""
+    is_template = bool(source.template) or is_named_template(source.basename)
+    return is_template and any(each.code is Code.TEXT for each in remarks)
 
 
 def _includes(element: Element) -> bool:
@@ -75,9 +99,10 @@ def _rights(groups: Iterable[Element]) -> Iterator[Right]:
 
 
 def _is_to_fill(right: Right) -> bool:
-    """Whether a template does not say yet what a right is for, or what it allows."""
+    """Whether a template or a script does not say yet what a right is for, or what it allows."""
+    words = (right.name, *right.ways.values())
     is_template = bool(right.name.span.source.template)
-    return is_template and any(map(has_placeholder, (right.name, *right.ways.values())))
+    return any(map(_EXPANDS.search, words)) or (is_template and any(map(has_placeholder, words)))
 
 
 def _structure(root: Element) -> Iterator[Remark]:

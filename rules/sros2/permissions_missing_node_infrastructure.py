@@ -3,7 +3,8 @@
 ## What it finds
 A grant to an enclave that does not allow publishing `rt/rosout` or `rt/parameter_events`, and an enclave of a policy,
 from which sros2 makes such a grant, also in the template of a policy and in one that a script writes. Silent where a
-policy includes rights from elsewhere, or a template fills in the name of one.
+policy includes rights from elsewhere, or a template or a script fills in one. An info where nothing makes permissions
+from such a policy.
 
 ## Why it matters on a robot
 The constructor of a node creates these publishers, unless the node switches them off, and throws at the first
@@ -62,6 +63,7 @@ def permissions_missing_node_infrastructure(robot: Robot) -> Iterator[Finding]:
                 enclave.path,
                 f"{enclave.path} cannot publish {' and '.join(lacks)}: a normal node throws when it is created",
                 advice=f"let it publish /{' and /'.join(lacks)}, and create the permissions again",
+                severity="info" if robot.sros2.is_unapplied(enclave.path) else None,
             )
 
 

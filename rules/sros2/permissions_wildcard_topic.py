@@ -2,9 +2,9 @@
 
 ## What it finds
 `*`, `rt/*` or a similar pattern among the topics that an enclave may publish, in permissions or in a policy.
-`create_enclave` writes such permissions. Likewise `/*` among the services of a policy, or `rq/*` and `rr/*` among
-the topics that an enclave may publish: it may call, or answer for, every service of the robot. A file that is called
-permissive is an info.
+`create_enclave` writes such permissions. Likewise `/*` among the services of a policy, or `rq/*` and `rr/*` among the
+topics that an enclave may publish: it may call, or answer for, every service of the robot. A file that is called
+permissive is an info, and so is what a comment above it says: `<!-- may call any service -->`.
 
 ## Why it matters on a robot
 Whoever takes over one process of the robot, for example the camera driver, can publish on /cmd_vel. Whoever
@@ -37,6 +37,7 @@ robot.
 - OMG DDS Security 1.1, clause 9.4.1.3
 """
 
+import re
 from collections.abc import Iterable
 from collections.abc import Iterator
 
@@ -55,6 +56,7 @@ TOPICS = "publish '{}', which is every topic of the robot"
 VELOCITY = regex(r"\bcmd_vel\b")
 CALLS = "call '{}', which is every service of the robot, including set_parameters of every node"
 ANSWERS = "answer '{}', which is every service of the robot"
+SAID = regex(r"<!--[^\n]{0,200}\b(?:any|all|every)\b", re.I, hints="<!--")
 OF_GRANTS = {
     regex(r"(?:rt/)?\*+$"): TOPICS,
     regex(r"rq/\*+(?:Request)?$"): CALLS,
@@ -118,8 +120,15 @@ def _by_right(robot: Robot, rights: Iterable[Wide], advice: str) -> Iterator[Fin
             f"{who} may {first.text.format(first.pattern.strip())}{_also(robot, first)}",
             advice=advice,
             related=[note(each.pattern, f"the same for {each.enclave}") for each in others],
-            severity="info" if "permissive" in first.pattern.span.source.basename else None,
+            severity="info" if _is_meant(first.pattern) else None,
         )
+
+
+def _is_meant(pattern: Located) -> bool:
+    """Whether the file is called permissive, or a comment above the pattern or its element says what it allows."""
+    source = pattern.span.source
+    above = (source.line_text(line) for line in range(max(pattern.span.line - 2, 1), pattern.span.line))
+    return "permissive" in source.basename or any(map(SAID.search, above))
 
 
 def _also(robot: Robot, right: Wide) -> str:

@@ -4,7 +4,7 @@
 Rights in a `policy.xml` that have no effect:
 - topics, services or actions without publish, subscribe, reply, request, call or execute
 - a profile whose namespace does not start with a slash
-- names with the DDS prefixes `rt/`, `rq/`, `rr/`
+- names with the DDS prefixes `rt/`, `rq/`, `rr/`, unless the same rights are granted under the right name beside them
 - `~name` instead of `~/name`
 - empty names, and names with spaces
 
@@ -44,6 +44,7 @@ from bringup_lint.api import fix
 from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.sros2 import Right
+from bringup_lint.api.sros2 import matches
 from bringup_lint.api.templates import has_placeholder
 
 PREFIXED = regex(r"/?r[tqr]/(.+)")
@@ -71,7 +72,8 @@ def policy_grants_nothing(robot: Robot) -> Iterator[Finding]:
             )
         for right in profile.rights:
             wrong, correct = _fault(right)
-            if wrong:
+            is_granted = any(_covers(other, right, correct) for other in profile.rights)
+            if wrong and not is_granted:
                 yield finding(
                     right.name if right.name.strip() else right.element.name,
                     f"{_quoted(right)} {wrong}: {profile.fqn} is granted nothing",
@@ -81,6 +83,17 @@ def policy_grants_nothing(robot: Robot) -> Iterator[Finding]:
 
 
 WAYS = {"topics": ("publish", "subscribe"), "services": ("reply", "request"), "actions": ("call", "execute")}
+
+
+def _covers(other: Right, right: Right, name: str) -> bool:
+    """Whether another right of the same element is for a name."""
+    pattern = other.name.strip()
+    return (
+        bool(name)
+        and other.element is right.element
+        and pattern != right.name
+        and matches(name, f"/{pattern.lstrip('/')}")
+    )
 
 
 def _quoted(right: Right) -> str:

@@ -3,8 +3,8 @@
 ## What it finds
 Mistakes in the structure of a `policy.xml`, of its template, or of one that a script writes: elements and attributes
 that are missing, unknown, repeated or misplaced, words other than ALLOW and DENY, text between elements, an XML
-namespace, and a version other than 0.2.0. Files that `xi:include` adds are not read, so nothing that they may contain
-is reported as missing.
+namespace, and a version other than 0.2.0. An info where nothing makes permissions from the policy. Files that
+`xi:include` adds are not read, so nothing that they may contain is reported as missing.
 
 ## Why it matters on a robot
 `ros2 security create_permission` and `generate_artifacts` end with an error. The enclave keeps its previous
@@ -69,4 +69,5 @@ def policy_schema(robot: Robot) -> Iterator[Finding]:
                 f"{what}: ros2 security fails, the permissions do not change",
                 right if right in ("ALLOW", "DENY") else None,
                 "follow sros2's policy schema 0.2.0",
+                severity="info" if robot.sros2.is_unapplied(remark.where) else None,
             )

@@ -49,6 +49,7 @@ from bringup_lint.parsers.sros2_policy import policy
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 from bringup_lint.source import Source
+from bringup_lint.source import Span
 from bringup_lint.templates import has_control_flow
 
 if TYPE_CHECKING:
@@ -62,6 +63,8 @@ if TYPE_CHECKING:
 _OTHERS = regex(r"(?:^|/)(?:tests?|examples?|docs?|samples?|defaults?)/", re.I)
 """Folders whose documents no robot uses."""
 _USED = regex(r"(?:^|/)(?:governance|permissions)\.(?:xml|p7s|smime)$")
+_APPLIES = regex(r"create_permission|generate_artifacts", hints="create_permission generate_artifacts")
+"""What makes permissions from a policy, as a command, in Python and in CMake."""
 _ENCLAVES = regex(r"(?:^|/)enclaves/")
 SIGNED_FORMS = (".p7s", ".smime")
 
@@ -274,6 +277,14 @@ class Sros2:
     def used_policies(self) -> Iterator[Policy]:
         """The policies for a robot, with the templates of such."""
         return (each for each in self.policies_and_templates if not _OTHERS.search(each.source.name))
+
+    def is_unapplied(self, where: Located | Span) -> bool:
+        """Whether a place is in a template of a policy of which the tree makes no permissions, or in a policy whose
+        script does not: another one may be the one that is used."""
+        source = where.span.source if isinstance(where, Located) else where.source
+        if source.origin is not None:
+            return not _APPLIES.search(source.origin.whole.source.said)
+        return bool(source.template) and not self.files.mentions(_APPLIES)
 
     @property
     def used_governances(self) -> Iterator[Governance]:
