@@ -3,12 +3,13 @@
 ## What it finds
 A script without `set -e` in which two or more steps bring something - `apt-get install`, `pip install`,
 `rosdep install`, `vcs import`, `git clone`, `wget`, `curl`, `dpkg -i`, `make`, `colcon build` - and nobody looks at
-their results, and that ends with `echo`, `printf`, `rm`, `reboot` or with enabling a unit.
+their results, and that ends with `echo`, `printf`, `rm`, `reboot` or `systemctl daemon-reload`.
 
 Also, with `set -e` too, an installation that fails with nothing but a message (`apt-get install ... || echo "failed"`)
 before the script enables or starts a unit, whatever came of it.
 
-Silent if the script asks for `$?` or has a trap for ERR, if another one sources it, and where all the steps are builds
+Steps before a question of another command with `exit` (`dpkg -s chrony || exit 1`) are not counted. Silent if the
+script asks for `$?` or has a trap for ERR, if another one sources it, and where all the steps are builds
 with colcon, which script/build-unchecked judges.
 
 ## Why it matters on a robot
@@ -75,8 +76,9 @@ BRINGS = {
 }
 """Program -> its commands that bring something; empty: it does nothing else."""
 SUCCEED = ("echo", "printf", "rm", "reboot")
-SETTLES = ("enable", "daemon-reload")
-"""Commands of systemctl that succeed whatever the unit needs."""
+CLEANS = frozenset({"clean", "distclean", "mrproper", "uninstall"})
+"""Targets of make that bring nothing."""
+LINKED = regex(r"&&|\|\|")
 STARTS = frozenset({"enable", "start", "restart"})
 PRINTS = ("echo", "printf")
 INSTALLERS = ("apt", "apt-get", "dpkg", "pip", "pip3")
@@ -96,11 +98,11 @@ def failure_unseen(robot: Robot) -> Iterator[Finding]:
         if LOOKS.search(source.text):
             continue
         runs = [did for did in robot.scripts.done(source) if isinstance(did, Run) and did.words]
-        ignored = [run for run in runs if _is_ignored(run)]
+        ignored = [run for run in _not_looked_at(runs) if _is_ignored(run)]
         if len(ignored) < LEAST or all(run.name == "colcon" for run in ignored):
             continue
         last = runs[-1]
-        is_told = last.certain and _succeeds(last) and not last.command.depth
+        is_told = last.certain and _succeeds(last) and not last.command.depth and not _is_linked(last, runs)
         if is_told and not _is_sourced(robot, source):
             yield finding(
                 ignored[0].words[0],
@@ -116,7 +118,20 @@ def failure_unseen(robot: Robot) -> Iterator[Finding]:
 
 def _succeeds(run: Run) -> bool:
     """Whether a command says nothing of those before it."""
-    return run.name in SUCCEED or (run.name == "systemctl" and any(word in SETTLES for word in run.arguments))
+    return run.name in SUCCEED or (run.name == "systemctl" and "daemon-reload" in run.arguments)
+
+
+def _is_linked(last: Run, runs: list[Run]) -> bool:
+    """Whether the last command runs, or not, by the result of the one before it."""
+    span = last.words[0].span
+    is_next = any(run.command.ends in ("&&", "||") for run in runs[-2:-1])
+    return is_next or LINKED.search(span.source.line_before(span.start)) is not None
+
+
+def _not_looked_at(runs: list[Run]) -> list[Run]:
+    """The commands after the last question that ends the script, other than for the result of a step itself."""
+    asked = [at for at, run in enumerate(runs) if at and run.name == "exit" and runs[at - 1].name not in BRINGS]
+    return runs[asked[-1] :] if asked else runs
 
 
 def _only_told(robot: Robot, source: Source) -> Iterator[Finding]:
@@ -168,6 +183,9 @@ def _first_line(source: Source) -> Span:
 
 def _is_ignored(run: Run) -> bool:
     if not run.certain or run.name not in BRINGS or run.command.depth or run.command.ends in ("&&", "||", "|", "&"):
+        return False
+    targets = [word for word in run.arguments if not word.startswith("-")]
+    if run.name == "make" and targets and CLEANS.issuperset(targets):
         return False
     asks = BRINGS[run.name]
     if asks and not any(word in asks for word in run.arguments):
