@@ -5,6 +5,8 @@
 on a hidden file of a home folder, on a private key, or on a file `.env`. Also such a mode of `mkdir -m`, of
 `install -m` and of a task of Ansible.
 
+Silent where the script takes the write access off again afterwards.
+
 ## Why it matters on a robot
 Every service and every user of the robot can change the file. Configuration that root reads, such as /etc/hosts or
 a script that a unit runs, lets them become root or lead the robot's traffic elsewhere. sshd refuses keys with such
@@ -42,7 +44,10 @@ from bringup_lint.api import rule
 from bringup_lint.api.shell import Run
 from bringup_lint.api.shell import file_modes
 
-OPEN = regex(r"0?[0-7]?[0-7][0-7][2367]|(?:[ugo]*[ao][ugo]*)?\+r?wx?X?|[ugo]*[ao][ugo]*=r?wx?X?")
+OPEN = regex(r"0?[0-7]?[0-7][0-7][2367]|[ugo]*[ao][ugo]*\+r?wx?X?|[ugo]*[ao][ugo]*=r?wx?X?")
+OF_ALL = regex(r"\+r?wx?X?")
+"""Without a letter before it, umask takes the write access of others off again, but for mkdir."""
+CLOSED = regex(r"0?[0-7]?[0-7][0-7][0145]|[ugo]{0,2}[oa][ugo]{0,2}(?:-[rwx]{1,3}|=[rxX]{0,3})")
 STICKY = regex(r"[1357][0-7]{3}|0[1357][0-7]{3}")
 TRUSTED = regex(
     r"/(?:etc|usr|boot|lib|opt)/.+|(?:/home/[^/]+|/root|~|\{\{ HOME \}\})/\.[^/]+.*|.*/id_(?:rsa|ed25519|ecdsa)"
@@ -58,10 +63,11 @@ OPTIONS = frozenset(("-o", "-g", "-S", "-t", "--owner", "--group", "--suffix", "
 
 @rule("warning", tags=["CWE-732"], symptoms=["is marked world-writable"])
 def world_writable(robot: Robot) -> Iterator[Finding]:
-    for _, run in robot.scripts.run("chmod", "mkdir", "install"):
+    runs = list(robot.scripts.run("chmod", "mkdir", "install"))
+    for at, (source, run) in enumerate(runs):
         mode, paths = _opened(run) if run.name == "chmod" else _made(run)
         for path, word in paths:
-            if _is_trusted(path):
+            if _is_trusted(path) and not any(each is source and _closes(late, path) for each, late in runs[at + 1 :]):
                 yield _of(word, f"{run.name} {mode}", path, None if run.certain else "medium")
     for source in robot.of_kind("ansible"):
         if source.judged and "mode" in source.text:
@@ -93,6 +99,16 @@ def _opened(run: Run) -> tuple[str, list[tuple[str, Located]]]:
     return (plain[0][0], plain[1:]) if plain and _is_open(plain[0][0]) else ("", [])
 
 
+def _closes(run: Run, path: str) -> bool:
+    """Whether a command takes the write access of others to a path off again."""
+    words = [run.text(word).rstrip("/") for word in run.words[1:]] if run.name == "chmod" else []
+    if not any(CLOSED.fullmatch(word) for word in words):
+        return False
+    recursive = any(re.fullmatch(r"-\w*R\w*|--recursive", word) for word in words)
+    here = path.rstrip("/")
+    return here in words or (recursive and any(here.startswith(f"{word}/") for word in words if len(word) > 1))
+
+
 def _made(run: Run) -> tuple[str, list[tuple[str, Located]]]:
     """The mode with which everybody may write to what mkdir or install makes, and the paths; no paths for others."""
     mode = ""
@@ -106,7 +122,7 @@ def _made(run: Run) -> tuple[str, list[tuple[str, Located]]]:
             next(words, None)
         elif not word.startswith("-"):
             paths.append((run.text(word), word))
-    if not _is_open(mode):
+    if not _is_open(mode) and not (run.name == "mkdir" and OF_ALL.fullmatch(mode)):
         return "", []
     is_folder = run.name == "mkdir" or any(re.fullmatch(r"-[a-zA-Z]*d\w*|--directory", word) for word in run.words)
     return f"-m {mode}", paths if is_folder else paths[-1:]
