@@ -7,7 +7,7 @@
 - that installs packages with `apt`, `package`, `dnf`, `pip`, `snap`, `apt_repository` or `deb822_repository`, and whose
   result nobody looks at, but for whether it is changed.
 
-Silent where two tasks register the same name, and for packages that are removed.
+Silent where two tasks register the same name, for packages that are removed, and for trial runs (`check_mode`).
 
 ## Why it matters on a robot
 Ansible sets `failed` to false, whatever happened. The check that was to stop the play always passes, and `until:
@@ -66,11 +66,15 @@ ASKS = regex(
     r"|[ \t]{1,9}is[ \t]{1,9}(?:not[ \t]{1,9})?(?:failed|failure|succeeded|success|successful)\b"
     r"|\.results\b[^\n{}]{0,80}?\b(?:select|reject)attr\([\"']failed[\"'])"
 )
-READS = regex(r"\b(?P<name>[A-Za-z_]\w*)(?:\.(?!changed\b)|\[|[ \t]{1,9}is[ \t]{1,9}(?!(?:not[ \t]{1,9})?changed\b))")
+USED = regex(r"\b(?P<name>[A-Za-z_]\w*)\b(?!\.changed\b|[ \t]{1,9}is[ \t]{1,9}(?:not[ \t]{1,9})?changed\b)")
+EXPRESSIONS = regex(
+    r"[ \t]*(?:-[ \t]{1,9})?(?:when|until|failed_when|changed_when|that)[ \t]*:|[^\n]{0,300}\{[{%]|[ \t]*-[ \t]{1,9}(?![ \t]|[\w.]{1,60}:)"
+)
+"""The start of a line, up to a question in Jinja."""
 INSTALLERS = frozenset("apt package dnf pip snap apt_repository deb822_repository".split())
 NAMED = ("name", "pkg", "package", "deb", "repo", "uris", "requirements")
 """What is to be installed: without any, the module only renews its lists."""
-REMOVING = ("absent", "build-dep", "fixed")
+REMOVING = ("absent", "removed", "build-dep", "fixed")
 MOST = 10
 
 
@@ -85,14 +89,15 @@ def _of_file(source: Source) -> Iterator[Finding]:
     registered = Counter(filter(None, map(_registered, tasks(source))))
     suppressed = [(never, task) for task in tasks(source) if (never := _never_fails(task)) is not None]
     asked = _places(source) if suppressed else {}
-    read = {match["name"] for match in READS.finditer(source.said)} if suppressed else set()
+    used = Counter(match["name"] for match in USED.finditer(source.said)) if suppressed else Counter()
+    goes_on = any(task.includes for task in tasks(source))
     for never, task in suppressed:
         name = _registered(task)
         places = asked.get(name, []) if registered[name] == 1 else []
         module = _installer(task)
         if places:
             yield _of_asked(never, name, places, task)
-        elif module is not None and name not in read:
+        elif module is not None and not (name and (goes_on or used[name] > 1)) and not _only_checks(task):
             yield finding(
                 never,
                 "Where the packages cannot be installed, the task is ok, and the play goes on without them",
@@ -119,6 +124,9 @@ def _places(source: Source) -> dict[str, list[Located]]:
     """Where a file asks whether a task has failed, by the name of its result."""
     found: dict[str, list[Located]] = {}
     for match in ASKS.finditer(source.said):
+        before = source.line_before(match.start())
+        if "#" in before or not EXPRESSIONS.match(before):
+            continue
         found.setdefault(match["name"], []).append(source.located(*match.span()))
     return found
 
@@ -126,6 +134,13 @@ def _places(source: Source) -> dict[str, list[Located]]:
 def _registered(task: Task) -> str:
     name = task.keys.scalar("register")
     return "" if name is None else str(name.value)
+
+
+def _only_checks(task: Task) -> bool:
+    """Whether the task is one for a trial run, which changes nothing."""
+    condition = task.keys.scalar("when")
+    is_trial = condition is not None and "ansible_check_mode" in condition.value
+    return is_trial or task.keys.get("check_mode") is not None
 
 
 def _never_fails(task: Task) -> Located | None:
