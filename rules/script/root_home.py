@@ -6,7 +6,8 @@ root: it asks for it (`$EUID`, `id -u`), or says that it is called with `sudo`, 
 without `sudo`. Only where the robot has a user of its own, by the script or by `User=` of a unit.
 
 Also tasks of Ansible with `become: true` that write to `~/.bashrc` and the like, themselves or by `item` of their loop.
-Silent with `become_user`, where the tree has hosts with the user root, and where only images are built with Ansible.
+Silent with `become_user` or `ansible_become`, where the file writes the home of a user, too, where hosts, `ansible.cfg`
+or a call name root or another user, and where only images are built with Ansible.
 
 ## Why it matters on a robot
 With sudo, `~` is /root. The shells of the robot's user know nothing of ROS, of the workspace and of the domain:
@@ -62,8 +63,20 @@ ADDS = ("useradd", "adduser")
 WRITERS = frozenset(("lineinfile", "blockinfile", "copy", "template", "replace"))
 OF_TASK = regex(r"(?:~|\$HOME|\$\{HOME\})/\.(?:bashrc|bash_profile|bash_aliases|profile|zshrc)")
 ITEM = regex(r"\{\{[ \t]*item[ \t]*\}\}")
-OTHER_USER = regex(r"\bbecome_user[ \t]*:(?![ \t]*root\b)")
-ROOT_HOSTS = regex(r"\b(?:ansible_(?:ssh_)?user|remote_user)[\"']?[ \t]*[=:][ \t]*[\"']?root\b")
+OTHER_USER = regex(
+    r"\b(?:ansible_)?become_user[ \t]*[:=](?![ \t]*root\b)|\bansible_become[ \t]*[:=]|\bbecome[ \t]*:[ \t]*[\"']?\{\{"
+    r"|\bHOME[ \t]*:"
+)
+"""Who the task runs as is decided otherwise."""
+OF_USER = regex(r"(?:/home/[^/\s\"']{1,60}|\}\})/\.(?:bashrc|bash_profile|bash_aliases|profile|zshrc)")
+ROOT_HOSTS = regex(
+    r"\b(?:ansible_(?:ssh_)?user|remote_user)[\"']?[ \t]*[=:][ \t]*[\"']?root\b"
+    r"|\b(?:ansible_)?become_user[\"']?[ \t]*=|\bansible_become(?:_user)?[\"']?[ \t]*[=:]"
+)
+ROOT_CALLS = regex(
+    r"\bansible-p(?:laybook|ull)\b[^\n]{0,200}(?:[ \t]-u[ \t]*root\b|--user[ =]root\b|--become-user|-e[ \t])"
+)
+CONFIGURED = regex(r"^[ \t]*(?:remote_user[ \t]*=[ \t]*root\b|become_user[ \t]*=)", re.M)
 PLAYBOOK = regex(r"\bansible-p(?:laybook|ull)\b")
 
 
@@ -139,7 +152,9 @@ def _has_user(robot: Robot) -> bool:
 
 def _of_tasks(source: Source) -> Iterator[Finding]:
     """What the tasks of a file write as root to the login file of whoever they run as."""
-    if "become" not in source.text or not OF_TASK.search(source.text) or OTHER_USER.search(source.said):
+    if "become" not in source.text or not OF_TASK.search(source.text):
+        return
+    if OTHER_USER.search(source.said) or OF_USER.search(source.said):
         return
     written = [place for task in tasks(source) if task.become and (place := _login_file(task)) is not None]
     if written:
@@ -158,7 +173,8 @@ def _login_file(task: Task) -> Located | None:
         if module.name not in WRITERS or not isinstance(module.settings, Mapping):
             continue
         path = module.settings.scalar("path") or module.settings.scalar("dest")
-        if path is None:
+        state = module.settings.scalar("state")
+        if path is None or (state is not None and state.value == "absent"):
             continue
         if OF_TASK.fullmatch(path.value):
             return path.value
@@ -176,5 +192,8 @@ def _is_of_root(robot: Robot) -> bool:
         return True
     if any(play.get("become_user") is not None for source in robot.files.of_kind("ansible") for play in plays(source)):
         return True
-    images = any(PLAYBOOK.search(source.said) for source in robot.files.of_kind("dockerfile"))
-    return images and not any(PLAYBOOK.search(source.said) for source in robot.files.of_kind("shell-script"))
+    if any(CONFIGURED.search(robot.tree.head(path, 64 * 1024)) for path in robot.tree.named("ansible.cfg")):
+        return True
+    called = [each for each in robot.files.of_kind("dockerfile", "shell-script") if PLAYBOOK.search(each.said)]
+    images = [each for each in called if each.kind == "dockerfile" or robot.scripts.is_for_image(each)]
+    return any(ROOT_CALLS.search(each.said) for each in called) or (bool(images) and len(images) == len(called))
