@@ -68,7 +68,8 @@ ASKS = regex(
 )
 USED = regex(r"\b(?P<name>[A-Za-z_]\w*)\b(?!\.changed\b|[ \t]{1,9}is[ \t]{1,9}(?:not[ \t]{1,9})?changed\b)")
 EXPRESSIONS = regex(
-    r"[ \t]*(?:-[ \t]{1,9})?(?:when|until|failed_when|changed_when|that)[ \t]*:|[^\n]{0,300}\{[{%]|[ \t]*-[ \t]{1,9}(?![ \t]|[\w.]{1,60}:)"
+    r"[ \t]*(?:-[ \t]{1,9})?(?:when|until|failed_when|changed_when|that)[ \t]*:|[^\n]{0,300}\{[{%]"
+    r"|[ \t]*-[ \t]{1,9}(?![ \t]|[\w.]{1,60}:)"
 )
 """The start of a line, up to a question in Jinja."""
 INSTALLERS = frozenset("apt package dnf pip snap apt_repository deb822_repository".split())

@@ -9,7 +9,8 @@ In a sudoers file, or in what a script writes to one:
 - A line `USER ALL=(root) NOPASSWD: COMMAND` without arguments, or with `*` alone, where the command runs any program or
   writes any file for whoever calls it: a shell, an interpreter, `mount`, `tee`, `cp`, `systemctl`, `docker`, `apt`.
 - A line `USER ALL=(root) NOPASSWD: COMMAND` whose command is a file in the home of the user, or in the checkout that
-  the script which writes the line lies in. `Cmnd_Alias` is read.
+  the script which writes the line lies in. `Cmnd_Alias` is read. Silent where the variable with the checkout is set
+  twice, or the script gives files to root with chown.
 
 Not reported: what an Ansible role writes that plays run only where a variable asks for it that is false by default.
 
@@ -72,8 +73,19 @@ FALSE = regex(r"^(?P<variable>\w+):[ \t]*(?:false|no)\b", re.M | re.I)
 ALIAS = regex(r"^[ \t]*Cmnd_Alias[ \t]+(?P<name>[A-Z]\w*)[ \t]*=(?P<commands>(?:[^\\\n]|\\\s){0,9000})", re.M)
 IN_HOME = regex(r"/home/(?P<user>[^/]+)/.+")
 IN_FOLDER = regex(r"\{\{ (?P<variable>\w+) \}\}(?P<path>/.+)")
-IS_OWN = r"^[ \t]*(?:readonly[ \t]+)?%s=[^\n]*(?:\$0|\bBASH_SOURCE\b|\bpwd\b|\$PWD\b|\brev-parse\b)"
-"""A variable with a folder of the checkout."""
+ASSIGNED = r"^[ \t]*(?:(?:readonly|export|local|declare)[ \t]+(?:-r[ \t]+)?)?%s=(?P<value>[^\n]*)"
+OWN_FOLDER = regex(
+    r"[\"']?(?:\$\(|`)[^\n]{0,60}?\b(?:dirname[^\n]{1,60}(?:\$0|\bBASH_SOURCE\b)|rev-parse[ \t]+--show-toplevel)"
+)
+BELOW = regex(
+    r"[\"']?(?:\$\([ \t]*cd[ \t]+[\"']?)?\$\{?(?P<variable>\w+)\}?(?:/[\w./-]*)?[\"']?(?:[ \t]*&&[ \t]*pwd\))?"
+    r"[\"']?[ \t]*$"
+)
+HERE = regex(r"[\"']?(?:\$\(pwd\)|\$PWD|\$\{PWD\})")
+GOES = regex(r"^[ \t]*(?:cd|pushd)\b", re.M)
+PROTECTS = regex(r"\bchown\b[^\n]{0,60}\broot\b")
+DEEPEST = 3
+"""Variables that are made of others."""
 TAGGED = regex(r"\s*(?P<tags>(?:[A-Z_]+:\s*)*)(?P<command>.*)")
 
 
@@ -166,9 +178,22 @@ def _is_in_checkout(robot: Robot, command: str, text: Located) -> bool:
     if inside is None or origin is None:
         return False
     path = inside["path"].split()[0].lstrip("/")
-    script = origin.whole.source.text
-    own = re.search(IS_OWN % re.escape(inside["variable"]), script, re.M) is not None
+    script = origin.whole.source.said
+    own = not PROTECTS.search(script) and _is_own(inside["variable"], script, DEEPEST)
     return own and any(f"/{each}".endswith(f"/{path}") for each in robot.tree.named(path.rpartition("/")[2]))
+
+
+def _is_own(variable: str, script: str, depth: int) -> bool:
+    """Whether a variable of a script, which is set only once, is for certain a folder of its checkout."""
+    values = [match["value"] for match in re.finditer(ASSIGNED % re.escape(variable), script, re.M)]
+    if len(values) != 1 or not depth:
+        return False
+    if HERE.match(values[0]):
+        return GOES.search(script) is None
+    base = BELOW.match(values[0])
+    return OWN_FOLDER.match(values[0]) is not None or (
+        base is not None and _is_own(base["variable"], script, depth - 1)
+    )
 
 
 def _is_free(command: str) -> bool:
