@@ -27,7 +27,9 @@ XINCLUDE = "http://www.w3.org/2001/XInclude"
 _EXPANDS = regex(r"[$`]")
 """What a shell, envsubst or make replaces; no name of ROS has it."""
 _FILLED = regex(
-    r"\s(?:path|ns|node)=(?:\"[^\"<>]{0,200}\"|'[^'<>]{0,200}')|<!--.*?-->", re.S, hints="path= ns= node= <!--"
+    r"\s(?:path|ns|node)=(?:\"[^\"<>]{0,200}\"|'[^'<>]{0,200}')|<!--(?:(?!<!--|-->).)*-->",
+    re.S,
+    hints="path= ns= node= <!--",
 )
 """Names that may be expanded without a change of the structure, and comments."""
 WAYS = {"topics": ("publish", "subscribe"), "services": ("reply", "request"), "actions": ("call", "execute")}
