@@ -154,7 +154,7 @@ def shut_down(node: launch.Started) -> Fix | None:
 
 def has_simulated_time(node: launch.Started) -> bool:
     """Whether the launch file itself gives a node the clock of a simulation."""
-    given = {launch.literal_text(name): launch.text_of(value) for name, value in node.given}
+    given = {str(launch.literal_text(name)): launch.text_of(value) for name, value in node.given}
     return (given.get("use_sim_time") or "").lower() == "true"
 
 

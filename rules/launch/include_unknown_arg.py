@@ -88,12 +88,12 @@ def _of_public(robot: Robot, file: launch.LaunchFile) -> Iterator[Finding]:
 def _renamed(robot: Robot, file: launch.LaunchFile) -> Iterator[Finding]:
     """Arguments that launch files of public packages had in older releases."""
     for (name, target, gone), *others in launch.gone_arguments(robot.launch, file):
-        if robot.dependencies.is_kept_before(gone.package, gone.since):
+        if robot.dependencies.is_kept_before(gone.package, gone.named):
             continue
         more = f" and {len(others)} other{'s' if len(others) > 1 else ''}" if others else ""
         yield finding(
             name,
-            f"{target} has had no argument '{name}'{more} since {gone.package} {gone.since}: "
+            f"{target} of newer releases of {gone.package} has no argument '{name}'{more}: "
             "the value is silently ignored",
             advice=f"pass '{gone.now}'",
             related=[note(each.name, f"'{each.gone.now}' is the name now") for each in others[:10]],

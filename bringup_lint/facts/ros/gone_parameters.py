@@ -17,6 +17,8 @@ class Gone(NamedTuple):
     """Distributions whose packages are older."""
     now: str
     """The name that does the same."""
+    named: str
+    """The release of the package that has this name."""
 
     def is_for(self, named: Container[str]) -> bool:
         """Whether none of the distributions that a tree names has an older release."""
@@ -36,7 +38,9 @@ def gone_argument(package: str, file: str, name: str) -> Gone | None:
 @cache
 def _by_owner(column: str) -> dict[tuple[str, str, str], Gone]:
     return {
-        (row["package"], owner, name): Gone(row["package"], row["since"], tuple(row["older"].split()), row["now"])
+        (row["package"], owner, name): Gone(
+            row["package"], row["since"], tuple(row["older"].split()), row["now"], row["named"]
+        )
         for row in table("ros/gone_parameters")
         for owner in row[column].split()
         for name in row["was"].split()

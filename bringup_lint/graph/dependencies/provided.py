@@ -40,7 +40,12 @@ _SHARED = (
 """How packages begin that come with others in one repository."""
 _CONTROLLERS = ("_controller", "_controllers", "_broadcaster")
 """How packages end that come with ros2_controllers."""
-_RELEASE = regex(r"(?<![\d.])(\d{1,3})\.(\d{1,3})\.(\d{1,3})(?![\d.])")
+_RELEASE = regex(r"(?<![\d.])(\d{1,3})\.(\d{1,3})(?:\.(\d{1,3}))?(?![\d.])")
+_REFERENCE = regex(
+    r"(?:\bversion:\s{0,4}|(?<![\w-])-b\s{1,4}|--branch[\s=]{1,4}|\bcheckout\s{1,4}|(?:camera|ros)=)[\"']?([^\s\"']{1,80})"
+)
+"""How a branch, a release or a commit is named."""
+_NEWEST = frozenset(("master", "main", "rolling", "ros2", "ros2-master", "ros2-development"))
 _BESIDE = 120
 """Characters before and after a repository in which the release is named that is fetched."""
 _PATCHED = regex(r"\bpatch(?:es)?/([\w-]{1,80})/|/([\w-]{1,80})\s{1,8}apply\b")
@@ -107,15 +112,14 @@ class Provided:
         return name in self._forks or (is_controller and any("controller" in each for each in self._forks))
 
     def fetches_older(self, package: str, release: str) -> bool:
-        """Whether anything names a release of a public package before another one beside its repository or package."""
+        """Whether anything names what may be an older release than one, beside a public package or its repository."""
         names = "|".join(re.escape(each).replace("_", "[-_]") for each in (_repository(package), package))
         after = tuple(map(int, release.split(".")))
-        around = (
-            text[max(0, match.start() - _BESIDE) : match.end() + _BESIDE]
+        return any(
+            _may_be_before(text[max(0, match.start() - _BESIDE) : match.end() + _BESIDE], after)
             for text in self._installers.texts
             for match in re.finditer(names, text)
         )
-        return any(tuple(map(int, each)) < after for text in around for each in _RELEASE.findall(text))
 
     @cached_property
     def _forks(self) -> frozenset[str]:
@@ -164,6 +168,19 @@ class Provided:
         files = (file for file in self._dockerfiles if _HAS_ROS.search(file.source.text))
         origins = {each.origin.lower() for file in files if not ROSDEP.search(file.source.text) for each in file.stages}
         return not all(map(is_plain, origins))
+
+
+def _may_be_before(text: str, after: tuple[int, ...]) -> bool:
+    """Whether a text names a release before another one, or a branch or commit of which the release is not known."""
+    if any(tuple(map(int, each)) < after for each in _RELEASE.findall(text) if each[2]):
+        return True
+    named = {reference.rstrip(",;") for reference in _REFERENCE.findall(text)} - _NEWEST
+    return "[submodule" in text or any(not _is_since(each, after) for each in named)
+
+
+def _is_since(reference: str, after: tuple[int, ...]) -> bool:
+    found = _RELEASE.search(reference)
+    return found is not None and tuple(int(part or 999) for part in found.groups()) >= after
 
 
 def _repository(package: str) -> str:

@@ -33,9 +33,11 @@ def gone_arguments(launch: Launch, file: LaunchFile) -> Iterator[list[GoneArgume
     expansion, named = launch.expansion(file), launch.files.target.named
     found: dict[tuple[str, str, str], dict[int, GoneArgument]] = {}
     for include, package, target, _ in of_public(launch, expansion.includes):
+        passed = {literal(key) for key, _ in include.action.arguments}
+        passed |= {literal(each.action.name) for each in expansion.declared}
         for name in _given(launch, expansion, include):
             gone = gone_argument(package, target, str(name))
-            if gone is not None and gone.is_for(named):
+            if gone is not None and gone.is_for(named) and gone.now not in passed:
                 group = found.setdefault((package, target, gone.since), {})
                 group.setdefault(name.span.start, GoneArgument(name, target, gone))
     yield from (sorted(group.values(), key=lambda each: each.name.span.start) for group in found.values())

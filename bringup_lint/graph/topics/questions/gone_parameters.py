@@ -30,14 +30,17 @@ def gone_parameters(topics: Topics) -> Iterator[GoneParameters]:
     named = topics.files.target.named
     facts: dict[Span, Gone | None] = {}
     groups: dict[tuple[Span, str], tuple[LaunchedNode, dict[Span, GivenName]]] = {}
+    both: dict[Span, set[str]] = {}
     for node, given in given_together(topics):
+        both.setdefault(given.group, set()).add(given.name)
         span = given.place.span
         gone = _gone(topics, node, given.name)
         facts[span] = gone if facts.get(span, gone) == gone else None
         if gone is not None and gone.is_for(named) and span.source.judged:
             groups.setdefault((given.group, gone.since), (node, {}))[1][span] = given
     for node, places in groups.values():
-        pairs = [(given, gone) for span, given in places.items() if (gone := facts[span]) is not None]
+        known = ((given, facts[span]) for span, given in places.items())
+        pairs = [(given, gone) for given, gone in known if gone is not None and gone.now not in both[given.group]]
         if pairs:
             yield GoneParameters(node, tuple(pairs))
 
