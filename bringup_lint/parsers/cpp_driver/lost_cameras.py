@@ -8,7 +8,6 @@ from itertools import islice
 from typing import TYPE_CHECKING
 
 from bringup_lint.facts.ros.cameras import LOOKED_AFTER
-from bringup_lint.facts.ros.cameras import VIDEO_FILE
 from bringup_lint.model.cpp_driver import LostCamera
 from bringup_lint.model.cpp_text import end_of_block
 from bringup_lint.model.cpp_text import plain_of
@@ -43,12 +42,18 @@ _PASSIVE = regex(
     r"|[\w:.>-]{0,60}sleep(?:_for)?\s{0,4}\([^;]{0,200};"
 )
 _LEAVES = regex(r"\s*(?:return|continue)\s*;\s*\Z")
+_ENDS = regex(r"\b(?:exit|abort)\s{0,4}\(", hints="exit abort")
+_SHUTS = regex(r"\bshutdown\s{0,4}\(", hints="shutdown")
+_KNOWN_USE = r"(?:\.|->)\s{0,4}(?:read|isOpened|get|set|release|open)\s{0,4}\(|>>|[;({]"
+"""To declare, open, ask or read a camera."""
+_DEVICE = regex(r"[^;\"({]{0,80}[({]\s{0,4}(?:\d{1,3}|\"/dev/[^\"\n]{1,200}\"|(?P<number>\w{1,60}))\s{0,4}[,)}]")
+"""The arguments with which a device is opened, not a file or a stream, when the variable is a number."""
 
 
 def lost_cameras(code: Code) -> Iterator[LostCamera]:
     """One for each read that goes on without a picture."""
     plain = plain_of(code.source)
-    if LOOKED_AFTER.search(plain):
+    if LOOKED_AFTER.search(plain) or _ENDS.search(plain) or _SHUTS.search(plain.partition("int main")[0]):
         return
     for found in islice(_READS.finditer(plain), MOST):
         by_stream = found["camera"] is not None
@@ -70,10 +75,12 @@ def _opened(code: Code, plain: str, camera: str, read: Node) -> Span | None:
     function, loop = code.body_of(read), _loop(code, read)
     if function is None or (loop is None and not _is_of_timer(code, function)):
         return None
+    if re.search(rf"(?<![\w.])(?:this->)?{re.escape(camera)}\b(?!\s{{0,4}}(?:{_KNOWN_USE}))", plain) is not None:
+        return None
     first: Span | None = None
     for found in re.compile(_OPENS.format(re.escape(camera))).finditer(plain):
         node = code.at(found.start())
-        if node is None or VIDEO_FILE.search(plain, found.start(), plain.find(";", found.end())):
+        if node is None or not _is_device(plain, found.end() - 1):
             return None
         outer = code.body_of(node)
         is_before = outer is not None and outer.id == function.id and loop is not None
@@ -81,6 +88,13 @@ def _opened(code: Code, plain: str, camera: str, read: Node) -> Span | None:
             return None
         first = first or code.source.span(found.start(), found.end() - 1)
     return first
+
+
+def _is_device(plain: str, at: int) -> bool:
+    """Whether the arguments there are those of a device."""
+    found = _DEVICE.match(plain, at)
+    number = found["number"] if found is not None else None
+    return found is not None and (number is None or re.search(rf"\bint\s+{number}\b", plain) is not None)
 
 
 def _is_early(code: Code, function: Node) -> bool:
