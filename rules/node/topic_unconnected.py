@@ -59,7 +59,11 @@ def topic_unconnected(robot: Robot) -> Iterator[Finding]:
                 )
     if not robot.of_kind("python-node", "cpp-node"):
         return
+    said = {use.topic for use, *_ in topics.misspelt(robot.topics)}
+    told = {subscription.where for subscription, _ in topics.orphans(robot.topics, said)}
     for subscription, publishers in topics.unpublished(robot.topics):
+        if subscription.where in told:
+            continue
         first, others = publishers[0], len({each.topic for each in publishers}) - 1
         also = f" and {others} other topic{'s' * (others > 1)}" if others else ""
         yield finding(

@@ -13,6 +13,7 @@ from bringup_lint.graph.topics.questions.unmatched import BY_HAND
 from bringup_lint.graph.topics.questions.unmatched import FIRMWARE_TYPES
 from bringup_lint.graph.topics.resolved.names import tail
 from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
     from bringup_lint.graph.topics.questions.apart import End
@@ -21,12 +22,19 @@ if TYPE_CHECKING:
     from bringup_lint.source import Span
 
 _SIZE = 200_000
+_REMAPS = ":="
+_LEAVES = regex(r"\bif\s{0,4}\([^;{}]{0,300}\)\s{0,40}(?:\{[^{}]{0,600})?\breturn\b", hints="return")
+_GENERIC = regex(r"\bcreate_generic_publisher\b", hints="create_generic_publisher")
 _SHORTEST = 4
 """Letters of a word that says whose packages are."""
-_MAY_PUBLISH = tuple(
-    ".py .js .ts .jsx .tsx .html .yaml .yml .json .xml .sh .launch .rviz .perspective .ino .c .cc .cpp .h .hpp".split()
+_PUBLISHES_NOTHING = tuple(
+    (
+        ".png .jpg .jpeg .gif .svg .ico .pdf .stl .dae .obj .step .stp .glb .mtl .pgm .bag .db3 .mcap .mp4 .zip .gz"
+        " .xz .so .a .bin .hex .elf .onnx .pt .pth .engine .npy .npz .pkl .csv .pcd .ply .las .ttf .woff .woff2 .msg"
+        " .srv .action .css .wav .mp3 .lock"
+    ).split()
 )
-"""Endings of files that may publish under a name, or remap to it."""
+"""Endings of files that neither publish under a name nor remap to it, and are often large."""
 
 
 class Unpublished(NamedTuple):
@@ -42,7 +50,9 @@ def unpublished(topics: Topics) -> Iterator[Unpublished]:
     if not any(each.role == "subscription" and _is_own(topics, each.type, source) for source, each in made):
         return
     publishers = [each for _, each in made if each.role == "publisher"]
-    if any(each.type is None and each.name is None for each in publishers):
+    if any(found.source.matches(_GENERIC) for found in topics.nodes.cpp) or any(
+        each.type is None and each.name is None for each in publishers
+    ):
         return
     unsaid = {each.type for each in publishers if each.name is None or each.parameter is not None}
     chosen = {each.span for _, each in made if each.conditional}
@@ -66,8 +76,14 @@ def _alone(topics: Topics, ends: list[End], chosen: set[Span], untyped: set[str]
         if not any(other.is_for_robot for other in others) or tail(each.topic) in sent or BY_HAND.search(each.topic):
             continue
         said.add(each.where)
-        if not _is_mentioned(topics, tail(each.topic), each.where.source):
+        if not _may_be_left(each.where) and not _is_mentioned(topics, tail(each.topic), each.where.source):
             yield Unpublished(each, others)
+
+
+def _may_be_left(where: Span) -> bool:
+    """Whether a C++ file leaves a function before a place, perhaps that one."""
+    source = where.source
+    return source.kind == "cpp-node" and _LEAVES.search(source.said, 0, where.start) is not None
 
 
 def _is_own(topics: Topics, type_: str | None, source: Source) -> bool:
@@ -83,13 +99,14 @@ def _is_own(topics: Topics, type_: str | None, source: Source) -> bool:
 
 
 def _is_mentioned(topics: Topics, name: str, own: Source) -> bool:
-    """Whether another file than one's own may use a name: as a whole, or as the last part of one."""
+    """Whether another file than one's own may use a name: as a whole, or as the last part of one. One's own may remap
+    it."""
     whole = re.compile(rf"(?<![\w.])(?:/?\w+/)*{re.escape(name)}(?![\w./])")
     tree = topics.files.tree
     for path in tree.paths:
-        if path == own.absolute or not path.endswith(_MAY_PUBLISH):
+        if path.endswith(_PUBLISHES_NOTHING):
             continue
         text = tree.head(path, _SIZE)
-        if name in text and whole.search(text):
+        if name in text and (_REMAPS in text if path == own.absolute else whole.search(text)):
             return True
     return False
