@@ -14,6 +14,7 @@ from bringup_lint.graph.topics.questions.compatibility import Conflict
 from bringup_lint.graph.topics.questions.compatibility import conflicts
 from bringup_lint.graph.topics.resolved.names import tail
 from bringup_lint.named_tuple import NamedTuple
+from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 from bringup_lint.source import Span
 
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
 
 _OF_FIRMWARE = (".ino", ".c", *CPP)
 _SIZE = 100_000
+_LEAVES = regex(r"\bif\s{0,4}\([^;{}]{0,300}\)\s{0,40}(?:\{[^{}]{0,600})?\breturn\b", hints="return")
 
 
 class End(NamedTuple):
@@ -152,6 +154,12 @@ def named_in_sources(topics: Topics) -> Iterator[tuple[Source, str, Endpoint]]:
     for found in topics.nodes.cpp:
         for endpoint in found.endpoints:
             yield found.source, found.source.basename, endpoint
+
+
+def may_be_left(where: Span) -> bool:
+    """Whether a C++ file leaves a function before a place, perhaps that one."""
+    source = where.source
+    return source.kind == "cpp-node" and _LEAVES.search(source.said, 0, where.start) is not None
 
 
 def _is_for_robot(topics: Topics, source: Source) -> bool:

@@ -10,6 +10,7 @@ from bringup_lint.graph.purpose import Purpose
 from bringup_lint.graph.topics.questions.apart import End
 from bringup_lint.graph.topics.questions.apart import are_together
 from bringup_lint.graph.topics.questions.apart import ends_of
+from bringup_lint.graph.topics.questions.apart import may_be_left
 from bringup_lint.graph.topics.questions.unmatched import EVERYWHERE
 from bringup_lint.graph.topics.questions.unmatched import FIRMWARE
 from bringup_lint.graph.topics.questions.unmatched import FIRMWARE_TYPES
@@ -52,7 +53,7 @@ def orphans(topics: Topics, said: set[str]) -> Iterator[Orphans]:
         near = [each for each in publishers if _belong(topics, each, subscription)]
         if len(near) == 1 and sum(_belong(topics, near[0], each) for each in subscriptions) == 1:
             ends = (subscription, near[0])
-            if not any(_is_mentioned(topics, each, ends) for each in ends):
+            if not may_be_left(subscription.where) and not any(_is_mentioned(topics, each, ends) for each in ends):
                 yield Orphans(*ends)
 
 
@@ -78,7 +79,10 @@ def _belong(topics: Topics, publisher: End, subscription: End) -> bool:
 
 
 def _is_mentioned(topics: Topics, end: End, ends: tuple[End, End]) -> bool:
-    """Whether another file than those of both ends mentions a name, or its last part with a slash before it."""
+    """Whether another file than those of both ends mentions a name, or its last part with a slash before it, or a
+    program remaps its own."""
+    if f"{end.topic}:=" in end.where.source.said:
+        return True
     own: set[Source] = {place.source for each in ends for place in (each.name, each.where)}
     name = re.compile(rf"(?<![\w/])/?{re.escape(end.topic.lstrip('/'))}(?![\w/])")
     others = (each for each in topics.files.sources if each not in own and end.topic.lstrip("/") in each.text)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.graph.topics.questions.apart import are_together
 from bringup_lint.graph.topics.questions.apart import ends_of
+from bringup_lint.graph.topics.questions.apart import may_be_left
 from bringup_lint.graph.topics.questions.apart import named_in_sources
 from bringup_lint.graph.topics.questions.unmatched import BY_HAND
 from bringup_lint.graph.topics.questions.unmatched import FIRMWARE_TYPES
@@ -23,7 +24,6 @@ if TYPE_CHECKING:
 
 _SIZE = 200_000
 _REMAPS = ":="
-_LEAVES = regex(r"\bif\s{0,4}\([^;{}]{0,300}\)\s{0,40}(?:\{[^{}]{0,600})?\breturn\b", hints="return")
 _GENERIC = regex(r"\bcreate_generic_publisher\b", hints="create_generic_publisher")
 _SHORTEST = 4
 """Letters of a word that says whose packages are."""
@@ -76,14 +76,8 @@ def _alone(topics: Topics, ends: list[End], chosen: set[Span], untyped: set[str]
         if not any(other.is_for_robot for other in others) or tail(each.topic) in sent or BY_HAND.search(each.topic):
             continue
         said.add(each.where)
-        if not _may_be_left(each.where) and not _is_mentioned(topics, tail(each.topic), each.where.source):
+        if not may_be_left(each.where) and not _is_mentioned(topics, tail(each.topic), each.where.source):
             yield Unpublished(each, others)
-
-
-def _may_be_left(where: Span) -> bool:
-    """Whether a C++ file leaves a function before a place, perhaps that one."""
-    source = where.source
-    return source.kind == "cpp-node" and _LEAVES.search(source.said, 0, where.start) is not None
 
 
 def _is_own(topics: Topics, type_: str | None, source: Source) -> bool:
