@@ -86,6 +86,8 @@ GOES = regex(r"^[ \t]*(?:cd|pushd)\b", re.M)
 PROTECTS = regex(r"\bchown\b[^\n]{0,60}\broot\b")
 DEEPEST = 3
 """Variables that are made of others."""
+MOST = 200
+"""Commands of one line that are looked at."""
 TAGGED = regex(r"\s*(?P<tags>(?:[A-Z_]+:\s*)*)(?P<command>.*)")
 
 
@@ -121,7 +123,7 @@ def _is_left_out(robot: Robot, source: Source) -> bool:
 
 
 def _judged(who: str, what: Located, text: Located, aliases: dict[str, Located]) -> Iterator[Finding]:
-    commands = list(_without_password(text, aliases))
+    commands = _without_password(text, aliases)
     if "ALL" in commands and not any(command.startswith("!") for command in commands):
         yield finding(
             what,
@@ -153,7 +155,7 @@ def _of_own(robot: Robot, who: str, text: Located, aliases: dict[str, Located]) 
     commands = _without_password(text, aliases)
     own = [command for command in commands if _is_in_home(command, who) or _is_in_checkout(robot, command, text)]
     if own:
-        name = own[0].rpartition("/")[2].split()[0]
+        name = own[0].rstrip("/ ").rpartition("/")[2].split()[0]
         alias = next((each for each in aliases.values() if own[0] in each), None)
         at = alias.index(own[0]) if alias is not None else 0
         yield finding(
@@ -202,16 +204,22 @@ def _is_free(command: str) -> bool:
     return program.startswith("/") and program.rpartition("/")[2] in BECOME_ROOT and arguments.strip() in ("", "*")
 
 
-def _without_password(text: str, aliases: dict[str, Located]) -> Iterator[str]:
-    """The commands of a list that starts with NOPASSWD:, those of an alias in its place. A tag holds until its
+def _without_password(text: str, aliases: dict[str, Located]) -> list[str]:
+    """The first commands of a list that starts with NOPASSWD:, those of an alias in its place. A tag holds until its
     opposite."""
+    found: dict[str, None] = {}
     free = True
-    for tagged in filter(None, map(TAGGED.match, text.split(","))):
+    for tagged in filter(None, map(TAGGED.match, text.split(",", MOST)[:MOST])):
         tags = tagged["tags"].replace(":", " ").split()
         free = "NOPASSWD" in tags or (free and "PASSWD" not in tags)
         if free:
             command = tagged["command"].strip()
-            yield from (each.strip("\\ \t\n") for each in str(aliases.get(command, command)).split(","))
+            listed = str(aliases.get(command, command)).split(",", MOST)[:MOST] if command not in found else ()
+            found[command] = None
+            found.update((each.strip("\\ \t\n"), None) for each in listed)
+        if len(found) > MOST:
+            break
+    return [each for each in found if each not in aliases]
 
 
 def _user(who: str) -> str:

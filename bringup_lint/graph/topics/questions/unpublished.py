@@ -95,7 +95,7 @@ def _is_own(topics: Topics, type_: str | None, source: Source) -> bool:
 def _is_mentioned(topics: Topics, name: str, own: Source) -> bool:
     """Whether another file than one's own may use a name: as a whole, or as the last part of one. One's own may remap
     it."""
-    whole = re.compile(rf"(?<![\w.])(?:/?\w+/)*{re.escape(name)}(?![\w./])")
+    whole = re.compile(rf"(?<![\w.]){re.escape(name)}(?![\w./])")
     tree = topics.files.tree
     for path in tree.paths:
         if path.endswith(_PUBLISHES_NOTHING):
