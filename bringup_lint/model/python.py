@@ -14,6 +14,8 @@ from bringup_lint.type_names import TYPE_CHECKING
 if TYPE_CHECKING:
     from typing import TypeGuard
 
+_DEEP = 16
+"""Levels of what is compared as it is written."""
 FunctionNode = Union["ast.FunctionDef", "ast.AsyncFunctionDef"]
 PlacedNode = Union["ast.expr", "ast.stmt", "ast.keyword", "ast.arg", "ast.excepthandler", "ast.alias"]
 """The nodes of a syntax tree that have a place in the text; those of operators, contexts and clauses have none."""
@@ -92,6 +94,16 @@ def dotted_name(node: ast.AST) -> str:
     if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name):
         return f"{node.value.id}.{node.attr}"
     return node.id if isinstance(node, ast.Name) else ""
+
+
+def written(node: ast.AST) -> str:
+    """A node as it is written; empty where it is deeper than names are, which ``ast.unparse`` may fail on."""
+    level: Sequence[ast.AST] = [node]
+    for _ in range(_DEEP):
+        level = [child for each in level for child in children(each)]
+        if not level:
+            return ast.unparse(node)
+    return ""
 
 
 def walk(node: ast.AST) -> Iterator[ast.AST]:

@@ -7,11 +7,12 @@ import ast
 from bringup_lint.graph.nodes.sources.message_types import message_type
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.model.node_source import NodeClass
+from bringup_lint.model.python import written
 
 
 def stored(syntax: Syntax, cls: NodeClass, attribute: ast.expr) -> list[ast.expr | None]:
     """The values but ``None`` that a class gives to an attribute such as ``self.x``; None for one that is unknown."""
-    return syntax.once(_Stored).of(syntax, cls).get(ast.unparse(attribute), []) if cls.node is not None else []
+    return syntax.once(_Stored).of(syntax, cls).get(written(attribute), []) if cls.node is not None else []
 
 
 def module_values(syntax: Syntax) -> dict[str, list[ast.expr | None]]:
@@ -24,7 +25,7 @@ def _of_module(syntax: Syntax) -> dict[str, list[ast.expr | None]]:
     for node in syntax.file.nodes:
         if isinstance(node, ast.Assign) and syntax.function(node) is None:
             for target in node.targets:
-                found.setdefault(ast.unparse(target), []).append(node.value)
+                found.setdefault(written(target), []).append(node.value)
     return found
 
 
@@ -44,7 +45,8 @@ class _Stored:
                     outer = next(syntax.above(each))[0]
                     value = outer.value if isinstance(outer, (ast.Assign, ast.AnnAssign)) else None
                     if not isinstance(value, ast.Constant) or value.value is not None:
-                        found.setdefault(ast.unparse(each), []).append(value)
+                        found.setdefault(written(each), []).append(value)
+            found.pop("", None)
             self._values[cls] = found
         return self._values[cls]
 

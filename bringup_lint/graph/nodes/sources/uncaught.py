@@ -14,6 +14,7 @@ from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.graph.nodes.sources.syntax import own
 from bringup_lint.model.node_source import NodeClass
+from bringup_lint.model.python import written
 
 Found = TypeVar("Found")
 _DEPTH = 4
@@ -67,4 +68,4 @@ def is_caught(syntax: Syntax, node: ast.AST, names: frozenset[str]) -> bool:
     if syntax.catches(node, names | _ALL):
         return True
     withs = (outer for outer, _ in syntax.within(node) if isinstance(outer, ast.With))
-    return any("suppress" in ast.unparse(item.context_expr) for outer in withs for item in outer.items)
+    return any("suppress" in written(item.context_expr) for outer in withs for item in outer.items)

@@ -37,7 +37,9 @@ class CppFiles:
 
     @memo
     def source(self, path: str) -> Source | None:
-        return self.known.get(path) or self._files.tree.read(path, "cpp-node", judged=False)
+        """A file of the tree; nobody reads what CMakeLists.txt names outside of it."""
+        known, tree = self.known.get(path), self._files.tree
+        return known or (tree.read(path, "cpp-node", judged=False) if tree.holds(path) else None)
 
     @cached_property
     def known(self) -> dict[str, Source]:

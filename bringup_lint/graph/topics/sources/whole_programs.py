@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from bringup_lint.endings import CPP_SOURCES
 from bringup_lint.facts.ros.brought import is_released
 from bringup_lint.facts.ros.topic_makers import may_make_topics
+from bringup_lint.graph.memo import memo
 from bringup_lint.graph.topics.sources.cpp_files import CppFiles
 from bringup_lint.graph.topics.sources.cpp_files import stem
 from bringup_lint.graph.workspace import Package
@@ -65,6 +66,8 @@ class WholePrograms:
         not known, or when what they include from elsewhere may make topics."""
         depends = {str(name) for _, name in package.manifest.depends}
         found: set[str] = set()
+        linked: set[Package] = {package}
+        asked: set[tuple[Package, str]] = set()
         todo = [(path, package) for path in made]
         while todo:
             path, owner = todo.pop()
@@ -81,14 +84,24 @@ class WholePrograms:
                 if name in self._workspace.ambiguous or (name not in packages and _is_open(included, depends)):
                     return None
                 beside = self._files.by_stem(other).get(stem(included), ())
-                if name == ".." and not beside:
+                if (name == ".." and not beside) or len(beside) > MOST:
                     return None
-                if other is not package and other is not owner:
+                if other is not owner and other not in linked:
+                    linked.add(other)
                     depends.update(str(each) for _, each in other.manifest.depends)
-                    compiled = self._files.of_package(other, CPP_SOURCES)
-                    todo += ((each, other) for each in compiled if not self._files.is_program(each))
-                todo += ((each, other) for each in beside)
+                    compiled = self._compiled(other)
+                    if len(compiled) > MOST:
+                        return None
+                    todo += ((each, other) for each in compiled)
+                if (other, stem(included)) not in asked:
+                    asked.add((other, stem(included)))
+                    todo += ((each, other) for each in beside)
         return found
+
+    @memo
+    def _compiled(self, package: Package) -> list[str]:
+        """What is compiled in a package, without its programs."""
+        return [each for each in self._files.of_package(package, CPP_SOURCES) if not self._files.is_program(each)]
 
 
 def _is_open(included: str, depends: set[str]) -> bool:

@@ -20,6 +20,8 @@ from bringup_lint.graph.nodes.sources.uncaught import is_caught
 from bringup_lint.graph.runners.runner import SUPERVISING
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
+from bringup_lint.model.python import called_name
+from bringup_lint.model.python import written
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
@@ -73,17 +75,12 @@ def _is_made_again(nodes: Nodes, cls: NodeClass) -> bool:
     for file in nodes.makers(cls):
         syntax = nodes.syntax(file)
         calls = [each for each in file.nodes if isinstance(each, ast.Call)]
-        makes = [each for each in calls if _name(each) == cls.name]
+        makes = [each for each in calls if called_name(each) == cls.name]
         around = {getattr(syntax.function(each), "name", None) for each in makes} - {"__init__", None}
-        makes += [each for each in calls if _name(each) in around]
+        makes += [each for each in calls if called_name(each) in around]
         if any(is_caught(syntax, each, _REFUSED) for each in makes):
             return True
     return False
-
-
-def _name(call: ast.Call) -> str:
-    """The last word of what is called."""
-    return ast.unparse(call.func).rpartition(".")[2]
 
 
 @kept
@@ -117,7 +114,7 @@ def _connects(syntax: Syntax, call: ast.Call) -> bool:
     if not isinstance(function, ast.Attribute) or function.attr != "connect":
         return False
     around = syntax.function(call)
-    return ast.unparse(function.value) in syntax.once(_clients) and not getattr(around, "decorator_list", None)
+    return written(function.value) in syntax.once(_clients) and not getattr(around, "decorator_list", None)
 
 
 def _clients(syntax: Syntax) -> frozenset[str]:
@@ -127,5 +124,5 @@ def _clients(syntax: Syntax) -> frozenset[str]:
         if isinstance(node, ast.Assign) and not (isinstance(node.value, ast.Constant) and node.value.value is None):
             is_client = isinstance(node.value, ast.Call) and syntax.qualified(node.value) == _CLIENT
             for target in node.targets:
-                held.setdefault(ast.unparse(target), set()).add(is_client)
-    return frozenset(name for name, kinds in held.items() if kinds == {True})
+                held.setdefault(written(target), set()).add(is_client)
+    return frozenset(name for name, kinds in held.items() if name and kinds == {True})

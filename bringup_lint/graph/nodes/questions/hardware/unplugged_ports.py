@@ -5,9 +5,11 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Iterator
+from functools import cached_property
 from functools import partial
 from typing import TYPE_CHECKING
 
+from bringup_lint.graph.memo import memo
 from bringup_lint.graph.nodes.resolved.starting import is_supervised
 from bringup_lint.graph.nodes.sources.callback_code import code_of
 from bringup_lint.graph.nodes.sources.drivers import Driver
@@ -55,13 +57,14 @@ class Unplugged(NamedTuple):
 
 def unplugged_ports(nodes: Nodes) -> Iterator[Unplugged]:
     """For each node the first use of a serial port in a callback or thread where nothing takes its exception."""
+    drivers = _Drivers(nodes)
     for file, cls in nodes.node_classes:
         if _is_on_board(file) or not any(each.source.matches(_IMPORTED) for each in nodes.imported(file) or ()):
             continue
         syntax = nodes.syntax(file)
         bodies = [(*code_of(nodes.ending(file), cls, each), False) for each in cls.callbacks]
         bodies += [(name, body_of(cls.methods[name].node), True) for name in threads(syntax, cls)]
-        looks = _looks(nodes, syntax, cls)
+        looks = _looks(drivers, syntax, cls)
         found = (
             Unplugged(file, node, opened, name, raises, is_thread)
             for name, body, is_thread in bodies
@@ -78,14 +81,14 @@ def _is_on_board(file: NodeSource) -> bool:
     return file.source.matches(_ON_BOARD) and not file.source.matches(_ADAPTER)
 
 
-def _looks(nodes: Nodes, syntax: Syntax, cls: NodeClass) -> list[tuple[str, Uncaught[_Use]]]:
+def _looks(drivers: _Drivers, syntax: Syntax, cls: NodeClass) -> list[tuple[str, Uncaught[_Use]]]:
     """The looks for uses of a port, each after the exception that it raises."""
     return [
         (raises, Uncaught(syntax, cls, caught, use))
         for use, caught, raises in (
             (partial(_asked, syntax, cls), OF_SYSTEM, "OSError"),
             (partial(_read, syntax, cls), _OF_PORT, "SerialException"),
-            (partial(_in_driver, nodes, syntax, cls), _OF_PORT, "SerialException"),
+            (partial(_in_driver, drivers, syntax, cls), _OF_PORT, "SerialException"),
         )
     ]
 
@@ -121,17 +124,55 @@ def _opened(syntax: Syntax, values: list[ast.expr | None]) -> ast.Call | None:
     return opened[0] if opened and len(opened) == len(values) else None
 
 
-def _in_driver(nodes: Nodes, syntax: Syntax, cls: NodeClass, node: ast.AST) -> _Use | None:
+def _in_driver(drivers: _Drivers, syntax: Syntax, cls: NodeClass, node: ast.AST) -> _Use | None:
     """A call of a method of another class of the workspace, which uses a port that its object keeps."""
     if not isinstance(node, ast.Call) or not isinstance(node.func, ast.Attribute):
         return None
     made = made_of(syntax, cls, node.func.value)
-    driver = driver_of(nodes, syntax.file, made) if made is not None else None
-    if driver is None or not driver.file.source.matches(_IMPORTED) or _is_on_board(driver.file):
-        return None
-    ports = _ports(nodes.syntax(driver.file), driver)
-    used = first_uncaught(nodes, driver, node.func.attr, _OF_PORT, lambda call: _port_used(call) in ports)
-    return (node, driver.file.span_of(ports[_port_used(used)])) if used is not None else None
+    driver = drivers.of(syntax, made) if made is not None else None
+    opened = driver.opened(node.func.attr) if driver is not None else None
+    return (node, opened) if opened is not None else None
+
+
+class _Drivers:
+    """The classes of the workspace whose objects use ports, each looked at once for all nodes."""
+
+    def __init__(self, nodes: Nodes) -> None:
+        self._nodes = nodes
+        self._made: dict[tuple[NodeSource, str | None, str], _PortDriver | None] = {}
+        self._known: dict[tuple[ast.FunctionDef, ...], _PortDriver] = {}
+
+    def of(self, syntax: Syntax, made: ast.Call) -> _PortDriver | None:
+        """The class whose object a call makes."""
+        key = (syntax.file, syntax.qualified(made), made.func.id if isinstance(made.func, ast.Name) else "")
+        if key not in self._made:
+            self._made[key] = self._of(syntax.file, made)
+        return self._made[key]
+
+    def _of(self, file: NodeSource, made: ast.Call) -> _PortDriver | None:
+        driver = driver_of(self._nodes, file, made)
+        if driver is None or not driver.file.source.matches(_IMPORTED) or _is_on_board(driver.file):
+            return None
+        return self._known.setdefault(tuple(driver.methods.values()), _PortDriver(self._nodes, driver))
+
+
+class _PortDriver:
+    """A class that may use ports: what it opens, and what each of its methods uses, is looked for once."""
+
+    def __init__(self, nodes: Nodes, driver: Driver) -> None:
+        self._nodes = nodes
+        self._driver = driver
+
+    @cached_property
+    def _opened(self) -> dict[str, ast.Call]:
+        return _ports(self._nodes.syntax(self._driver.file), self._driver)
+
+    @memo
+    def opened(self, method: str) -> Span | None:
+        """Where the port is opened that a method uses where nothing takes its exception."""
+        ports = self._opened
+        used = first_uncaught(self._nodes, self._driver, method, _OF_PORT, lambda call: _port_used(call) in ports)
+        return self._driver.file.span_of(ports[_port_used(used)]) if used is not None else None
 
 
 def _port_used(call: ast.Call) -> str:
