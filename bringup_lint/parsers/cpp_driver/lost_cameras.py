@@ -32,6 +32,8 @@ _READS = regex(
 )
 MOST = 20
 """Reads of one file that are looked at."""
+MOST_FUNCTIONS = 50
+"""In which one camera is opened; over that nothing is known of it."""
 _OPENS = (
     r"(?<![\w.>])(?:this->)?{0}\s{{0,4}}(?:(?:\.|->)\s{{0,4}}open\s{{0,4}}\(|=\s{{0,4}}(?:cv::)?VideoCapture\s{{0,4}}[({{])"
     r"|\bVideoCapture\s{{1,4}}{0}\s{{0,4}}[({{=]|(?<=[,:\s]){0}\s{{0,4}}[({{](?=[^;]{{0,200}}\{{)"
@@ -55,6 +57,7 @@ def lost_cameras(code: Code) -> Iterator[LostCamera]:
     plain = plain_of(code.source)
     if LOOKED_AFTER.search(plain) or _ENDS.search(plain) or _SHUTS.search(plain.partition("int main")[0]):
         return
+    openings: dict[str, tuple[Span, list[Node]] | None] = {}
     for found in islice(_READS.finditer(plain), MOST):
         by_stream = found["camera"] is not None
         start = found.end("body" if by_stream else "inside")
@@ -63,31 +66,55 @@ def lost_cameras(code: Code) -> Iterator[LostCamera]:
         if not _LEAVES.match(_PASSIVE.sub(" ", branch)) or plain[end + 1 : end + 40].lstrip().startswith("else"):
             continue
         node = code.at(found.start())
-        opened = _opened(code, plain, found["camera"] or found["read"], node) if node is not None else None
+        camera = found["camera"] or found["read"]
+        if node is None or not _is_repeated(code, node):
+            continue
+        if camera not in openings:
+            openings[camera] = _openings(code, plain, camera)
+        opened = _opened(code, openings[camera], node)
         if opened is not None:
             place = code.source.span(found.start(), found.end("frame") if by_stream else found.end("check"))
             test = code.source.span(*found.span("test" if by_stream else "check"))
             yield LostCamera(place, test, opened, _PASSIVE.search(branch) is not None)
 
 
-def _opened(code: Code, plain: str, camera: str, read: Node) -> Span | None:
+def _is_repeated(code: Code, read: Node) -> bool:
+    """Whether a timer or loop reads."""
+    function = code.body_of(read)
+    return function is not None and (_loop(code, read) is not None or _is_of_timer(code, function))
+
+
+def _opened(code: Code, openings: tuple[Span, list[Node]] | None, read: Node) -> Span | None:
     """Where a camera is opened, when this is before a timer or loop reads it, and not again."""
-    function, loop = code.body_of(read), _loop(code, read)
-    if function is None or (loop is None and not _is_of_timer(code, function)):
+    if openings is None:
         return None
+    first, late = openings
+    function = code.body_of(read)
+    is_before = not late or (function is not None and _loop(code, read) is not None)
+    return first if is_before and all(function is not None and each.id == function.id for each in late) else None
+
+
+def _openings(code: Code, plain: str, camera: str) -> tuple[Span, list[Node]] | None:
+    """Where a camera is first opened, and the functions that open it and may run at any time; None when what happens
+    to it is not known."""
     if re.search(rf"(?<![\w.])(?:this->)?{re.escape(camera)}\b(?!\s{{0,4}}(?:{_KNOWN_USE}))", plain) is not None:
         return None
     first: Span | None = None
+    functions: dict[int, Node] = {}
     for found in re.compile(_OPENS.format(re.escape(camera))).finditer(plain):
         node = code.at(found.start())
         if node is None or not _is_device(plain, found.end() - 1):
             return None
         outer = code.body_of(node)
-        is_before = outer is not None and outer.id == function.id and loop is not None
-        if _loop(code, node) is not None or not (is_before or (outer is not None and _is_early(code, outer))):
+        if outer is None or _loop(code, node) is not None:
+            return None
+        functions[outer.id] = outer
+        if len(functions) > MOST_FUNCTIONS:
             return None
         first = first or code.source.span(found.start(), found.end() - 1)
-    return first
+    if first is None:
+        return None
+    return first, [each for each in functions.values() if not _is_early(code, each)]
 
 
 def _is_device(plain: str, at: int) -> bool:

@@ -20,8 +20,6 @@ from bringup_lint.source import Span
 if TYPE_CHECKING:
     from tree_sitter import Node
 
-    _Functions = dict[str, list[Node]]
-
 SHUTS = regex(
     r"\brclcpp::shutdown\s{0,4}\([^()]{0,80}\)\s{0,4};[^{}]{0,300}\}\s{0,200}[^\s}]|\)\s{0,40}rclcpp::shutdown\s{0,4}\(",
     hints="rclcpp::shutdown",
@@ -47,10 +45,19 @@ _ANEW = r"(?<![\w.>])(?:this->)?{0}\s{{0,4}}(?:=(?!=)|\.\s{{0,4}}reset\s{{0,4}}\
 """What gives it something else."""
 
 
+class _Functions:
+    """The functions of a file by their last name, and what each was found to make."""
+
+    def __init__(self, code: Code) -> None:
+        self.named = Bodies(code).functions
+        self.made: dict[tuple[int, int], Node | None] = {}
+        """Method, and how many calls are followed from it -> the call that makes something."""
+
+
 def shut_contexts(code: Code) -> Iterator[ShutContext]:
     """One for each call of ``rclcpp::shutdown()`` behind which the function makes what needs the context, or uses what
     it has found to be of no use."""
-    functions = Bodies(code).functions
+    functions = _Functions(code)
     for call in islice((each for each in code.calls if each.qualified == "rclcpp::shutdown"), MOST):
         statement = call.node.parent
         if statement is None or statement.type != "expression_statement":
@@ -135,9 +142,12 @@ def _made(code: Code, functions: _Functions, statement: Node, depth: int) -> Nod
         call = code.call(node) if node.type == "call_expression" else None
         if call is not None and _MAKES.match(call.name):
             return node
-        named = functions.get(call.name, []) if call is not None and depth else []
+        named = functions.named.get(call.name, []) if call is not None and depth else []
         if call is not None and len(named) == 1 and call.qualified in (call.name, f"this->{call.name}"):
-            made = _made_in(code, functions, named[0], depth - 1)
+            known = (named[0].id, depth - 1)
+            if known not in functions.made:
+                functions.made[known] = _made_in(code, functions, named[0], depth - 1)
+            made = functions.made[known]
             if made is not None:
                 return made
         stack += node.named_children

@@ -9,6 +9,7 @@ from bringup_lint.model.cpp_source import ComponentEnd
 from bringup_lint.parsers.cpp_node.owners import class_of
 from bringup_lint.parsers.cpp_node.syntax import Call
 from bringup_lint.parsers.cpp_node.syntax import Code
+from bringup_lint.parsers.cpp_node.waits import DEPTH
 from bringup_lint.parsers.cpp_node.waits import Bodies
 from bringup_lint.pattern import regex
 
@@ -53,16 +54,43 @@ def component_ends(code: Code, components: list[str]) -> Iterator[ComponentEnd]:
 def _steps(code: Code) -> dict[int, str]:
     """Function -> the transition that runs it: itself, or a method of the file that it calls."""
     bodies = Bodies(code)
+    own: dict[int, str] = {}
     found: dict[int, str] = {}
+    inside: dict[int, tuple[set[int], list[Node]]] = {}
     for name in filter(_STEP.match, bodies.functions):
-        for function in bodies.functions[name]:
-            if _method(code, function)[0] and _OF_LIFECYCLE.search(_head(code, function)):
-                found[function.id] = name
-                for each in bodies.reached(function):
-                    inner = _function(code, each) if isinstance(each, Call) else None
-                    if inner is not None:
-                        found.setdefault(inner.id, name)
-    return found
+        level = [
+            each
+            for each in bodies.functions[name]
+            if _method(code, each)[0] and _OF_LIFECYCLE.search(_head(code, each))
+        ]
+        own.update((each.id, name) for each in level)
+        seen = {each.id for each in level}
+        for _ in range(DEPTH + 1):
+            following = []
+            for function in level:
+                if function.id not in inside:
+                    inside[function.id] = _inside(code, bodies, function)
+                holders, called = inside[function.id]
+                for holder in holders:
+                    found.setdefault(holder, name)
+                following += called
+            level = list({each.id: each for each in following if each.id not in seen}.values())
+            seen.update(each.id for each in level)
+    return {**found, **own}
+
+
+def _inside(code: Code, bodies: Bodies, function: Node) -> tuple[set[int], list[Node]]:
+    """The functions in which the calls of a function are, and the methods of the file that it calls."""
+    holders: set[int] = set()
+    called: dict[int, Node] = {}
+    for call in bodies.own(function):
+        holder = _function(code, call)
+        if holder is not None:
+            holders.add(holder.id)
+        named = bodies.functions.get(call.name, [])
+        if len(named) == 1 and call.qualified in (call.name, f"this->{call.name}"):
+            called[named[0].id] = named[0]
+    return holders, list(called.values())
 
 
 def _function(code: Code, call: Call) -> Node | None:
