@@ -121,7 +121,7 @@ def _is_device(plain: str, at: int) -> bool:
     """Whether the arguments there are those of a device."""
     found = _DEVICE.match(plain, at)
     number = found["number"] if found is not None else None
-    return found is not None and (number is None or re.search(rf"\bint\s+{number}\b", plain) is not None)
+    return found is not None and (number is None or re.search(rf"\bint\s+{re.escape(number)}\b", plain) is not None)
 
 
 def _is_early(code: Code, function: Node) -> bool:
