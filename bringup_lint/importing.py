@@ -73,4 +73,5 @@ class _Finder:
 
 def import_directly() -> None:
     """Import what is still to come without a search."""
-    sys.meta_path.insert(0, _Finder)
+    if _Finder not in sys.meta_path:
+        sys.meta_path.insert(0, _Finder)

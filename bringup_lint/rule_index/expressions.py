@@ -40,6 +40,8 @@ _OF_SETTINGS = {
     "paths": (),
 }
 """Functions that give nothing for a unit without a setting: one of these, or the one that they are asked for."""
+_OF_ITEMS = {"missing_settings": 1}
+"""Functions that give nothing for an empty list, and which of their arguments this is."""
 _FRESH = frozenset({"list", "dict", "set", "defaultdict", "Counter", "sorted"})
 
 
@@ -173,8 +175,8 @@ class Expressions(ABC):
             return self.some(node.args[0])
         if isinstance(function, ast.Name) and function.id in _OF_SETTINGS:
             return self._set(node, _OF_SETTINGS[function.id])
-        if isinstance(function, ast.Attribute) and function.attr == "missing_settings":
-            return self.some(node.args[1])
+        if isinstance(function, ast.Attribute) and len(node.args) > _OF_ITEMS.get(function.attr, len(node.args)):
+            return self.some(node.args[_OF_ITEMS[function.attr]])
         return self._asked_of(node)
 
     def _first(self, node: ast.expr) -> ast.expr | None:

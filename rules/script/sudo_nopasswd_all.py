@@ -180,9 +180,13 @@ def _is_in_checkout(robot: Robot, command: str, text: Located) -> bool:
     if inside is None or origin is None:
         return False
     path = inside["path"].split()[0].lstrip("/")
-    script = origin.whole.source.said
-    own = not PROTECTS.search(script) and _is_own(inside["variable"], script, DEEPEST)
-    return own and any(f"/{each}".endswith(f"/{path}") for each in robot.tree.named(path.rpartition("/")[2]))
+    script, variable = origin.whole.source, inside["variable"]
+    own = script.once((_is_own, variable), lambda: _is_own(variable, script.said, DEEPEST))
+    return (
+        own
+        and not script.says(PROTECTS)
+        and any(f"/{each}".endswith(f"/{path}") for each in robot.tree.named(path.rpartition("/")[2]))
+    )
 
 
 def _is_own(variable: str, script: str, depth: int) -> bool:

@@ -36,6 +36,7 @@ from collections.abc import Iterator
 
 from bringup_lint.api import Finding
 from bringup_lint.api import Located
+from bringup_lint.api import NamedTuple
 from bringup_lint.api import Robot
 from bringup_lint.api import Source
 from bringup_lint.api import finding
@@ -57,6 +58,9 @@ NO_MATTER = regex(r"/(?:logs?|tmp|cache|run|data)(?:/|$)|\.log$|\.Xauth|\.docker
 
 
 MODE = regex(r"(?:--mode=|-[a-zA-Z]*m)(?P<mode>\S*)")
+RECURSIVE = regex(r"-\w*R\w*|--recursive")
+DEEPEST = 64
+"""Folders above a path that are looked at."""
 OPTIONS = frozenset(("-o", "-g", "-S", "-t", "--owner", "--group", "--suffix", "--target-directory"))
 """Options of install whose values are words of their own."""
 
@@ -64,10 +68,11 @@ OPTIONS = frozenset(("-o", "-g", "-S", "-t", "--owner", "--group", "--suffix", "
 @rule("warning", tags=["CWE-732"], symptoms=["is marked world-writable"])
 def world_writable(robot: Robot) -> Iterator[Finding]:
     runs = list(robot.scripts.run("chmod", "mkdir", "install"))
+    closed = _closed(runs)
     for at, (source, run) in enumerate(runs):
         mode, paths = _opened(run) if run.name == "chmod" else _made(run)
         for path, word in paths:
-            if _is_trusted(path) and not any(each is source and _closes(late, path) for each, late in runs[at + 1 :]):
+            if _is_trusted(path) and not closed.is_after(at, source, path):
                 yield _of(word, f"{run.name} {mode}", path, None if run.certain else "medium")
     for source in robot.of_kind("ansible"):
         if source.judged and "mode" in source.text:
@@ -99,14 +104,32 @@ def _opened(run: Run) -> tuple[str, list[tuple[str, Located]]]:
     return (plain[0][0], plain[1:]) if plain and _is_open(plain[0][0]) else ("", [])
 
 
-def _closes(run: Run, path: str) -> bool:
-    """Whether a command takes the write access of others to a path off again."""
-    words = [run.text(word).rstrip("/") for word in run.words[1:]] if run.name == "chmod" else []
-    if not any(CLOSED.fullmatch(word) for word in words):
-        return False
-    recursive = any(re.fullmatch(r"-\w*R\w*|--recursive", word) for word in words)
-    here = path.rstrip("/")
-    return here in words or (recursive and any(here.startswith(f"{word}/") for word in words if len(word) > 1))
+class Closed(NamedTuple):
+    """Where scripts take the write access of others off again: script and path -> the last command that does."""
+
+    itself: dict[tuple[Source, str], int]
+    below: dict[tuple[Source, str], int]
+    """With all in the folder."""
+
+    def is_after(self, at: int, source: Source, path: str) -> bool:
+        """Whether a command after another one of a script closes a path, or a folder above it."""
+        here = path.rstrip("/")
+        parts = here.split("/")[:DEEPEST]
+        above = ("/".join(parts[:count]) for count in range(1, len(parts)))
+        return self.itself.get((source, here), -1) > at or any(
+            self.below.get((source, each), -1) > at for each in above
+        )
+
+
+def _closed(runs: list[tuple[Source, Run]]) -> Closed:
+    closed = Closed({}, {})
+    for at, (source, run) in enumerate(runs):
+        words = [run.text(word).rstrip("/") for word in run.words[1:]] if run.name == "chmod" else []
+        if any(map(CLOSED.fullmatch, words)):
+            closed.itself.update(((source, word), at) for word in words)
+            if any(map(RECURSIVE.fullmatch, words)):
+                closed.below.update(((source, word), at) for word in words if len(word) > 1)
+    return closed
 
 
 def _made(run: Run) -> tuple[str, list[tuple[str, Located]]]:

@@ -21,6 +21,7 @@ from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import Parameter
 from bringup_lint.model.node_source import reports_joints
 from bringup_lint.model.python import FunctionNode
+from bringup_lint.model.python import written
 from bringup_lint.pattern import regex
 from bringup_lint.source import Span
 
@@ -108,7 +109,7 @@ def _assigned(types: MessageTypes, target: ast.Attribute, value: ast.expr) -> It
         kind = types.of(owner)
         if kind is not None:
             found = list(_given(types, kind, ".".join(path), value, types.file.span_of(target)))
-            if found and (types.syntax.function(target), ast.unparse(target)) not in types.syntax.once(_converted):
+            if found and (types.syntax.function(target), written(target)) not in types.syntax.once(_converted):
                 yield from found
         if not isinstance(owner, ast.Attribute):
             return
@@ -121,10 +122,10 @@ def _converted(syntax: Syntax) -> frozenset[tuple[FunctionNode | None, str]]:
     found = set()
     for node in syntax.file.nodes:
         if isinstance(node, ast.AugAssign) and isinstance(node.target, ast.Attribute):
-            found.add((syntax.function(node), ast.unparse(node.target)))
+            found.add((syntax.function(node), written(node.target)))
         elif isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Attribute):
-            target = ast.unparse(node.targets[0])
-            if target in {ast.unparse(each) for each in ast.walk(node.value) if isinstance(each, ast.Attribute)}:
+            target = written(node.targets[0])
+            if target and target in {written(each) for each in ast.walk(node.value) if isinstance(each, ast.Attribute)}:
                 found.add((syntax.function(node), target))
     return frozenset(found)
 
