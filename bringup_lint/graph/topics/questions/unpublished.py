@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -24,6 +23,7 @@ if TYPE_CHECKING:
 
 _SIZE = 200_000
 _REMAPS = ":="
+_WORD = regex(r"(?<![\w.])\w+(?![\w./])")
 _GENERIC = regex(r"\bcreate_generic_publisher\b", hints="create_generic_publisher")
 _SHORTEST = 4
 """Letters of a word that says whose packages are."""
@@ -61,8 +61,8 @@ def unpublished(topics: Topics) -> Iterator[Unpublished]:
         if end.type is not None and end.type not in unsaid and _is_own(topics, end.type, end.where.source):
             by_type.setdefault(end.type, []).append(end)
     untyped = {tail(each.name) for each in publishers if each.type is None and each.name}
-    for ends in by_type.values():
-        yield from _alone(topics, ends, chosen, untyped)
+    alone = [each for ends in by_type.values() for each in _alone(topics, ends, chosen, untyped)]
+    yield from _unmentioned(topics, alone)
 
 
 def _alone(topics: Topics, ends: list[End], chosen: set[Span], untyped: set[str]) -> Iterator[Unpublished]:
@@ -76,7 +76,7 @@ def _alone(topics: Topics, ends: list[End], chosen: set[Span], untyped: set[str]
         if not any(other.is_for_robot for other in others) or tail(each.topic) in sent or BY_HAND.search(each.topic):
             continue
         said.add(each.where)
-        if not may_be_left(each.where) and not _is_mentioned(topics, tail(each.topic), each.where.source):
+        if not may_be_left(each.where) and _WORD.fullmatch(tail(each.topic)):
             yield Unpublished(each, others)
 
 
@@ -92,15 +92,20 @@ def _is_own(topics: Topics, type_: str | None, source: Source) -> bool:
     return owner is not None and len(word) >= _SHORTEST and owner.name.partition("_")[0] == word
 
 
-def _is_mentioned(topics: Topics, name: str, own: Source) -> bool:
-    """Whether another file than one's own may use a name: as a whole, or as the last part of one. One's own may remap
-    it."""
-    whole = re.compile(rf"(?<![\w.]){re.escape(name)}(?![\w./])")
+def _unmentioned(topics: Topics, found: list[Unpublished]) -> Iterator[Unpublished]:
+    """Those whose names no other file than their own may use, as a whole or as the last part of one. Their own may
+    remap them. Each file is looked through once for all names."""
+    if not found:
+        return
     tree = topics.files.tree
+    wanted = {tail(each.subscription.topic) for each in found}
+    spoken: dict[str, set[str]] = {name: set() for name in wanted}
     for path in tree.paths:
-        if path.endswith(_PUBLISHES_NOTHING):
-            continue
-        text = tree.head(path, _SIZE)
-        if name in text and (_REMAPS in text if path == own.absolute else whole.search(text)):
-            return True
-    return False
+        if not path.endswith(_PUBLISHES_NOTHING):
+            for name in wanted.intersection(_WORD.findall(tree.head(path, _SIZE))):
+                spoken[name].add(path)
+    for each in found:
+        name, own = tail(each.subscription.topic), each.subscription.where.source.absolute
+        text = tree.head(own, _SIZE)
+        if spoken[name] <= {own} and not (name in text and _REMAPS in text):
+            yield each
