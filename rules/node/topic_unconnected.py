@@ -59,8 +59,9 @@ def topic_unconnected(robot: Robot) -> Iterator[Finding]:
                 )
     if not robot.of_kind("python-node", "cpp-node"):
         return
-    said = {use.topic for use, *_ in topics.misspelt(robot.topics)}
-    told = {subscription.where for subscription, _ in topics.orphans(robot.topics, said)}
+    near_ones = [use for use, *_ in topics.misspelt(robot.topics)]
+    told = {use.where for use in near_ones}
+    told |= {each.where for each, _ in topics.orphans(robot.topics, {use.topic for use in near_ones})}
     for subscription, publishers in topics.unpublished(robot.topics):
         if subscription.where in told:
             continue

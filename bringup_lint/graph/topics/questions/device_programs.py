@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 _BY_HAND = ("joy", "joy_linux", "spacenav")
 """Input devices: without them a robot drives on by itself."""
-_AGENT = regex(r"\bmicro[-_]ros[-_]agent\b|\bMicroXRCEAgent\b", hints="micro-ros-agent micro_ros_agent MicroXRCEAgent")
+_AGENT = regex(r"\bmicro[-_]ros[-_]agent\b|\bMicroXRCEAgent\b", hints="agent Agent")
 _IS_NO_AGENT = regex(
     r"--restart|--detach|(?<![\w-])-[a-z]{0,3}d[a-z]{0,3}\b"
     r"|(?<![\w-])(?:echo|printf|p?kill|killall|p?grep|systemctl|service|sleep|stop|rm|build|pull|while|until|tmux|screen)\b"
