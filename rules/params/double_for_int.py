@@ -58,7 +58,7 @@ _WHOLE = regex(r"([+-]?(?:0|[1-9][0-9]*))\.0*\Z")
     ],
 )
 def double_for_int(robot: Robot) -> Iterator[Finding]:
-    for each in wrong_types(robot.params, robot.launch, "double", "integer"):
+    for each in wrong_types(robot.params, "double", "integer"):
         if each.package and robot.dependencies.is_forked(each.package):
             continue
         whole = [match[1] for item in each.items if not item.quoted and (match := _WHOLE.match(item.text))]

@@ -59,7 +59,7 @@ _DECIMAL = regex(r"[+-]?(?:0|[1-9][0-9]*)\Z")
     ],
 )
 def int_for_double(robot: Robot) -> Iterator[Finding]:
-    for each in wrong_types(robot.params, robot.launch, "integer", "double"):
+    for each in wrong_types(robot.params, "integer", "double"):
         if each.package and robot.dependencies.is_forked(each.package):
             continue
         plain = all(_DECIMAL.match(item.text) and not item.quoted for item in each.items)

@@ -59,5 +59,5 @@ def name_misspelt(robot: Robot) -> Iterator[Finding]:
 def _told(robot: Robot) -> set[Span]:
     """The places of which params/not-declared speaks."""
     told = {given.place.span for found in undeclared(robot.topics) for given in found.given}
-    told |= {each.key.span for group in unknown_to_public(robot.params, robot.launch) for each in group.parameters}
+    told |= {each.key.span for group in unknown_to_public(robot.params) for each in group.parameters}
     return told | {each.key.span for group in unread(robot.params, robot.launch) for each in group.parameters}

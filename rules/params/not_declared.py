@@ -97,7 +97,7 @@ def not_declared(robot: Robot) -> Iterator[Finding]:
         )
     lacking = (each for group in robot.plugins.incomplete_controllers for each in group)
     said |= {each.near.key.span for each in lacking if each.near is not None}
-    for each in unknown_to_public(robot.params, robot.launch):
+    for each in unknown_to_public(robot.params):
         is_said = bool(said & {parameter.key.span for parameter in each.parameters})
         if not is_said and not robot.dependencies.is_forked(each.node.package):
             said |= {parameter.key.span for parameter in each.parameters}

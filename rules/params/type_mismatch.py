@@ -66,7 +66,7 @@ def type_mismatch(robot: Robot) -> Iterator[Finding]:
     for given, wanted in PAIRS:
         if {given, wanted} == OF_NUMBERS:
             continue
-        for each in wrong_types(robot.params, robot.launch, given, wanted):
+        for each in wrong_types(robot.params, given, wanted):
             if _is_known_elsewhere(each, given, wanted) or (
                 each.package and robot.dependencies.is_forked(each.package)
             ):

@@ -6,6 +6,7 @@ import ast
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from bringup_lint.model.python import walk
 from bringup_lint.parsers.python_syntax import Positions
 from bringup_lint.parsers.python_syntax import byte_order_mark
 from bringup_lint.parsers.python_syntax import tree_of
@@ -36,7 +37,7 @@ def _of_python(source: Source) -> Iterator[Located]:
         return
     positions = Positions(source, byte_order_mark(source))
     for statement in _statements(tree):
-        for node in ast.walk(statement):
+        for node in walk(statement):
             name = _looked_up(node)
             if name is not None:
                 yield Located(str(name.value), positions.span(name))
@@ -52,7 +53,7 @@ def _statements(tree: ast.Module) -> Iterator[ast.stmt]:
         for each in bodies.pop(0):
             if isinstance(each, (ast.Assign, ast.AnnAssign, ast.Expr, ast.Return)):
                 yield each
-                called = {node.id for node in ast.walk(each) if isinstance(node, ast.Name)} & functions.keys()
+                called = {node.id for node in walk(each) if isinstance(node, ast.Name)} & functions.keys()
                 bodies += [functions[name].body for name in sorted(called.difference(entered))]
                 entered += called
 

@@ -11,6 +11,7 @@ from bringup_lint.model.python import FunctionNode
 from bringup_lint.model.python import bound_names
 from bringup_lint.model.python import called_name
 from bringup_lint.model.python import dotted_name
+from bringup_lint.model.python import walk
 from bringup_lint.model.python_calls import misfit
 from bringup_lint.parsers.launch_python.unbound import caught_in
 from bringup_lint.parsers.python_syntax import Positions
@@ -22,7 +23,7 @@ _FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
 
 def own_misfits(tree: ast.Module, positions: Positions) -> Iterator[RefusedCall]:
     """In code that runs while launch does: of the module, of its entry, and of the functions that these name."""
-    nodes = list(ast.walk(tree))
+    nodes = list(walk(tree))
     known = _known(tree, Counter(name for node in nodes for name in bound_names(node)))
     caught = caught_in(nodes, _CATCHING)
     for call in _calls(tree):
@@ -53,7 +54,7 @@ def _calls(tree: ast.Module) -> Iterator[ast.Call]:
     todo: list[ast.AST] = [each for each in tree.body if not isinstance(each, (*_FUNCTIONS, ast.ClassDef))]
     todo += [functions.pop(name) for name in _ENTRIES if name in functions]
     while todo:
-        for node in ast.walk(todo.pop(0)):
+        for node in walk(todo.pop(0)):
             if isinstance(node, ast.Call):
                 yield node
             elif isinstance(node, ast.Name) and node.id in functions:

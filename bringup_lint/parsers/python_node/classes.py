@@ -12,6 +12,7 @@ from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import Parameter
 from bringup_lint.model.python import FunctionNode
 from bringup_lint.model.python import PlacedNode
+from bringup_lint.model.python import walk
 from bringup_lint.parsers.python_node.scopes import Call
 from bringup_lint.parsers.python_node.scopes import ClassScope
 from bringup_lint.parsers.python_node.scopes import Scope
@@ -169,7 +170,7 @@ def _handed(values: Values, init: FunctionNode, name: str, call: ast.Call | None
 
 def _super_call(init: FunctionNode, scope: ClassScope) -> ast.Call | None:
     """``super().__init__(...)`` or ``Base.__init__(self, ...)``, with ``self`` left out."""
-    for node in ast.walk(init):
+    for node in walk(init):
         if not isinstance(node, ast.Call) or not isinstance(node.func, ast.Attribute) or node.func.attr != "__init__":
             continue
         owner = node.func.value

@@ -44,16 +44,16 @@ class LaunchedValue(NamedTuple):
     where: Span
 
 
-def launched_values(params: Params, launch: Launch) -> Iterator[LaunchedValue]:
+def launched_values(params: Params) -> list[LaunchedValue]:
     """Those that arrive at the nodes of judged launch files, each place once for a node."""
-    seen: set[tuple[Span, str, Span]] = set()
+    launch = params.launch()
+    found: dict[tuple[Span, str, Span], LaunchedValue] = {}
     for expansion in launch.expansions:
         for node in expansion.nodes:
             for each in _values_of(params, launch, node):
-                key = (node.span, each.name, each.where)
-                if each.where.source.judged and key not in seen:
-                    seen.add(key)
-                    yield each
+                if each.where.source.judged:
+                    found.setdefault((node.span, each.name, each.where), each)
+    return list(found.values())
 
 
 def _values_of(params: Params, launch: Launch, node: Started) -> Iterator[LaunchedValue]:

@@ -12,10 +12,10 @@ from bringup_lint.facts.ros.parameters import nav2_words
 from bringup_lint.facts.ros.parameters import node_called
 from bringup_lint.facts.ros.parameters import public_node
 from bringup_lint.graph.launch.started import literal_text
+from bringup_lint.graph.memo import kept
 from bringup_lint.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
-    from bringup_lint.graph.launch.launch import Launch
     from bringup_lint.graph.params.loads import Load
     from bringup_lint.graph.params.params import Params
     from bringup_lint.graph.params.values import Item
@@ -45,8 +45,8 @@ class Unknown(NamedTuple):
     parameters: tuple[Parameter, ...]
 
 
-def unknown_to_public(params: Params, launch: Launch) -> Iterator[Unknown]:
-    for _file, block, node in _blocks(params, launch):
+def unknown_to_public(params: Params) -> Iterator[Unknown]:
+    for _file, block, node in _blocks(params):
         if any(each.name == _LIBRARIES and not _is_all_official(params, each) for each in block.parameters):
             continue  # the nodes of a behavior tree ask bt_navigator for parameters of their own
         lacking = [
@@ -64,27 +64,31 @@ def _is_all_official(params: Params, libraries: Parameter) -> bool:
 
 
 def of_wrong_public_type(
-    params: Params, launch: Launch, given: str, declared: str
+    params: Params, given: str, declared: str
 ) -> Iterator[tuple[Parameter, PublicNode, list[Item]]]:
     """The values of one type that a public node declares as another, each with its items; arrays of them too."""
     if not params.is_typed:
         return
     pairs = ((given, declared), (f"{given}_array", f"{declared}_array"))
-    for file, block, node in _blocks(params, launch):
+    for file, block, node in _blocks(params):
         for each in block.parameters:
             type_ = node.type_of(str(each.name)) if _is_official(each, node, params.distribution) else None
             if (each.value.type, type_) in pairs and _arrives(params, file, each):
                 yield each, node, params.items(each)
 
 
-def _blocks(params: Params, launch: Launch) -> Iterator[PublicBlock]:
+@kept
+def _blocks(params: Params) -> list[PublicBlock]:
+    workspace = params.launch().workspace
+    found: list[PublicBlock] = []
     for file in params.judged:
         if file.accepted and not file.uncertain and params.is_used(file):
             controllers, programs = _controllers(file), _programs(params.loads(file))
             for block in file.blocks:
                 node = controllers.get(block.node_name) or _node_of(programs, block)
-                if node is not None and node.package not in launch.workspace.packages:
-                    yield PublicBlock(file, block, node)
+                if node is not None and node.package not in workspace.packages:
+                    found.append(PublicBlock(file, block, node))
+    return found
 
 
 def _controllers(file: ParameterFile) -> dict[str, PublicNode]:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.facts.ros.parameters import public_node
 from bringup_lint.graph.launch.started import literal_text
+from bringup_lint.graph.memo import kept
 from bringup_lint.graph.params.declared_types import of_wrong_type
 from bringup_lint.graph.params.questions.public import of_wrong_public_type
 from bringup_lint.named_tuple import NamedTuple
@@ -16,7 +17,9 @@ from bringup_lint.source import Span
 if TYPE_CHECKING:
     from bringup_lint.graph.launch.launch import Launch
     from bringup_lint.graph.launch.started import Started
+    from bringup_lint.graph.params.declared import Declared
     from bringup_lint.graph.params.params import Params
+    from bringup_lint.graph.params.questions.launched_values import LaunchedValue
     from bringup_lint.graph.params.values import Item
     from bringup_lint.graph.workspace import Package
 
@@ -48,35 +51,49 @@ class WrongType(NamedTuple):
         return f"it is not loaded ({exception})" if self.is_controller else f"it exits with {exception}"
 
 
-def wrong_types(params: Params, launch: Launch, given: str, declared: str) -> Iterator[WrongType]:
+def wrong_types(params: Params, given: str, declared: str) -> Iterator[WrongType]:
     """The values of one type that a node of the workspace or a public one declares as another; arrays of them too."""
     for parameter, found, items in of_wrong_type(params, given, declared):
         yield WrongType(parameter.name, parameter.text, parameter.span, items, declared=found.place)
-    for parameter, node, items in of_wrong_public_type(params, launch, given, declared):
+    for parameter, node, items in of_wrong_public_type(params, given, declared):
         yield WrongType(
             parameter.name, parameter.text, parameter.span, items, node.package, is_controller=node.is_controller
         )
     if params.is_typed:
-        yield from _launched(params, launch, given, declared)
+        yield from _launched(params, given, declared)
 
 
-def _launched(params: Params, launch: Launch, given: str, declared: str) -> Iterator[WrongType]:
-    from bringup_lint.graph.params.questions.launched_values import launched_values
-
+def _launched(params: Params, given: str, declared: str) -> Iterator[WrongType]:
     pairs = ((given, declared), (f"{given}_array", f"{declared}_array"))
-    for each in launched_values(params, launch):
-        package = str(literal_text(each.node.package))
+    launch = params.launch()
+    for each, found, public in _declared_launched(params):
         text = ", ".join(item.text for item in each.items)
         text = f"[{text}]" if each.type.endswith("_array") else text
-        found = params.declared_by(package).get(each.name)
         if (
             found is not None
             and (each.type, found.type) in pairs
             and not _is_of_another(launch, each.node, found.place)
         ):
             yield WrongType(each.name, text, each.where, each.items, declared=found.place, started=each.node)
-        if package not in launch.workspace.packages and (each.type, _public_type(each.node, each.name)) in pairs:
+        if (each.type, public) in pairs:
+            package = str(literal_text(each.node.package))
             yield WrongType(each.name, text, each.where, each.items, package, started=each.node)
+
+
+@kept
+def _declared_launched(params: Params) -> list[tuple[LaunchedValue, Declared | None, str | None]]:
+    """The values of launch files, each with what the workspace declares, or the type that a public node does."""
+    from bringup_lint.graph.params.questions.launched_values import launched_values
+
+    packages = params.launch().workspace.packages
+    found: list[tuple[LaunchedValue, Declared | None, str | None]] = []
+    for each in launched_values(params):
+        package = str(literal_text(each.node.package))
+        declared = params.declared_by(package).get(each.name)
+        public = _public_type(each.node, each.name) if package not in packages else None
+        if declared is not None or public is not None:
+            found.append((each, declared, public))
+    return found
 
 
 def _is_of_another(launch: Launch, started: Started, place: Located) -> bool:

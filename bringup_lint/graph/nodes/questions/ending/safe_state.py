@@ -21,6 +21,7 @@ from bringup_lint.model.node_source import Function
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.python import FunctionNode
 from bringup_lint.model.python import called_name
+from bringup_lint.model.python import walk
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 
@@ -169,7 +170,7 @@ def fed_without_condition(syntax: Syntax, node: NodeClass) -> Iterator[tuple[ast
         if any(isinstance(each, (ast.If, ast.Try, ast.Return, ast.While, ast.Match)) for each in body):
             continue
         for call in own_calls(body):
-            words = [each.value for each in ast.walk(call) if isinstance(each, ast.Constant)]
+            words = [each.value for each in walk(call) if isinstance(each, ast.Constant)]
             if any(isinstance(word, (str, bytes)) and "WATCHDOG=1" in str(word) for word in words):
                 if published(syntax, call, node) is None and not _conditional(syntax, call):
                     yield call, str(callback.name)

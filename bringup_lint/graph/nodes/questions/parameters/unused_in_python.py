@@ -15,6 +15,7 @@ from bringup_lint.model.node_source import NodeSource
 from bringup_lint.model.python import called_name
 from bringup_lint.model.python import is_own
 from bringup_lint.model.python import last_name
+from bringup_lint.model.python import walk
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
@@ -51,12 +52,12 @@ def _unused(syntax: Syntax) -> Iterator[tuple[Located, ast.Attribute, bool]]:
     """The parameters that are read into attributes of the own object, which it does not use; True: it logs them."""
     if syntax.file.tree is None:
         return
-    logged = {each for call in syntax.calls if _is_log(call) for each in ast.walk(call)}
+    logged = {each for call in syntax.calls if _is_log(call) for each in walk(call)}
     shown = {each.attr for each in logged if is_own(each)}
     kept: list[tuple[ast.Call, ast.Attribute]] = []
     used: set[str] = set()
     texts: Counter[str] = Counter()
-    for node in ast.walk(syntax.file.tree):
+    for node in walk(syntax.file.tree):
         if isinstance(node, ast.Attribute) and not isinstance(node.ctx, ast.Store) and node not in logged:
             used.add(node.attr)
         elif isinstance(node, ast.AugAssign) and isinstance(node.target, ast.Attribute):
