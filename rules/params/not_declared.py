@@ -183,6 +183,6 @@ def _more(others: Sequence[object]) -> str:
 
 def _node(node: LaunchedNode) -> str:
     """The name of a node, and the program that it is."""
-    program = literal_text(node.started.plugin) or literal_text(node.started.executable)
+    program = node.started.program
     package = literal_text(node.started.package)
     return f"{node.label()} ({program} of {package})" if program and package else node.label()

@@ -287,8 +287,7 @@ class Launch:
     @memo
     def role(self, node: Started) -> Role:
         """What is known about a node's program."""
-        program = literal_text(node.plugin) or literal_text(node.executable)
-        return role_of(literal_text(node.package), program, self.files.target.ros)
+        return role_of(literal_text(node.package), node.program, self.files.target.ros)
 
     @memo
     def simulated(self, file: LaunchFile) -> bool:

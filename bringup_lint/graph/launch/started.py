@@ -80,6 +80,11 @@ class Started:
                 yield from source.items
 
     @property
+    def program(self) -> Located | None:
+        """The class of a component, or the executable; None when that is not known."""
+        return literal_text(self.plugin) or literal_text(self.executable)
+
+    @property
     def fqn(self) -> str | None:
         """The fully qualified name; None when the name or namespace is not known, or not given."""
         name = literal_text(self.name)

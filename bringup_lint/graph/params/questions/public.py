@@ -104,9 +104,8 @@ def _programs(loads: list[Load]) -> dict[str, set[tuple[str, str]]]:
     """Name of a block that a started node gets a file by -> the package and program of each such node."""
     found: dict[str, set[tuple[str, str]]] = {}
     for node in (load.node for load in loads):
-        program = literal_text(node.plugin) or literal_text(node.executable)
         for name in ("/**", node.fqn) if node.fqn is not None else ("/**",):
-            found.setdefault(f"/{name.lstrip('/')}", set()).add((str(literal_text(node.package)), str(program)))
+            found.setdefault(f"/{name.lstrip('/')}", set()).add((str(literal_text(node.package)), str(node.program)))
     return found
 
 

@@ -121,6 +121,5 @@ def _is_built_into_another(package: Package, program: str, file: str) -> bool:
 
 def _public_type(started: Started, name: str) -> str | None:
     """The type of a parameter of a public node, but not of one in the section of a plugin."""
-    program = literal_text(started.plugin) or literal_text(started.executable)
-    node = public_node(str(literal_text(started.package)), str(program))
+    node = public_node(str(literal_text(started.package)), str(started.program))
     return node.type_of(name) if node is not None and not (node.has_plugins and "." in name) else None

@@ -106,7 +106,7 @@ def _of_public(topics: Topics, node: LaunchedNode, source: Located, match: str) 
     workspace = topics.launch.workspace
     if package in workspace.packages or package in workspace.ambiguous:
         return None
-    known = node_names(package, str(literal_text(node.started.plugin) or literal_text(node.started.executable)))
+    known = node_names(package, str(node.started.program))
     name = match.lstrip("~/")
     if known is None or known.has(name):
         return None

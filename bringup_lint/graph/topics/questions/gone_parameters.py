@@ -47,7 +47,7 @@ def gone_parameters(topics: Topics) -> Iterator[GoneParameters]:
 
 def _gone(topics: Topics, node: LaunchedNode, name: str) -> Gone | None:
     package = literal_text(node.started.package)
-    program = literal_text(node.started.plugin) or literal_text(node.started.executable)
+    program = node.started.program
     if package is None or program is None or package in topics.launch.workspace.packages:
         return None
     return gone_parameter(package, program, name)

@@ -45,8 +45,7 @@ class Unmonitored(NamedTuple):
 def unmonitored(topics: Topics, running: Running) -> Iterator[Unmonitored]:
     for node in running.nodes:
         started = node.started
-        program = literal_text(started.plugin) or literal_text(started.executable)
-        if literal_text(started.package) != _MONITOR or program not in _PROGRAMS:
+        if literal_text(started.package) != _MONITOR or started.program not in _PROGRAMS:
             continue
         given = _given(topics, node)
         name = _full(node, given[0]) if given is not None else None

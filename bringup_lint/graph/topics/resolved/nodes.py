@@ -96,8 +96,7 @@ class _Resolver:
         return node
 
     def from_table(self) -> KnownNode | None:
-        program = literal_text(self.started.plugin) or literal_text(self.started.executable)
-        return known_node(str(literal_text(self.started.package)), str(program))
+        return known_node(str(literal_text(self.started.package)), str(self.started.program))
 
     def from_source(self, node: LaunchedNode, endpoint: Endpoint) -> bool:
         """Whether the endpoint's full name is known."""

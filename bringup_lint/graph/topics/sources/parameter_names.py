@@ -76,7 +76,7 @@ class ParameterNames:
 
     def of(self, started: Started) -> ParameterWords | None:
         """None when not everything is known that may declare a parameter in the program."""
-        package, word = literal_text(started.package), literal_text(started.plugin) or literal_text(started.executable)
+        package, word = literal_text(started.package), started.program
         return self.of_program(str(package), str(word)) if package is not None and word is not None else None
 
     def of_program(self, package: str, program: str) -> ParameterWords | None:

@@ -19,7 +19,7 @@ def code_of(started: Started, nodes: Nodes, workspace: Workspace, cpp: CppCode) 
     if program is not None:
         return _python(nodes, program)
     package = workspace.packages.get(str(literal_text(started.package)))
-    word = literal_text(started.plugin) or literal_text(started.executable)
+    word = started.program
     return cpp.code(package, str(word)) if package is not None and word is not None else None
 
 
