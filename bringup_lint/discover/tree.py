@@ -77,6 +77,7 @@ class Tree:
     held: Held | None = None
     """Unsaved texts and sources of an earlier run, in an editor."""
     _paths: dict[str, list[str]] = field(default_factory=dict)
+    _walked: set[str] = field(default_factory=set)
     _in_order: list[str] = field(default_factory=list)
     _by_folder: dict[str, list[str]] = field(default_factory=dict)
     _absolute: list[tuple[str, str]] = field(default_factory=list)
@@ -107,6 +108,7 @@ class Tree:
     def remember(self, path: str) -> None:
         """Keep the name of a file that was walked past, so that a reference to it can be resolved."""
         self._paths.setdefault(os.path.basename(path), []).append(path)
+        self._walked.add(path)
         self._in_order.clear()
         self._by_folder.clear()
         self._absolute.clear()
@@ -207,7 +209,7 @@ class Tree:
         if self.root is not None:
             return self.inside("/" + os.path.relpath(path, self.root))
         target = disk.realpath(path)
-        return target if target in self._paths.get(os.path.basename(target), ()) else None
+        return target if target in self._walked else None
 
     def inside(self, robot_path: str) -> str | None:
         """What a path leads to in the root file system, as ``resolve_inside``; None where there is none."""
@@ -285,7 +287,7 @@ class Tree:
     def beside(self, source: Source, path: str) -> Source | None:
         """The file at a path relative to the folder of another; None when the tree does not hold it."""
         absolute = os.path.normpath(os.path.join(os.path.dirname(source.absolute), path))
-        if absolute not in self._paths.get(os.path.basename(absolute), ()):
+        if absolute not in self._walked:
             return None
         return self.at(absolute)
 
@@ -502,6 +504,10 @@ class Tree:
             return disk.listdir(path) if path else []
         except OSError:
             return None
+
+    def walks(self, path: str) -> bool:
+        """Whether a path is one of the walked ones, as it is written."""
+        return path in self._walked
 
     def named(self, basename: str) -> Iterator[str]:
         """All walked paths with this last component."""

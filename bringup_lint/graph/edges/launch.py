@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -58,7 +57,7 @@ def launch_edges(tree: Tree, launch: Launch) -> Iterator[Edge]:
 
 def _parameter_file(tree: Tree, path: str) -> Node:
     """By its absolute path in the tree or on the robot."""
-    source = None if path in tree.named(os.path.basename(path)) else tree.find(path)
+    source = None if tree.walks(path) else tree.find(path)
     return Node("parameter-file", source.name if source else display_name(path))
 
 

@@ -93,7 +93,7 @@ class Params:
         for load in self._all_loads:
             path = os.path.normpath(load.path)
             odd = load.how not in ("rcl", "substituted") or not path.endswith((".yaml", ".yml")) or path in known
-            if not odd and load.certain and path in self.files.tree.named(os.path.basename(path)):
+            if not odd and load.certain and self.files.tree.walks(path):
                 found.setdefault(path, []).append(load)
         return found
 

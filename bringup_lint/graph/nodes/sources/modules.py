@@ -180,8 +180,7 @@ class Modules:
     def _read(self, path: str) -> NodeSource | None:
         """The file alone."""
         if path not in self._alone:
-            known = path in set(self._tree.named(os.path.basename(path)))
-            source = self._tree.at(path) if known else None
+            source = self._tree.at(path) if self._tree.walks(path) else None
             self._alone[path] = next(iter(self._parsed(parse, [source] if source is not None else [])), None)
         return self._alone[path]
 

@@ -78,7 +78,7 @@ class CppCode:
                 yield found
 
     def _parse(self, path: str) -> CppNode | None:
-        if path not in set(self._files.tree.named(os.path.basename(path))):
+        if not self._files.tree.walks(path):
             return None
         source = self._cpp_files.known.get(path) or self._files.tree.read(path, "cpp-node")
         if source is None or source.template or "Node" not in source.text:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.launch.resolve import text_of
@@ -41,8 +40,7 @@ class Displays:
         from bringup_lint.parsers.rviz import parse
 
         if path not in self._read:
-            there = path in set(self._files.tree.named(os.path.basename(path)))
-            source = self._files.tree.at(path) if there else None
+            source = self._files.tree.at(path) if self._files.tree.walks(path) else None
             read = self._files.parsed(parse, [source] if source is not None and not source.template else [])
             self._read[path] = read[0] if read else []
         return self._read[path]
