@@ -115,6 +115,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.questions.parameters.dict_ranges import dict_ranges
     from bringup_lint.graph.nodes.questions.parameters.dict_ranges import range_text
     from bringup_lint.graph.nodes.questions.parameters.heard_parameters import heard_parameters
+    from bringup_lint.graph.nodes.questions.parameters.known_unread import is_known_unread
     from bringup_lint.graph.nodes.questions.parameters.misread_parameters import misread_parameters
     from bringup_lint.graph.nodes.questions.parameters.parameter_calls import empty_defaults
     from bringup_lint.graph.nodes.questions.parameters.parameter_calls import untyped_reads
@@ -153,6 +154,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.nodes.resolved.starting import is_tool
     from bringup_lint.graph.nodes.resolved.starting import runners_of
     from bringup_lint.graph.nodes.resolved.starting import stopped_by
+    from bringup_lint.graph.nodes.resolved.starting import watcher
     from bringup_lint.graph.nodes.sources.halting import has_firmware
     from bringup_lint.graph.nodes.sources.motion import is_remote
     from bringup_lint.graph.nodes.sources.motion import moves
@@ -166,6 +168,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.topics.questions.undeclared import is_called_nowhere
     from bringup_lint.graph.topics.questions.undeclared import switchless
     from bringup_lint.graph.topics.questions.undeclared import unset
+    from bringup_lint.model.cpp_source import ComponentEnd
     from bringup_lint.model.cpp_source import Swallowed
     from bringup_lint.model.node_source import Callback
     from bringup_lint.model.node_source import Endpoint
@@ -178,6 +181,7 @@ __all__ = [
     "UNTIL_TIMEOUT",
     "Callback",
     "ClockMix",
+    "ComponentEnd",
     "Endpoint",
     "NoField",
     "NodeSource",
@@ -236,6 +240,7 @@ __all__ = [
     "inactive_publishers",
     "is_called_nowhere",
     "is_checked",
+    "is_known_unread",
     "is_remote",
     "is_stopped",
     "is_tool",
@@ -330,6 +335,7 @@ __all__ = [
     "valid_node_name",
     "waiting_handlers",
     "waits",
+    "watcher",
     "window_spins",
     "without_pin_mode",
     "without_qos",

@@ -241,6 +241,11 @@ class Service:
         deploy = self.get("deploy")
         return isinstance(deploy, Mapping) and deploy.get("restart_policy") is not None
 
+    @property
+    def restarts_failures(self) -> bool:
+        """A policy starts the container again only after it has failed."""
+        return self.restart is not None and self.restart.startswith("on-failure")
+
     @cached_property
     def stop_grace(self) -> float | None:
         """Seconds between the stop signal and the kill; None when it is not set or cannot be told."""

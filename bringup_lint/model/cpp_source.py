@@ -99,6 +99,8 @@ class ComponentEnd(NamedTuple):
     """The transition of a lifecycle node that calls it; None in a class that the file registers as a component."""
     is_context: bool
     """``rclcpp::shutdown``."""
+    is_made: bool
+    """It is called while the component is made, so that an exception would do."""
 
 
 class WrongDuration(NamedTuple):

@@ -10,7 +10,8 @@ an info. Once a class, with the other places.
 A component shares its process and its context with all nodes of the container. A camera that is not plugged in, or a
 wrong parameter, ends the lidar driver and the controller beside it. What a component that cannot work should do is to
 throw from its constructor: then only its own load fails, and the container says why. A transition that fails leaves
-the node as it was, and whoever manages it can try again.
+the node as it was, and whoever manages it can try again. What fails later is logged and tried again; where the process
+is to end with it, the component belongs in a container of its own.
 
 ## Bad
 ```cpp
@@ -54,10 +55,18 @@ def component_ends_container(robot: Robot) -> Iterator[Finding]:
             f"{first.component} calls {first.call}(): {scope}"
             if first.step is None
             else f"{first.step}() calls {first.call}(): the process ends, and nobody can configure the node once more",
-            advice="throw an exception in the constructor, or return FAILURE from the transition",
+            advice=_advice(first),
             related=[
                 *([note(loaded, "loaded here")] if loaded is not None else []),
                 *(note(each.place, f"{each.call}() here too") for each in others),
             ],
             severity=robot.nodes.lowered_if_vendored(first.place.source, "warning") if is_known else "info",
         )
+
+
+def _advice(end: nodes.ComponentEnd) -> str:
+    if end.step is not None:
+        return "return FAILURE from the transition"
+    if end.is_made:
+        return "throw an exception instead: then only this component fails to load"
+    return "log it and try again, or load the component into a container of its own"

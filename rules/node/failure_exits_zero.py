@@ -3,14 +3,16 @@
 ## What it finds
 A `try` of `main` around a spin whose handler of `std::exception`, `std::runtime_error`, `...` or `Exception` only
 reports, where `main` returns nothing but 0 and the source has no other way to end with a status. In C++ also a loop
-`while (started && rclcpp::ok())` that is left out after `main` has logged the failure. It is a warning where units,
-containers or the like start the programs of the robot, and an info where people do. The programs of a package are one
-finding.
+`while (started && rclcpp::ok())` that is left out after `main` has logged the failure. It is a warning where a unit, a
+container or a program of supervisord is this node alone (`ros2 run`) and is started again only after a failure, or has
+an `OnFailure=`. It is an info elsewhere: `ros2 launch` and its `respawn` do not look at the status. The programs of a
+package are one finding.
 
 ## Why it matters on a robot
-What a callback throws ends the spin, and with it the node. The status says that all went well: `Restart=on-failure` and
-`restart: on-failure` leave the node down, `OnFailure=` does not run, and launch says "process has finished cleanly"
-between the lines of the other nodes. A safety node or a driver is gone, and nothing is red.
+What a callback throws ends the spin, and with it the node. The status says that all went well: `Restart=on-failure`,
+`restart: on-failure` and `autorestart=unexpected` leave the node down, `OnFailure=` does not run, and launch says
+"process has finished cleanly" between the lines of the other nodes. A safety node or a driver is gone, and nothing is
+red.
 
 ## Bad
 ```python
@@ -52,20 +54,24 @@ def failure_exits_zero(robot: Robot) -> Iterator[Finding]:
     for found in nodes.swallowed_failures(robot.nodes):
         source = found[0].place.source
         owner = robot.launch.workspace.owner(source) or source
-        alike.setdefault((owner, robot.nodes.purpose(source)), []).extend(found)
-    is_supervised = any(map(robot.runners.is_supervised, robot.runners.all))
+        key = (owner, robot.nodes.purpose(source), nodes.watcher(robot.nodes, source))
+        alike.setdefault(key, []).extend(found)
     for first, *others in alike.values():
         source = first.place.source
+        runner = nodes.watcher(robot.nodes, source)
+        end = "launch says 'finished cleanly', and nothing that waits for a failure starts it again"
+        if runner is not None:
+            end = f"{runner.name} takes it for a regular end, and leaves it down"
         yield finding(
             first.place,
-            "A failure ends this node with status 0: Restart=on-failure does not start it again, and launch says "
-            "'finished cleanly'",
+            f"A failure ends this node with status 0: {end}",
             advice="raise it again in the handler" if source.name.endswith(".py") else _return(first),
             related=[
                 note(first.spin, _CAUSES[first.is_caught]),
+                *([note(runner.where, "looks at the status")] if runner is not None else []),
                 *(note(each.place, "this handler does the same") for each in others),
             ],
-            severity=robot.nodes.lowered(source, "warning") if is_supervised else "info",
+            severity=robot.nodes.lowered(source, "warning") if runner is not None else "info",
         )
 
 

@@ -7,7 +7,8 @@ hear of changes, are left out. In C++, a `declare_parameter("x", ...)` whose res
 package names `x` again, and a launch or parameter file of the package sets it.
 
 A value that is read into a variable or attribute which nothing of the package uses, except to log it, is found as well:
-as information where no launch or parameter file of the package sets the parameter.
+as information where no launch or parameter file of the package sets the parameter. It is an info, too, where a page of
+the package, or a comment beside the parameter, says that it is not used.
 
 A C++ node that only compares the name in the callback for changes is found as well, whoever sets the parameter, when it
 registers that callback after the declaration: the callback is told of later changes, not of the first value.
@@ -38,7 +39,9 @@ from collections.abc import Iterator
 from functools import partial
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Located
 from bringup_lint.api import Robot
+from bringup_lint.api import Source
 from bringup_lint.api import finding
 from bringup_lint.api import nodes
 from bringup_lint.api import note
@@ -53,7 +56,7 @@ def parameter_unread(robot: Robot) -> Iterator[Finding]:
             f"The node never reads '{found.name}': what the parameter file sets has no effect",
             advice=f"use get_parameter('{found.name}').value, or remove the parameter",
             related=[note(each.span, "set here") for each in found.given[:5]],
-            severity=robot.nodes.lowered(found.file.source, "warning"),
+            severity=_severity(robot, found.file.source, found.name),
         )
     for unread in nodes.unread_in_cpp(robot.nodes):
         yield finding(
@@ -61,7 +64,7 @@ def parameter_unread(robot: Robot) -> Iterator[Finding]:
             f"No source of the package reads '{unread.parameter.name}': what is set has no effect",
             advice=f'use get_parameter("{unread.parameter.name}"), or remove the parameter',
             related=[note(unread.given, "set here")],
-            severity=robot.nodes.lowered(unread.source, "warning"),
+            severity=_severity(robot, unread.source, unread.parameter.name),
         )
     for source, parameter in nodes.heard_parameters(robot.nodes):
         yield finding(
@@ -83,5 +86,9 @@ def _unused(robot: Robot, unused: nodes.UnusedParameter) -> Finding:
         f"The value of '{unused.name}' is kept in {unused.variable}, which {uses} uses: what is set has no effect",
         advice=f"use {unused.variable} where the node has a value of its own instead, or remove the parameter",
         related=[note(unused.given, "set here")] if unused.given is not None else [],
-        severity=robot.nodes.lowered(unused.source, "warning" if unused.given is not None else "info"),
+        severity=_severity(robot, unused.source, unused.name) if unused.given is not None else "info",
     )
+
+
+def _severity(robot: Robot, source: Source, name: Located) -> str:
+    return "info" if nodes.is_known_unread(robot.nodes, source, name) else robot.nodes.lowered(source, "warning")

@@ -100,6 +100,8 @@ class Runner:
     stop: Stop = DEFAULT_STOP
     restarts: bool | None = None
     """Whether it is started again after its end; None when it is not known."""
+    asks_status: bool = False
+    """Only an end that is a failure has it started again, or something else run."""
     purpose: Purpose = Purpose.ROBOT
     extent: Span | None = None
     """All that the file says of it, where a file holds several."""

@@ -62,6 +62,7 @@ def _of(files: Files, compose: Compose, service: Service) -> Runner:
         user=user_name(service.user) if service.user else image_user(stage, _pulled(service)),
         stop=_stop(service, stage),
         restarts=service.restarts,
+        asks_status=service.restarts_failures,
         environment_files=tuple(_environment_files(files, service)),
         purpose=files.purpose(service.name, str(service.name), *map(str, service.items("profiles"))),
         extent=service.body.span,

@@ -38,6 +38,7 @@ def runners(files: Files, layers: Layers) -> Iterator[Runner]:
 def _of(files: Files, program: Program) -> Runner:
     source = program.name.span.source
     lines = list(_lines(files, program, source))
+    restarts = (program.get("autorestart") or "unexpected").lower()
     user, signal, wait = program.get("user"), program.get("stopsignal"), program.get("stopwaitsecs")
     return Runner(
         RunnerKind.PROGRAM,
@@ -50,7 +51,8 @@ def _of(files: Files, program: Program) -> Runner:
         system=source.name,
         user=str(user) if user else None,
         stop=Stop(_signal(signal), float(wait) if wait and wait.isdecimal() else 10.0, signal),
-        restarts=(program.get("autorestart") or "unexpected").lower() not in _NO,
+        restarts=restarts not in _NO,
+        asks_status=restarts == "unexpected",
         purpose=files.purpose(source, str(program.name)),
         reads=files.tree.find,
     )

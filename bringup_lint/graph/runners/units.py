@@ -34,8 +34,15 @@ def _of(files: Files, units: Units, unit: Unit) -> Runner:
         user="root" if unit.identity.is_root else unit.identity.user,
         stop=Stop(signal.value, supervision.stop_timeout.value, signal.at),
         restarts=units.restart(unit).restarts,
+        asks_status=_asks_status(units, unit),
         environment_files=tuple((each.value, each.source) for each in units.environment_files(unit) if each.source),
         purpose=files.purpose(unit.where, unit.name),
         unit=unit,
         reads=files.tree.find,
     )
+
+
+def _asks_status(units: Units, unit: Unit) -> bool:
+    """Whether a failure is told from another end: ``Restart=always`` makes no difference."""
+    restart = units.restart(unit).restart
+    return restart == "on-failure" or (restart == "no" and unit.get("OnFailure", "Unit") is not None)

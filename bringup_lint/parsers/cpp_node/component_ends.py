@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.model.cpp_source import ComponentEnd
+from bringup_lint.parsers.cpp_node.owners import class_made
 from bringup_lint.parsers.cpp_node.owners import class_of
 from bringup_lint.parsers.cpp_node.syntax import Call
 from bringup_lint.parsers.cpp_node.syntax import Code
@@ -46,9 +47,10 @@ def component_ends(code: Code, components: list[str]) -> Iterator[ComponentEnd]:
             continue
         owner = _method(code, function)[0]
         if owner in by_class:
-            yield ComponentEnd(code.span(call.node), call.qualified, by_class[owner], None, is_context)
+            is_made = _is_made(code, call, owner)
+            yield ComponentEnd(code.span(call.node), call.qualified, by_class[owner], None, is_context, is_made)
         elif owner and (step := steps.get(function.id)) is not None:
-            yield ComponentEnd(code.span(call.node), call.qualified, owner, step, is_context)
+            yield ComponentEnd(code.span(call.node), call.qualified, owner, step, is_context, False)
 
 
 def _steps(code: Code) -> dict[int, str]:
@@ -95,6 +97,12 @@ def _inside(code: Code, bodies: Bodies, function: Node) -> tuple[set[int], list[
 
 def _function(code: Code, call: Call) -> Node | None:
     return next((each for each in code.above(call.node) if each.type == "function_definition"), None)
+
+
+def _is_made(code: Code, call: Call, owner: str) -> bool:
+    """Whether the constructor of a class makes a call itself, and not in what runs later."""
+    body = code.body_of(call.node)
+    return body is not None and body.type == "function_definition" and class_made(code, body) == owner
 
 
 def _method(code: Code, function: Node) -> tuple[str, str]:

@@ -2,21 +2,23 @@
 
 from __future__ import annotations
 
+import os
 import re
 from typing import TYPE_CHECKING
 
 from bringup_lint.graph.memo import kept
 from bringup_lint.graph.memo import memo
+from bringup_lint.graph.runners.launching import expansion_of
 from bringup_lint.graph.runners.runner import SUPERVISING
 from bringup_lint.graph.runners.runner import RunnerKind
 from bringup_lint.pattern import regex
 
 if TYPE_CHECKING:
     from bringup_lint.finding import Related
+    from bringup_lint.graph.commands.ros_command import Ros
     from bringup_lint.graph.nodes.nodes import Nodes
     from bringup_lint.graph.runners.runner import Runner
     from bringup_lint.model.launch import Action
-    from bringup_lint.model.launch import LaunchFile
     from bringup_lint.model.node_source import NodeSource
     from bringup_lint.source import Source
 
@@ -34,14 +36,14 @@ def runners_of(nodes: Nodes, file: NodeSource) -> list[Runner]:
     if not actions:
         return []
     launches = (each for each in nodes.runners().launches if each.runner.kind is not RunnerKind.SCRIPT)
-    files = ((each.runner, each.file) for each in launches if each.file is not None)
-    return list(dict.fromkeys(runner for runner, launched in files if actions & _actions(nodes, launched)))
+    return list(dict.fromkeys(each.runner for each in launches if actions & _actions(nodes, each.start.ros)))
 
 
 @memo
-def _actions(nodes: Nodes, file: LaunchFile) -> set[Action]:
-    """The actions of all nodes that a launch file starts."""
-    return {node.action for node in nodes.launch.expansion(file).nodes}
+def _actions(nodes: Nodes, ros: Ros) -> set[Action]:
+    """The actions of all nodes that ``ros2 launch`` starts, but those whose conditions its arguments leave off."""
+    expansion = expansion_of(ros, nodes.launch)
+    return {node.action for node in expansion.nodes if node.by_default is not False} if expansion is not None else set()
 
 
 def is_supervised(nodes: Nodes, file: NodeSource) -> bool:
@@ -55,6 +57,37 @@ def is_supervised(nodes: Nodes, file: NodeSource) -> bool:
 def _runner_texts(nodes: Nodes) -> str:
     """What starts processes, in one text, which is searched sooner than many."""
     return "\0".join(each.text for each in nodes.files.of_kind(*SUPERVISING))
+
+
+def watcher(nodes: Nodes, source: Source) -> Runner | None:
+    """The unit, container or supervised program that is a source alone, and looks at the status with which it ends:
+    ``ros2 launch`` tells nobody of it."""
+    return _watched(nodes).get(source.absolute)
+
+
+@kept
+def _watched(nodes: Nodes) -> dict[str, Runner]:
+    """Path of a source -> the runner that looks at its status."""
+    found: dict[str, Runner] = {}
+    for runner in nodes.runners().all:
+        starts = runner.starts if runner.asks_status else []
+        if len(starts) == 1 and starts[0].ros.kind == "run":
+            found.update((path, runner) for path in _sources(nodes, starts[0].ros))
+    return found
+
+
+def _sources(nodes: Nodes, ros: Ros) -> list[str]:
+    """The paths of the sources of a program, in Python or in C++."""
+    package, name = str(ros.package), str(ros.target)
+    program = nodes.program(package, name)
+    if program is not None:
+        return [program.file.source.absolute]
+    owner = nodes.launch.workspace.packages.get(package)
+    return [
+        os.path.normpath(os.path.join(os.path.dirname(build.source.absolute), path))
+        for build in (owner.builds if owner is not None else ())
+        for path in build.targets.get(name, ())
+    ]
 
 
 @kept
