@@ -1,4 +1,5 @@
-"""Classes of C++ that nothing of a tree makes, derives from or registers. What is found in them is information."""
+"""Classes of C++ that nothing of a tree but its tests makes, derives from or registers. What is found in them is
+information."""
 
 from __future__ import annotations
 
@@ -32,6 +33,7 @@ _REMARK = regex(r"//[^\n]*|/\*[\s\S]*?(?:\*/|\Z)|^[ \t]*#[ \t]*(?:include|ifndef
 _STARTS = regex(r"\bmain\s{0,4}\(|\b(?:RCLCPP_COMPONENTS_REGISTER_NODE|PLUGINLIB_EXPORT_CLASS)\b")
 _NAMING = ("cmake", "launch-python", "launch-xml", "launch-yaml", "params", "python-node", "urdf")
 _PLUGINS = regex(r"\.xml$")
+_TESTS = regex(r"/tests?/")
 _SIZE = 500_000
 """How much is read of a file."""
 _MOST = 5_000
@@ -91,7 +93,12 @@ class Unmade:
         paths = [path for path in tree.paths if path.endswith(CPP)]
         if len(paths) > _MOST:
             return dict.fromkeys(paths, "")
-        return {os.path.abspath(path): _REMARK.sub("", tree.head(path, _SIZE)) for path in paths}
+        kept = (path for path in paths if not self._is_of_tests(os.path.abspath(path)))
+        return {os.path.abspath(path): _REMARK.sub("", tree.head(path, _SIZE)) for path in kept}
+
+    def _is_of_tests(self, path: str) -> bool:
+        """Whether a file of a package is in a folder of tests, which make what no robot has."""
+        return _TESTS.search(path, len(self._package(path)) - 1) is not None
 
     @cached_property
     def _naming(self) -> list[str]:

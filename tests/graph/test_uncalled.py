@@ -109,11 +109,14 @@ def test_a_method_that_something_may_call(tmp_path: Path, files: dict[str, str])
     [
         ("    def lower_gate", "    @property\n    def lower_gate", False),
         ("    def lower_gate", "    @app.route('/')\n    def lower_gate", True),
-        ("lower_gate(", "on_configure(", True),
+        ("lower_gate(", "on_gate(", False),
         ("lower_gate(", "paintEvent(", True),
         ("Weir(Node)", "Weir(Widget)", True),
         ("Weir(Node)", "Weir(Node, metaclass=Gate)", True),
         ("Weir(Node)", "Weir(make())", True),
+        ("        pass\n", "        lower_gate()\n", False),
+        ("        pass\n", "        getattr(self.pump, self.what)()\n", True),
+        ("    def open", "    lower = [lower_gate]\n\n    def open", True),
         ("class Weir(Node)", "class Base:\n    pass\n\nclass Weir(Base)", False),
         ("class Weir(Node)", "@dataclass(eq=False)\nclass Weir(Node)", False),
         ("class Weir(Node)", "@expose\nclass Weir(Node)", True),
@@ -150,6 +153,67 @@ class Otter(Weir):
 
 Otter().dive()
 """
+
+
+def test_a_transition_of_a_lifecycle_node_is_run_by_its_name(tmp_path: Path) -> None:
+    for old, new in (("Weir(Node)", "Weir(LifecycleNode)"), ("class Weir(Node)", "class Weir")):
+        assert leads_to(tmp_path, NODE.replace("lower_gate(", "on_configure(").replace(old, new), {})
+    function = NODE.replace("    def lower_gate(self, slowly=False):\n        self", "def on_gate():\n    self")
+    assert leads_to(tmp_path, function, {})
+
+
+def test_a_private_method_is_not_reached_by_a_computed_name(tmp_path: Path) -> None:
+    reaching = {"otter.py": "def main(weir, name):\n    getattr(weir, name)()\n"}
+    assert leads_to(tmp_path, NODE, reaching)
+    assert not leads_to(tmp_path, NODE.replace("lower_gate", "_lower_gate"), reaching)
+
+
+BASE = """\
+class Base(Node):
+    def dive(self):
+        self.other = 1
+
+class Other(Base):
+    def close(self):
+        self.lower_gate()
+
+    def lower_gate(self):
+        self.fast = True
+
+def close():
+    Other().close()
+
+close()
+"""
+
+
+def test_a_class_may_build_on_one_of_the_tree(tmp_path: Path) -> None:
+    node = NODE.replace("Weir(Node)", "Weir(Base)")
+    assert not leads_to(tmp_path, node, {"base.py": BASE})
+    assert leads_to(tmp_path, node.replace("Weir(Base)", "Weir(Other)"), {"base.py": BASE})
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "expected"),
+    [
+        ("", "", False),
+        ("self.other = 1", "self.fast = False", False),
+        ("self.other = 1", "self.fast = True", True),
+        ("    def dive", "    fast = True\n\n    def dive", True),
+        ("    def dive", "    def fast(self):\n        return 1\n\n    def dive", True),
+        ("self.other = 1", "self.__dict__.update(fast=1)", True),
+        ("self.other = 1", "setattr(weir, 'f' + name, 1)", True),
+        ("self.other = 1", "getattr(weir, 'f' + name)", True),
+    ],
+)
+def test_what_a_base_sets(tmp_path: Path, old: str, new: str, *, expected: bool) -> None:
+    text = branch("self.fast", made="self.fast = False").replace("class Weir(Node)", "class Weir(Base)")
+    assert leads_to(tmp_path, text, {"base.py": BASE.replace(old, new, 1)}) is expected
+
+
+def test_a_computed_name_elsewhere_only_reads_attributes(tmp_path: Path) -> None:
+    text = branch("self.fast", made="self.fast = False")
+    assert not leads_to(tmp_path, text, {"otter.py": "def go(weir, key):\n    getattr(weir, key)\n"})
 
 
 def test_a_method_of_another_that_has_the_name_is_another(tmp_path: Path) -> None:
@@ -194,6 +258,8 @@ def test_a_method_of_another_that_has_the_name_is_another(tmp_path: Path) -> Non
         (branch("FAST", head="FAST = False\n") + "\ndef start():\n    global FAST\n    FAST = True\n", True),
         (branch("FAST", head="FAST = False\n") + "\ndef start(weir):\n    weir.FAST = True\n", True),
         (branch("FAST", head="FAST = False\nfrom otter.msg import *\n"), False),
+        (branch("FAST", head="from otter import *\nFAST = False\n"), False),
+        (branch("FAST", head="def f():\n    from otter import FAST\nFAST = False\n"), True),
         (branch("FAST", head="FAST = False\nfrom otter import *\n"), True),
         (branch("FAST", head="FAST = False\nfrom otter import quick as FAST\n"), True),
         (branch("FAST", head="FAST = False\nfrom otter import FAST\n"), True),

@@ -85,6 +85,13 @@ def test_code_outside_of_classes_counts_as_used(tmp_path: Path) -> None:
     assert leads_to(tmp_path, {"a.cpp": SOURCE + "int after();\n"}, "a.cpp", "after")
 
 
+def test_what_only_tests_make_is_on_no_robot(tmp_path: Path) -> None:
+    package = {"package.xml": "<package><name>weir</name></package>"}
+    maker = '#include "weir.hpp"\nclass Fake : public Weir {};\n'
+    assert not leads_to(tmp_path / "one", {**TREE, **package, "tests/fake.cpp": maker}, "src/weir.cpp", "lock")
+    assert leads_to(tmp_path / "two", {**TREE, **package, "fakes/fake.cpp": maker}, "src/weir.cpp", "lock")
+
+
 def test_a_tree_of_very_many_files_is_not_looked_through(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("bringup_lint.graph.unmade._MOST", 1)
     assert leads_to(tmp_path, TREE, "src/weir.cpp", "lock")

@@ -21,10 +21,12 @@ from bringup_lint.source import Span
 _DEPTH = 3
 """Functions in a row that only the next one calls."""
 _RUN_BY_OTHERS = regex(
-    r"main$|__\w+__$|on_\w+$|(?:do|visit|test|handle|pytest|cmd|lambda)_\w+$|destroy_node$|run$|setup$|update$|initialise$"
+    r"main$|__\w+__$|(?:do|visit|test|handle|pytest|cmd|lambda)_\w+$|destroy_node$|run$|setup$|update$|initialise$"
     r"|terminate$|execute$|generate_\w+_description$|[a-z]+[A-Z]\w*$"
 )
 """Functions that a framework calls by their names; those of Qt are in mixed case."""
+_EVENT = regex(r"on_\w+$")
+"""The same, but of plain nodes, whose callbacks are handed over."""
 
 
 class Uncalled:
@@ -58,16 +60,29 @@ class Uncalled:
         module, each, depth = asked
         if not has_plain_decorators(each):
             return False
-        if _RUN_BY_OTHERS.match(each.name) or module.is_reflected or self._code.reaches_by_name:
+        if _RUN_BY_OTHERS.match(each.name) or module.is_reflected or self._may_be_reached(each.name):
             return False
         cls = module.class_of(each)
+        if _EVENT.match(each.name) and (cls is None or not self._code.is_node(cls)):
+            return False
         if cls is not None and (not self._code.has_known_bases(cls) or self._code.is_loaded(cls)):
             return False
         mentions = self._code.mentions(each.name, module)
-        is_alone = cls is not None and self._code.has_plain_bases(cls)
         return mentions is not None and all(
             (other is module and each.lineno <= use.lineno <= (each.end_lineno or 0))
-            or (is_alone and other.has_its_own(use) and not (other is module and cls in module.around(use.lineno)))
+            or (cls is not None and self._is_of_another(cls, other, use))
             or (depth > 0 and self._is_dead(other, use.lineno, depth - 1))
             for other, use in mentions
         )
+
+    def _may_be_reached(self, name: str) -> bool:
+        """Whether other files may call a function by a name that they compute: hardly one that is not for them."""
+        return not name.startswith("_") and self._code.reaches_by_name
+
+    def _is_of_another(self, cls: ast.ClassDef, other: Module, use: ast.expr) -> bool:
+        """Whether a name that a method of a class has is another thing: a method of its own of a class that this one
+        does not build on, or a variable, as the body of a class alone has its methods as such."""
+        if isinstance(use, ast.Name):
+            return other.has_variable(use)
+        owner = other.owner(use)
+        return owner is not None and owner is not cls and owner.name not in self._code.ancestors(cls)

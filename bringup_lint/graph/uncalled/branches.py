@@ -79,7 +79,7 @@ class Branches:
         module, name, depth = asked
         stores = _plain(module, name)
         is_single = len(stores) == 1 and id(stores[0]) in module.globals
-        is_plain = is_single and not module.may_import(name) and not module.is_reflected
+        is_plain = is_single and not module.may_import(name, _line(stores[0])) and not module.is_reflected
         elsewhere = self._code.modules_with(name) if is_plain else None
         if elsewhere is None or any(
             name in other.set_by_name or any(isinstance(each, ast.Attribute) for each in other.stores.get(name, ()))
@@ -131,12 +131,10 @@ class Branches:
         """What an attribute of ``self`` is, when only its class sets it."""
         module, cls, name, depth = asked
         modules = self._code.modules_with(name) if not module.is_reflected else None
-        if (
-            modules is None
-            or self._code.reaches_by_name
-            or not self._is_alone(cls)
-            or not module.methods(cls).isdisjoint((name, *_OF_ALL))
-        ):
+        if modules is None or self._code.sets_by_name or not self._is_last(cls):
+            return None
+        family = [(module, cls), *self._code.bases(cls)]
+        if any(other.is_reflected or not other.methods(each).isdisjoint((name, *_OF_ALL)) for other, each in family):
             return None
         if (
             any(name in each.set_by_name for each in modules)
@@ -146,18 +144,20 @@ class Branches:
         stores = [each for other in modules for each in other.stores.get(name, ())]
         if any(isinstance(each, ast.Attribute) and not is_own(each) for each in stores):
             return None
-        own = [each for each in module.stores.get(name, ()) if cls.lineno <= _line(each) <= (cls.end_lineno or 0)]
-        attributes = [each for each in own if is_own(each)]
-        values = [module.values.get(id(each)) for each in attributes]
-        if not values or len(attributes) != len(own):
-            return None
-        truths = {None if each is None else self._truth(module, each, depth) for each in values}
+        own = [
+            (other, each)
+            for other, owner in family
+            for each in other.stores.get(name, ())
+            if owner.lineno <= _line(each) <= (owner.end_lineno or 0)
+        ]
+        values = [(other, other.values.get(id(each)) if is_own(each) else None) for other, each in own]
+        truths = {None if value is None else self._truth(other, value, depth) for other, value in values}
         return next(iter(truths)) if len(truths) == 1 else None
 
     @memo
-    def _is_alone(self, cls: ast.ClassDef) -> bool:
-        """Whether a class builds on none of the tree, and none builds on it."""
-        if not self._code.has_plain_bases(cls):
+    def _is_last(self, cls: ast.ClassDef) -> bool:
+        """Whether all that a class builds on is known, and none builds on it."""
+        if not self._code.has_known_bases(cls):
             return False
         modules = self._code.modules_with(cls.name)
         return modules is not None and not any(cls.name in each.renamed or cls.name in each.bases for each in modules)

@@ -52,6 +52,10 @@ _REACHES = regex(
     hints="eval exec Fire( register_instance zerorpc js_api getattr setattr",
 )
 """What may call any method by a name that it computes."""
+_SETS = regex(
+    r"\b(?:eval|exec)\(\s*f?[\"']|" + BY_NAME.replace("[gs]", "s").format(_OF_OTHERS), hints="eval exec setattr"
+)
+"""What may set any attribute so."""
 _INSTALLED = regex(r"/(?:site|dist)-packages/")
 _PLAIN_BASES = frozenset({"object", "Node", "LifecycleNode", "ABC", "Generic", "Exception", "RuntimeError"})
 """Bases that call no method of a class but those with names of their own."""
@@ -123,9 +127,17 @@ class Code:
 
     @cached_property
     def reaches_by_name(self) -> bool:
-        """Whether a file of the tree may call or set whatever it likes of what it is given."""
-        texts = (self._texts or {}).items()
-        return any(_REACHES.search(text) for at, text in texts if not _INSTALLED.search(at))
+        """Whether a file of the tree may call whatever it likes of what it is given."""
+        return any(map(_REACHES.search, self._own_texts))
+
+    @cached_property
+    def sets_by_name(self) -> bool:
+        """Whether a file of the tree may set whatever it likes of what it is given."""
+        return any(map(_SETS.search, self._own_texts))
+
+    @property
+    def _own_texts(self) -> Iterator[str]:
+        return (text for at, text in (self._texts or {}).items() if not _INSTALLED.search(at))
 
     @memo
     def is_loaded(self, cls: ast.ClassDef) -> bool:
@@ -180,9 +192,27 @@ class Code:
         return not cls.keywords and all(self._is_known((last_name(base), 4)) for base in cls.bases)
 
     @staticmethod
-    def has_plain_bases(cls: ast.ClassDef) -> bool:
-        """Whether a class builds on no other of the tree."""
-        return all(last_name(base) in _PLAIN_BASES for base in cls.bases)
+    def is_node(cls: ast.ClassDef) -> bool:
+        """Whether a class builds on a plain node, and on nothing else."""
+        return [last_name(base) for base in cls.bases] == ["Node"]
+
+    def ancestors(self, cls: ast.ClassDef) -> frozenset[str]:
+        """The names of the classes of the tree that a class builds on."""
+        return frozenset(each.name for _, each in self.bases(cls))
+
+    @memo
+    def bases(self, cls: ast.ClassDef) -> list[tuple[Module, ast.ClassDef]]:
+        """The classes of the tree that a class with known bases builds on, also through each other."""
+        found: dict[str, list[tuple[Module, ast.ClassDef]]] = {}
+        todo = [last_name(base) for base in cls.bases]
+        while todo:
+            name = todo.pop()
+            if name in found or name in _PLAIN_BASES:
+                continue
+            modules = self.modules_with(name) or ()
+            found[name] = [(module, each) for module in modules for each in module.classes.get(name, ())]
+            todo += [last_name(base) for _, each in found[name] for base in each.bases]
+        return [each for classes in found.values() for each in classes]
 
     @memo
     def _is_known(self, asked: tuple[str, int]) -> bool:

@@ -70,10 +70,15 @@ class Module:
         owner = around[at - 1] if at else None
         return owner if isinstance(owner, ast.ClassDef) else None
 
-    def has_its_own(self, use: ast.expr) -> bool:
-        """Whether an attribute of ``self`` is a method of the class around."""
+    def owner(self, use: ast.expr) -> ast.ClassDef | None:
+        """The class around an attribute of ``self`` that has a method of this name."""
         classes = [each for each in self.around(use.lineno) if isinstance(each, ast.ClassDef)] if is_own(use) else []
-        return any(getattr(use, "attr", "") in self.methods(cls) for cls in classes[-1:])
+        return next((each for each in classes[-1:] if getattr(use, "attr", "") in self.methods(each)), None)
+
+    def has_variable(self, use: ast.Name) -> bool:
+        """Whether a name is known to be read in a function or in the file itself, where it is no method."""
+        around = [each for each in self.around(use.lineno) if not isinstance(each, ast.If)]
+        return use.lineno > 0 and not isinstance(next(iter(around[-1:]), None), ast.ClassDef)
 
     @memo
     def methods(self, cls: ast.ClassDef) -> frozenset[str]:
@@ -115,20 +120,23 @@ class Module:
         """The attributes that the file sets by a text."""
         return frozenset(match["name"] for match in _SETS.finditer(self.text))
 
-    def may_import(self, name: str) -> bool:
-        """Whether an import may bring a name."""
-        return name in self._imported or "*" in self._imported
+    def may_import(self, name: str, line: int) -> bool:
+        """Whether an import may bring a name, other than one of the file itself before a line that sets it anew."""
+        return any(at > line for each in (name, "*") for at in self._imported.get(each, ()))
 
     @cached_property
-    def _imported(self) -> frozenset[str]:
-        """The names that imports bring; ``*`` where one may bring any."""
-        imports = (each for each in self.nodes if isinstance(each, (ast.Import, ast.ImportFrom)))
-        return frozenset(
-            alias.asname or alias.name
-            for each in imports
-            for alias in each.names
-            if alias.name != "*" or not _MESSAGES.search(getattr(each, "module", None) or "")
-        )
+    def _imported(self) -> dict[str, list[int]]:
+        """The names that imports bring, each with the lines from which on it may have them; ``*`` where one may bring
+        any."""
+        first = {id(each) for each in self.tree.body}
+        found: dict[str, list[int]] = {}
+        for each in self.nodes:
+            if isinstance(each, (ast.Import, ast.ImportFrom)):
+                for alias in each.names:
+                    if alias.name != "*" or not _MESSAGES.search(getattr(each, "module", None) or ""):
+                        at = each.lineno if id(each) in first else len(self.text)
+                        found.setdefault(alias.asname or alias.name, []).append(at)
+        return found
 
     @cached_property
     def nodes(self) -> list[ast.AST]:
