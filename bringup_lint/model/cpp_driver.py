@@ -144,6 +144,8 @@ class ShutContext(NamedTuple):
     """What makes something there: ``create_publisher``; or what is used although it is of no use."""
     owner: str | None
     """The class whose constructor makes something; None where something is used."""
+    is_null: bool
+    """It is a null pointer that is followed: the process ends there."""
 
 
 class BlindWrite(NamedTuple):

@@ -3,13 +3,14 @@
 ## What it finds
 `rclpy.shutdown()` in the constructor of a Python node that neither returns nor raises after it, and then makes a
 publisher, a subscription, a service, a client or a timer; or that returns, where the program spins the node without
-asking `rclpy.ok()`. In C++ `rclcpp::shutdown()` in a constructor that then makes one of these, or in a method without
-an answer that such a constructor calls.
+asking `rclpy.ok()`. It is an info where the branch logs an error: the program ends all the same, and the log has the
+cause beside the traceback. In C++ `rclcpp::shutdown()` in a constructor that then makes one of these, or in a method
+without an answer that such a constructor calls.
 
 ## Why it matters on a robot
 `shutdown()` ends nothing: it returns. The constructor goes on without the device that it did not find, and the next
-entity, or `rclpy.spin()`, raises an error about the context. The log ends with that, launch sees a crash, and nobody
-tries the device again.
+entity, or `rclpy.spin()`, raises an error about the context, which is all that the log then says. A program in C++
+aborts where `main()` does not catch it: a core dump instead of an end with a status.
 
 ## Bad
 ```python
@@ -27,7 +28,7 @@ self.timer = self.create_timer(0.1, self.read)
 ```
 
 ## When to ignore it
-Never: raise an exception, which launch or systemd can answer with a restart.
+Never: raise an exception that names the cause, in C++ with a handler in `main()` that returns a failure.
 
 ## References
 - tried with rclpy of Jazzy
@@ -55,8 +56,8 @@ def constructor_after_shutdown(robot: Robot) -> Iterator[Finding]:
             yield finding(
                 first.shutdown,
                 f"The constructor of {first.owner} goes on after this: {first.name}() throws, because the context is "
-                "shut down, and the process aborts",
-                advice="throw an exception instead, and let launch or systemd start the node again",
+                "shut down, and the process aborts where main() does not catch it",
+                advice="throw an exception that names the cause, and catch it in main(), which returns EXIT_FAILURE",
                 related=[note(first.behind, "throws")],
                 severity=robot.nodes.lowered_if_vendored(driver.source, "warning"),
             )
@@ -64,19 +65,15 @@ def constructor_after_shutdown(robot: Robot) -> Iterator[Finding]:
 
 def _in_python(robot: Robot) -> Iterator[Finding]:
     for file, node in robot.nodes.node_classes:
-        for found in nodes.shut_constructors(robot.nodes.syntax(file), node):
+        syntax = robot.nodes.syntax(file)
+        found = [("goes on", each) for each in nodes.shut_constructors(syntax, node)]
+        found += [("only returns", each) for each in nodes.spun_after(syntax, node)]
+        for what, each in found:
+            says = "the log has a traceback, too" if each.is_logged else "the log does not say what failed"
             yield finding(
-                file.span_of(found.shutdown),
-                f"The constructor goes on after this: {found.name}() raises, because the context is shut down",
-                advice="raise an exception instead, and let launch or systemd start the node again",
-                related=[note(file.span_of(found.made), "raises")],
-                severity=robot.nodes.lowered_if_vendored(file.source, "warning"),
-            )
-        for found in nodes.spun_after(robot.nodes.syntax(file), node):
-            yield finding(
-                file.span_of(found.shutdown),
-                f"The constructor only returns after this: {found.name}() raises, because the context is shut down",
-                advice="raise an exception instead, and let launch or systemd start the node again",
-                related=[note(file.span_of(found.made), "raises")],
-                severity=robot.nodes.lowered_if_vendored(file.source, "warning"),
+                file.span_of(each.shutdown),
+                f"The constructor {what} after this: {each.name}() raises, as the context is shut down, and {says}",
+                advice="raise an exception that names the cause instead",
+                related=[note(file.span_of(each.made), "raises")],
+                severity="info" if each.is_logged else robot.nodes.lowered_if_vendored(file.source, "warning"),
             )

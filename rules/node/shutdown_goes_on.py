@@ -2,22 +2,23 @@
 
 ## What it finds
 `rclcpp::shutdown()` in a branch that is there because something is not connected, not open or null, when the branch
-does not leave the function, and the function then uses the same thing.
+does not leave the function, and the function then uses the same thing. It is a warning where a null pointer is used,
+else an info: what is published after the shutdown goes nowhere.
 
 ## Why it matters on a robot
 `rclcpp::shutdown()` ends nothing: it returns, and `spin()` notices it after the callback. Until then the function goes
-on as if nothing was wrong. It reads from a port that is closed, publishes what it read last, or follows a null pointer:
-the last lines of the log then tell of something else than what has failed.
+on as if nothing was wrong. It follows a null pointer, which ends the process without a destructor, or reads from a port
+that is closed: the last lines of the log then tell of something else than what has failed.
 
 ## Bad
 ```cpp
-if (!port_->is_connected()) { RCLCPP_FATAL(get_logger(), "no board"); rclcpp::shutdown(); }
+if (port_ == nullptr) { RCLCPP_FATAL(get_logger(), "no board"); rclcpp::shutdown(); }
 state_ = port_->read();
 ```
 
 ## Good
 ```cpp
-if (!port_->is_connected()) { RCLCPP_FATAL(get_logger(), "no board"); rclcpp::shutdown(); return; }
+if (port_ == nullptr) { RCLCPP_FATAL(get_logger(), "no board"); rclcpp::shutdown(); return; }
 state_ = port_->read();
 ```
 
@@ -41,14 +42,16 @@ from bringup_lint.api import rule
 def shutdown_goes_on(robot: Robot) -> Iterator[Finding]:
     for driver in robot.nodes.drivers:
         places = [each for each in driver.shut_contexts if each.owner is None]
+        places.sort(key=lambda each: not each.is_null)
         for first in places[:1]:
+            why = "which is null: the process crashes" if first.is_null else "which it has just found to be of no use"
             yield finding(
                 first.shutdown,
-                f"This returns, and the function goes on with {first.name}, which it has just found to be of no use",
+                f"This returns, and the function goes on with {first.name}, {why}",
                 advice="return after it",
                 related=[
                     note(first.behind, "used all the same"),
                     *(note(each.shutdown, "the same") for each in places[1:]),
                 ],
-                severity=robot.nodes.lowered_if_vendored(driver.source, "warning"),
+                severity=robot.nodes.lowered_if_vendored(driver.source, "warning") if first.is_null else "info",
             )

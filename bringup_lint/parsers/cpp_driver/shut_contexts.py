@@ -37,6 +37,7 @@ _UNFIT = regex(
     r"\([^()]*\))?\)\Z|\((?P<null>\w+)(?:==(?:nullptr|NULL|-1)|<0)\)\Z"
 )
 """The condition of a branch that is there because something cannot be used."""
+_NULL = regex(r"\A\((?:!\w+|\w+==(?:nullptr|NULL))\)\Z")
 _USE = (
     r"(?<![\w.>])(?:this->)?{0}\s{{0,4}}(?:(?:->|\.)(?!(?:close|release|reset|disconnect|stop|shutdown)\b)|<<|>>)"
     r"|[(,*]\s{{0,4}}{0}\s{{0,4}}[,)]"
@@ -67,12 +68,13 @@ def shut_contexts(code: Code) -> Iterator[ShutContext]:
         if found is None and function is not None:
             found = _behind_method(code, functions, statement, function)
         if found is not None:
-            yield ShutContext(code.span(call.node), *found)
+            yield ShutContext(code.span(call.node), *found, _is_null(code, statement, found[0]))
 
 
 def _behind(code: Code, functions: _Functions, statement: Node, function: Node) -> tuple[Span, str, str | None] | None:
     owner = class_made(code, function) if function.type == "function_definition" else None
-    unfit = _unfit(code, statement)
+    condition = _unfit(code, statement)
+    unfit = (condition["not"] or condition["null"]) if condition is not None else None
     current: Node = statement
     for outer in code.above(statement):
         if outer.type in LOOPS or outer.type in ("switch_statement", "lambda_expression", "case_statement"):
@@ -170,7 +172,13 @@ def _made_in(code: Code, functions: _Functions, method: Node, depth: int) -> Nod
     return None
 
 
-def _unfit(code: Code, statement: Node) -> str | None:
+def _is_null(code: Code, statement: Node, used: Span) -> bool:
+    """Whether the condition only asks whether a pointer is null, and what is used behind is what it points to."""
+    found = _unfit(code, statement) if used.text.endswith("->") else None
+    return found is not None and bool(_NULL.search(found.string))
+
+
+def _unfit(code: Code, statement: Node) -> re.Match[str] | None:
     """What the condition of the branch that shuts down finds to be of no use."""
     block = statement.parent
     branch = block.parent if block is not None and block.type == "compound_statement" else block
@@ -178,5 +186,4 @@ def _unfit(code: Code, statement: Node) -> str | None:
         return None
     if branch.child_by_field_name("consequence") not in (block, statement):
         return None
-    found = _UNFIT.match("".join(code.text(branch.child_by_field_name("condition")).split()))
-    return (found["not"] or found["null"]) if found is not None else None
+    return _UNFIT.match("".join(code.text(branch.child_by_field_name("condition")).split()))

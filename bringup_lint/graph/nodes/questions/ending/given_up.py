@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from itertools import islice
 from typing import TYPE_CHECKING
 
+from bringup_lint.graph.nodes.sources.failure_logs import is_failure_log
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import own
 from bringup_lint.graph.nodes.sources.syntax import own_calls
@@ -16,7 +17,6 @@ from bringup_lint.model.python import FunctionNode
 from bringup_lint.model.python import called_name
 from bringup_lint.model.python import is_own
 from bringup_lint.model.python import is_self
-from bringup_lint.model.python import last_name
 from bringup_lint.model.python import walk
 from bringup_lint.parsers.cpp_node.given_up import STAYS
 from bringup_lint.pattern import regex
@@ -24,7 +24,6 @@ from bringup_lint.pattern import regex
 if TYPE_CHECKING:
     from bringup_lint.graph.nodes.nodes import Nodes
 
-_LOGS = frozenset({"error", "fatal", "critical"})
 _ENDS = frozenset({"shutdown", "try_shutdown", "exit", "_exit", "quit", "abort", "kill", "destroy_node"})
 _MAKES = regex(
     r"create_|\w*(?:Thread|Timer|Server|Client|Listener|Subscriber|Updater|Handler|Executor)\Z|spin|add_\w+_callback"
@@ -115,7 +114,7 @@ class _GivesUp:
 
     def _in_block(self, block: list[ast.AST]) -> bool:
         calls = [each for each in block if isinstance(each, ast.Call)]
-        said = [ast.unparse(each) for each in calls if _is_log(each)]
+        said = [ast.unparse(each) for each in calls if is_failure_log(each)]
         if not said or any(map(STAYS.search, said)) or any(called_name(each) in _ENDS for each in calls):
             return False
         flags = (each.attr for each in block if is_own(each) and isinstance(each.ctx, ast.Store))
@@ -134,9 +133,3 @@ def _asked_in_conditions(syntax: Syntax) -> frozenset[str]:
         each.test for each in conditions if not any(isinstance(one, ast.ClassDef) for one, _ in syntax.above(each))
     )
     return frozenset(each.attr for test in tests for each in walk(test) if isinstance(each, ast.Attribute))
-
-
-def _is_log(call: ast.Call) -> bool:
-    if not isinstance(call.func, ast.Attribute) or call.func.attr not in _LOGS:
-        return False
-    return any("logger" in last_name(each) for each in walk(call.func.value))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator
 
+from bringup_lint.graph.nodes.sources.failure_logs import is_failure_log
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import body_of
 from bringup_lint.graph.nodes.sources.syntax import own
@@ -30,6 +31,8 @@ class ShutConstructor(NamedTuple):
     made: ast.Call
     """What raises, because the context is shut down."""
     name: str
+    is_logged: bool
+    """The branch has logged what failed, so that the log has the cause as well."""
 
 
 def shut_constructors(syntax: Syntax, node: NodeClass) -> Iterator[ShutConstructor]:
@@ -40,7 +43,7 @@ def shut_constructors(syntax: Syntax, node: NodeClass) -> Iterator[ShutConstruct
         if syntax.qualified(call) in _SHUTDOWNS:
             made = next(_made_after(syntax, call), None)
             if made is not None:
-                yield ShutConstructor(call, made, ast.unparse(made.func))
+                yield ShutConstructor(call, made, ast.unparse(made.func), _is_logged(syntax, call))
                 return
 
 
@@ -57,8 +60,15 @@ def spun_after(syntax: Syntax, node: NodeClass) -> Iterator[ShutConstructor]:
         if function is not None and len(spin.args) == 1 and _is_made_in(function, spin.args[0], str(node.name)):
             asked = {called_name(each) for each in own_calls(function.body)} & _ASKS
             if not asked and not syntax.is_dead(spin) and not syntax.catches(spin, _CAUGHT):
-                yield ShutConstructor(shutdowns[0], spin, "rclpy.spin")
+                yield ShutConstructor(shutdowns[0], spin, "rclpy.spin", _is_logged(syntax, shutdowns[0]))
                 return
+
+
+def _is_logged(syntax: Syntax, call: ast.Call) -> bool:
+    """Whether the block of a call logs an error."""
+    statement = next(outer for outer, _ in syntax.within(call) if isinstance(outer, ast.stmt))
+    outer, field = next(syntax.above(statement))
+    return any(map(is_failure_log, own_calls(getattr(outer, field))))
 
 
 def _returns_after(syntax: Syntax, call: ast.Call) -> bool:
