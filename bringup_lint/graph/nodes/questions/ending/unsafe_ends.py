@@ -8,20 +8,12 @@ from typing import TYPE_CHECKING
 
 from bringup_lint.graph.nodes.questions.ending.safe_state import commands
 from bringup_lint.graph.nodes.questions.ending.safe_state import has_safe_state
-from bringup_lint.graph.nodes.questions.ending.safe_state import is_watched_relay
 from bringup_lint.graph.nodes.questions.ending.safe_state import relays
 from bringup_lint.graph.nodes.questions.ending.safe_state import stops_itself
 from bringup_lint.graph.nodes.questions.ending.safe_state import uncovered_sigterm
+from bringup_lint.graph.nodes.questions.ending.stopped_elsewhere import is_stopped_elsewhere
 from bringup_lint.graph.nodes.resolved.starting import stopped_by
 from bringup_lint.graph.nodes.sources.ending import Ending
-from bringup_lint.graph.nodes.sources.halting import firmware_looks_at_time
-from bringup_lint.graph.nodes.sources.halting import gate
-from bringup_lint.graph.nodes.sources.halting import timed_topics
-from bringup_lint.graph.nodes.sources.motion import is_velocity
-from bringup_lint.graph.nodes.sources.motion import moves
-from bringup_lint.graph.nodes.sources.syntax import Syntax
-from bringup_lint.graph.nodes.sources.syntax import body_of
-from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.model.node_source import NodeClass
 from bringup_lint.model.node_source import NodeSource
@@ -76,33 +68,6 @@ def _loaded(file: NodeSource) -> Iterator[str]:
 
 
 def _is_caught(nodes: Nodes, ending: Ending, made: list[NodeClass], command: Endpoint) -> bool:
-    if (
-        gate(nodes) is not None
-        or firmware_looks_at_time(nodes)
-        or made[0].is_lifecycle
-        or _name(str(command.name)) in timed_topics(nodes)
-    ):
+    if made[0].is_lifecycle or all(relays(node) or stops_itself(ending.syntax, node) for node in made):
         return True
-    if all(relays(node) or stops_itself(ending.syntax, node) for node in made):
-        return True
-    others = [node for node in nodes.classes if node not in made]
-    return any(is_watched_relay(node, command) or _times_commands(nodes, node) for node in others)
-
-
-def _times_commands(nodes: Nodes, node: NodeClass) -> bool:
-    """Whether a node receives velocities, keeps the time of the last one and has a timer that can compare it."""
-    syntax = nodes.syntax(nodes.file_of(node))
-    heard = [each for each in node.all_endpoints if each.role == "subscription" and (moves(each) or is_velocity(each))]
-    methods = [method for each in heard if (method := node.method(each.callback or "")) is not None]
-    calls = [call for method in methods for call in own_calls(body_of(method.node))]
-    return bool(node.all_timers) and any(_is_clock(syntax, call) for call in calls)
-
-
-def _is_clock(syntax: Syntax, call: ast.Call) -> bool:
-    if syntax.qualified(call) in ("time.time", "time.monotonic"):
-        return True
-    return isinstance(call.func, ast.Attribute) and call.func.attr == "now"
-
-
-def _name(topic: str) -> str:
-    return topic.rpartition("/")[2]
+    return is_stopped_elsewhere(nodes, command, made)

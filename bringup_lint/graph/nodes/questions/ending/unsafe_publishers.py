@@ -5,17 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from bringup_lint.graph.nodes.questions.commands.repeating import is_held
-from bringup_lint.graph.nodes.questions.ending.safe_state import is_watched_relay
+from bringup_lint.graph.nodes.questions.ending.stopped_elsewhere import is_stopped_elsewhere
 from bringup_lint.graph.nodes.questions.ending.unsafe_hardware import only_spin
-from bringup_lint.graph.nodes.sources.age import COMMENTS
-from bringup_lint.graph.nodes.sources.age import looks_at_age
-from bringup_lint.graph.nodes.sources.halting import firmware_looks_at_time
-from bringup_lint.graph.nodes.sources.halting import gate
-from bringup_lint.graph.nodes.sources.halting import timed_topics
 from bringup_lint.graph.nodes.sources.motion import is_velocity
 from bringup_lint.graph.nodes.sources.motion import moves
-from bringup_lint.graph.nodes.sources.with_header import with_header
 from bringup_lint.model.cpp_source import CppNode
 from bringup_lint.model.node_source import Endpoint
 from bringup_lint.named_tuple import NamedTuple
@@ -45,15 +38,9 @@ def unsafe_publishers(nodes: Nodes) -> Iterator[UnsafePublisher]:
 
 
 def _is_caught(nodes: Nodes, node: CppNode, command: Endpoint) -> bool:
-    topic = (command.name or "").rpartition("/")[2]
-    if gate(nodes) is not None or firmware_looks_at_time(nodes) or topic in timed_topics(nodes):
-        return True
     if any(each.role == "subscription" and (moves(each) or is_velocity(each)) for each in node.endpoints):
         return True
-    if any(is_watched_relay(each, command) for each in nodes.classes):
-        return True
-    drivers = (each for each in nodes.cpp if each is not node and any(map(is_held, each.endpoints)))
-    return any(looks_at_age(COMMENTS.sub("", with_header(nodes, each.source))) for each in drivers)
+    return is_stopped_elsewhere(nodes, command, [node])
 
 
 def _drives(endpoint: Endpoint) -> bool:
