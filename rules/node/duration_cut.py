@@ -7,7 +7,9 @@ whole number.
 
 ## Why it matters on a robot
 The seconds are a whole number: 0.5 becomes 0, and a timeout that is to be half a second is none. The second number
-counts nanoseconds: 100 is not 100 ms, and a lookup that is to wait for a transform does not wait at all.
+counts nanoseconds: 100 is not 100 ms, and a lookup that is to wait for a transform does not wait at all. Where
+`update()` of a controller compares its period with such a duration, to publish less often, it publishes each time; with
+the right duration it would never do so, because the period is that of the controller manager.
 
 ## Bad
 ```cpp
@@ -33,6 +35,7 @@ from bringup_lint.api import Finding
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import nodes
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 
 _SAYS = {
@@ -45,10 +48,19 @@ _SAYS = {
     "milli": ("The second number of rclcpp::Duration is nanoseconds, not {}", "use std::chrono::milliseconds"),
 }
 
+_OF_PERIOD = (
+    "The seconds of rclcpp::Duration are whole: {} loses its fraction, and every period is longer than 0",
+    "keep the time of the last turn, and compare time - last with rclcpp::Duration::from_seconds",
+)
+"""Of what the period of one update is compared with, which is shorter than the time between two messages."""
+_PERIOD = regex(r"\bperiod\s{0,4}>=?[^;{}<>]{0,40}\Z", hints="period")
+
 
 @rule("warning", silent="the compiler converts the number, and nothing is logged")
 def duration_cut(robot: Robot) -> Iterator[Finding]:
     for found in nodes.wrong_durations(robot.nodes):
         message, advice = _SAYS[found.kind]
+        if found.kind == "cut" and _PERIOD.search(found.place.source.line_before(found.place.start)):
+            message, advice = _OF_PERIOD
         severity = "info" if found.kind == "cast" else robot.nodes.lowered_if_vendored(found.place.source, "warning")
         yield finding(found.place, message.format(found.number), advice=advice, severity=severity)

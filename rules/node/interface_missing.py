@@ -63,4 +63,6 @@ def _lack(kind: str, name: str, file: str | None) -> str:
 def _advice(near: list[str], file: str | None) -> str:
     if file:
         return "add the file to rosidl_generate_interfaces"
-    return f"import {near[0]}" if near else "define it, or import what the package has"
+    if near:
+        return f"import {near[0]} if its fields are those that the node uses, else define the one that is missing"
+    return "define it, or import what the package has"

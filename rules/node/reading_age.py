@@ -4,7 +4,8 @@
 A node that keeps what a scanner, a range sensor, a point cloud, the odometry or a sensor with messages of its own
 (`WindSensor`) sends in one callback, and publishes velocities or commands (`WinchCmd`) from another one which uses what
 was kept: a timer, a thread, or the callback of the velocities that it passes on. Found when nothing in the source looks
-at a time: no stamp, no time-out, no difference of two times.
+at a time: no stamp, no time-out, no difference of two times. It is an info where it sends only commands that are
+neither velocities nor speeds of motors: whether the last value will do is a matter of what they move.
 
 ## Why it matters on a robot
 When the scanner stops, its last reading stays: the way that was free then is free forever, and the robot drives on at
@@ -52,11 +53,12 @@ def reading_age(robot: Robot) -> Iterator[Finding]:
     for found in nodes.stale_readings(robot.nodes):
         kind = (found.subscription.type or "").rpartition("/")[2]
         first = f", and before the first one at {found.until_first}" if found.until_first else ""
+        does, end = ("moves the robot", "stop") if found.drives else ("sends commands", "send what is safe")
         yield finding(
             found.used,
-            f"{found.mover} moves the robot by {found.kept} however old it is: without new {kind} messages it stays "
+            f"{found.mover} {does} by {found.kept} however old it is: without new {kind} messages it stays "
             f"at its last value{first}",
-            advice="keep the time of the reading, and stop when it is older than a few of its periods",
+            advice=f"keep the time of the reading, and {end} when it is older than a few of its periods",
             related=[note(found.subscription.span, f"fills {found.kept}")],
-            severity=robot.nodes.lowered(found.source, "warning"),
+            severity=robot.nodes.lowered(found.source, "warning") if found.drives else "info",
         )

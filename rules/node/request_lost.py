@@ -3,7 +3,8 @@
 ## What it finds
 `rclpy.spin_until_future_complete()` without a time-out for the answer to a `call_async()` that follows the making of
 its client at once, in a Python file where nothing waits for a service or asks whether it is there. And requests and
-goals that are sent behind an `if not client.wait_for_service(timeout_sec=...)` that only logs and goes on.
+goals that are sent behind an `if not client.wait_for_service(timeout_sec=...)` that only logs and goes on: an info
+where the wait for the answer has a time-out.
 
 ## Why it matters on a robot
 A new client needs a moment until it has found its service, even if that runs already. DDS keeps a request for nobody
@@ -62,10 +63,12 @@ def request_lost(robot: Robot) -> Iterator[Finding]:
         for vain in nodes.sent_in_vain(robot.nodes.syntax(file)):
             server = "service" if vain.kind == "request" else "server"
             end = "this waits forever" if vain.waits else "its answer never comes"
+            if vain.is_limited:
+                end = "the wait for its answer ends with its time-out"
             yield finding(
                 file.span_of(vain.sent),
                 f"The {vain.kind} is sent even when the {server} is not there: it is lost then, and {end}",
                 advice=f"return where the {server} is not there",
                 related=[note(file.span_of(vain.asked), "only logs that it is not there, and goes on")],
-                severity=robot.nodes.lowered_if_vendored(file.source, "warning"),
+                severity="info" if vain.is_limited else robot.nodes.lowered_if_vendored(file.source, "warning"),
             )

@@ -2,7 +2,8 @@
 
 ## What it finds
 `future.result()` after `call_async()` or `send_goal_async()`, when nothing in between waits for the future, asks
-whether it is done, or runs the executor.
+whether it is done, or runs the executor. It is an info where nothing takes the result, as where all that call the
+function which returns it drop its value.
 
 ## Why it matters on a robot
 `call_async()` only sends the request, and `result()` of a future that is not done is None. The node takes the request
@@ -42,7 +43,7 @@ from bringup_lint.api import rule
 @rule("warning", symptoms=["AttributeError: 'NoneType' object has no attribute 'success'"])
 def result_before_response(robot: Robot) -> Iterator[Finding]:
     for file in robot.nodes.robot_sources:
-        found = sorted(nodes.early_results(robot.nodes.syntax(file)), key=lambda each: not each.is_used)
+        found = sorted(nodes.early_results(robot.nodes, robot.nodes.syntax(file)), key=lambda each: not each.is_used)
         if not found:
             continue
         first, *others = found

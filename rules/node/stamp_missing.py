@@ -4,7 +4,7 @@
 Odometry, joint states, IMU, laser, point cloud, range, GPS and magnetometer readings, and transforms, that Python and
 C++ nodes make, fill and publish without a time stamp; and images that a node takes itself from a camera. Only messages
 of which every use is seen: one that is handed to something else may get its stamp there. What robot_localization does
-is said where the tree uses it.
+is said where the tree uses it. Positions of GPS are an info where it does not: they are read as they come.
 
 ## Why it matters on a robot
 The stamp stays 0, which is 1970. robot_localization ignores such readings, `robot_state_publisher` and tf2 place the
@@ -52,6 +52,8 @@ HARM = {
     "geometry_msgs/msg/TwistWithCovarianceStamped": IGNORED,
     "sensor_msgs/msg/JointState": "the transforms of the joints lie in the past",
 }
+PLAIN = frozenset({"sensor_msgs/msg/NavSatFix"})
+"""What is shown to people, or read as it comes, where no filter takes it."""
 OTHERS = "it cannot be transformed or joined with other sensors"
 
 
@@ -59,7 +61,8 @@ OTHERS = "it cannot be transformed or joined with other sensors"
 def stamp_missing(robot: Robot) -> Iterator[Finding]:
     for first, *others in nodes.unstamped(robot.nodes):
         kind, harm = first.type.rpartition("/")[2], HARM.get(first.type, OTHERS)
-        if harm == IGNORED and not uses_robot_localization(robot):
+        is_localized = uses_robot_localization(robot)
+        if harm == IGNORED and not is_localized:
             harm = OTHERS
         yield finding(
             first.made,
@@ -69,7 +72,9 @@ def stamp_missing(robot: Robot) -> Iterator[Finding]:
                 note(first.sent, "published here"),
                 *(note(each.made, f"no stamp in this {each.type.rpartition('/')[2]} either") for each in others),
             ],
-            severity=robot.nodes.lowered(first.made.source, "warning"),
+            severity="info"
+            if first.type in PLAIN and not is_localized
+            else robot.nodes.lowered(first.made.source, "warning"),
         )
 
 

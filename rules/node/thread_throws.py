@@ -47,7 +47,7 @@ def thread_throws(robot: Robot) -> Iterator[Finding]:
             yield finding(
                 found.thrown,
                 f"No handler can take what {found.function} throws here, in a thread of its own: the process aborts",
-                advice="log it and leave the thread, or try it before the thread starts",
+                advice="do it before the thread starts, or catch it in the thread, log it and call rclcpp::shutdown()",
                 related=[note(found.started, "starts the thread")],
                 severity=robot.nodes.lowered_if_vendored(driver.source, "warning"),
             )

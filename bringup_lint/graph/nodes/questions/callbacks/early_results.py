@@ -4,13 +4,18 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
+from bringup_lint.graph.memo import kept
 from bringup_lint.graph.nodes.sources.syntax import Syntax
 from bringup_lint.graph.nodes.sources.syntax import own
 from bringup_lint.graph.nodes.sources.syntax import own_calls
 from bringup_lint.model.python import called_name
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
+
+if TYPE_CHECKING:
+    from bringup_lint.graph.nodes.nodes import Nodes
 
 _ASKS = ("call_async", "send_goal_async")
 _WAITS = regex(r"sleep|wait|spin|join|acquire|done|execute|recv|get\b")
@@ -23,7 +28,7 @@ class EarlyResult(NamedTuple):
     """Something is done with the result."""
 
 
-def early_results(syntax: Syntax) -> Iterator[EarlyResult]:
+def early_results(nodes: Nodes, syntax: Syntax) -> Iterator[EarlyResult]:
     """``future.result()`` after ``call_async`` where nothing in between waits, or asks whether it is done."""
     for call in syntax.calls:
         if not isinstance(call.func, ast.Attribute) or call.func.attr not in _ASKS:
@@ -33,17 +38,29 @@ def early_results(syntax: Syntax) -> Iterator[EarlyResult]:
             continue
         read = _directly(syntax, outer[0]) or _later(syntax, outer[0])
         if read is not None:
-            yield EarlyResult(call, read, _is_used(syntax, read))
+            yield EarlyResult(call, read, _is_used(nodes, syntax, read))
 
 
-def _is_used(syntax: Syntax, read: ast.Call) -> bool:
+def _is_used(nodes: Nodes, syntax: Syntax, read: ast.Call) -> bool:
     """Whether the value of a call is not dropped: at once, or by all that call the function which returns it."""
     outer = next(syntax.above(read))[0]
     if not isinstance(outer, ast.Return):
         return not isinstance(outer, ast.Expr)
     function = syntax.function(outer)
-    named = [each for each in syntax.calls if function is not None and called_name(each) == function.name]
-    return not named or any(not isinstance(next(syntax.above(each))[0], ast.Expr) for each in named)
+    return function is None or _uses(nodes).get(function.name, True)
+
+
+@kept
+def _uses(nodes: Nodes) -> dict[str, bool]:
+    """Name of a function that the robot's code calls -> whether anything takes its value."""
+    found: dict[str, bool] = {}
+    for file in nodes.robot_code:
+        dropped = {id(each.value) for each in file.nodes if isinstance(each, ast.Expr)}
+        for each in file.nodes:
+            if isinstance(each, ast.Call):
+                name = called_name(each)
+                found[name] = found.get(name, False) or id(each) not in dropped
+    return found
 
 
 def _directly(syntax: Syntax, outer: ast.AST) -> ast.Call | None:

@@ -29,6 +29,8 @@ class SentInVain(NamedTuple):
     """``request`` or ``goal``."""
     waits: bool
     """The call itself waits for the answer."""
+    is_limited: bool
+    """What waits for the answer behind it has a time-out."""
 
 
 def sent_in_vain(syntax: Syntax) -> Iterator[SentInVain]:
@@ -40,10 +42,20 @@ def sent_in_vain(syntax: Syntax) -> Iterator[SentInVain]:
         if condition is None or condition.orelse or _leaves(condition):
             continue
         client, names = ast.unparse(asked.func.value), _SENDS[asked.func.attr]
-        found = next((each for each in _after(syntax, condition) if _is_sent(each, client, names)), None)
-        if found is not None:
+        later = list(_after(syntax, condition))
+        at = next((number for number, each in enumerate(later) if _is_sent(each, client, names)), len(later))
+        for found in later[at : at + 1]:
             kind = "request" if asked.func.attr == "wait_for_service" else "goal"
-            yield SentInVain(asked, found, kind, called_name(found) == names[1])
+            is_limited = any(map(_is_limited, later[at + 1 :]))
+            yield SentInVain(asked, found, kind, called_name(found) == names[1], is_limited)
+
+
+def _is_limited(call: ast.Call) -> bool:
+    """Whether a call waits for an answer up to a time-out."""
+    given = [*call.args, *(each.value for each in call.keywords if each.arg == "timeout_sec")]
+    return called_name(call) == "spin_until_future_complete" and any(
+        isinstance(each, ast.Constant) and isinstance(each.value, (int, float)) for each in given
+    )
 
 
 def _negated(syntax: Syntax, asked: ast.Call) -> ast.If | None:

@@ -59,6 +59,8 @@ class StaleReading(NamedTuple):
     """The callback or thread that moves it: ``on_cmd()``."""
     until_first: str
     """What it holds before the first message, where that lets the robot move: ``inf``, ``False``; else empty."""
+    drives: bool
+    """Velocities are sent by it, or speeds of motors; else commands of another kind, such as the angle of a flap."""
 
 
 def stale_readings(nodes: Nodes) -> Iterator[StaleReading]:
@@ -74,6 +76,7 @@ def stale_readings(nodes: Nodes) -> Iterator[StaleReading]:
 
 def _in_class(nodes: Nodes, file: NodeSource, node: NodeClass, readings: list[Endpoint]) -> Iterator[StaleReading]:
     syntax = nodes.syntax(file)
+    drives = any(map(is_motion, node.all_endpoints))
     for mover in [*loops(syntax, node), *_commanded(syntax, node)]:
         if not any(_moves(each, node) for each in mover.code):
             continue
@@ -85,7 +88,7 @@ def _in_class(nodes: Nodes, file: NodeSource, node: NodeClass, readings: list[En
                 if used is not None:
                     place = file.span_of(used)
                     first = _before(file, node, name)
-                    yield StaleReading(file.source, reading, f"self.{name}", place, f"{mover.name}()", first)
+                    yield StaleReading(file.source, reading, f"self.{name}", place, f"{mover.name}()", first, drives)
                     break
 
 
@@ -127,7 +130,7 @@ def _in_cpp(nodes: Nodes, source: CppNode) -> Iterator[StaleReading]:
     text = with_header(nodes, source.source)
     if looks_at_age(text):
         return
-    signs = _signs(text)
+    signs, drives = _signs(text), any(map(is_motion, source.endpoints))
     for reading in readings:
         if any(_is_within(at, reading.span) and names & _CLOCKS for at, names in source.called.items()):
             continue
@@ -138,7 +141,8 @@ def _in_cpp(nodes: Nodes, source: CppNode) -> Iterator[StaleReading]:
                 continue
             for name in sorted(names & words)[:1]:
                 label = f"{mover.name}()" if mover.name is not None else f"The callback of a {mover.role}"
-                yield StaleReading(source.source, reading, name, mover.span, label, _cpp_before(text, name))
+                before = _cpp_before(text, name)
+                yield StaleReading(source.source, reading, name, mover.span, label, before, drives)
 
 
 def _signs(text: str) -> frozenset[str]:

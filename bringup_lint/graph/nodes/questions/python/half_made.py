@@ -34,6 +34,8 @@ class HalfMade(NamedTuple):
     place: ast.Attribute
     set_at: ast.Attribute
     function: str
+    ends: bool
+    """The handler shuts the context down, to end the program, as the use then does."""
 
 
 def half_made(nodes: Nodes) -> Iterator[HalfMade]:
@@ -57,14 +59,15 @@ def _in_try(
     handler = next((each for each in statement.handlers if not _leaves(syntax, node, each)), None)
     if handler is None:
         return
+    ends = any(_shuts_down(each) for each in reached(syntax, [*handler.body], node))
     texts = {each.value for each in file.nodes if isinstance(each, ast.Constant)}
     for place in _made(statement):
         if place.attr in known or place.attr in texts or not _is_set_here_alone(node, statement, place.attr):
             continue
-        use = next(_uses(syntax, node, statement, handler, place.attr), None)
+        use = next(_uses(syntax, node, statement, ends, place.attr), None)
         function = syntax.function(use) if use is not None else None
         if use is not None and function is not None:
-            yield HalfMade(file, handler, use, place, function.name)
+            yield HalfMade(file, handler, use, place, function.name, ends)
             return
 
 
@@ -102,11 +105,8 @@ def _is_set_here_alone(node: NodeClass, statement: ast.Try, name: str) -> bool:
     return all(id(each) in inside for each in stores if each.attr == name and not isinstance(each.ctx, ast.Load))
 
 
-def _uses(
-    syntax: Syntax, node: NodeClass, statement: ast.Try, handler: ast.ExceptHandler, name: str
-) -> Iterator[ast.Attribute]:
+def _uses(syntax: Syntax, node: NodeClass, statement: ast.Try, ends: bool, name: str) -> Iterator[ast.Attribute]:
     """The uses that run each time that their method does, in the constructor after the ``try`` or in a callback."""
-    ends = any(_shuts_down(each) for each in reached(syntax, [*handler.body], node))
     started = set() if ends else set(_started(syntax, node, statement))
     for place in sorted(own_uses(syntax, node), key=lambda each: (each.lineno, each.col_offset)):
         function = syntax.function(place)
