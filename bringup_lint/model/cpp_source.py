@@ -232,6 +232,8 @@ class GivenUp(NamedTuple):
     """What the constructor would make after it."""
     owner: str
     """The class that is made."""
+    is_setting: bool
+    """The value of a parameter alone decides: the next start would end in the same way."""
 
 
 class EarlyMember(NamedTuple):

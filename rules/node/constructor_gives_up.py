@@ -4,7 +4,8 @@
 A `return` in the constructor of a node, after an error is logged, at which the node has neither a timer nor a topic nor
 a service yet. Silent where only an argument of a Python constructor decides, where the branch shuts down, throws, exits
 or sets something that others ask for, and where anything that may run later was made before. Info for a component that
-launch files load into a container.
+launch files load into a container, and where the value of a parameter alone decides: with a wrong value the next start
+would end in the same way.
 
 ## Why it matters on a robot
 The device was not there yet, or a file is missing: the node logs one line and stays. `spin()` waits for callbacks that
@@ -57,13 +58,15 @@ def constructor_gives_up(robot: Robot) -> Iterator[Finding]:
     for found in nodes.given_up(robot.nodes):
         source = found.left.source
         raised = "raise RuntimeError(...)" if source.name.endswith(".py") else "throw std::runtime_error(...)"
+        lowest = found.is_setting or is_component(robot, source, found.owner)
+        end = "so that neither respawn nor Restart= starts it again"
         yield finding(
             found.left,
             f"After this error {found.owner} has no timer, topic or service: the process stays alive and does nothing, "
-            "so that neither respawn nor Restart= starts it again",
+            f"{'as if it were well' if found.is_setting else end}",
             advice=f"{raised} here, so that the process ends with a failure",
             related=[note(found.lost, "never reached then")],
-            severity="info" if is_component(robot, source, found.owner) else robot.nodes.lowered(source, "warning"),
+            severity="info" if lowest else robot.nodes.lowered(source, "warning"),
         )
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -40,6 +41,13 @@ _FLAG = regex(r"=\s{0,4}true\s{0,4};", hints="true")
 _HANDED = regex(r"\bthis\b(?!\s{0,4}->)|shared_from_this", hints="this")
 _POINTERS = ("shared_ptr", "unique_ptr")
 """They keep the node that they are handed, and run nothing."""
+_COMPARED = regex(r"\((?:!?(?P<empty>\w+)\.empty\(\)|(?P<name>\w+)(?:[=!]=|[<>]=?)[\w:.\[\]\"'-]{1,120})\)\Z")
+"""A condition that compares one variable with a constant."""
+_SET = (
+    r"\b{0}\s{{0,4}}=[^;=]{{0,200}}\b(?:get|declare)_parameter\b"
+    r"|\bget_parameter(?:_or)?\s{{0,4}}(?:<[^<>;]{{0,80}}>)?\([^;]{{0,200}}\b{0}\b"
+)
+"""What gives a variable the value of a parameter."""
 _BRANCHES = frozenset({"if_statement", "else_clause", "catch_clause"})
 
 
@@ -60,7 +68,7 @@ def given_up(code: Code) -> Iterator[GivenUp]:
         early = (each for each in returns.get(function.id, ()) if code.span(each).start < idle)
         left = next((each for each in early if _gives_up(code, each)), None)
         if left is not None:
-            yield GivenUp(code.span(left), code.span(lost.node), owner)
+            yield GivenUp(code.span(left), code.span(lost.node), owner, _is_setting(code, function, left))
 
 
 def _made(code: Code, function: Node) -> str | None:
@@ -125,3 +133,24 @@ def _gives_up(code: Code, left: Node) -> bool:
     if STAYS.search(code.text(block)):
         return False
     return block.parent.type in _BRANCHES and bool(LOGS.search(before)) and not _ENDS.search(before)
+
+
+def _is_setting(code: Code, function: Node, left: Node) -> bool:
+    """Whether all conditions of the chain of branches that a return is in compare one parameter with constants."""
+    conditions = ("".join(code.text(each).split()) for each in _conditions(left))
+    found = [_COMPARED.match(each) for each in conditions]
+    names = {each["empty"] or each["name"] if each is not None else None for each in found}
+    name = next(iter(names)) if len(names) == 1 else None
+    return name is not None and re.search(_SET.format(re.escape(name)), code.text(function)) is not None
+
+
+def _conditions(left: Node) -> Iterator[Node | None]:
+    """Those of the ``if`` that a return is in, and of those whose ``else`` that is."""
+    block = left.parent
+    node = block.parent if block is not None else None
+    while node is not None and node.type in ("if_statement", "else_clause"):
+        if node.type == "if_statement":
+            yield node.child_by_field_name("condition")
+            if node.parent is None or node.parent.type != "else_clause":
+                return
+        node = node.parent

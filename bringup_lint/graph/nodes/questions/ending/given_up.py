@@ -29,6 +29,7 @@ _MAKES = regex(
     r"create_|\w*(?:Thread|Timer|Server|Client|Listener|Subscriber|Updater|Handler|Executor)\Z|spin|add_\w+_callback"
 )
 """What may run something later."""
+_PARAMETERS = frozenset({"get_parameter", "declare_parameter"})
 _OF_OTHERS = regex(r"(?<!self)\.(\w+)")
 _OF_NODES = regex(r"(?:declare_|get_|has_|set_|undeclare_)")
 """The beginnings of methods of a node that make nothing."""
@@ -50,7 +51,10 @@ def given_up(nodes: Nodes) -> Iterator[GivenUp]:
         if lost is not None:
             gives = _GivesUp(nodes.syntax(file), _given(made.node))
             early = (each for each in returns if _at(each) < _at(lost) and gives.at(each))
-            yield from (GivenUp(file.span_of(each), file.span_of(lost), str(cls.name)) for each in islice(early, 1))
+            set_by = _of_parameters(made.node)
+            for each in islice(early, 1):
+                is_setting = gives.asks_only(each, set_by)
+                yield GivenUp(file.span_of(each), file.span_of(lost), str(cls.name), is_setting)
     for source in nodes.cpp:
         yield from source.given_up
 
@@ -63,6 +67,17 @@ def _given(made: FunctionNode) -> frozenset[str]:
         if isinstance(each, ast.Assign) and isinstance(each.value, ast.Name) and each.value.id in names:
             kept.update(target.attr for target in each.targets if is_own(target))
     return frozenset(names | kept)
+
+
+def _of_parameters(made: FunctionNode) -> frozenset[str]:
+    """The variables and attributes that get the value of a parameter."""
+    found: set[str] = set()
+    for each in own(made.body):
+        if isinstance(each, ast.Assign) and any(
+            isinstance(part, ast.Call) and called_name(part) in _PARAMETERS for part in walk(each.value)
+        ):
+            found.update(name for target in each.targets for name in _names(target))
+    return frozenset(found)
 
 
 def _names(test: ast.expr) -> set[str]:
@@ -111,6 +126,11 @@ class _GivesUp:
         if (outer, field) not in self._known:
             self._known[outer, field] = self._in_block(list(own(getattr(outer, field))))
         return self._known[outer, field]
+
+    def asks_only(self, left: ast.Return, names: frozenset[str]) -> bool:
+        """Whether a return is in a branch that only some names decide."""
+        outer, _ = next(self._syntax.above(left))
+        return isinstance(outer, ast.If) and _names(outer.test) <= names
 
     def _in_block(self, block: list[ast.AST]) -> bool:
         calls = [each for each in block if isinstance(each, ast.Call)]
