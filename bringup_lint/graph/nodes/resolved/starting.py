@@ -60,8 +60,8 @@ def _runner_texts(nodes: Nodes) -> str:
 
 
 def watcher(nodes: Nodes, source: Source) -> Runner | None:
-    """The unit, container or supervised program that is a source alone, and looks at the status with which it ends:
-    ``ros2 launch`` tells nobody of it."""
+    """The unit, container or supervised program that runs a source and no other, and looks at the status with which
+    that ends: ``ros2 launch`` tells nobody of it."""
     return _watched(nodes).get(source.absolute)
 
 
@@ -83,9 +83,11 @@ def _sources(nodes: Nodes, ros: Ros) -> list[str]:
     if program is not None:
         return [program.file.source.absolute]
     owner = nodes.launch.workspace.packages.get(package)
+    if owner is None:
+        return []
     return [
         os.path.normpath(os.path.join(os.path.dirname(build.source.absolute), path))
-        for build in (owner.builds if owner is not None else ())
+        for build in owner.builds
         for path in build.targets.get(name, ())
     ]
 

@@ -26,7 +26,8 @@ _SIZE = 200_000
 
 
 def is_known_unread(nodes: Nodes, source: Source, name: Located) -> bool:
-    """Whether a line of a page of the package that names the parameter says so, or a comment beside it."""
+    """Whether a page of the package, in a line that names the parameter, or a comment beside it says that it is not
+    used."""
     owner = nodes.launch.workspace.owner(source)
     if owner is not None and str(name) in _unread(nodes, owner):
         return True
