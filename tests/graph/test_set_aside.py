@@ -29,6 +29,15 @@ BUILT = {
     "docker/Dockerfile.weir": "FROM ros:foxy\n",
     "compose.yaml": "services:\n  drive:\n    build: {context: docker, dockerfile: Dockerfile.drive}\n",
 }
+STACK = (
+    "services:\n  drive:\n    build: .\n    volumes: [./src:/ws/src]\n    command: ros2 launch drive drive.launch.py\n"
+)
+COPIED = {
+    "Dockerfile": "FROM ros:humble\n",
+    "compose.yaml": STACK,
+    "src/Dockerfile": "FROM ros:humble\n",
+    "src/compose.yaml": STACK,
+}
 BASHRC = "source /opt/ros/humble/setup.bash\nexport RMW_IMPLEMENTATION=rmw_cyclonedds_cpp\nexport ROS_DOMAIN_ID=%s\n"
 PAGES = {"bashrc": BASHRC % 4, "Documentation/Operation/bashrc": BASHRC % 5}
 
@@ -107,6 +116,11 @@ def set_aside(folder: Path, files: dict[str, str]) -> list[str]:
         ({**SCRIPTS, "docker/Dockerfile": IMAGE, "README.md": "Run install-c.sh for a camera.\n"}, []),
         ({**SCRIPTS, "docker/Dockerfile": "FROM ros:humble\nCOPY scripts /opt\n"}, []),
         ({**SCRIPTS, "docker/scripts/Dockerfile": IMAGE}, []),
+        (COPIED, ["src/Dockerfile", "src/compose.yaml"]),
+        ({**COPIED, "README.md": "docker compose -f src/compose.yaml up\n"}, []),
+        ({**COPIED, "src/src/a.py": ""}, []),
+        ({**COPIED, "compose.yaml": STACK.replace("drive", "weir")}, []),
+        ({**COPIED, "build.sh": "docker build -t drive src\n"}, ["src/compose.yaml"]),
         (BUILT, ["docker/Dockerfile.weir"]),
         ({**BUILT, "a.sh": "docker build -f docker/Dockerfile.weir .\n"}, []),
         ({**BUILT, "README.md": "docker build -f docker/Dockerfile.weir .\n"}, []),

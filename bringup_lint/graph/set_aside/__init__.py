@@ -1,6 +1,7 @@
 """Files that a tree keeps and uses no more: a unit that nothing installs while others beside it are, a script of an
 image that nothing runs, a Dockerfile that nothing builds, a role that no play takes, the copy of a file in a folder of
-documentation, and what a folder of an older version or an archive holds. What is found there is information.
+documentation, a copy of a compose file whose paths only hold where the other one is, and what a folder of an older
+version or an archive holds. What is found there is information.
 
 Only what is plain counts: a folder that is taken as a whole, a name that is put together, and a page that names the
 file all use it."""
@@ -18,6 +19,7 @@ from bringup_lint.graph.files import Files
 from bringup_lint.graph.memo import memo
 from bringup_lint.graph.purpose import Purpose
 from bringup_lint.graph.purpose import by_path
+from bringup_lint.graph.set_aside.compose_copies import MisplacedCopies
 from bringup_lint.graph.set_aside.dockerfiles import LeftOverDockerfiles
 from bringup_lint.graph.set_aside.pages import CopiedPages
 from bringup_lint.graph.set_aside.roles import IdleRoles
@@ -49,8 +51,10 @@ class SetAside:
         return self._roles.have(source) or self._pages.have(source) or self._is_idle(source)
 
     def _is_idle(self, source: Source) -> bool:
+        if source.kind == "compose":
+            return self._compose_copies.have(source)
         if source.kind == "dockerfile":
-            return self._dockerfiles.have(source)
+            return self._dockerfiles.have(source) or self._compose_copies.build(source)
         if source.kind == "systemd-unit":
             return self._units.have(source)
         return source.kind == "shell-script" and self._scripts.have(source)
@@ -77,6 +81,10 @@ class SetAside:
     @cached_property
     def _pages(self) -> CopiedPages:
         return CopiedPages(self._files, self._texts)
+
+    @cached_property
+    def _compose_copies(self) -> MisplacedCopies:
+        return MisplacedCopies(self._files, self._texts, self._compose)
 
     @cached_property
     def _dockerfiles(self) -> LeftOverDockerfiles:

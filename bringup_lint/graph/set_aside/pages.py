@@ -7,6 +7,7 @@ from functools import cached_property
 from bringup_lint.graph.files import Files
 from bringup_lint.graph.memo import memo
 from bringup_lint.graph.set_aside.texts import Texts
+from bringup_lint.graph.set_aside.texts import is_copy
 from bringup_lint.pattern import regex
 from bringup_lint.source import Source
 
@@ -29,7 +30,7 @@ class CopiedPages:
         if not _DOCUMENTATION.search(path):
             return False
         used = self._outside_of_documentation.get((source.kind, source.basename), ())
-        if not any(_is_copy(source.text, each.text) for each in used[:_ALIKE]):
+        if not any(is_copy(source.text, each.text) for each in used[:_ALIKE]):
             return False
         place = "/".join(path.split("/")[-2:])
         return not any(place in each.text for each in self._texts.saying(source.basename, source))
@@ -41,9 +42,3 @@ class CopiedPages:
             if not _DOCUMENTATION.search(self._texts.path_of(each.absolute)):
                 found.setdefault((each.kind, each.basename), []).append(each)
         return found
-
-
-def _is_copy(text: str, other: str) -> bool:
-    """Whether most lines of a text are those of another one."""
-    lines, others = set(text.split("\n")), set(other.split("\n"))
-    return len(lines & others) * 2 > len(lines)

@@ -83,6 +83,12 @@ class Texts:
         return f"{os.path.commonpath(folders).rstrip('/')}/" if folders else "/"
 
 
+def is_copy(text: str, other: str) -> bool:
+    """Whether most lines of a text are those of another one."""
+    lines, others = set(text.split("\n")), set(other.split("\n"))
+    return len(lines & others) * 2 > len(lines)
+
+
 def _said(path: str, text: str) -> str:
     """A text without comments and drawings of folders."""
     text = _DRAWING.sub("", text)

@@ -1,0 +1,73 @@
+"""Copies of compose files whose paths only hold where the other one is, in a folder above."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from collections.abc import Iterator
+
+from bringup_lint.graph.containers.compose import Compose
+from bringup_lint.graph.files import Files
+from bringup_lint.graph.memo import memo
+from bringup_lint.graph.set_aside.texts import Texts
+from bringup_lint.graph.set_aside.texts import is_copy
+from bringup_lint.model.compose import ComposeFile
+from bringup_lint.model.compose import is_variable
+from bringup_lint.source import Source
+
+
+class MisplacedCopies:
+    """Asked for a compose file, or a Dockerfile: whether the tree keeps it and does not use it."""
+
+    def __init__(self, files: Files, texts: Texts, compose: Callable[[], Compose]) -> None:
+        self._files = files
+        self._texts = texts
+        self._compose = compose
+
+    @memo
+    def have(self, source: Source) -> bool:
+        """Whether nothing names a compose file, and a folder above has one of the same services beside which there is
+        what this one mounts and does not have beside itself."""
+        by_folder = self._compose().by_folder
+        own = next((each for each in by_folder.get(os.path.dirname(source.name), ()) if each.source is source), None)
+        if own is None or not any(self._is_misplaced(own, each) for each in self._above(source)):
+            return False
+        return not self._is_named(source)
+
+    @memo
+    def build(self, source: Source) -> bool:
+        """Whether only such copies build a Dockerfile."""
+        images = self._compose().images
+        stages = {stage for file in images.dockerfiles if file.source is source for stage in file.stages}
+        built = (each for group in images.built.values() for each in group if each.stage in stages)
+        places = {each.where.span.source for each in built}
+        places |= {service.source for stage in stages for service in self._compose().users(stage)}
+        return bool(places) and all(each.kind == "compose" and self.have(each) for each in places)
+
+    def _is_named(self, source: Source) -> bool:
+        place = "/".join(self._texts.path_of(source.absolute).split("/")[-2:])
+        return any(place in each.text for each in self._texts.saying(source.basename, source))
+
+    def _above(self, source: Source) -> Iterator[ComposeFile]:
+        """The compose files in the folders above that of one."""
+        folder = os.path.dirname(source.name)
+        while folder.strip("/"):
+            folder = os.path.dirname(folder)
+            yield from self._compose().by_folder.get(folder, ())
+
+    def _is_misplaced(self, own: ComposeFile, other: ComposeFile) -> bool:
+        names, others = ({str(service.name) for service in each.services} for each in (own, other))
+        if names != others or not is_copy(own.source.text, other.source.text):
+            return False
+        paths = [path for path in _mounted(own) if not self._is_beside(own, path)]
+        return bool(paths) and all(self._is_beside(other, path) for path in paths)
+
+    def _is_beside(self, file: ComposeFile, path: str) -> bool:
+        return self._files.tree.exists(os.path.normpath(os.path.join(os.path.dirname(file.source.absolute), path)))
+
+
+def _mounted(file: ComposeFile) -> Iterator[str]:
+    """The paths beside a compose file that its services mount."""
+    volumes = (volume for service in file.services for volume in service.volumes)
+    paths = (str(volume.source) for volume in volumes if volume.source is not None)
+    return (path for path in paths if path.startswith(("./", "../")) and not is_variable(path))
