@@ -2,7 +2,9 @@
 
 ## What it finds
 `systemctl mask` or `disable` of `systemd-networkd-wait-online.service` or `NetworkManager-wait-online.service` in a
-script of a robot whose units start ROS at boot, when no other wait service is enabled by the tree.
+script of a robot whose units start ROS at boot, when no other wait service is enabled by the tree. It is a warning
+where a unit with ROS is ordered after network-online.target. Where the units only come after network.target or the
+like, the mask changes nothing yet, and it is info.
 
 ## Why it matters on a robot
 network-online.target is reached at once when nothing waits. `After=network-online.target` is then an empty word: DDS
@@ -54,16 +56,34 @@ def wait_online_masked(robot: Robot) -> Iterator[Finding]:
         word = next((word for word in run.words[1:] if WAITER.fullmatch(word)), None)
         if not verb or word is None or _other_waits(robot, word):
             continue
-        waiting = _waiting(robot)
+        waiting = [(unit.name, after) for unit in robot.units.dds for after in unit.words("After") if after == ONLINE]
         if waiting:
-            yield finding(
+            yield _finding(
                 word,
                 f"Nothing waits for the network any more: {ONLINE} is reached at once, and DDS of {waiting[0][0]} "
                 "may start before any interface has an address",
-                advice="limit the wait instead: a drop-in with --interface=eth0 --timeout=30",
-                related=[note(place, f"{name} starts at boot") for name, place in waiting[:3]],
-                confidence="medium",
+                waiting,
             )
+            continue
+        early = [(each.unit.name, each.word) for each in too_early(robot.units) if not each.presumed]
+        if early:
+            yield _finding(
+                word,
+                f"{ONLINE} waits for nothing any more: After={ONLINE} would not make {early[0][0]} wait for an address",
+                early,
+                severity="info",
+            )
+
+
+def _finding(word: Located, message: str, units: list[tuple[str, Located]], severity: str | None = None) -> Finding:
+    return finding(
+        word,
+        message,
+        advice="limit the wait instead: a drop-in with --interface=eth0 --timeout=30",
+        related=[note(place, f"{name} starts at boot") for name, place in units[:3]],
+        confidence="medium",
+        severity=severity,
+    )
 
 
 def _other_waits(robot: Robot, word: str) -> bool:
@@ -72,10 +92,3 @@ def _other_waits(robot: Robot, word: str) -> bool:
     if masked is not None and masked["daemon"] == "NetworkManager":
         return bool(robot.of_kind("netplan"))
     return robot.mentions(re.compile(r"renderer:\s*NetworkManager|\bnmcli\b|NetworkManager-wait-online"))
-
-
-def _waiting(robot: Robot) -> list[tuple[str, Located]]:
-    """The units that start ROS and need the network, each with a place."""
-    units = robot.units
-    ordered = [(unit.name, word) for unit in units.dds for word in unit.words("After") if word == ONLINE]
-    return ordered + [(early.unit.name, early.word) for early in too_early(units) if not early.presumed]
