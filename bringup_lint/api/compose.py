@@ -7,6 +7,7 @@ from bringup_lint.type_names import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from bringup_lint.graph.containers.questions.compose_names import MissingFile
+    from bringup_lint.graph.containers.questions.compose_names import defined_names
     from bringup_lint.graph.containers.questions.compose_names import missing_files
     from bringup_lint.graph.containers.questions.compose_names import undefined_names
     from bringup_lint.graph.containers.questions.container_names import shared_names
@@ -37,6 +38,7 @@ __all__ = [
     "Service",
     "Volume",
     "closed_devices",
+    "defined_names",
     "hidden_workspaces",
     "homes_of",
     "is_workplace",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+from collections.abc import Iterable
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -254,7 +255,7 @@ def undefined_names(compose: Compose) -> Iterator[UndefinedName]:
         project = projects.of(file)
         if project is None or projects.has_parts(project):
             continue
-        defined = {kind: _defined(project, kind) for kind in ("volume", "network", "service")}
+        defined = {kind: defined_names(project, kind) for kind in ("volume", "network", "service")}
         for service in file.services:
             for found in _named(service):
                 if _is_own(service, found.name) and str(found.name) not in defined[found.kind]:
@@ -291,7 +292,8 @@ def _is_optional(body: object) -> bool:
     return required is not None and required.boolean is False
 
 
-def _defined(project: list[ComposeFile], kind: str) -> set[str]:
+def defined_names(project: Iterable[ComposeFile], kind: str) -> set[str]:
+    """The volumes, networks or services that the files of a project define."""
     roots = (file.yaml.root for file in project)
     sections = [root.mapping(f"{kind}s") for root in roots if isinstance(root, Mapping)]
     names = {str(key.value) for section in sections if section is not None for key, _ in section.merged}
