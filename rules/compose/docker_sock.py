@@ -17,7 +17,7 @@ volumes:
 
 ## Good
 ```yaml
-# nothing: no service needs the socket to drive a robot
+# nothing: a service that only drives the robot does not need the socket
 ```
 
 ## When to ignore it
@@ -52,8 +52,9 @@ def docker_sock(robot: Robot) -> Iterator[Finding]:
             if own and _is_socket(volume):
                 yield finding(
                     volume.where,
-                    f"Service '{service.name}' controls the Docker daemon, and with it the host",
-                    advice="remove the volume, or let only the requests that the service needs pass a socket proxy",
+                    f"Service '{service.name}' controls the Docker daemon: whoever breaks into it is root on the host",
+                    advice="remove the volume if the service does not manage containers; if it does, run nothing else "
+                    "in it, and put a socket proxy in between that lets only the requests pass that it needs",
                     severity="info" if service.image is not None and MANAGES.search(service.image) else None,
                 )
 
