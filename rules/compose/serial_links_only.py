@@ -2,7 +2,8 @@
 
 ## What it finds
 A bind mount of `/dev/serial`, `/dev/v4l` or a folder below, such as `/dev/serial/by-id`, in a service that is not
-privileged and maps neither `/dev` nor a device of that kind.
+privileged and maps neither `/dev` nor a device of that kind. It is info where a page of the tree tells people to add
+the devices with `--device` when they start the container.
 
 ## Why it matters on a robot
 The folder holds links to `../../ttyUSB0`. In the container there is no `/dev/ttyUSB0`, so every link leads nowhere and
@@ -28,6 +29,7 @@ When the container only lists the names.
 - udev(7), "SYMLINK"
 """
 
+import re
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
@@ -46,20 +48,33 @@ LINKS = {
 """Folders of links -> what brings a device that they may lead to."""
 
 
+PAGE = regex(r"\.(?:md|rst|txt|adoc)$")
+MOST = 200_000
+GIVEN = regex(r"--device[ =][\"']?/dev/(?P<kind>tty|serial|video|v4l|media)", hints="--device")
+"""How people add a device to a container that they start."""
+
+
 @rule("error", symptoms=["could not open port /dev/serial/by-id", "No such file or directory: '/dev/serial/by-id"])
 def serial_links_only(robot: Robot) -> Iterator[Finding]:
     for service in robot.compose.whole_services:
         if service.source.judged and not service.is_privileged:
-            for folder in _without_devices(service):
+            for folder, brings in _without_devices(service):
                 yield finding(
                     folder,
                     f"{folder} holds links only: the devices that they lead to are not in the container",
                     advice="map the device itself below devices:, by its link",
+                    severity="info" if _is_given_by_hand(robot, brings) else None,
                 )
 
 
-def _without_devices(service: Service) -> Iterator[Located]:
-    """The mounted folders of links for which the service has no device."""
+def _is_given_by_hand(robot: Robot, brings: re.Pattern[str]) -> bool:
+    """Whether a page tells people to add such a device."""
+    pages = robot.tree.pages(PAGE, MOST)
+    return any(brings.match(f"/dev/{match['kind']}") for text in pages for match in GIVEN.finditer(text))
+
+
+def _without_devices(service: Service) -> Iterator[tuple[Located, re.Pattern[str]]]:
+    """The mounted folders of links for which the service has no device, each with what would bring one."""
     volumes = [volume.source for volume in service.volumes if volume.source is not None]
     given = [str(volume.source) for volume in service.volumes if _may_be_device(volume)]
     given += [str(device.host) for device in service.devices]
@@ -67,7 +82,7 @@ def _without_devices(service: Service) -> Iterator[Located]:
         mounted = [source for source in volumes if pattern.fullmatch(source)]
         others = [path for path in given if not pattern.fullmatch(path)]
         if mounted and not any(brings.match(path) for path in others):
-            yield mounted[0]
+            yield mounted[0], brings
 
 
 def _may_be_device(volume: Volume) -> bool:
