@@ -5,6 +5,8 @@
 variable nor an env file. Only services whose images are the same, have the same namespace, or are official ROS images
 are compared, and only those that one choice of `profiles` starts together. Silent for bridges between domains, such as
 domain_bridge, the DDS Router and zenoh-bridge-ros2dds: they are in the domains that their own configuration names.
+Silent, too, for a service that extends one of another file, and where a step of its image, a script of its command or
+a file that it mounts, such as `.bashrc`, speaks of the variable.
 
 ## Why it matters on a robot
 Nodes in different domains never see each other, and nodes with different middlewares do so only by luck. The
@@ -61,7 +63,7 @@ def domain_id_partial(robot: Robot) -> Iterator[Finding]:
                 if service.env_files or name in service.environment or _joins_domains(service):
                     continue
                 first = setting.first(service)
-                if first is None:
+                if first is None or _is_set_otherwise(robot, service, name):
                     continue
                 value = first.environment[name].value
                 if value is None or value in (default, f"${{{name}:-{default}}}"):
@@ -77,6 +79,21 @@ def domain_id_partial(robot: Robot) -> Iterator[Finding]:
 def _joins_domains(service: Service) -> bool:
     """A bridge is in the domains that its own configuration names."""
     return any(BRIDGE.search(text) for text in (service.name, service.image or "", *service.scripts))
+
+
+def _is_set_otherwise(robot: Robot, service: Service, name: str) -> bool:
+    """Whether the service may get the variable from another file: from what it extends, from its image, or from what
+    it mounts."""
+    compose = robot.compose
+    if compose.extends_elsewhere(service) or any(name in text for text in service.scripts):
+        return True
+    stage = compose.stage(service)
+    steps = (step for each in (stage.chain if stage is not None else ()) for step in each.instructions)
+    if any(name in text for step in steps for text in (step.value, *step.heredocs)):
+        return True
+    paths = (volume.source for volume in service.volumes if volume.source is not None)
+    mounted = (robot.tree.beside(service.source, path) for path in paths if path.startswith("."))
+    return any(each is not None and name in each.text for each in mounted)
 
 
 class Comparable:

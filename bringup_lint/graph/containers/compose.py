@@ -86,7 +86,10 @@ class Compose:
     @staticmethod
     def extends_elsewhere(service: Service) -> bool:
         """Part of the service is in another file."""
-        return service.body.get("extends") is not None and service.base is None
+        extended: Service | None = service
+        while extended is not None and extended.base is not None:
+            extended = extended.base
+        return extended is not None and extended.body.get("extends") is not None
 
     def env_files(self, service: Service) -> list[Source]:
         """The env files of a service that are in the tree, the later ones winning."""
