@@ -2,7 +2,8 @@
 
 ## What it finds
 `privileged: true`. A mount of the whole `/dev` in the same service belongs to the finding. The services of a
-tree are one finding. It is info where a comment says which devices need it, for a place to
+tree are one finding, and those that enter the namespaces of the host with nsenter are another one: for them, no
+shorter list of rights would do. It is info where a comment says which devices need it, for a place to
 work in: a terminal or a desktop without a command of the robot, and for the driver of a ZED X camera, which mounts its
 daemon: Stereolabs documents no list of devices that would do.
 
@@ -52,6 +53,13 @@ from bringup_lint.api.compose import is_workplace
 REASON = regex(r"\bprivileged\b.*\b(?:to|because|so that|for|since|as)\b.*(?:\bdevices?\b|\busb\b|/dev\b)", re.I)
 MOST = 20
 ZED_X = regex(r"/zed_x_daemon\.service$")
+ENTERS = regex(r"\bnsenter\b[^\n]{0,200}?\s(?:-t|--target)[ =]?1\b", hints="nsenter")
+OF_HOST = "let it ask for a password and listen to 127.0.0.1 alone, or start it only while somebody needs it"
+OF_DEVICES = "list what it needs instead: devices:, device_cgroup_rules:, cap_add:"
+OF_CLASSES = (
+    "name the devices below devices:; for those that come and go, keep the mount of /dev and allow their classes "
+    "instead, for example device_cgroup_rules: ['c 188:* rmw'] for ttyUSB"
+)
 
 
 @rule("warning", silent="Docker does not report what a container may do", tags=["CWE-250"])
@@ -61,28 +69,33 @@ def privileged(robot: Robot) -> Iterator[Finding]:
         key = service.key("privileged")
         if key is not None and service.is_privileged:
             places.setdefault(key.span, []).append(service)
-    alike: dict[Purpose, dict[Span, list[Service]]] = {}
+    alike: dict[tuple[Purpose, bool], dict[Span, list[Service]]] = {}
     for place, services in places.items():
         if _is_meant(robot, place, services):
             yield _report({place: services}, "info")
         else:
-            alike.setdefault(robot.purpose(place), {})[place] = services
-    for found in alike.values():
-        yield _report(found, None)
+            alike.setdefault((robot.purpose(place), all(map(_enters_host, services))), {})[place] = services
+    for (_, enters), found in alike.items():
+        yield _report(found, None, enters=enters)
 
 
-def _report(found: dict[Span, list[Service]], severity: str | None) -> Finding:
+def _report(found: dict[Span, list[Service]], severity: str | None, *, enters: bool = False) -> Finding:
     """One finding for all places of a tree."""
     (place, services), *others = found.items()
     first, more = services[0].name, sum(map(len, found.values())) - 1
+    who = f"Service '{first}'{f' (and {more} more)' if more else ''}"
+    volumes = (volume for each in found.values() for service in each for volume in service.volumes)
+    all_devices = any(volume.source == "/dev" for volume in volumes)
     return finding(
         place,
-        f"Service '{first}'{f' (and {more} more)' if more else ''} has all rights on the host",
-        advice="list what it needs instead: devices:, device_cgroup_rules:, cap_add:",
+        f"{who} runs commands as root on the host, outside of its container: so does whoever reaches it"
+        if enters
+        else f"{who} is privileged: whoever becomes root in it is root on the host",
+        advice=OF_HOST if enters else OF_CLASSES if all_devices else OF_DEVICES,
         related=[
             *_named(services),
             *_device_mounts(services),
-            *(note(other, f"so has '{each[0].name}'") for other, each in others[:MOST]),
+            *(note(other, f"so is '{each[0].name}'") for other, each in others[:MOST]),
         ],
         severity=severity,
     )
@@ -105,8 +118,13 @@ def _drives_zed_x(service: Service) -> bool:
     return any(ZED_X.search(volume.source or "") for volume in service.volumes)
 
 
+def _enters_host(service: Service) -> bool:
+    """Whether what it runs is in the namespaces of the first process of the host."""
+    return ENTERS.search(" ".join(service.scripts)) is not None
+
+
 def _named(services: list[Service]) -> list[Related]:
-    return [note(service.name, "has it too") for service in services[1:]]
+    return [note(service.name, "is it too") for service in services[1:]]
 
 
 def _device_mounts(services: list[Service]) -> Iterator[Related]:
