@@ -81,6 +81,7 @@ LEAVES = regex(
     r"|sudo[\s\"',]{1,8}(?:-\S{1,20}[\s\"',]{1,8}){0,4}(?:-u|--user)\b(?![\s\"',=]{1,8}root\b)|chroot[\s\"',]{1,8}--userspec\b)"
 )
 """A command that another user runs."""
+HOME_OF_ROOT = regex(r"(?<![\w./-])/root(?![\w.-])", hints="/root")
 MOST = 20
 OF_BUILD = frozenset({"build", "image", "profiles", "platform", "container_name", "extends"})
 """Keys of a service that is there to build an image."""
@@ -147,16 +148,25 @@ def _finding(image: AsRoot, *others: AsRoot) -> Finding:
     related += [note(other.stage.start.keyword, "so does this image") for other in others[:MOST]]
     severity = "info" if image.is_info else None
     if user is not None:
-        message, advice = f"The container runs as root{image.far}", "end with USER and an unprivileged user"
-        return finding(user, message, advice=advice, related=related, severity=severity)
+        message = f"The container runs as root{image.far}"
+        return finding(user, message, advice=_advice(image), related=related, severity=severity)
     why = f"{image.stage.origin} sets no USER, and neither does this file"
     return finding(
         image.stage.start.keyword,
         f"The container runs as root{image.far}{';' if image.far else ':'} {why}",
-        advice="create a user and end the file with USER",
+        advice=_advice(image),
         related=related,
         severity=severity,
     )
+
+
+def _advice(image: AsRoot) -> str:
+    """How the container does without root: what it still needs then has to be open to the user."""
+    groups = ", in the groups of its devices (group_add: [dialout])" if image.far else ""
+    steps = (each for stage in image.stage.chain for each in stage.instructions)
+    in_home = any(HOME_OF_ROOT.search(each.value) for each in steps)
+    moved = ", move what it runs and reads out of /root, which only root may enter," if in_home else ""
+    return f"create an unprivileged user{groups}{moved} and end the file with USER"
 
 
 def _only_builds(service: Service) -> bool:
