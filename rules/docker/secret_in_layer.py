@@ -7,7 +7,8 @@ of `--mount=type=secret`, or a key from that of `--mount=type=bind`, to another 
 step. A copy that only a condition of the step makes is a warning, and an info where nothing of the tree pushes images
 to a registry. A key that `ssh-keygen` makes in a RUN is a warning, too: the host keys of `ssh-keygen -A` and a key that
 signs in elsewhere are then the same on every robot. So is a keystore of SROS2 (`ros2 security create_keystore`,
-`generate_artifacts`), whose authority signs the participants of all robots.
+`generate_artifacts`), whose authority signs the participants of all robots; it is info where the command itself says
+that these are simulated.
 
 ## Why it matters on a robot
 Everybody who can pull the image, or has a robot with it, can read the key: `docker save` shows every layer, also when a
@@ -43,6 +44,7 @@ from bringup_lint.api import rule
 from bringup_lint.api.docker import Instruction
 from bringup_lint.api.docker import Stage
 from bringup_lint.api.docker import commands_of_run
+from bringup_lint.api.ros import is_simulation
 from bringup_lint.api.shell import Command
 from bringup_lint.api.shell import program_name
 from bringup_lint.api.shell import unwrapped
@@ -181,12 +183,13 @@ def _makes_authority(words: tuple[Located, ...]) -> bool:
 
 def _made(command: Command) -> Finding:
     host = "-A" in command.words
-    if _makes_authority(unwrapped(command.words)):
+    words = unwrapped(command.words)
+    if _makes_authority(words):
         return finding(
             command.words[0],
             "The authority of the keystore is made in the image: who can pull it can sign participants of every robot",
             advice="make the keystore outside of the image, and mount the enclaves of each robot",
-            severity="warning",
+            severity="info" if is_simulation(" ".join(words)) else "warning",
         )
     return finding(
         command.words[0],
