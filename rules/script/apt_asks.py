@@ -6,7 +6,7 @@
   may have all that other packages need;
 - in a script whose other calls of apt pass `-y`, so that it is meant to run by itself; information where it only
   upgrades, where it ends at the first failure (`set -e`) and fewer of its calls pass `-y`, and where nothing of the
-  tree starts it and it asks once or twice, because the person who started it may answer;
+  tree starts it and it asks for packages once or twice, because the person who started it may answer;
 - in a script without any `-y` that sets the robot up afterwards: it copies to `/etc` or `/opt`, or enables units;
   information unless something of the tree starts the script, because a person may answer.
 
@@ -139,7 +139,7 @@ def _of_scripts(robot: Robot) -> Iterator[Finding]:
         asking = sorted((words for words, asks in each if asks), key=lambda words: not _installs(words))
         answered = [words[0] for words, _ in each if _is_answered(words)]
         if asking and answered:
-            is_attended = len(asking) < SEVERAL and not _is_unattended(robot, source)
+            is_attended = sum(map(_installs, asking)) < SEVERAL and not _is_unattended(robot, source)
             yield _of_script(asking, answered, is_attended=is_attended)
         elif asking and _installs(asking[0]):
             yield from _of_set_up(robot, source, asking)
