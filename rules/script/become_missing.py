@@ -3,7 +3,8 @@
 ## What it finds
 Tasks that install packages, manage services or accounts, or write below `/etc`, `/usr`, `/lib` and `/boot`, without
 `become`, in a file in which most of such tasks have `become: true` of their own. All of a file are one finding. The
-tree has to hold the plays.
+tree has to hold the plays. It is info where the tasks only see to it that a folder is there: one that exists already,
+with this owner and mode, needs no root.
 
 Silent if the tree gives the right in another way: `become` in a play, a role's entry or an include, `ansible_become` or
 `ansible_user=root` in the inventory, `become` in `ansible.cfg`, and `ansible-playbook --become` in a script or in the
@@ -93,14 +94,17 @@ def become_missing(robot: Robot) -> Iterator[Finding]:
 def _of_file(source: Source) -> Iterator[Finding]:
     needing = [(each, module) for each in tasks(source) if (module := _module_of_root(each)) is not None]
     asking = [module for each, module in needing if each.own_become]
-    lacking = [module for each, module in needing if each.become is None and not _is_excused(each)]
-    if len(asking) >= LEAST and len(asking) > len(lacking) > 0:
-        first, *others = lacking
+    without = [(each, module) for each, module in needing if each.become is None and not _is_excused(each)]
+    if len(asking) >= LEAST and len(asking) > len(without) > 0:
+        first, *others = (module for _, module in without)
+        only_folders = all(_makes_folder(each) for each, _ in without)
+        when = "where the folder is not there yet" if only_folders else "with a denied permission"
         yield finding(
             first,
-            f"This {first.rpartition('.')[2]} task runs without root: the play stops here with a denied permission",
+            f"This {first.rpartition('.')[2]} task runs without root: the play stops here {when}",
             advice="write become: true, as the other tasks of this file do",
             related=[note(asking[0], "this task asks for root"), *(note(other, "and this one") for other in others)],
+            severity="info" if only_folders else None,
         )
 
 
@@ -150,6 +154,13 @@ def _module_of_root(task: Task) -> Located | None:
         if name in FILES and path is not None and OF_ROOT.match(path.value):
             return module.key
     return None
+
+
+def _makes_folder(task: Task) -> bool:
+    """Whether all that a task does is to see to it that a folder is there."""
+    settings = [each.settings for each in task.modules if each.name == "file"]
+    states = (each.scalar("state") if isinstance(each, Mapping) else None for each in settings)
+    return bool(settings) and all(state is not None and state.value == "directory" for state in states)
 
 
 def _changes(settings: Mapping) -> bool:
