@@ -3,7 +3,8 @@
 ## What it finds
 Paths below a home folder, `/opt` or `/srv` that lead into the checkout of this very repository, and to what it does not
 have, in units, scripts and login files: `WorkingDirectory=`, programs, files that `source`, `cd`, `python3`, `rviz2 -d`
-and `ros2 launch` read. Where the checkout is, other paths of the tree say: those that lead to files that exist.
+and `ros2 launch` read. Where the checkout is, other paths of the tree say: those that lead to files that exist. It is
+info where the path is the value of an argument (`NAME:=PATH`), which may be read or not.
 
 Not reported: what builds, downloads and scripts of the tree make, ignored files, submodules, and what is tested for
 before it is used.
@@ -101,6 +102,7 @@ def checkout_file_missing(robot: Robot) -> Iterator[Finding]:
                 f"There is no {lacking} in {_place(word, checkout)}, which comes from this repository: {_effect(word)}",
                 advice="name what the repository has, or add it",
                 related=[note(other, "here too") for other in others],
+                severity="info" if all(map(_is_argument, (word, *others))) else None,
             )
 
 
@@ -196,9 +198,16 @@ def _place(word: Located, checkout: str) -> str:
     return checkout if word.startswith(f"{checkout}/") else f"~{checkout}"
 
 
+def _is_argument(word: Located) -> bool:
+    """Whether a path is the value of an argument of launch or a parameter."""
+    return word.span.source.line_before(word.span.start).rstrip("\"'").endswith(":=")
+
+
 def _effect(word: Located) -> str:
     source = word.span.source
     line = source.text[source.text.rfind("\n", 0, word.span.start) + 1 : word.span.start]
     if line.startswith("WorkingDirectory="):
         return "the service does not start, 200/CHDIR"
+    if _is_argument(word):
+        return "this argument leads nowhere"
     return "what reads it fails"
