@@ -5,7 +5,8 @@
 `xhost +si:localuser:root` let in whom they name and are not reported.
 
 `chmod 777`, `chmod 666` and the like on a copy of the X server's authority file, such as `/tmp/.docker.xauth`; an info
-where the mode only lets everybody read it.
+where the mode only lets everybody read it. Silent where xauth writes the file after that: it makes a new one, with mode
+600.
 
 ## Why it matters on a robot
 It stays off until the user logs out, or until the program between the two has ended. Every user, program and
@@ -47,6 +48,9 @@ COOKIE = regex(r"(?:.*/)?[\w.-]*(?:[xX]auth|Xauthority)[\w.-]*")
 WRITABLE = regex(r"0?[0-7]{0,2}[2367]|[ugo]*[ao][ugo]*[+=]\w*w\w*|\+\w*w\w*")
 READABLE = regex(r"0?[0-7]{0,2}[4567]|[ugo]*[ao][ugo]*[+=]\w*r\w*|\+\w*r\w*")
 
+WRITES = frozenset({"merge", "nmerge", "add", "generate", "remove"})
+"""Commands of xauth that change the file."""
+
 
 @rule("warning", silent="xhost says that anyone can connect, which is what was asked for")
 def display_open(robot: Robot) -> Iterator[Finding]:
@@ -65,15 +69,26 @@ def display_open(robot: Robot) -> Iterator[Finding]:
             advice="name who needs it, for example xhost +si:localuser:root for a container",
             related=[*until, *(note(other, "here too") for other in others)],
         )
-    for _, run in robot.scripts.run("chmod"):
-        yield from _of_mode(run)
+    written = _written(robot)
+    for source, run in robot.scripts.run("chmod"):
+        yield from _of_mode(source, run, written)
 
 
-def _of_mode(run: Run) -> Iterator[Finding]:
+def _written(robot: Robot) -> dict[tuple[Source, str], int]:
+    """Where a script writes a file with xauth for the last time."""
+    found: dict[tuple[Source, str], int] = {}
+    for source, run in robot.scripts.run("xauth"):
+        if not WRITES.isdisjoint(run.words):
+            found.update(((source, run.text(word)), word.span.start) for word in run.words[1:])
+    return found
+
+
+def _of_mode(source: Source, run: Run, written: dict[tuple[Source, str], int]) -> Iterator[Finding]:
     words = [word for word in run.words[1:] if not word.startswith("--")]
     if len(words) > 1 and (WRITABLE.fullmatch(words[0]) or READABLE.fullmatch(words[0])):
         for word in words[1:]:
-            if COOKIE.fullmatch(run.text(word)):
+            path = run.text(word)
+            if COOKIE.fullmatch(path) and written.get((source, path), 0) < word.span.start:
                 yield finding(
                     word,
                     f"chmod {words[0]} gives every user of this computer the key to the screen and the keyboard",
