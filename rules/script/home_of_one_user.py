@@ -4,7 +4,8 @@
 `/home/NAME/FOLDER/...` in a script, where another place of the tree has the same folder in the home of whoever works
 with it: `~/FOLDER` or `$HOME/FOLDER`. Silent for the users that images of boards have (`ubuntu`, `pi` and the like),
 that the tree makes, becomes or logs in as, that its units run as, for the folders in which a page has people work, for
-folders of containers and other computers, and where the script asks whether the path is there.
+folders of containers and other computers, and where the script asks whether the path is there. It is info where nothing
+of the tree names a script with such a path: it may be for its author alone.
 
 ## Why it matters on a robot
 The script is right for the account of its author. On a robot with another user, "No such file or directory": the setup
@@ -87,6 +88,7 @@ def home_of_one_user(robot: Robot) -> Iterator[Finding]:
                     note(place, "the folder of whoever works with it"),
                     *(note(other, "and here") for other in left[1:20]),
                 ],
+                severity=None if any(robot.scripts.is_named(path.span.source) for path in left) else "info",
             )
 
 

@@ -5,7 +5,8 @@
 tree all of whose packages are built with ament, in which no file names a distribution of ROS 1 or its libraries; in
 any tree, in scripts and units that set up ROS 2 themselves and do not speak of ROS 1. Silent
 where the message is thrown away or the failure is handled, and where the script has an alias or a function of this
-name. A warning where nothing else of the tree names any of the scripts.
+name. A warning where nothing else of the tree names any of the scripts, and info where none of these sets up ROS 2
+either: they are left from ROS 1.
 
 ## Why it matters on a robot
 No distribution of ROS 2 has these commands: "command not found". What the script was to start does not run.
@@ -61,10 +62,6 @@ OF_ROS1 = regex(
 
 
 OF_ROS2 = regex(rf"/opt/ros/(?:{'|'.join(distros_since('foxy'))})\b|\bRMW_IMPLEMENTATION\b|\bCYCLONEDDS_URI\b")
-CALLING = regex(
-    r"(?:\.(?:md|rst|txt|sh|bash|py|ya?ml|xml|service|desktop|rules)|CMakeLists\.txt|(?:Make|Docker|[jJ]ust)file[^/]*)$"
-)
-MOST = 200_000
 
 
 @rule("error", symptoms=["roslaunch: command not found", "rosrun: command not found", "catkin_make: command not found"])
@@ -84,9 +81,15 @@ def ros1_command(robot: Robot) -> Iterator[Finding]:
             f"ROS 2 has no {first.name}: the command is not found, and this script does not do what it is for",
             advice=_advice(first.name),
             related=[note(other.words[0], f"{other.name} is not found either") for other in others[:20]],
-            severity=None if any(_is_called(robot, source) for source, _ in found) else "warning",
+            severity=_severity(robot, [source for source, _ in found]),
         )
     yield from _in_units(robot)
+
+
+def _severity(robot: Robot, scripts: list[Source]) -> str | None:
+    if any(map(robot.scripts.is_named, scripts)):
+        return None
+    return "warning" if any(map(_sets_up_ros2, scripts)) else "info"
 
 
 def _in_units(robot: Robot) -> Iterator[Finding]:
@@ -112,12 +115,6 @@ def _sets_up_ros2(source: Source) -> bool:
     """Whether a file takes the setup file of a distribution of ROS 2, or chooses its middleware, and never speaks of
     ROS 1."""
     return source.says(OF_ROS2) and not source.says(OF_ROS1)
-
-
-def _is_called(robot: Robot, script: Source) -> bool:
-    """Whether a page or another file of the tree names the script."""
-    others = (path for path in robot.tree.like(CALLING) if not path.endswith(f"/{script.name}"))
-    return any(script.basename in robot.tree.head(path, MOST) for path in others)
 
 
 def _defines(source: Source, name: str) -> bool:

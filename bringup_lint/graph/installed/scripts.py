@@ -35,6 +35,10 @@ _HANDLES = regex(
 """A command of a step that does not run the script which it names."""
 _ENTERS = regex(r"\b(?:on_|arch-)?chroot\b|\bsystemd-nspawn\b|\bvirt-customize\b|\bqemu-\w{1,20}-static\b")
 """What a script says that runs commands in the system of an image."""
+_NAMING = regex(
+    r"(?:\.(?:md|rst|txt|sh|bash|py|ya?ml|xml|service|desktop|rules)|CMakeLists\.txt|(?:Make|Docker|[jJ]ust)file[^/]*)$"
+)
+"""Files that may run a script, or tell people to."""
 SIZE = 200_000
 """Characters of a script that is read for what it does."""
 
@@ -122,6 +126,13 @@ class Scripts:
             return True
         starters = (each for kind in STARTING if kind not in KINDS for each in self.files.of_kind(kind))
         return any(name in each.text for each in starters)
+
+    @memo
+    def is_named(self, source: Source) -> bool:
+        """Whether a page or another file of the tree names the script."""
+        tree = self.files.tree
+        others = (path for path in tree.like(_NAMING) if not path.endswith(f"/{source.name}"))
+        return any(source.basename in tree.head(path, SIZE) for path in others)
 
 
 def _runs_in_step(step: re.Pattern[str], text: str) -> bool:
