@@ -89,6 +89,8 @@ HAS_NO = frozenset("pushd popd let declare typeset shopt mapfile readarray disow
 GOES_ON = "and the script goes on"
 FAILS = f"this command fails, {GOES_ON}"
 SIGNAL = regex(r"(?:-s)?-?SIG[A-Z]{2,6}")
+JOB = regex(r"(?:^|\bkill\b[^;&|\n]{0,80}\s)%\d")
+"""A job by its number, which dash only knows of an interactive shell."""
 PSEUDO = ("ERR", "DEBUG", "RETURN")
 READS = regex(r"-[pr]*[ansdtNu]\w*")
 EXPANSION = regex(r"\$\{(?:![A-Za-z_]|\w+(?:\[[\w@*]|:[0-9]|:[ ]-|/|\^|,))")
@@ -252,7 +254,9 @@ def _refused(run: Run) -> tuple[Located, str, str] | None:
     if name in ("trap", "kill"):
         signal = next((word for word in words if SIGNAL.fullmatch(word)), None)
         if signal is not None:
-            return signal, f"knows no {signal.lstrip('-')}: {FAILS}", f"write {signal.replace('SIG', '')}"
+            kills_jobs = any(map(JOB.search, words))
+            advice = f"{begin}: it cannot kill a job of a script by %1 either" if kills_jobs else ""
+            return signal, f"knows no {signal.lstrip('-')}: {FAILS}", advice or f"write {signal.replace('SIG', '')}"
     if name == "trap":
         pseudo = next((word for word in words[1:] if word in PSEUDO), None)
         return (pseudo, f"knows no {pseudo} for trap: {FAILS}", begin) if pseudo is not None else None
