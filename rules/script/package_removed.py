@@ -5,7 +5,7 @@ Packages that a release of Ubuntu dropped, in images and scripts for that releas
 Python 2 (`python-pip`, `python-serial`), `python3-distutils`, `libgl1-mesa-glx` and `gazebo` on 24.04,
 `qt5-default` on 22.04. The release is that of the base image, which is 24.04 or later for `ros:rolling`, or that of
 the ROS distribution of the robot. What no supported release has is found without it, also in lists of packages; it is a
-warning then, for the robot may run an older Debian.
+warning then, and info where a file or the README speaks of Debian or a Raspberry Pi, whose older releases may have it.
 
 Silent where a command may fail (`||`), only runs under a condition, or another repository is added.
 
@@ -64,6 +64,9 @@ OTHER_SOURCES = regex(
 LINE = regex(r"^[ \t]*(?P<name>[a-z0-9][a-z0-9.+-]*)[ \t]*$", re.M)
 OF_APT = regex(r"^(?:python3-[a-z0-9-]+|lib[a-z0-9.+-]+-dev|build-essential)[ \t]*$", re.M)
 """What a list of packages for apt has, and one for pip has not."""
+DEBIAN = regex(r"\b(?:debian|raspbian|raspberry|rpi|raspi)\b|/home/pi\b", re.I, hints="debian rasp rpi /home/pi")
+PAGE = regex(r"(?:^|/)README[^/]*$")
+MOST = 200_000
 
 
 @rule("error", symptoms=["E: Package '*' has no installation candidate", "E: Unable to locate package *"])
@@ -72,7 +75,7 @@ def package_removed(robot: Robot) -> Iterator[Finding]:
         for stage in file.stages:
             codename = oldest_codename(stage.origin)
             if codename and not file.source.says(OTHER_SOURCES) and not robot.compose.images.is_chosen(stage, tag=True):
-                yield from _findings(_of_stage(stage), codename, [note(stage.start.value, "the image")])
+                yield from _findings(robot, _of_stage(stage), codename, [note(stage.start.value, "the image")])
     codename = codename_of(robot.target.ros) if robot.target.ros is not None else ""
     words: dict[Source, list[Located]] = {}
     for source, run in robot.scripts.run(*APTS):
@@ -80,13 +83,13 @@ def package_removed(robot: Robot) -> Iterator[Finding]:
             words.setdefault(source, []).extend(_installed(run.words))
     for source, named in words.items():
         if not source.says(OTHER_SOURCES):
-            yield from _findings(named, codename, [])
+            yield from _findings(robot, named, codename, [])
     for source in robot.of_kind("pip-requirements"):
         if source.judged and source.says(OF_APT):
-            yield from _findings(_lines(source), codename, [])
+            yield from _findings(robot, _lines(source), codename, [])
 
 
-def _findings(words: Iterable[Located], codename: str, related: list[Related]) -> Iterator[Finding]:
+def _findings(robot: Robot, words: Iterable[Located], codename: str, related: list[Related]) -> Iterator[Finding]:
     """One finding for all packages that a stage or script names, at the one that is gone for longest."""
     gone = [(word, found) for word in words if (found := removed_package(str(word), codename)) is not None]
     if gone:
@@ -95,9 +98,13 @@ def _findings(words: Iterable[Located], codename: str, related: list[Related]) -
             word,
             f"From Ubuntu {since} on there is no {word}: apt installs none of the packages that are named with it",
             advice=f"install {instead}" if instead else "leave it out",
-            severity=None if codename else "warning",
+            severity=None if codename else "info" if _may_be_debian(robot) else "warning",
             related=[*related, *(note(other, f"nor {other}, from {when} on") for other, (when, _) in others)],
         )
+
+
+def _may_be_debian(robot: Robot) -> bool:
+    return robot.mentions(DEBIAN) or any(map(DEBIAN.search, robot.tree.pages(PAGE, MOST)))
 
 
 def _of_stage(stage: Stage) -> Iterator[Located]:
