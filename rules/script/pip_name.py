@@ -7,7 +7,8 @@ In lists of requirements and in commands of scripts and images:
   brings (`os`, `time`), modules of another project (`cv2`), packages of ROS (`rclpy`, `sensor_msgs`);
 - projects whose newest release ends its own installation: `sklearn` without a version, `logging`;
 - projects that are not the library whose module the programs of the tree import: `serial` in place of `pyserial`,
-  `board` in place of `adafruit-blinka`.
+  `board` in place of `adafruit-blinka`; info where the tree installs the library, too, by its name or with another
+  project that needs it: then the order decides whose module stays.
 
 Silent where another index is named, for requirements with a condition, and for the third kind in a tree of which no
 Python file imports the module.
@@ -65,6 +66,9 @@ PROGRAM = regex(r"\.py$")
 MOST = 20_000
 """Characters of a program in which an import is looked for."""
 DEBIAN = "pkg-resources"
+BLINKA = "adafruit-blinka"
+ON_BLINKA = "adafruit-circuitpython-"
+"""Projects that need Blinka."""
 
 
 @rule(
@@ -77,8 +81,9 @@ DEBIAN = "pkg-resources"
     ],
 )
 def pip_name(robot: Robot) -> Iterator[Finding]:
-    for word, version in _requirements(robot):
-        name = re.sub(r"[-_.]+", "-", word.lower())
+    found = [(word, version, re.sub(r"[-_.]+", "-", word.lower())) for word, version in _requirements(robot)]
+    installed = {name for _, _, name in found}
+    for word, version, name in found:
         what, instead = pip_names().get(name, ("", ""))
         if what == "absent":
             yield finding(
@@ -96,13 +101,26 @@ def pip_name(robot: Robot) -> Iterator[Finding]:
         elif what == "other":
             user = _user_of(robot, name)
             if user is not None:
+                is_beside = _is_installed(instead, installed)
+                effect = (
+                    f"it and {instead} overwrite each other"
+                    if is_beside
+                    else "they end with an error where they use it"
+                )
                 yield finding(
                     word,
-                    f"The project {word} of PyPI is not the library whose module {name} the programs import: they end "
-                    "with an error where they use it",
-                    advice=f"write {instead}",
+                    f"The project {word} of PyPI is not the library whose module {name} the programs import: {effect}",
+                    advice="leave it out" if is_beside else f"write {instead}",
                     related=[note(user, "imports the module")],
+                    severity="info" if is_beside else None,
                 )
+
+
+def _is_installed(project: str, installed: set[str]) -> bool:
+    """Whether a project is installed by its name, or because others need it."""
+    if project in installed:
+        return True
+    return project == BLINKA and any(name.startswith(ON_BLINKA) for name in installed)
 
 
 def _advice(name: str, instead: str) -> str:
