@@ -6,8 +6,8 @@ nothing in the file sets such a variable. `$(nproc)` is meant. Silent in scripts
 which may set it.
 
 ## Why it matters on a robot
-The variable is empty. `make -j${nproc}` becomes `make -j`, which starts every compiler at once: a Jetson or a
-Raspberry Pi runs out of memory and kills the compiler, or no longer answers. `${pwd}/maps` becomes `/maps`.
+The variable is empty. `make -j${nproc}` becomes `make -j`, which starts a compiler for every file at once: a Jetson or
+a Raspberry Pi runs out of memory and kills the compiler, or no longer answers. `${pwd}/maps` becomes `/maps`.
 
 ## Bad
 ```dockerfile
@@ -91,7 +91,7 @@ def _report(uses: list[Located]) -> Finding:
     first, *others = sorted(uses, key=_is_number_of_jobs, reverse=True)
     name = first.strip("${}")
     what = f"nothing sets the variable {name}, which is the name of a program"
-    unlimited = f"make gets -j without a number and starts every compiler at once: {what}"
+    unlimited = f"make gets -j without a number and starts as many compilers at once as there are files: {what}"
     return finding(
         first,
         unlimited if _is_number_of_jobs(first) else f"{first} is empty: {what}",
