@@ -3,7 +3,8 @@
 ## What it finds
 In a sudoers file, or in what a script writes to one:
 
-- A line `USER ALL=(ALL) NOPASSWD: ALL`, with other commands beside `ALL` or without.
+- A line `USER ALL=(ALL) NOPASSWD: ALL`, with other commands beside `ALL` or without. It is info where a comment of the
+  file says that this is intended.
 - A line `ALL ALL=(ALL) NOPASSWD: COMMAND, ...`: every user and service of the robot may run the commands as root.
   It is info where they only shut the computer down.
 - A line `USER ALL=(root) NOPASSWD: COMMAND` without arguments, or with `*` alone, where the command runs any program or
@@ -84,6 +85,12 @@ BELOW = regex(
 HERE = regex(r"[\"']?(?:\$\(pwd\)|\$PWD|\$\{PWD\})")
 GOES = regex(r"^[ \t]*(?:cd|pushd)\b", re.M)
 PROTECTS = regex(r"\bchown\b[^\n]{0,60}\broot\b")
+MEANT = regex(
+    r"#[^\n]{0,200}\b(?:intentional(?:ly)?|deliberate(?:ly)?|on purpose)\b[^\n]{0,200}"
+    r"(?:\bNOPASSWD\b|\bpassword|\bpermissive\b|\bsudo\b)",
+    re.I,
+    hints="intentional deliberate purpose",
+)
 DEEPEST = 3
 """Variables that are made of others."""
 MOST = 200
@@ -129,6 +136,7 @@ def _judged(who: str, what: Located, text: Located, aliases: dict[str, Located])
             what,
             f"Every program that runs as {_user(who)} can become root without a password",
             advice="name the commands that are needed, with their full paths and arguments",
+            severity="info" if _is_meant(what.span.source) else None,
         )
         return
     programs = list(dict.fromkeys(command.split()[0] for command in commands if command.startswith("/")))
@@ -148,6 +156,11 @@ def _judged(who: str, what: Located, text: Located, aliases: dict[str, Located])
             "password",
             advice="name the arguments that are needed",
         )
+
+
+def _is_meant(source: Source) -> bool:
+    """Whether a comment says that the right is given on purpose, in the file or in the script that writes it."""
+    return (source.origin.whole.source if source.origin is not None else source).says(MEANT)
 
 
 def _of_own(robot: Robot, who: str, text: Located, aliases: dict[str, Located]) -> Iterator[Finding]:
