@@ -3,7 +3,7 @@
 ## What it finds
 In commands of scripts, images, units and compose files: a word that begins with a typographic quote (`“`, `”`, `„`,
 `‘`, `’`), or has one after `=` or `+`, and an option whose dash is `–` or `—`. Not in what `echo`, `printf` and others
-only say, nor within ASCII quotes.
+only say, nor within ASCII quotes. The same line in copies of a script is one finding.
 
 ## Why it matters on a robot
 Web pages and word processors put these characters in the place of those of the keyboard, and they are copied with the
@@ -46,6 +46,7 @@ ANY = regex(r"[“”„‘’–—]")
 QUOTE = regex(r"(?:^|(?<=[=+]))[“”„‘’]")
 DASH = regex(r"[–—]{1,2}[A-Za-z][\w-]{0,40}(?:=.*)?")
 SAYS = frozenset("echo printf log info warn error say notify-send whiptail dialog zenity espeak git read die".split())
+MOST = 20
 PLAIN = {"“": '"', "”": '"', "„": '"', "‘": "'", "’": "'"}
 
 
@@ -58,7 +59,11 @@ def typographic_quote(robot: Robot) -> Iterator[Finding]:
         if command.name not in SAYS:
             for word in (*command.assignments, *command.words):
                 found.setdefault(word.span.source, []).extend(_in(word))
-    for first, *others in (places for places in found.values() if places):
+    alike: dict[tuple[str, ...], list[Located]] = {}
+    for source, places in found.items():
+        if places:
+            alike.setdefault(tuple(source.line_text(each.span.line).strip() for each in places), []).extend(places)
+    for first, *others in alike.values():
         is_quote = first in PLAIN
         message = (
             f"{first} is no quote for the shell: it becomes part of the word"
@@ -69,7 +74,7 @@ def typographic_quote(robot: Robot) -> Iterator[Finding]:
             first,
             message,
             advice=f"write {PLAIN[first] if is_quote else '-'}",
-            related=[note(each, "here too") for each in others],
+            related=[note(each, "here too") for each in others[:MOST]],
         )
 
 
