@@ -75,7 +75,7 @@ KEY = regex(
     hints="http:// apt-key",
 )
 UNSIGNED_INSTALLS = (
-    "apt installs what nobody signed: whoever has the server or the way to it can give the robot a package"
+    "apt also installs what nobody signed: whoever has the server or the way to it can have any package installed"
 )
 SIGNED_BY = "import the key of the repository and name it with signed-by="
 ADDRESS = regex(r"https://(?P<host>[a-zA-Z][\w-]*(?:\.[\w-]+)+)(?P<path>/\S*)?")
@@ -99,8 +99,7 @@ def unverified_source(robot: Robot) -> Iterator[Finding]:
             if not CHECKED.search(source.text):
                 yield from _finding(
                     [_word(source, match) for match in KEY.finditer(source.text) if _is_said(source, match)],
-                    "Whoever is on the way to the server can give the robot another key, with which apt trusts "
-                    "packages of his",
+                    "Whoever is on the way to the server can send another key, with which apt trusts packages of his",
                     "get the key over https",
                 )
             if source.kind == "dockerfile" and not CHECKED.search(source.text):
