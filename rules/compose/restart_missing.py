@@ -4,8 +4,8 @@
 A ROS service without a restart policy. Services in a profile, and services with `restart: "no"`, are not reported.
 It is a warning for services that are the bring-up by their names or launch files, if one of them launches ROS with
 devices of the robot, and nothing of the tree stays with the containers as `docker compose up` does without `-d`, nor
-does its README, or a comment of the file, tell people to run that. The only service of a tree needs no such name.
-Services of one file are one finding.
+does its README or a comment tell people to run that. The only service of a tree needs no such name. Services of one
+file are one finding.
 
 ## Why it matters on a robot
 After a crash, or after a reboot of the robot, the container stays down.
@@ -43,11 +43,11 @@ from bringup_lint.api import rule
 from bringup_lint.api.compose import Service
 from bringup_lint.api.ros import is_simulation
 
-UP = r"\bdocker(?:-compose|[ \t]+compose)\b(?![^\n]{0,200}\s(?:-d|--detach)(?![\w-]))[^\n]{0,200}\bup\b"
-CALLS = regex(rf"^[^#\n]{{0,200}}{UP}", re.M, hints="compose")
-"""Commands that start containers and stay with them."""
-SAYS = regex(rf"#[^#\n]{{0,200}}{UP}", hints="compose")
-"""The same in a comment."""
+CALLS = regex(
+    r"\bdocker(?:-compose|[ \t]+compose)\b(?!\.ya?ml)(?![^\n]{0,200}\s(?:-d|--detach)(?![\w-]))[^\n]{0,200}\bup\b",
+    hints="compose",
+)
+"""Commands that start containers and stay with them, also in comments, which tell people to run them."""
 PAGE = regex(r"(?:^|/)README[^/]*$")
 MOST = 200_000
 BRINGUP = regex(r"bring_?up|robot\.launch", re.I)
@@ -62,11 +62,10 @@ def restart_missing(robot: Robot) -> Iterator[Finding]:
         if service.is_ros:
             files.setdefault(service.name.span.source, []).append(service)
     called = bool(files) and (robot.mentions(CALLS) or any(map(CALLS.search, robot.tree.pages(PAGE, MOST))))
-    for source, services in files.items():
+    for services in files.values():
         lacking = [each for each in services if _is_lacking(each)]
         alone = len(files) == len(services) == 1
-        attended = called or SAYS.search(source.text) is not None
-        driving = [each for each in lacking if not attended and _drives(each, alone)]
+        driving = [each for each in lacking if not called and _drives(each, alone)]
         warned = [each for each in lacking if driving and (each in driving or _is_part(each))]
         yield from _of_file(warned, "warning")
         yield from _of_file([each for each in lacking if each not in warned], None)
