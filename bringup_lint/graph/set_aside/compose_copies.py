@@ -5,6 +5,9 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 from collections.abc import Iterator
+from functools import cached_property
+from itertools import chain
+from itertools import islice
 
 from bringup_lint.graph.containers.compose import Compose
 from bringup_lint.graph.files import Files
@@ -14,6 +17,9 @@ from bringup_lint.graph.set_aside.texts import is_copy
 from bringup_lint.model.compose import ComposeFile
 from bringup_lint.model.compose import is_variable
 from bringup_lint.source import Source
+
+_ALIKE = 50
+"""Files in the folders above with which one is compared."""
 
 
 class MisplacedCopies:
@@ -28,21 +34,34 @@ class MisplacedCopies:
     def have(self, source: Source) -> bool:
         """Whether nothing names a compose file, and a folder above has one of the same services beside which there is
         what this one mounts and does not have beside itself."""
-        by_folder = self._compose().by_folder
-        own = next((each for each in by_folder.get(os.path.dirname(source.name), ()) if each.source is source), None)
-        if own is None or not any(self._is_misplaced(own, each) for each in self._above(source)):
+        own = self._files_of.get(source)
+        if own is None or not any(self._is_misplaced(own, each) for each in islice(self._above(source), _ALIKE)):
             return False
         return not self._is_named(source)
 
     @memo
     def build(self, source: Source) -> bool:
         """Whether only such copies build a Dockerfile."""
-        images = self._compose().images
-        stages = {stage for file in images.dockerfiles if file.source is source for stage in file.stages}
-        built = (each for group in images.built.values() for each in group if each.stage in stages)
-        places = {each.where.span.source for each in built}
-        places |= {service.source for stage in stages for service in self._compose().users(stage)}
-        return bool(places) and all(each.kind == "compose" and self.have(each) for each in places)
+        places = self._builders.get(source)
+        return places is not None and all(each.kind == "compose" and self.have(each) for each in places)
+
+    @cached_property
+    def _files_of(self) -> dict[Source, ComposeFile]:
+        return {each.source: each for each in self._compose().files}
+
+    @cached_property
+    def _builders(self) -> dict[Source, set[Source]]:
+        """Dockerfile -> the files that build images of it."""
+        compose = self._compose()
+        known = {stage: file.source for file in compose.images.dockerfiles for stage in file.stages}
+        found: dict[Source, set[Source]] = {}
+        for stage, source in known.items():
+            for service in compose.users(stage):
+                found.setdefault(source, set()).add(service.source)
+        for built in chain.from_iterable(compose.images.built.values()):
+            if built.stage in known:
+                found.setdefault(known[built.stage], set()).add(built.where.span.source)
+        return found
 
     def _is_named(self, source: Source) -> bool:
         place = "/".join(self._texts.path_of(source.absolute).split("/")[-2:])
