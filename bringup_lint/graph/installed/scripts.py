@@ -5,6 +5,7 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterator
+from functools import cached_property
 
 from bringup_lint.dataclass import dataclass
 from bringup_lint.discover.starters import STARTING
@@ -39,6 +40,7 @@ _NAMING = regex(
     r"(?:\.(?:md|rst|txt|sh|bash|py|ya?ml|xml|service|desktop|rules)|CMakeLists\.txt|(?:Make|Docker|[jJ]ust)file[^/]*)$"
 )
 """Files that may run a script, or tell people to."""
+_NAME = regex(r"[\w.][\w.+-]*\w")
 SIZE = 200_000
 """Characters of a script that is read for what it does."""
 
@@ -127,12 +129,19 @@ class Scripts:
         starters = (each for kind in STARTING if kind not in KINDS for each in self.files.of_kind(kind))
         return any(name in each.text for each in starters)
 
-    @memo
     def is_named(self, source: Source) -> bool:
         """Whether a page or another file of the tree names the script."""
-        tree = self.files.tree
-        others = (path for path in tree.like(_NAMING) if not path.endswith(f"/{source.name}"))
-        return any(source.basename in tree.head(path, SIZE) for path in others)
+        return not self._naming.get(source.basename, set()) <= {source.absolute}
+
+    @cached_property
+    def _naming(self) -> dict[str, set[str]]:
+        """Name of a script -> the files that may run it, or tell people to, and name it."""
+        tree, names = self.files.tree, {source.basename for source in self.files.of_kind(*KINDS)}
+        found: dict[str, set[str]] = {}
+        for path in tree.like(_NAMING):
+            for name in names.intersection(_NAME.findall(tree.head(path, SIZE))):
+                found.setdefault(name, set()).add(path)
+        return found
 
 
 def _runs_in_step(step: re.Pattern[str], text: str) -> bool:
