@@ -12,7 +12,8 @@ name:
 
 The default of a parameter that gives the name counts only where no parameter or launch file sets that parameter.
 Parameters that set the name of a topic are checked too, and so are the remappings of launch files, which may
-contain neither `__` nor a substitution.
+contain neither `__` nor a substitution. A name into which the default of a launch argument brings the sign is a warning
+where no command of the tree launches the file: whoever does may pass another value.
 
 ## Why it matters on a robot
 The call raises an exception, usually in the constructor: the node never starts.
@@ -86,13 +87,16 @@ def topic_name_invalid(robot: Robot) -> Iterator[Finding]:
                 else None,
             )
     for (node, where, name, when), others in refused(robot):
+        given = list(defaults(robot, node, name))
+        unless = f" unless '{given[0].name}' is passed" if given else ""
         yield finding(
             where,
-            f"'{name}' is not a valid topic name: {ends(node, when)}",
+            f"'{name}' is not a valid topic name: {ends(node, when)}{unless}",
             advice="use letters, digits, '_' and '/' only, no '__', and no part that begins with a digit",
             related=[note(node.started.span, f"{node.label()} is started here")]
-            + [note(default, "this default is a part of it") for default in defaults(robot, node, name)]
+            + [note(default.text, "this default is a part of it") for default in given]
             + [note(each.where, f"'{each.name}' is not valid either") for each in others],
+            severity="warning" if given and not robot.runners.launching(node.started.file) else None,
         )
 
 
@@ -109,12 +113,18 @@ def ends(node: topics.LaunchedNode, when: str) -> str:
     return f"{node.label()} exits {when}"
 
 
-def defaults(robot: Robot, node: topics.LaunchedNode, name: str) -> Iterator[Located]:
+class Default(NamedTuple):
+    name: str
+    """Of the argument."""
+    text: Located
+
+
+def defaults(robot: Robot, node: topics.LaunchedNode, name: str) -> Iterator[Default]:
     """The defaults of arguments that bring a sign into a name that no name may have."""
     for declared in robot.launch.expansion(node.started.file).declared:
         text = launch.literal_text(declared.action.default)
         if text is not None and text in name and WRONG.search(text) is not None:
-            yield text
+            yield Default(declared.name, text)
 
 
 class Refused(NamedTuple):
