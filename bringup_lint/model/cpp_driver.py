@@ -68,6 +68,8 @@ class UncheckedDevice(NamedTuple):
     """What holds it."""
     is_pointer: bool
     """NULL when it failed; else a negative number."""
+    is_optional: bool
+    """Each use is in a branch that a flag decides about, such as that of a log for debugging."""
 
 
 class EndlessWalk(NamedTuple):

@@ -4,8 +4,9 @@
 In C++ sources of nodes and drivers, the result of functions that open a device or a file (`gpiod_chip_open_by_name`,
 `gpiod_chip_get_line`, `hid_open`, `fopen`, `opendir`; `open`, `wiringPiI2CSetup`, `serialOpen`, `lgGpiochipOpen`,
 `pigpio_start`), kept under a name that the file uses, and neither compares nor returns anywhere. Where the failure is a
-negative number, calls whose own result is asked for count as a check. Also a serial port of LibSerial or `serial` that
-is opened in a `try`, whose handler only logs, and that is set up or used below in each case.
+negative number, calls whose own result is asked for count as a check. It is an info where each use is in a branch that
+a flag decides about, as for a log of a debugging mode. Also a serial port of LibSerial or `serial` that is opened in a
+`try`, whose handler only logs, and that is set up or used below in each case.
 
 ## Why it matters on a robot
 The device is not there, belongs to another group, or is busy: the usual first start on a new robot. With NULL the next
@@ -55,7 +56,7 @@ def device_unchecked(robot: Robot) -> Iterator[Finding]:
             f"When it cannot be opened, {found.function}() returns {end}",
             advice=f"write {test} below, and report errno with the name of what was to be opened",
             related=[note(found.used, "used here")],
-            severity=robot.nodes.lowered_if_vendored(found.opened.source, "warning"),
+            severity="info" if found.is_optional else robot.nodes.lowered_if_vendored(found.opened.source, "warning"),
         )
     for driver in robot.nodes.drivers:
         for port in driver.shut_ports:

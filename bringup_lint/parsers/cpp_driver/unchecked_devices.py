@@ -38,6 +38,7 @@ OPENS = regex(
     rf"\b(?:{'|'.join(sorted(_POINTERS | _NUMBERS))})\s{{0,4}}\(", hints="gpio open Open I2CSetup SPISetup pigpio_start"
 )
 _NAME = regex(r"[*&\s]{0,8}(?:this->)?([A-Za-z_]\w{0,80})\Z")
+_FLAG = regex(r"\(\s{0,8}\w{1,80}\s{0,8}\)\Z")
 _CASTS = ("cast_expression", "parenthesized_expression")
 
 
@@ -45,9 +46,11 @@ def unchecked_devices(code: Code) -> Iterator[UncheckedDevice]:
     """Each name that gets the result, once, where the file asks nothing about it and uses it."""
     for name, call in islice(_opened(code).items(), DEVICES):
         function = _function(call)
-        used = None if is_asked(code.source.text, name) else _used(code, name, function in _NUMBERS)
-        if used is not None:
-            yield UncheckedDevice(code.span(call.node), code.span(used), function, name, function in _POINTERS)
+        used = [] if is_asked(code.source.text, name) else _used(code, name, function in _NUMBERS)
+        for first in used[:1]:
+            is_optional = all(_is_optional(code, each) for each in used)
+            is_pointer = function in _POINTERS
+            yield UncheckedDevice(code.span(call.node), code.span(first), function, name, is_pointer, is_optional)
 
 
 def _opened(code: Code) -> dict[str, Call]:
@@ -88,11 +91,28 @@ def is_asked(text: str, name: str) -> bool:
     return re.search(asked, blanked(text)) is not None
 
 
-def _used(code: Code, name: str, is_number: bool) -> Node | None:
-    """The first call that gets what was opened; None when there is none, or when one of those that fail with a number
-    that is no device is asked for its result."""
+def _used(code: Code, name: str, is_number: bool) -> list[Node]:
+    """The calls that get what was opened; none when one of those that fail with a number that is no device is asked for
+    its result."""
     word = f"this->{name}"
-    calls = [call for call in code.calls if any(code.text(each) in (name, word) for each in call.arguments)]
+    calls = [
+        call
+        for call in code.calls
+        if any(code.text(each) in (name, word) for each in call.arguments) and not _is_given(code, call.node, name)
+    ]
     if is_number and any(call.node.parent is None or call.node.parent.type != "expression_statement" for call in calls):
-        return None
-    return calls[0].node if calls else None
+        return []
+    return [call.node for call in calls]
+
+
+def _is_given(code: Code, node: Node, name: str) -> bool:
+    """Whether the function around a call takes an argument of this name, which is another variable."""
+    function = code.body_of(node)
+    declared = code.text(function.child_by_field_name("declarator")) if function is not None else ""
+    return re.search(rf"\b{re.escape(name)}\s*[,)]", declared) is not None
+
+
+def _is_optional(code: Code, used: Node) -> bool:
+    """Whether a flag alone decides about a call."""
+    branches = (outer for outer in code.above(used) if outer.type == "if_statement")
+    return any(_FLAG.match(code.text(each.child_by_field_name("condition"))) for each in branches)
