@@ -7,7 +7,8 @@ to move, or that publish the odometry. Reported for launch files that also start
 warning where a unit or container of the tree launches the file (not for odometry, of which a robot may have more than
 one), where the file has another driver or controller restarted, and once a robot for `ros2_control_node` beside nodes
 that outlive it; else for information, and so for a node in a part that an argument switches on, or that gets simulated
-time.
+time, and for `ros2_control_node` where nothing of the tree starts controllers for it, or the package has its hardware
+from topic_based_ros2_control: another node has the device there.
 
 ## Why it matters on a robot
 If the driver ends, the launch continues and the service stays "active (running)": the robot is blind until somebody
@@ -43,12 +44,21 @@ from bringup_lint.api import finding
 from bringup_lint.api import fix
 from bringup_lint.api import launch
 from bringup_lint.api import note
+from bringup_lint.api import regex
 from bringup_lint.api import rule
 from bringup_lint.api.python import Import
 from bringup_lint.api.python import with_keyword
 from bringup_lint.api.topics import device_role
 
 WATCHED_ROLES = ("driver", "hardware")
+MANAGER, SPAWNER = "ros2_control_node", "spawner"
+COMMANDS = regex(
+    r"\b(?:load|set|switch)_controller|\bcontroller_manager[ \t]{1,4}spawner\b",
+    hints="load_controller set_controller switch_controller spawner",
+)
+"""What activates controllers without the spawner."""
+TOPICS = "topic_based_ros2_control"
+"""Hardware that only publishes commands and hears states: another node has the device."""
 ASIDE = ("tool", "state", "teleop", "container")
 
 
@@ -58,7 +68,9 @@ def critical_no_required(robot: Robot) -> Iterator[Finding]:
     for expansion, node, role, supervised, restarted in unwatched(robot):
         missed = bool(restarted) or (supervised and role != "odometry")
         severity = None if missed and not is_option(node) and not has_simulated_time(node) else "info"
-        if severity and is_whole_hardware(expansion, node):
+        if is_manager(node) and not drives_hardware(robot, expansion):
+            severity = "info"
+        elif severity and is_whole_hardware(expansion, node):
             apart.append(node)
             continue
         name = "the micro-ROS agent" if role == "microcontroller" else node.label()
@@ -137,14 +149,34 @@ def restarted_in(robot: Robot, expansion: launch.Expansion) -> dict[int, list[la
     return found
 
 
+def is_manager(node: launch.Started) -> bool:
+    return launch.literal_text(node.executable) == MANAGER
+
+
 def is_whole_hardware(expansion: launch.Expansion, node: launch.Started) -> bool:
     """Whether a launch file starts the controller manager beside nodes that outlive it."""
-    if launch.literal_text(node.executable) != "ros2_control_node" or is_option(node):
+    if not is_manager(node) or is_option(node):
         return False
     lasting = (each for each in expansion.nodes if each.is_node and each.by_default is True and each.span != node.span)
-    return any(
-        launch.literal_text(each.executable) not in (None, "spawner", "create", "ros2_control_node") for each in lasting
-    )
+    return any(launch.literal_text(each.executable) not in (None, SPAWNER, "create", MANAGER) for each in lasting)
+
+
+def drives_hardware(robot: Robot, expansion: launch.Expansion) -> bool:
+    """Whether something starts controllers, and other than those of which the hardware is another node that hears their
+    topics: those beside the manager, others apart from any, or commands."""
+    owners = (robot.launch.workspace.owner(each.source) for each in expansion.files)
+    if any(name == TOPICS for owner in owners if owner is not None for _, name in owner.manifest.depends):
+        return False
+    return expansion.opaque or starts_controllers(expansion) or robot.mentions(COMMANDS) or _starts_apart(robot)
+
+
+def starts_controllers(expansion: launch.Expansion) -> bool:
+    return any(launch.literal_text(each.executable) == SPAWNER for each in expansion.nodes)
+
+
+def _starts_apart(robot: Robot) -> bool:
+    """Whether a launch file starts controllers of a manager that another one starts."""
+    return any(starts_controllers(each) and not any(map(is_manager, each.nodes)) for each in robot.launch.entries)
 
 
 def shut_down(node: launch.Started) -> Fix | None:
