@@ -1,11 +1,11 @@
 """A launch file of a real robot uses simulated time by default.
 
 ## What it finds
-Arguments such as `use_sim_time`, `use_sim` or `simulation` with the default true, in launch files that are not for
-a simulator. An error where a unit, container or script of the tree launches the file without the argument, a warning
+Arguments such as `use_sim_time`, `use_sim` or `simulation` with the default true, in launch files that are not for a
+simulator. An error where a unit, container or script of the tree launches the file without the argument, a warning
 where another launch file includes it without the argument, or a script names such a command, and where nothing of the
 tree is about a simulation. Info where nothing of the tree starts it. Silent where every command that launches it passes
-the argument, and every include.
+the argument, and every include, and where the file ends before, as `launch/substitution-as-value` says.
 
 Also `use_sim_time: True` that no argument can change, in parameters of nodes, `SetParameter` and arguments of includes,
 in a tree where nothing is about a simulation or a recording. It is an error for the nodes of Nav2 and others that wait

@@ -51,6 +51,8 @@ if TYPE_CHECKING:
 _REMARK = regex(r"#[^\n]*")
 _VIEW = regex(r"(?:^|[/_.-])(?:display|view\w*|rviz\w*)(?:$|[/_.-])")
 """Paths of launch files that only show something."""
+_RAISES = ("path", "added", "number")
+"""Uses of a launch configuration that end with a TypeError."""
 _LAUNCH_FILE = regex(r"(?<![\w.-])(?:[\w.-]+\.launch(?:\.(?:py|xml|ya?ml))?|[\w.-]+_launch\.py)")
 EXPANSIONS = 2_000
 """Entries that are expanded in one run."""
@@ -272,6 +274,10 @@ class Launch:
         """Whether a package of the tree adds tags or substitutions to launch."""
         builds = self.files.of_kind("setup-py", "setup-cfg")
         return any("launch.frontend.launch_extension" in source.text for source in builds)
+
+    def ends_at_once(self, file: LaunchFile) -> bool:
+        """Whether a Python file takes a launch configuration for a path, a text or a number, and so starts nothing."""
+        return any(each.how in _RAISES for each in file.objects)
 
     def files_of(self, package: Package) -> list[LaunchFile]:
         """The launch files that lie in a package."""

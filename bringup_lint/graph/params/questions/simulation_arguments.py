@@ -34,7 +34,7 @@ class SimulatedByDefault(NamedTuple):
 def simulated_by_default(launch: Launch, runners: Runners) -> Iterator[SimulatedByDefault]:
     """The arguments of launch files for a robot that are true by default, and that set the clock of its nodes."""
     for file in launch.judged:
-        if launch.simulated(file):
+        if launch.simulated(file) or launch.ends_at_once(file):
             continue
         for name, default in _true_by_default(launch, file):
             starters = runners.launching(file)
