@@ -5,7 +5,8 @@
 or sets `x`. The declaration in a file that it includes comes too late; an argument that the included file requires and
 that is only handed on to it is left alone. A certain read in a Python file is an error, unless a command of the tree
 passes the argument; other reads are warnings. If the file reads more than two such names, or another launch file
-mentions it, it is probably part of a larger launch file, and the finding is info.
+mentions it, it is probably part of a larger launch file, and the finding is info, as it is where each command of the
+tree that launches the file passes the argument.
 
 ## Why it matters on a robot
 launch stops with "launch configuration 'x' does not exist" unless somebody passes `x:=…` by hand. A unit that
@@ -121,13 +122,19 @@ def unlisted(file: LaunchFile, name: str) -> list[Related]:
 
 def grade(robot: Robot, expansion: Expansion, used: Used, missing: set[str]) -> str | None:
     """A file gets its arguments from others if it is a test, if it reads many configurations, if another file mentions
-    it, or if it only hands the configuration on to what it includes, as files in XML do for a scope around them."""
+    it, if it only hands the configuration on to what it includes, as files in XML do for a scope around them, or if
+    all commands pass it."""
     if len(missing) > 2 or robot.launch.is_named_elsewhere(expansion.entry) or is_test(expansion.entry):
         return "info"
     if used.file.format != "python" and handed_on(expansion, used):
         return "info"
+    name = str(used.argument.name)
+    starters = robot.runners.launching(expansion.entry)
+    passing = passed(robot, expansion.entry, name)
+    if passing and len(passing) == len(starters):
+        return "info"
     certain = used.file is expansion.entry and not used.conditions and used.file.format == "python"
-    return None if certain and not passed(robot, expansion.entry, str(used.argument.name)) else "warning"
+    return None if certain and not passing else "warning"
 
 
 def passed(robot: Robot, file: LaunchFile, name: str) -> list[Related]:
