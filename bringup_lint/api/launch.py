@@ -71,6 +71,7 @@ if TYPE_CHECKING:
     from bringup_lint.graph.launch.questions.relative_paths import relative_paths
     from bringup_lint.graph.launch.questions.shared_devices import shared_devices
     from bringup_lint.graph.launch.questions.shutdowns import shut_down_by_helpers
+    from bringup_lint.graph.launch.questions.unread_arguments import is_used
     from bringup_lint.graph.launch.questions.unread_arguments import unread_arguments
     from bringup_lint.graph.launch.reads import dead_reads
     from bringup_lint.graph.launch.reads import read_elsewhere
@@ -226,6 +227,7 @@ __all__ = [
     "is_known_package",
     "is_plain",
     "is_real_clock",
+    "is_used",
     "joined_commands",
     "literal",
     "literal_text",

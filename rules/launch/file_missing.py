@@ -6,9 +6,9 @@ launch file, that neither exist in the source nor are made by the build: as para
 arguments of included launch files, defaults among them, and where the code of the launch file reads them itself. Files
 that git ignores or a build makes are left alone, those that the launch file asks for before it uses them, and those
 that a node of the tree or, by its name, a program writes. It is an info where the path is the value of an argument that
-nothing reads, and where nothing else starts the launch file and each file that includes it gives another value, or
-switches off what takes the path. Where a folder between is not known, the file is missing if the whole tree has none of
-its name. Included launch files and parameter files have rules of their own.
+launch files only hand on and nothing reads, and where nothing else starts the launch file and each file that includes
+it gives another value, or switches off what takes the path. Where a folder between is not known, the file is missing if
+the whole tree has none of its name. Included launch files and parameter files have rules of their own.
 
 ## Why it matters on a robot
 The program that is given the path ends, or runs without the file: map_server does not activate, RViz shows an empty
@@ -155,12 +155,9 @@ def _is_started(expansion: launch.Expansion, file: LaunchFile, span: Span) -> bo
 
 
 def _reads(robot: Robot, file: LaunchFile, name: str) -> bool:
-    """Whether a launch file, or one that goes with it, reads a configuration and does something with it."""
-    for expansion in (robot.launch.expansion(file), *robot.launch.leading_to(file)):
-        for each in expansion.files:
-            if sum(read.name == name for read in each.reads) > launch.dead_reads(each, name):
-                return True
-    return False
+    """Whether a launch file, or one that goes with it, does more with a configuration than to hand it on."""
+    expansions = (robot.launch.expansion(file), *robot.launch.leading_to(file))
+    return any(launch.is_used(robot.launch, each, name) for expansion in expansions for each in expansion.files)
 
 
 def _writers(robot: Robot) -> list[Source]:

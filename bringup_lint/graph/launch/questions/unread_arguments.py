@@ -148,6 +148,11 @@ def _handed_by(include: Include, is_python: bool) -> Iterator[Argument]:
             yield from (each for each in walk(value) if isinstance(each, Argument) and each.name == name)
 
 
+def is_used(launch: Launch, file: LaunchFile, name: str) -> bool:
+    """Whether a file does more with an argument than to hand it on."""
+    return name in _read(launch)[id(file)]
+
+
 @kept
 def _read(launch: Launch) -> dict[int, frozenset[str]]:
     """What each file reads for more than to hand it on."""
