@@ -6,11 +6,11 @@ declare nor read. Of files in packages that are not in the tree, those of Nav2, 
 Robots, RPLIDAR and Velodyne, rosbridge, robot_localization, Gazebo, TurtleBot and others are known. The same for
 arguments of `rs_launch.py` of realsense2_camera that newer releases have under another name, be they passed or only
 declared around the include, unless the tree is for a distribution that never got these, or fetches an older one.
-`name:=value` in
-the `ros2 launch` commands of units, and of compose services that are built from this tree, is checked in the same way.
-Silent where nothing is lost: an empty value, `use_sim_time:=false` for a file that says nothing of it, and `use_X` that
-is off beside an empty `X`. An info where the value asks for what happens anyway: it switches off what no launched file
-speaks of, or all parameter files of the tree have it.
+`name:=value` in the `ros2 launch` commands of units, and of compose services that are built from this tree, is checked
+in the same way. Silent where nothing is lost: an empty value, `use_sim_time:=false` for a file that says nothing of it,
+and `use_X` that is off beside an empty `X`. An info where the value asks for what happens anyway: it switches off what
+no launched file speaks of, it is the default, or `none` as that, of the argument whose name ends so, or all parameter
+files of the tree have it.
 
 ## Why it matters on a robot
 launch accepts any name. It ignores the value silently, and the included part runs with its default: with simulated

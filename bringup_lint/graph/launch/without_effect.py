@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
 CLOCK = "use_sim_time"
 _OFF = ("false", "0")
+_NONE = {"none"}
 _SWITCH = "use_"
 _WORD = regex(r"[a-z]{4,}")
 _GENERAL = frozenset("enable enabled launch node nodes publish run show start with".split())
@@ -66,5 +67,7 @@ def happens_anyway(name: str, value: Value, target: Expansion, files: Files) -> 
 
 
 def _is_same(default: Value | None, value: Value) -> bool:
-    """Whether two values are written alike."""
-    return default is not None and default.span.text == value.span.text
+    """Whether two values are written alike, or both say that there is none."""
+    if default is None:
+        return False
+    return default.span.text == value.span.text or {(text_of(each) or "").lower() for each in (default, value)} == _NONE
