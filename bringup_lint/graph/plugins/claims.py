@@ -13,6 +13,7 @@ from bringup_lint.graph.plugins.moveit import controller_names
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
+from bringup_lint.source import Source
 from bringup_lint.source import Span
 
 if TYPE_CHECKING:
@@ -38,6 +39,7 @@ _CLAIMS: dict[str, tuple[tuple[str, ...], str]] = {
 """Class -> the parameters with its joints, and the one with the interfaces that it claims of them, or ``=`` and the
 interface. Source: ros2_controllers, Humble to Kilted."""
 _GENERATES = regex(r"\bgenerate_(?:demo|spawn_controllers)_launch\(", hints="generate_demo generate_spawn_controllers")
+_MOCKED = regex(r"\b(?:mock|fake)_components/", hints="mock_components fake_components")
 _MOST = 200
 """Controllers of a file that are compared with each other."""
 
@@ -51,6 +53,8 @@ class Claim(NamedTuple):
     before: Span
     """The joints of the first controller."""
     spawned: Located
+    is_mocked: bool = False
+    """The controllers move the joints of a demo, which has no hardware."""
 
 
 class Taken(NamedTuple):
@@ -69,17 +73,19 @@ def claims(tree: Tree, launch: Launch, params: Params) -> Iterator[Claim]:
     files = {file.source.absolute: taken for file in params.judged if len(taken := _taken(file)) > 1}
     if not files:
         return
-    spawning = [(list(files.values()), _active(expansion)) for expansion in launch.entries]
-    spawning += [([files[path]], active) for path, active in _generated(tree, launch) if path in files]
-    for known, active in spawning:
+    spawning = [(list(files.values()), _active(expansion), False) for expansion in launch.entries]
+    generated = [each for each in _generated(tree, launch) if each[0] in files]
+    spawning += [([files[path]], active, is_mocked) for path, active, is_mocked in generated]
+    for known, active, is_mocked in spawning:
         for found in (claim for taken in known for claim in _among(taken, active)):
             if found.where not in said:
                 said.add(found.where)
-                yield found
+                yield found._replace(is_mocked=is_mocked)
 
 
-def _generated(tree: Tree, launch: Launch) -> Iterator[tuple[str, dict[str, Located]]]:
-    """The parameter file of controllers -> those that a launch file made by MoveIt spawns: all to which it sends.
+def _generated(tree: Tree, launch: Launch) -> Iterator[tuple[str, dict[str, Located], bool]]:
+    """The parameter file of controllers, those that a launch file made by MoveIt spawns, which are all to which it
+    sends, and whether the hardware of its demo is only made up.
 
     Source: moveit_configs_utils, launches.py.
     """
@@ -91,7 +97,15 @@ def _generated(tree: Tree, launch: Launch) -> Iterator[tuple[str, dict[str, Loca
         source = tree.at(os.path.join(owner.folder, "config", "moveit_controllers.yaml"))
         if source is not None:
             names = {str(name).strip("/"): name for name in controller_names(source)}
-            yield os.path.join(owner.folder, "config", "ros2_controllers.yaml"), names
+            yield os.path.join(owner.folder, "config", "ros2_controllers.yaml"), names, _is_mocked(tree, source)
+
+
+def _is_mocked(tree: Tree, controllers: Source) -> bool:
+    """Whether the hardware that MoveIt writes beside the controllers is still that of the demo."""
+    folder = os.path.dirname(controllers.absolute)
+    paths = [path for path in tree.walked_below(folder) if path.endswith(".ros2_control.xacro")]
+    sources = [source for path in paths if (source := tree.at(os.path.abspath(path))) is not None]
+    return bool(sources) and all(_MOCKED.search(source.text) for source in sources)
 
 
 def _active(expansion: Expansion) -> dict[str, Located]:
