@@ -2,7 +2,8 @@
 
 ## What it finds
 The same parameter twice under one `ros__parameters`. An error when the types differ, a warning when only the values
-differ, and info when both are equal.
+differ, and info when both are equal, or lie in a section that is not in use: one with `enabled: false`, or a plugin of
+Navigation2 that no list of its node has.
 
 ## Why it matters on a robot
 If both have the same type, the last value applies. If the types differ, rcl keeps both and passes on the one whose
@@ -45,6 +46,7 @@ def duplicate_key(robot: Robot) -> Iterator[Finding]:
     for file, first, second in robot.params.duplicates:
         wins = robot.params.winner(file, second)
         same = first.value == second.value
+        is_idle = same or robot.params.is_switched_off(second)
         differ = first.value.type != second.value.type
         yield finding(
             second.key,
@@ -53,5 +55,5 @@ def duplicate_key(robot: Robot) -> Iterator[Finding]:
             else f"'{second.name}' is set twice: " + ("both are equal" if same else "only the last value applies"),
             advice="keep one of them",
             related=[note(first.key, "set here before")],
-            severity="error" if differ and wins is not None else "info" if same else None,
+            severity="info" if is_idle else "error" if differ and wins is not None else None,
         )

@@ -12,6 +12,8 @@
 - no file of the tree but parameter files names the package, so that nothing builds, fetches or installs it: a warning.
   The namespace is taken for the name of the package, and simulators do not count.
 
+Sections that are switched off, or that no list of plugins of their node has, count as a file that nothing loads.
+
 ## Why it matters on a robot
 pluginlib compares names letter by letter. A server of Navigation2 ends when it configures, and the lifecycle manager
 takes the whole stack down. ros2_control does not load the hardware, and no controller ever starts.
@@ -108,7 +110,7 @@ def _unbrought(plugin: UnknownPlugin, others: list[UnknownPlugin]) -> Finding:
 
 
 def _severity(robot: Robot, plugin: UnknownPlugin) -> str:
-    """Warning for hardware that only stands in for the real one, info for files that nothing loads, and for packages
+    """Warning for hardware that only stands in for the real one, info for what nothing loads, and for packages
     that the images of the tree leave out: these may be built with another distribution."""
     owner = robot.launch.workspace.owner(plugin.name.span.source) if plugin.distribution else None
     if owner is not None and _is_left_out(robot, owner.name):

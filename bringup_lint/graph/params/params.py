@@ -147,7 +147,8 @@ class Params:
         return {}
 
     def is_switched_off(self, parameter: Parameter) -> bool:
-        """Whether a section around a value says that it is not in use, as with ``enabled: false``."""
+        """Whether a section around a value says that it is not in use, as with ``enabled: false``, or is that of a
+        plugin which no list of its node has."""
         if id(parameter.block) not in self._switched_off:
             self._switched_off[id(parameter.block)] = param_values.switched_off(parameter.block)
         words = parameter.name.split(".")
@@ -243,6 +244,14 @@ class Params:
         """The texts in sources that have to do with parameters."""
         texts = (source.text for source in self.code)
         return frozenset(part for text in texts for name in _QUOTED.findall(text) for part in name.split("."))
+
+    def is_read_by_program(self, file: ParameterFile) -> bool:
+        """Whether a program of the tree that reads YAML itself names a file: it may do more with the values."""
+        return any(file.source.basename in each.text for each in self._yaml_readers)
+
+    @cached_property
+    def _yaml_readers(self) -> list[Source]:
+        return [each for each in self.code if each.matches(_READS_YAML)]
 
     @cached_property
     def code(self) -> list[Source]:

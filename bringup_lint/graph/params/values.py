@@ -25,6 +25,8 @@ from bringup_lint.source import Span
 TAB = regex(r"^[ \t]*\t[ \t]*", re.M)
 _SWITCH = regex(r"(?:\w+_)?enabled?\Z")
 """A parameter that says whether a section is in use."""
+_LISTS = regex(r"(?:^|_)(?:plugins|filters)\Z")
+"""What the servers of Navigation2 call the lists of the sections that they read."""
 WIDTHS = (2, 4, 8)
 WILDCARDS = 16
 """The last blocks with a wildcard that are compared with those for one node; a file has one or two."""
@@ -57,11 +59,14 @@ def _item(node: Scalar, value: Value) -> Item:
 
 
 def switched_off(block: Block) -> frozenset[str]:
-    """The sections of a block that say that they are not in use, as with ``enabled: false``."""
-    parts = ((each, *each.name.rpartition(".")) for each in block.parameters)
-    return frozenset(
-        section for each, section, _, name in parts if section and each.value.data is False and _SWITCH.match(name)
-    )
+    """The sections of a block that say that they are not in use, as with ``enabled: false``, and those of plugins that
+    no list of plugins of the block has."""
+    parts = [(each, *each.name.rpartition(".")) for each in block.parameters]
+    off = {section for each, section, _, name in parts if section and each.value.data is False and _SWITCH.match(name)}
+    top = {name: each for each, section, _, name in parts if not section}
+    listed = {item.text for each in top.values() for item in items(each)} if any(map(_LISTS.search, top)) else set()
+    plugins = {section for _, section, _, name in parts if name == "plugin" and "." not in section}
+    return frozenset(off | (plugins - listed if listed else set()))
 
 
 def holds_maps(parameter: Parameter) -> bool:

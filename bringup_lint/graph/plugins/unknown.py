@@ -48,7 +48,8 @@ class UnknownPlugin(NamedTuple):
     distribution: str | None
     """The distribution that has no such name; None when a package of the tree should have it, or none has it."""
     loaded: bool
-    """A description of the robot, or a parameter file that a launch file loads or another file names."""
+    """A description of the robot, or a parameter file that a launch file loads or another file names, and there no
+    section that is switched off or that no list of plugins has."""
     unbrought: bool = False
     """Nothing of the tree declares, builds, fetches or installs the package."""
 
@@ -84,7 +85,8 @@ class Named:
             value = parameter.value.data
             if parameter.name.rpartition(".")[2] in _KEYS and isinstance(value, str):
                 if parameter.block.key.rpartition("/")[2] not in _DEAD:
-                    yield Located(value, parameter.span), params.is_used(file)
+                    is_loaded = params.is_used(file) and not params.is_switched_off(parameter)
+                    yield Located(value, parameter.span), is_loaded
 
     def _unknown(self, name: Located, loaded: bool) -> UnknownPlugin | None:
         match = _NAME.match(name)
