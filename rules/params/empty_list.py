@@ -2,7 +2,8 @@
 
 ## What it finds
 `[]` and `{}` as values, as a warning. An error for an empty mapping before other parameters: for rcl it ends the
-block or swallows the names that follow. Info when no source of the nodes names the parameter.
+block or swallows the names that follow. Info when no source of the nodes names the parameter, by the launch files that
+load it, or because the sources of the tree name nearly all others of the block.
 
 ## Why it matters on a robot
 An empty list has no type. The parameter counts as set without a value, and a node that declares it with a type

@@ -37,9 +37,18 @@ def of_wrong_type(params: Params, given: str, declared: str) -> Iterator[tuple[P
             yield parameter, found, params.items(parameter)
 
 
+_SURE, _MOST = 3, 0.6
+"""Parameters of a block that sources of the tree name, and the part of the block that these are, where the sources are
+those of its nodes."""
+
+
 def is_never_read(params: Params, parameter: Parameter) -> bool:
-    """Whether the sources of every node that gets a value are in the workspace, and none of them names it."""
+    """Whether the sources of every node that gets a value are in the workspace, and none of them names it: by the
+    launch files that load it, or because the sources name nearly all that is beside it."""
     from bringup_lint.graph.params.declared import mentions
+
+    if _is_unnamed(params, parameter):
+        return True
 
     file = params.of_source(parameter.span.source)
     loads = params.loads(file) if file else []
@@ -47,3 +56,12 @@ def is_never_read(params: Params, parameter: Parameter) -> bool:
     packages = [params.launch().workspace.packages.get(name or "") for name in names]
     word = str(parameter.key).rpartition(".")[2]
     return bool(packages) and all(each and not mentions(params.files, each, word) for each in packages)
+
+
+def _is_unnamed(params: Params, parameter: Parameter) -> bool:
+    """Whether sources of the tree name nearly all values of a block, and not this one."""
+    if params.is_named_in_code(str(parameter.name)):
+        return False
+    beside = parameter.block.parameters
+    named = sum(params.is_named_in_code(str(each.name)) for each in beside)
+    return named >= max(_SURE, _MOST * len(beside))
