@@ -6,7 +6,8 @@ Values between a node name and `ros__parameters` or next to it. Misspellings suc
 file of this tree loads is checked only in a folder for configuration, and is a warning.
 
 An error where a launch file of the tree gives the file to a node, info where the tree has launch files and nothing
-names the file, else a warning.
+names the file, else a warning. A page names it where it has people give it to a node, not to `ros2 launch`, which takes
+no such option.
 
 ## Why it matters on a robot
 rcl rejects the whole file: 'Cannot have a value before ros__parameters'. Every node that loads it exits at start.

@@ -49,9 +49,9 @@ def _opens(source: Source, name: str) -> bool:
 
 
 def _is_in_guide(params: Params, name: str) -> bool:
-    """Whether a page of the tree has people give a file to a node."""
+    """Whether a page of the tree has people give a file to a node: ros2 launch takes no such option."""
     tree = params.files.tree
-    told = regex(rf"--params-file[ \t=]+[^\s`\"']*{re.escape(name)}\b")
+    told = regex(rf"(?m)^(?![^\n]*\bros2 launch\b)[^\n]*--params-file[ \t=]+[^\s`\"']*{re.escape(name)}\b")
     return any(told.search(tree.head(path, _MOST)) for path in tree.paths if path.endswith(".md"))
 
 
