@@ -3,20 +3,21 @@
 ## What it finds
 In parameter files that something names: a `footprint` of a costmap that is no polygon, or has the same corner twice in
 a row; an `inflation_radius` below the inscribed radius of the robot; `observation_sources` of an obstacle layer without
-a section of their own, where no other file knows the name; a source that marks farther away than it clears; a layer
-with `clearing: false` whose sources all mark, and none of which clears; limits of `velocity_smoother` with the wrong
-sign, not one for each axis, or of zero for turning both ways; `polygons` of the collision monitor without a section;
-`min_particles` of amcl above `max_particles`; an `initial_pose` without `set_initial_pose`; from Humble on the names
-that amcl's motion models had before, and a section `recoveries_server` where one for `behavior_server` is missing or
-lacks frames and speeds of it, or `default_bt_xml_filename`; a local costmap that rolls in the frame that amcl corrects;
-critics that DWB or MPPI do not have, and critics of which none looks at obstacles; limits of `velocity_smoother` below
-those that a controller of the same file plans with; a tree for `NavigateToPose` as that for `NavigateThroughPoses`, or
-the reverse; zones of the collision monitor inside of the robot; a `robot_radius` of the local costmap far from that of
-the global one; a topic or `robot_base_frame` of one costmap, or the scan of amcl, that nothing else of the robot names,
-where the other costmap has another one that is named elsewhere; a `model_dt` of MPPI below the period of its server; a
-`data_type` that obstacle layers do not take; and from Jazzy on libraries in `plugin_lib_names` that bt_navigator loads
-by itself. A `default_bt_xml_filename` that names the tree which Nav2 takes anyway is an info. Layers with `enabled:
-false` are left alone.
+a section of their own, where no other file knows the name (an info beside sources that have one); a source that marks
+farther away than it clears; a layer with `clearing: false` whose sources all mark, and none of which clears; limits of
+`velocity_smoother` with the wrong sign, not one for each axis, or of zero for turning both ways; `polygons` of the
+collision monitor without a section; `min_particles` of amcl above `max_particles`; an `initial_pose` without
+`set_initial_pose`; from Humble on the names that amcl's motion models had before, and a section `recoveries_server`
+where one for `behavior_server` is missing or lacks frames and speeds of it, or `default_bt_xml_filename`; a local
+costmap that rolls in the frame that amcl corrects; critics that DWB or MPPI do not have, and critics of which none
+looks at obstacles; limits of `velocity_smoother` below those that a controller of the same file plans with; a tree for
+`NavigateToPose` as that for `NavigateThroughPoses`, or the reverse; zones of the collision monitor inside of the robot;
+a `robot_radius` of the local costmap far from that of the global one; a topic or `robot_base_frame` of one costmap, or
+the scan of amcl, that nothing else of the robot names, where the other costmap has another one that is named elsewhere;
+a `model_dt` of MPPI below the period of its server; a `data_type` that obstacle layers do not take; and from Jazzy on
+libraries in `plugin_lib_names` that bt_navigator loads by itself. A `default_bt_xml_filename` that names the tree which
+Nav2 takes anyway is an info, and so is what ends no server in the files of tests. Layers with `enabled: false` are left
+alone.
 
 ## Why it matters on a robot
 A footprint that is refused leaves the robot with its radius, and the costmap lets it drive into what the corners touch.
@@ -58,6 +59,7 @@ When a launch file writes another value over the one in the file.
 from collections.abc import Iterator
 
 from bringup_lint.api import Finding
+from bringup_lint.api import Purpose
 from bringup_lint.api import Robot
 from bringup_lint.api import finding
 from bringup_lint.api import note
@@ -95,6 +97,11 @@ _TEXTS: dict[str, tuple[str, str, str | None]] = {
         "The source '{name}' of {detail} has no section: the layer reads the topic '{name}'",
         "add a section {name} with topic and data_type, or take it off the list",
         None,
+    ),
+    "stray": (
+        "The source '{name}' of {detail} has no section, as others have: the layer waits for a topic '{name}', too",
+        "take it off the list, or add a section {name} with topic and data_type",
+        "info",
     ),
     "sign": (
         "{name} has the wrong sign ({detail}): the velocity smoother refuses it, or never stops",
@@ -247,8 +254,15 @@ def nav2_contradiction(robot: Robot) -> Iterator[Finding]:
             message.format(**said),
             advice=advice.format(**said),
             related=[note(each.other, "compared with this")] if each.other is not None else [],
-            severity="info" if each.kind == "old-tree" and each.detail.strip("\"'").endswith(TREES) else severity,
+            severity="info" if _is_harmless(robot, each, severity) else severity,
         )
+
+
+def _is_harmless(robot: Robot, each: NavigationProblem, severity: str | None) -> bool:
+    """Whether Nav2 does the same without the value, or only a test goes on in another way."""
+    if each.kind == "old-tree" and each.detail.strip("\"'").endswith(TREES):
+        return True
+    return severity is None and robot.purpose(each.where) is Purpose.TEST
 
 
 def _said(each: NavigationProblem) -> dict[str, str]:

@@ -230,16 +230,19 @@ def _observations(params: Params, named: dict[str, Parameter], layer: str) -> It
     sources = named.get(f"{layer}.observation_sources")
     if sources is None or not isinstance(sources.value.data, str) or "$" in sources.value.data:
         return
-    for source in sources.value.data.split():
+    listed = sources.value.data.split()
+    alone = {source for source in listed if not any(name.startswith(f"{layer}.{source}.") for name in named)}
+    for source in listed:
         prefix = f"{layer}.{source}."
-        if not any(name.startswith(prefix) for name in named):
+        if source in alone:
             if not params.named_elsewhere(source, {sources.span.source}):
-                yield NavigationProblem("source", sources.span, source, layer)
+                kind = "source" if alone.issuperset(listed) else "stray"
+                yield NavigationProblem(kind, sources.span, source, layer)
             continue
-        kind = named.get(f"{prefix}data_type")
-        if kind is not None and isinstance(kind.value.data, str) and kind.value.data not in _SEEN:
-            if "$" not in kind.value.data:
-                yield NavigationProblem("type", kind.span, source, kind.value.data)
+        seen = named.get(f"{prefix}data_type")
+        if seen is not None and isinstance(seen.value.data, str) and seen.value.data not in _SEEN:
+            if "$" not in seen.value.data:
+                yield NavigationProblem("type", seen.span, source, seen.value.data)
         marked, cleared = named.get(f"{prefix}obstacle_max_range"), named.get(f"{prefix}raytrace_max_range")
         far = number_of(marked) if marked is not None else _OBSTACLE
         clear = number_of(cleared) if cleared is not None else _RAYTRACE
