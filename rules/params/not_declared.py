@@ -3,21 +3,21 @@
 ## What it finds
 Parameters in a parameter file or launch file for a node whose source is in the workspace and which declares none of
 that name: where each declaration of its sources has its name written in the call, none has this one; else no text of
-the source, or of the files that it includes or imports, is the name or a part of it. Nodes that
-take undeclared parameters, or that build on classes which are not in the workspace, are left alone, and so are
-programs of which a source is missing, and parameters that a launch file gives to several programs under one node name.
-All parameters are known of `joy_node`, `joy_linux_node`, `robot_state_publisher`, `joint_state_publisher`,
-slam_toolbox, robot_localization, twist_mux, teleop_twist_joy, usb_cam, pointcloud_to_laserscan,
-depthimage_to_laserscan, imu_tools, rosbridge_suite, foxglove_bridge, topic_tools, cartographer_ros, web_video_server,
-apriltag_ros, explore_lite, the drivers of common laser scanners (rplidar_ros, sllidar_ros2, ydlidar_ros2_driver,
-ldlidar_stl_ros2, livox_ros_driver2, velodyne, urg_node), the servers of Navigation2, the controller manager and the
-controllers of ros2_controllers whose class the file names; a block with the usual name of such a node is judged as its
-own. The controller manager hands nothing of its block to a controller, whose parameters need a block of their own. A
-value that the launch file reads itself is left alone, and one that a comment of the package calls unneeded is an info.
-In the sections of Navigation2's own plugins, a parameter is unknown when nothing of Navigation2 has one whose name
-ends so. Packages whose repository the tree patches, or fetches from others than its first owners, may be changed, and
-are left alone. Of `realsense2_camera`, names that newer releases have changed, unless the tree is for a distribution
-that never got these, or fetches an older one.
+the source, or of the files that it includes or imports, is the name or a part of it. Nodes that take undeclared
+parameters, or that build on classes which are not in the workspace, are left alone, and so are programs of which a
+source is missing, and parameters that a launch file gives to several programs under one node name. All parameters are
+known of `joy_node`, `joy_linux_node`, `robot_state_publisher`, `joint_state_publisher`, slam_toolbox,
+robot_localization, twist_mux, teleop_twist_joy, usb_cam, pointcloud_to_laserscan, depthimage_to_laserscan, imu_tools,
+rosbridge_suite, foxglove_bridge, topic_tools, cartographer_ros, web_video_server, apriltag_ros, explore_lite, the
+drivers of common laser scanners (rplidar_ros, sllidar_ros2, ydlidar_ros2_driver, ldlidar_stl_ros2, livox_ros_driver2,
+velodyne, urg_node), the servers of Navigation2, the controller manager and the controllers of ros2_controllers whose
+class the file names; a block with the usual name of such a node is judged as its own. The controller manager hands
+nothing of its block to a controller, whose parameters need a block of their own. A value that the launch file reads
+itself is left alone, and so is what the controller manager gets from a file that a program of the tree reads itself;
+one that a comment of the package calls unneeded is an info. In the sections of Navigation2's own plugins, a parameter
+is unknown when nothing of Navigation2 has one whose name ends so. Packages whose repository the tree patches, or
+fetches from others than its first owners, may be changed, and are left alone. Of `realsense2_camera`, names that newer
+releases have changed, unless the tree is for a distribution that never got these, or fetches an older one.
 
 Where it is not known which program gets a block, or the program declares whatever it is given: parameters that no
 source of the tree names, when one source reads at least three others of the block, and most of them. Also those that

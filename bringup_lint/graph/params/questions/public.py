@@ -28,6 +28,8 @@ _OFFICIAL = ("nav2_", "dwb_", "opennav_")
 _BEFORE = ("foxy", "galactic")
 """Distributions whose plugins of Navigation2 lack parameters of newer ones, and drop a value whatever its type is."""
 _LIBRARIES = "plugin_lib_names"
+_MANAGER = "controller_manager"
+"""What programs hand the parameters of its controllers to, as they read them from a file."""
 
 
 class PublicBlock(NamedTuple):
@@ -46,7 +48,7 @@ class Unknown(NamedTuple):
 
 
 def unknown_to_public(params: Params) -> Iterator[Unknown]:
-    for _file, block, node in _blocks(params):
+    for file, block, node in _blocks(params):
         if any(each.name == _LIBRARIES and not _is_all_official(params, each) for each in block.parameters):
             continue  # the nodes of a behavior tree ask bt_navigator for parameters of their own
         lacking = [
@@ -55,7 +57,8 @@ def unknown_to_public(params: Params) -> Iterator[Unknown]:
             if not (_is_known(each) if node.has_plugins and "." in each.name else node.declares(each.name))
             and not params.is_named_in_code(each.name)
         ]
-        if lacking:
+        is_manager = node.package == _MANAGER
+        if lacking and not (is_manager and params.is_read_by_program(file)):
             yield Unknown(node, block.node_name, tuple(lacking))
 
 
