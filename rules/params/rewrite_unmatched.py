@@ -2,7 +2,8 @@
 
 ## What it finds
 Names in `param_rewrites` of `RewrittenYaml` that are no key of its source file, where the value is a file of the tree:
-a behavior tree, a map. Parameter files that an argument chooses are judged by its default.
+a behavior tree, a map. Parameter files that an argument chooses are judged by its default. Silent where a tree is that
+of the other action, which would fail where it is used.
 
 ## Why it matters on a robot
 RewrittenYaml replaces the values of keys that it finds, and adds none. The node runs with its default: the tree, map or

@@ -25,6 +25,12 @@ if TYPE_CHECKING:
 
 _NAME = regex(r"\w+")
 _KEY = regex(r"(?<![\w.])(\w+)['\"]?[ \t]*:")
+_GOALS = {
+    "default_nav_through_poses_bt_xml": ("{goals}", "{goal}"),
+    "default_nav_to_pose_bt_xml": ("{goal}", "{goals}"),
+}
+"""What the navigator sets for the trees of an action, and for those of the other one (navigate_through_poses.cpp,
+navigate_to_pose.cpp)."""
 
 
 class Unmatched(NamedTuple):
@@ -58,8 +64,16 @@ def _of(params: Params, launch: Launch, source: Value) -> Iterator[Unmatched]:
         name, given = literal_text(key), launch.find(value)
         if name is None or "." in name or given is None or given.file is None or not name.span.source.judged:
             continue
-        if not _has(file, name):
+        if not _has(file, name) and not _is_of_other_action(params, name, given.file):
             yield Unmatched(name, file, os.path.basename(given.file))
+
+
+def _is_of_other_action(params: Params, name: str, path: str) -> bool:
+    """Whether a tree reads only what the navigator sets for the other action: it would fail, and that of Nav2 does
+    not."""
+    own, other = _GOALS.get(name, ("", ""))
+    tree = params.files.tree.at(path) if own else None
+    return tree is not None and own not in tree.text and other in tree.text
 
 
 def _has(file: ParameterFile, name: str) -> bool:
