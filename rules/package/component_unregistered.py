@@ -3,8 +3,9 @@
 ## What it finds
 `rclcpp_components_register_node` and `rclcpp_components_register_nodes` of a CMakeLists.txt with a class that no source
 of the package gives to `RCLCPP_COMPONENTS_REGISTER_NODE`, where the sources register other classes. A class that is
-registered twice, where one of the sources is left out, is a warning. Silent where a source registers classes by a macro
-of its own.
+registered twice, where one of the sources is left out, is a warning. It is an info where no executable of the build and
+no launch file loads the component, and a program makes an object of the class itself. Silent where a source registers
+classes by a macro of its own.
 
 ## Why it matters on a robot
 The build succeeds: CMake writes the name into the ament index and compares it with nothing. When a container loads the
@@ -56,6 +57,7 @@ def component_unregistered(robot: Robot) -> Iterator[Finding]:
                 if each.is_same or is_longer
                 else "write a class that a source registers",
                 related=[note(each.registered, "this class is registered")],
+                severity="info" if each.is_spare else None,
             )
 
 

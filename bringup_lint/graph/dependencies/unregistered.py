@@ -7,12 +7,14 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from bringup_lint.endings import CPP
+from bringup_lint.graph.launch.started import literal_text
 from bringup_lint.named_tuple import NamedTuple
 from bringup_lint.pattern import regex
 from bringup_lint.source import Located
 
 if TYPE_CHECKING:
     from bringup_lint.graph.files import Files
+    from bringup_lint.graph.launch.launch import Launch
     from bringup_lint.graph.workspace import Package
 
 _REGISTERED = regex(
@@ -34,9 +36,11 @@ class Unregistered(NamedTuple):
     """Whether that one has another namespace only."""
     first: Located | None = None
     """Where the build registers the same class before, while nothing registers ``registered``."""
+    is_spare: bool = False
+    """No executable of the build and no launch file loads the component: a program makes an object of the class."""
 
 
-def unregistered(files: Files, package: Package) -> Iterator[Unregistered]:
+def unregistered(files: Files, launch: Launch, package: Package) -> Iterator[Unregistered]:
     """The components of a package none of whose sources registers them, where it registers others in plain words."""
     if not package.complete or not package.plugins:
         return
@@ -45,7 +49,9 @@ def unregistered(files: Files, package: Package) -> Iterator[Unregistered]:
         if not found or "$" in plugin or str(plugin) in found:
             continue
         same = [each for name, each in found.items() if _class(name) == _class(plugin)]
-        yield Unregistered(plugin, (same or [*found.values()])[0], len(same) == 1)
+        meant = (same or [*found.values()])[0]
+        is_spare = not _is_loaded(launch, package, plugin) and _is_made(files, package, meant)
+        yield Unregistered(plugin, meant, len(same) == 1, is_spare=is_spare)
     yield from _doubled(package, found)
 
 
@@ -66,6 +72,21 @@ def _is_built(package: Package, registered: Located) -> bool:
     """Whether the build names the source that registers a class, or takes all there are."""
     texts = [build.source.text for build in package.builds]
     return any(registered.span.source.basename in each or "GLOB" in each for each in texts)
+
+
+def _is_loaded(launch: Launch, package: Package, name: str) -> bool:
+    """Whether an executable of the build or a launch file loads a component."""
+    if any(name == each for build in package.builds for each in build.main_plugins.values()):
+        return True
+    return any(literal_text(node.plugin) == name for node in launch.nodes)
+
+
+def _is_made(files: Files, package: Package, registered: str) -> bool:
+    """Whether a source of a package makes an object of a class by itself."""
+    made = re.compile(rf"\bmake_(?:shared|unique)\s*<\s*(?:\w+::)*{re.escape(_class(registered))}\s*>")
+    below = (path for path in files.tree.walked_below(package.folder) if path.endswith(CPP))
+    sources = (files.tree.read(path, judged=False) for path in below)
+    return any(made.search(source.text) for source in sources if source is not None)
 
 
 def _registered(files: Files, package: Package) -> dict[str, Located]:
